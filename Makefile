@@ -1,0 +1,165 @@
+# Needs make, a C++17 compiler and a Python >= 3.11 with its headers. All else is fetched, at the
+# versions and hashes in requirements.lock, into .venv and .tools.
+
+ifeq ($(filter oneshell,$(.FEATURES)),)
+$(error This Makefile needs GNU make 4 or newer)
+endif
+
+SHELL := /bin/sh
+.SHELLFLAGS := -eu -c
+.ONESHELL:
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.PHONY: help env build psf test lint types format lock wheel clean FORCE
+
+# make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
+PYTHON ?=
+
+# What other environments leave behind must not reach this one. Indexes, caches and certificates
+# that are set for pip or uv stay in force.
+unexport CONDA_PREFIX PYTHONHOME PYTHONOPTIMIZE PYTHONPATH PYTHONSAFEPATH PYTHONSTARTUP PYTHONWARNINGS VIRTUAL_ENV
+unexport PIP_CONSTRAINT PIP_NO_BINARY PIP_NO_DEPS PIP_PREFIX PIP_PYTHON PIP_REQUIREMENT PIP_ROOT PIP_TARGET
+unexport UV_BUILD_CONSTRAINT UV_CONSTRAINT UV_DIRECTORY UV_EXCLUDE UV_EXCLUDE_NEWER UV_FORK_STRATEGY
+unexport UV_MANAGED_PYTHON UV_NO_BINARY UV_NO_BUILD UV_NO_BUILD_ISOLATION UV_NO_MANAGED_PYTHON UV_NO_VERIFY_HASHES
+unexport UV_OVERRIDE UV_PRERELEASE UV_PROJECT UV_PROJECT_ENVIRONMENT UV_PYTHON UV_PYTHON_PREFERENCE
+unexport UV_REQUIRE_HASHES UV_RESOLUTION UV_SYSTEM_PYTHON UV_VENV_SEED UV_WORKING_DIR UV_WORKING_DIRECTORY
+# An activated .venv must not have its own uv or Python remake it.
+export PATH := $(subst $(CURDIR)/.venv/bin:,,$(PATH))
+# No make is started from here, and ninja cannot use the job server of this one.
+unexport MAKEFLAGS MFLAGS
+export PIP_REQUIRE_VIRTUALENV := 0
+export PIP_ROOT_USER_ACTION := ignore
+export PIP_USER := 0
+export PYTHONNOUSERSITE := 1
+export UV_PYTHON_DOWNLOADS := never
+
+# Sets $py to the interpreter that .venv is made with: the first that has the headers to compile
+# against, or else the first that is new enough. Of an active virtualenv it is the base one.
+define find_python
+py=
+for wanted in Python.h ""; do
+	for name in $(if $(PYTHON),"$(PYTHON)",python3 python3.14 python3.13 python3.12 python3.11 python); do
+		py=$$("$$name" -c '$(print_python)' "$$wanted" 2>/dev/null) && break 2
+		py=
+	done
+done
+if [ -z "$$py" ]; then
+	echo "make: no Python >= 3.11 $(if $(PYTHON),at $(PYTHON),on PATH). Install one, or name it: make PYTHON=/path/to/python3 env" >&2
+	exit 1
+fi
+endef
+
+define print_python
+import os, sys, sysconfig
+assert sys.version_info >= (3, 11)
+assert os.path.exists(os.path.join(sysconfig.get_path("include"), sys.argv[1]))
+print(sys._base_executable)
+endef
+
+# Sets $uv: the one on PATH, where there is one that works, or else the locked one in .tools.
+define find_uv
+uv=uv
+if ! uv venv --no-python-downloads --help >/dev/null 2>&1; then
+	uv="$(CURDIR)/.tools/uv"
+	mkdir -p .tools
+	awk '/^uv==/ { on = 1 } on { print } on && !/\\$$/ { exit }' requirements.lock >.tools/uv.txt.new
+	if ! [ -x .tools/uv ] || ! cmp -s .tools/uv.txt.new .tools/uv.txt; then
+		$(find_python)
+		echo "Fetching uv into .tools"
+		rm -rf .tools/uv .tools/tmp
+		set -- --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary :all: --requirement .tools/uv.txt.new
+		if "$$py" -m venv .tools/tmp >/dev/null 2>&1; then
+			.tools/tmp/bin/python -m pip install "$$@"
+		elif rm -rf .tools/tmp && PYTHONNOUSERSITE= "$$py" -m pip --version >/dev/null 2>&1; then
+			PYTHONNOUSERSITE= "$$py" -m pip install --target .tools/tmp "$$@"
+		else
+			echo "make: $$py has neither venv nor pip to fetch uv with." >&2
+			echo "make: install uv, or on Debian and Ubuntu python3-venv or python3-pip." >&2
+			exit 1
+		fi
+		mv .tools/tmp/bin/uv .tools/uv
+		rm -rf .tools/tmp
+	fi
+	mv .tools/uv.txt.new .tools/uv.txt
+fi
+endef
+
+help: ## list these targets
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
+
+# .venv is sound if it was made for this folder and this PYTHON, and its interpreter is still there.
+env_is_sound := $(shell { .venv/bin/python -I -c '' && [ "$$(sed -n 1p .venv/env.stamp)" = "$(CURDIR)" ] && \
+	{ [ -z "$(PYTHON)" ] || [ "$$(sed -n 2p .venv/env.stamp)" = "$(PYTHON)" ]; } && echo yes; } 2>/dev/null)
+
+env: .venv/env.stamp ## make .venv and install what requirements.lock pins
+
+.venv/env.stamp: requirements.lock $(if $(env_is_sound),,FORCE)
+	@$(find_uv)
+	$(find_python)
+	rm -rf .venv
+	"$$uv" venv --quiet --python "$$py" .venv
+	printf '%s\n' "$(CURDIR)" "$(PYTHON)" >.venv/env.stamp.new
+	"$$uv" pip sync --python .venv/bin/python --require-hashes requirements.lock
+	mv .venv/env.stamp.new $@
+
+# Python files are read from src, so only C++ ones lead to a rebuild when they change. But one of any
+# kind that was there at the last build and is gone also does, for the editable install has it on its
+# list. A stamp takes its time from the start of the work, so that no edit made meanwhile is missed.
+cpp_files := $(sort $(shell find cpp -type f 2>/dev/null))
+all_files := $(sort $(cpp_files) $(shell find src -type f -name '*.py' 2>/dev/null))
+gone_files := $(filter-out $(all_files),$(shell cat .venv/build.stamp 2>/dev/null))
+
+build: .venv/build.stamp ## compile the core and install the package, editable, in .venv
+
+.venv/build.stamp: .venv/env.stamp pyproject.toml CMakeLists.txt $(cpp_files) $(if $(gone_files),FORCE)
+	@rm -f $@
+	echo "$(all_files)" >$@.new
+	if ! .venv/bin/python -c '$(print_python)' Python.h >/dev/null 2>&1; then
+		echo "make: the headers of this Python (Python.h) are missing." >&2
+		echo "make: install python3-dev (Debian, Ubuntu) or python3-devel (Fedora), or choose another: make PYTHON=... env" >&2
+		exit 1
+	fi
+	$(find_uv)
+	# RUST_LOG has uv show what the compiler says; it would hide warnings.
+	PATH="$(CURDIR)/.venv/bin:$$PATH" RUST_LOG=uv_build_frontend=debug "$$uv" pip install --python .venv/bin/python --reinstall --no-build-isolation --no-deps --editable .
+	mv $@.new $@
+
+psf: build ## compute the Hubble example, to out/hubble-1990.tif and .png
+	@mkdir -p out
+	.venv/bin/lommel psf examples/lenses/hubble-1990.toml --output out/hubble-1990.tif --output out/hubble-1990.png
+
+test: build lint types ## build, lint, check the types and run the tests
+	@.venv/bin/pytest
+
+lint: env ## check the style and the format
+	@.venv/bin/ruff check
+	.venv/bin/ruff format --check
+
+types: env ## check the types
+	@.venv/bin/mypy
+
+format: env ## rewrite the Python files in the project's format
+	@.venv/bin/ruff check --fix-only
+	.venv/bin/ruff format
+
+# Pins that still do are kept; make lock LOCKFLAGS=--upgrade moves them all.
+lock: ## pin anew, in requirements.lock, what pyproject.toml asks for
+	@$(find_uv)
+	if [ -f requirements.lock ]; then cp requirements.lock requirements.lock.new; fi
+	"$$uv" pip compile --quiet --universal --python-version 3.11 --generate-hashes \
+		--no-annotate --custom-compile-command "make lock" --all-extras --group dev $(LOCKFLAGS) \
+		--output-file requirements.lock.new pyproject.toml
+	if cmp -s requirements.lock.new requirements.lock; then rm requirements.lock.new; else mv requirements.lock.new requirements.lock; fi
+
+wheel: env ## build a wheel in dist
+	@$(find_uv)
+	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --wheel --no-build-isolation --python .venv/bin/python --out-dir dist
+
+clean: ## remove all that make made
+	@rm -rf .venv .tools build dist requirements.lock.new
+	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -f out/hubble-1990.tif out/hubble-1990.png
+	find src tests examples -type d -name __pycache__ -prune -exec rm -rf {} +
+	if [ -d out ]; then rmdir out 2>/dev/null || echo "out holds other files; kept"; fi
+
+FORCE:

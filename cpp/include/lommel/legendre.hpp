@@ -1,0 +1,58 @@
+// Legendre polynomials and Gauss-Legendre quadrature on [-1, 1].
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+namespace lommel {
+
+// Nodes (ascending) and weights of the n-point rule: Newton's method from Tricomi's initial guess, in
+// extended precision, because weights from double-precision eigenvalues lose up to eight digits at the ends.
+inline void gauss_legendre(std::size_t n, double* nodes, double* weights) {
+    using real = long double;
+    const real pi = std::acos(real(-1));
+    const real order = static_cast<real>(n);
+    for (std::size_t i = 0; i < (n + 1) / 2; ++i) {
+        const real theta = pi * (static_cast<real>(i) + real(0.75)) / (order + real(0.5));
+        real x = std::cos(theta) * (1 - (order - 1) / (8 * order * order * order));
+        real slope = 1;
+        for (int step = 0; step < 20; ++step) {
+            real before = 1, value = x;
+            for (std::size_t k = 2; k <= n; ++k) {
+                const real m = static_cast<real>(k);
+                const real next = ((2 * m - 1) * x * value - (m - 1) * before) / m;
+                before = value;
+                value = next;
+            }
+            slope = order * (x * value - before) / (x * x - 1);
+            const real move = value / slope;
+            x -= move;
+            if (std::abs(move) < real(1e-18)) {
+                break;
+            }
+        }
+        const real weight = 2 / ((1 - x * x) * slope * slope);
+        nodes[i] = static_cast<double>(-x);
+        nodes[n - 1 - i] = static_cast<double>(x);
+        weights[i] = weights[n - 1 - i] = static_cast<double>(weight);
+    }
+    if (n % 2 == 1) {
+        nodes[n / 2] = 0.0;
+    }
+}
+
+// P_0(x) .. P_{terms-1}(x) by the three-term recurrence (DLMF 18.9.1), stable on [-1, 1].
+inline void legendre_sequence(double x, std::size_t terms, double* out) {
+    if (terms > 0) {
+        out[0] = 1.0;
+    }
+    if (terms > 1) {
+        out[1] = x;
+    }
+    for (std::size_t n = 2; n < terms; ++n) {
+        const double m = static_cast<double>(n);
+        out[n] = ((2.0 * m - 1.0) * x * out[n - 1] - (m - 1.0) * out[n - 2]) / m;
+    }
+}
+
+}  // namespace lommel

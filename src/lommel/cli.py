@@ -1,0 +1,431 @@
+"""The command line: ``lommel psf``, ``lommel compare``, ``lommel info``."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import json
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+try:
+    import click
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+    from rich.table import Table
+except ImportError as missing:  # pragma: no cover
+    sys.exit(f'The command line needs {missing.name}: install "lommel[cli]".')
+
+from lommel.units import format_length, parse_length
+
+if TYPE_CHECKING:
+    from lommel.lensfile import Instrument
+    from lommel.methods import Method
+    from lommel.psf import PSF
+
+METHOD_NAMES = (
+    "nijboer-zernike",
+    "hankel",
+    "lommel-series",
+    "huygens-fresnel",
+    "fraunhofer",
+    "closed-form",
+    "geometric",
+)
+
+
+class _Length(click.ParamType[float]):
+    name = "length"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        try:
+            return parse_length(value)
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+
+class _Shape(click.ParamType[Any]):
+    name = "pixels"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if not isinstance(value, str):
+            return value
+        try:
+            sides = [int(side) for side in value.lower().replace("x", " ").split()]
+        except ValueError:
+            self.fail(f"{value!r} is not a size; write 65 or 64x128 (height x width)", param, ctx)
+        return sides[0] if len(sides) == 1 else tuple(sides)
+
+
+def _one_line_errors(command: Callable[..., None]) -> Callable[..., None]:
+    """Turn what a user can cause into one line on standard error and exit code 2."""
+
+    @functools.wraps(command)
+    def guarded(*args: Any, **kwargs: Any) -> None:
+        try:
+            command(*args, **kwargs)
+        except (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError) as error:
+            if isinstance(error, OSError) and error.strerror:
+                message = f"{error.filename}: {error.strerror}" if error.filename else error.strerror
+            else:
+                message = str(error) or type(error).__name__
+            click.echo(f"Error: {message}", err=True)
+            sys.exit(2)
+
+    return guarded
+
+
+def _lens_command(command: Callable[..., None]) -> Callable[..., None]:
+    """Add what every command takes: the lens file, what overrides it, and --json."""
+    parts = [
+        click.argument("lens", type=click.Path(dir_okay=False, path_type=Path)),
+        click.option("--object-distance", type=_Length(), help='Instead of the file\'s: "1.5 m", "inf".'),
+        click.option("--pixel", type=_Length(), help='Pixel pitch, instead of the file\'s: "3.45 um".'),
+        click.option("--shape", type=_Shape(), help="Window in pixels, instead of the file's: 65 or 64x128."),
+        click.option("--json", "as_json", is_flag=True, help="Print what the tables show as JSON."),
+    ]
+    for part in reversed(parts):
+        command = part(command)
+    return command
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.version_option(package_name="lommel")
+def main() -> None:
+    r"""Point spread functions of defocused and aberrated lenses.
+
+    A lens is described by a TOML file; see examples/lenses. Lengths carry units: "550 nm", "3.45 um", "1.5 m".
+
+    \b
+    Examples:
+      lommel info    lens.toml                          what is known without an image
+      lommel psf     lens.toml -o psf.tif -o psf.png    the PSF, as data and as a picture
+      lommel compare lens.toml --figure compare.png     every method against the reference
+    """
+
+
+@main.command()
+@_lens_command
+@click.option("-o", "--output", "outputs", multiple=True, type=click.Path(dir_okay=False, path_type=Path),
+              help=".tif (OME), .npy, .npz or .png; may be repeated.")  # fmt: skip
+@click.option("--plot", "figure", type=click.Path(dir_okay=False, path_type=Path),
+              help="A figure with axes and scale: .png, .pdf, .svg.")  # fmt: skip
+@click.option("-m", "--method", "method_name", default="nijboer-zernike", show_default=True,
+              type=click.Choice(METHOD_NAMES), help="How to evaluate the diffraction integral.")  # fmt: skip
+@click.option("--tol", type=float, help="Tolerance, relative to the peak, of methods that have one.")
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
+              help="An option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated.")  # fmt: skip
+@click.option("--normalize", default="energy", show_default=True, type=click.Choice(["energy", "strehl", "peak"]),
+              help="Fraction of all light per pixel, or 1 = unaberrated peak, or 1 = largest value.")  # fmt: skip
+@click.option("--dtype", type=click.Choice(["float32", "float64"]), help="Of the values.")
+@_one_line_errors
+def psf(
+    lens: Path,
+    object_distance: float | None,
+    pixel: float | None,
+    shape: Any,
+    as_json: bool,
+    outputs: tuple[Path, ...],
+    figure: Path | None,
+    method_name: str,
+    tol: float | None,
+    settings: tuple[str, ...],
+    normalize: str,
+    dtype: str | None,
+) -> None:
+    r"""Compute the PSF of a lens, print what it is, and write it to files.
+
+    \b
+    Examples:
+      lommel psf hubble.toml -o hubble.tif -o hubble.png
+      lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz
+      lommel psf camera.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
+    """
+    from lommel import files, report
+    from lommel.psf import psf as compute
+
+    for path in outputs:
+        if path.suffix.lower() not in files.SUFFIXES:
+            raise ValueError(f"--output must end in {', '.join(files.SUFFIXES)}, got {str(path)!r}")
+    instrument = _instrument(lens, object_distance, pixel, shape)
+    method = build_method(method_name, settings, tol)
+    with _progress(f"{type(method).__name__}, {instrument.shape[0]} x {instrument.shape[1]} pixels"):
+        start = time.perf_counter()
+        answer = compute(
+            instrument.pupil(),
+            instrument.shape,
+            instrument.pixel,
+            method=method,
+            normalize=normalize,
+            dtype=dtype,
+        )
+        seconds = time.perf_counter() - start
+        facts = report.describe_lens(instrument) | {"psf": report.describe_psf(answer, seconds)}
+        for path in outputs:
+            answer.save(path)
+        if figure is not None:
+            _save_figure(answer.plot().figure, figure)
+    written = [str(path) for path in (*outputs, *([figure] if figure else []))]
+    if as_json:
+        _print_json(facts | {"files": written})
+        return
+    _print_lens(facts)
+    _print_psf(answer, facts["psf"])
+    for name in written:
+        click.echo(f"wrote {name}")
+
+
+@main.command()
+@_lens_command
+@_one_line_errors
+def info(lens: Path, object_distance: float | None, pixel: float | None, shape: Any, as_json: bool) -> None:
+    r"""Print what is known about a lens without computing an image.
+
+    Wavefront in radians and waves, Airy radius, geometric blur, Strehl ratio, and encircled energies beside those
+    of the same aperture without aberration.
+
+    \b
+    Example:
+      lommel info camera.toml --object-distance "3 m"
+    """
+    from lommel import report
+
+    facts = report.describe_lens(_instrument(lens, object_distance, pixel, shape))
+    if as_json:
+        _print_json(facts)
+    else:
+        _print_lens(facts)
+
+
+@main.command()
+@_lens_command
+@click.option("--figure", type=click.Path(dir_okay=False, path_type=Path),
+              help="Write the PSFs and their slices side by side: .png, .pdf, .svg.")  # fmt: skip
+@_one_line_errors
+def compare(
+    lens: Path,
+    object_distance: float | None,
+    pixel: float | None,
+    shape: Any,
+    as_json: bool,
+    figure: Path | None,
+) -> None:
+    r"""Compute the PSF of a lens by every method and judge each by plain quadrature (Hankel).
+
+    Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. That of
+    HuygensFresnel is the Fresnel approximation of all the others; Geometric averages over pixels. Times are those
+    of a second call.
+
+    \b
+    Example:
+      lommel compare camera.toml --figure methods.png
+    """
+    from lommel import report
+    from lommel.methods import METHODS
+
+    instrument = _instrument(lens, object_distance, pixel, shape)
+    with _progress("", total=len(METHODS)) as started:
+        rows, answers = report.compare(instrument, [kind() for kind in METHODS.values()], started)
+        if figure is not None:
+            from lommel import plot
+
+            _save_figure(plot.compare(answers, "Hankel"), figure)
+    if as_json:
+        _print_json({"name": instrument.name, "reference": "Hankel", "rows": rows})
+    else:
+        _print_comparison(instrument, rows)
+        if figure is not None:
+            click.echo(f"wrote {figure}")
+
+
+def build_method(name: str, settings: tuple[str, ...] = (), tol: float | None = None) -> Method:
+    """Return a method from its command-line name and ``NAME=VALUE`` settings."""
+    from lommel.methods import ERFS, METHODS
+
+    kind = METHODS[name]
+    known = {item.name for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
+    options: dict[str, Any] = {} if tol is None else {"tol": tol}
+    for setting in settings:
+        key, equals, text = setting.partition("=")
+        if not equals:
+            raise ValueError(f"--set takes NAME=VALUE, got {setting!r}")
+        if key == "erf":
+            erf, colon, count = text.partition(":")
+            if erf not in ERFS:
+                raise ValueError(
+                    f"--set erf must be one of {', '.join(ERFS)}, with a count after a colon, got {text!r}"
+                )
+            options[key] = ERFS[erf](*([_value(count)] if colon else []))
+        else:
+            options[key] = _value(text)
+    for key in options:
+        if key not in known:
+            allowed = f"its options are {', '.join(sorted(known))}" if known else "it has none"
+            raise ValueError(f"{name} has no option {key!r}; {allowed}")
+    return kind(**options)
+
+
+def _value(text: str) -> Any:
+    """Return the number, pair, truth value or word that a text stands for."""
+    if "," in text:
+        return tuple(_value(part) for part in text.split(","))
+    words = {"none": None, "true": True, "false": False}
+    if text.lower() in words:
+        return words[text.lower()]
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return text
+
+
+def _instrument(path: Path, object_distance: float | None, pixel: float | None, shape: Any) -> Instrument:
+    from lommel import validation
+    from lommel.lensfile import load_instrument
+
+    instrument = load_instrument(path)
+    changes: dict[str, Any] = {}
+    if object_distance is not None:
+        changes["object_distance"] = object_distance
+    if pixel is not None:
+        changes["pixel"] = validation.pixel(pixel, metric=True)
+    if shape is not None:
+        changes["shape"] = validation.image_shape(shape)
+    return dataclasses.replace(instrument, **changes)
+
+
+@contextmanager
+def _progress(description: str, total: int | None = None) -> Iterator[Callable[[str], None]]:
+    """Show a bar on standard error, if that is a terminal; yields what announces each step."""
+    columns = [SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()]
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task(description, total=total)
+        count = 0
+
+        def started(name: str) -> None:
+            nonlocal count
+            bar.update(task, description=name, completed=count)
+            count += 1
+
+        yield started
+
+
+def _save_figure(figure: Any, path: Path) -> None:
+    """Write a figure through a temporary name."""
+    import io
+
+    from lommel.files import write_atomically
+
+    kinds = figure.canvas.get_supported_filetypes()
+    suffix = path.suffix.lower().lstrip(".")
+    if suffix not in kinds:
+        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {str(path)!r}")
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format=suffix, dpi=150)
+    write_atomically(path, buffer.getvalue())
+
+
+def _print_json(data: dict[str, Any]) -> None:
+    click.echo(json.dumps(data, indent=2, allow_nan=False))
+
+
+def _console() -> Console:
+    # A pipe has no width; tables are then as wide as they need to be.
+    return Console() if sys.stdout.isatty() else Console(width=140)
+
+
+def _print_lens(facts: dict[str, Any]) -> None:
+    from lommel.report import length_or_infinity
+
+    waves = ", ".join(f"{name} = {value:.4g}" for name, value in facts["waves"].items())
+    lines = [
+        ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
+         + (f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else "")),
+        ("focused at", length_or_infinity(facts["focus_distance"])),
+        ("object at", length_or_infinity(facts["object_distance"])),
+        ("wavelength", format_length(facts["wavelength"])),
+        ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
+         f" (working f/{facts['working_f_number']:.4g})"),
+        ("pixel", format_length(facts["pixel"])),
+        ("defocus C_d", f"{facts['defocus']:.4g} rad"),
+        ("spherical C_s", f"{facts['spherical']:.4g} rad"),
+        *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(facts["higher"])],
+        ("in waves", waves),
+        ("Airy radius", format_length(facts["airy_radius"])),
+        ("geometric blur radius", format_length(facts["geometric_radius"])),
+        ("Strehl ratio (on axis)", f"{facts['strehl']:.4g}"),
+    ]  # fmt: skip
+    table = Table(show_header=False, box=None, pad_edge=False)
+    table.add_column(style="cyan")
+    table.add_column()
+    for row in lines:
+        table.add_row(*row)
+    energies = Table(box=None, pad_edge=False, title="Encircled energy", title_justify="left")
+    for name in ("within", "radius", "this lens", "unaberrated"):
+        energies.add_column(name, justify="left" if name == "within" else "right")
+    for row in facts["encircled_energy"]:
+        energies.add_row(
+            row["within"], format_length(row["radius"]), f"{row['fraction']:.1%}", f"{row['unaberrated']:.1%}"
+        )
+    console = _console()
+    console.print(facts["name"], style="bold")
+    console.print(table)
+    console.print()
+    console.print(energies)
+
+
+def _print_psf(answer: PSF, facts: dict[str, Any]) -> None:
+    meaning = {
+        "energy": "fraction of all light per pixel",
+        "strehl": "1 = unaberrated peak",
+        "peak": "1 = largest value",
+    }
+    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
+    table = Table(title="PSF", title_justify="left", show_header=False, box=None, pad_edge=False)
+    table.add_column(style="cyan")
+    table.add_column()
+    for row in (
+        ("method", repr(answer.method)),
+        ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {meaning[facts['normalize']]}"),
+        ("sampled at", "pixel centers" if facts["sampling"] == "center" else "pixels, averaged over each"),
+        ("largest value", f"{facts['peak']:.4g}"),
+        ("energy in the window", f"{facts['energy']:.2%}"),
+        ("error bound", bound),
+        ("time", f"{1e3 * facts['seconds']:.1f} ms"),
+    ):
+        table.add_row(*row)
+    console = _console()
+    console.print()
+    console.print(table)
+
+
+def _print_comparison(instrument: Instrument, rows: list[dict[str, Any]]) -> None:
+    size = f"{instrument.shape[0]} x {instrument.shape[1]} pixels of {format_length(instrument.pixel)}"
+    table = Table(box=None, pad_edge=False)
+    for name in ("method", "time", "MSE", "peak error", "error bound"):
+        table.add_column(name, justify="left" if name == "method" else "right", no_wrap=True)
+    table.add_column("")
+
+    def number(value: float | None) -> str:
+        return "-" if value is None else f"{value:.2g}"
+
+    for row in rows:
+        note = row["reason"] or {"Hankel": "the reference", "Geometric": "pixel averages"}.get(row["method"], "")
+        spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
+        table.add_row(
+            row["method"],
+            spent,
+            number(row["mse"]),
+            number(row["peak_error"]),
+            number(row["error_bound"]),
+            note,
+        )
+    console = _console()
+    console.print(instrument.name, style="bold")
+    console.print(size)
+    console.print(table)

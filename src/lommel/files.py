@@ -1,0 +1,228 @@
+"""PSFs to files and back; every file says how its values were made."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import tempfile
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.methods import method_from_dict
+from lommel.psf import PSF
+from lommel.pupil import Pupil
+
+SUFFIXES = (".tif", ".tiff", ".npy", ".npz", ".png")
+
+_MARK = b"\n#lommel "  # between the array and the description in a .npy file
+_PNG_LEVELS = 65535
+
+
+class FileError(ValueError):
+    """A file that cannot be read as a PSF of this package."""
+
+
+def save(psf: PSF, path: str | PathLike[str]) -> None:
+    """Write a PSF; the suffix chooses the format.
+
+    ``.tif``: OME-TIFF with the physical pixel size, all values. ``.npy``: the array, with the description behind
+    it, where NumPy does not look. ``.npz``: ``values`` and ``description``. ``.png``: a picture, 16-bit grey,
+    the square root of the values over their peak (a single PSF only; values come back to 1.6e-5 of the peak).
+
+    The description is JSON: version, pupil (wavefront, obscuration, wavelength, f-number, lens distances),
+    method with all its options, normalisation, pixel, error bound. The file is written under a temporary name
+    and moved into place, so that a failure leaves what was there before.
+
+    Raises
+    ------
+    ValueError
+        If the suffix is unknown, or for a PNG of a stack.
+    ImportError
+        If tifffile or Pillow is not installed (``lommel[images]``).
+    OSError
+        If the file cannot be written.
+    """
+    target = Path(path)
+    writers = {".tif": _tiff, ".tiff": _tiff, ".npy": _npy, ".npz": _npz, ".png": _png}
+    writer = writers.get(target.suffix.lower())
+    if writer is None:
+        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
+    write_atomically(target, writer(psf, json.dumps(describe(psf), allow_nan=False)))
+
+
+def load(path: str | PathLike[str]) -> PSF:
+    """Read a PSF that :func:`save` wrote, with its pupil and method, so that everything a PSF can do works again.
+
+    Raises
+    ------
+    FileError
+        If the file is damaged or was not written by this package.
+    OSError
+        If it cannot be read.
+    """
+    source = Path(path)
+    readers = {
+        ".tif": _read_tiff,
+        ".tiff": _read_tiff,
+        ".npy": _read_npy,
+        ".npz": _read_npz,
+        ".png": _read_png,
+    }
+    reader = readers.get(source.suffix.lower())
+    if reader is None:
+        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
+    data = source.read_bytes()
+    try:
+        values, text = reader(data)
+        return _rebuild(values, json.loads(text))
+    except ImportError:
+        raise
+    except Exception as error:
+        raise FileError(f"{source} is not a PSF written by lommel: {error or type(error).__name__}") from error
+
+
+def describe(psf: PSF) -> dict[str, Any]:
+    """Return how a PSF was made, in plain types."""
+    from lommel import __version__
+
+    return {
+        "software": f"lommel {__version__}",
+        "pupil": psf.pupil.to_dict(),
+        "method": psf.method.to_dict(),
+        "sampling": psf.method.sampling,
+        "normalize": psf.normalize,
+        "pixel": psf.pixel,
+        "unit": psf.unit,
+        "error_bound": psf.error_bound,
+        "scale": psf.scale.tolist(),
+        "shape": list(psf.shape),
+        "dtype": str(psf.values.dtype),
+    }
+
+
+def write_atomically(target: Path, data: bytes) -> None:
+    """Write `data` to a temporary file next to `target` and move it into place."""
+    handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        # mkstemp makes files private; a new file has what the umask allows.
+        mask = os.umask(0)
+        os.umask(mask)
+        Path(temporary).chmod(0o666 & ~mask)
+        Path(temporary).replace(target)
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
+
+
+def _rebuild(values: NDArray[Any], description: dict[str, Any]) -> PSF:
+    values = values.reshape(description["shape"]).astype(description["dtype"], copy=False)
+    return PSF(
+        values=values,
+        pixel=description["pixel"],
+        pupil=Pupil.from_dict(description["pupil"]),
+        method=method_from_dict(description["method"]),
+        normalize=description["normalize"],
+        error_bound=description["error_bound"],
+        scale=np.asarray(description["scale"], dtype=np.float64),
+    )
+
+
+def _images(name: str) -> Any:
+    try:
+        return __import__(name, fromlist=["_"])
+    except ImportError:
+        raise ImportError(f'this format needs {name.split(".", maxsplit=1)[0]}: install "lommel[images]"') from None
+
+
+def _tiff(psf: PSF, text: str) -> bytes:
+    tifffile = _images("tifffile")
+    metric = psf.unit == "m"
+    size = psf.pixel * (1e6 if metric else 1.0)
+    unit = "µm" if metric else "reference frame"
+    metadata = {
+        "axes": "YX" if psf.values.ndim == 2 else "ZYX",
+        "PhysicalSizeX": size,
+        "PhysicalSizeXUnit": unit,
+        "PhysicalSizeY": size,
+        "PhysicalSizeYUnit": unit,
+        "Name": "point spread function",
+        "Description": text,
+    }
+    values = psf.values if psf.values.ndim == 2 else psf.values.reshape(-1, *psf.shape[-2:])
+    buffer = io.BytesIO()
+    tifffile.imwrite(buffer, values, ome=True, photometric="minisblack", metadata=metadata)
+    return buffer.getvalue()
+
+
+def _read_tiff(data: bytes) -> tuple[NDArray[Any], str]:
+    from xml.etree import ElementTree as ET
+
+    with _images("tifffile").TiffFile(io.BytesIO(data)) as file:
+        if not file.ome_metadata:
+            raise ValueError("no OME description")
+        description = ET.fromstring(file.ome_metadata).find(".//{*}Image/{*}Description")
+        if description is None or not description.text:
+            raise ValueError("no description of how it was made")
+        return file.asarray(), description.text
+
+
+def _npy(psf: PSF, text: str) -> bytes:
+    buffer = io.BytesIO()
+    np.save(buffer, psf.values, allow_pickle=False)
+    return buffer.getvalue() + _MARK + text.encode()
+
+
+def _read_npy(data: bytes) -> tuple[NDArray[Any], str]:
+    buffer = io.BytesIO(data)
+    values = np.load(buffer, allow_pickle=False)
+    rest = buffer.read()
+    if not rest.startswith(_MARK):
+        raise ValueError("no description of how it was made")
+    return values, rest.removeprefix(_MARK).decode()
+
+
+def _npz(psf: PSF, text: str) -> bytes:
+    buffer = io.BytesIO()
+    np.savez_compressed(buffer, values=psf.values, description=np.array(text))
+    return buffer.getvalue()
+
+
+def _read_npz(data: bytes) -> tuple[NDArray[Any], str]:
+    with np.load(io.BytesIO(data), allow_pickle=False) as file:
+        return file["values"], str(file["description"])
+
+
+def _png(psf: PSF, text: str) -> bytes:
+    image, info = _images("PIL.Image"), _images("PIL.PngImagePlugin").PngInfo()
+    if psf.values.ndim != 2:
+        raise ValueError(f"a .png holds a single PSF, got a stack of shape {psf.shape}")
+    peak = float(psf.values.max())
+    if peak <= 0:
+        raise ValueError("a .png needs a positive value; every value of this PSF is 0")
+    grey = np.rint(np.sqrt(psf.values.astype(np.float64) / peak) * _PNG_LEVELS).astype(np.uint16)
+    described = json.loads(text) | {"png": {"peak": peak, "stretch": "sqrt", "levels": _PNG_LEVELS}}
+    info.add_text("Software", described["software"])
+    info.add_text("lommel", json.dumps(described))
+    buffer = io.BytesIO()
+    image.fromarray(grey).save(buffer, format="png", pnginfo=info)
+    return buffer.getvalue()
+
+
+def _read_png(data: bytes) -> tuple[NDArray[Any], str]:
+    with _images("PIL.Image").open(io.BytesIO(data)) as file:
+        file.load()
+        text = file.text["lommel"]
+        grey = np.asarray(file, dtype=np.float64)
+    description = json.loads(text)
+    picture = description.pop("png")
+    if description["error_bound"] is not None:
+        # Half a level of the square root, at its steepest.
+        description["error_bound"] += 1.0 / picture["levels"]
+    return picture["peak"] * (grey / picture["levels"]) ** 2, json.dumps(description)

@@ -1,0 +1,61 @@
+"""The ways to evaluate the diffraction integral, one file each."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from lommel.methods.closed_form import ClosedForm
+from lommel.methods.fraunhofer import Fraunhofer
+from lommel.methods.geometric import Geometric
+from lommel.methods.hankel import Hankel
+from lommel.methods.huygens import HuygensFresnel
+from lommel.methods.lommel_series import LommelSeries
+from lommel.methods.method import Method, RadialMethod, ToleranceError
+from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
+
+METHODS: dict[str, type[Method]] = {
+    "nijboer-zernike": NijboerZernike,
+    "hankel": Hankel,
+    "lommel-series": LommelSeries,
+    "huygens-fresnel": HuygensFresnel,
+    "fraunhofer": Fraunhofer,
+    "closed-form": ClosedForm,
+    "geometric": Geometric,
+}
+"""Every method by the name the command line uses."""
+
+ERFS: dict[str, type[Any]] = {"abramowitz": AbramowitzErf, "table": TableErf, "fresnel": FresnelErf}
+"""The error functions of `ClosedForm` by the name the command line uses."""
+
+
+def method_from_dict(description: dict[str, Any]) -> Method:
+    """Rebuild a method from :meth:`Method.to_dict`; ValueError if its name is unknown."""
+    known = {kind.__name__: kind for kind in (*METHODS.values(), *ERFS.values())}
+
+    def build(part: dict[str, Any]) -> Any:
+        options = {key: build(value) if isinstance(value, dict) else value for key, value in part.items()}
+        name = options.pop("name")
+        if name not in known:
+            raise ValueError(f"unknown method {name!r}; known are {', '.join(sorted(known))}")
+        return known[name](**{k: tuple(v) if isinstance(v, list) else v for k, v in options.items()})
+
+    method: Method = build(description)
+    return method
+
+
+__all__ = [
+    "ERFS",
+    "METHODS",
+    "ClosedForm",
+    "Fraunhofer",
+    "Geometric",
+    "Hankel",
+    "HuygensFresnel",
+    "LommelSeries",
+    "Method",
+    "NijboerZernike",
+    "RadialMethod",
+    "ToleranceError",
+    "method_from_dict",
+]

@@ -1,0 +1,97 @@
+"""The ray-optics limit: blur disk, caustics."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel import validation
+from lommel.grid import Grid
+from lommel.methods.method import Method, Result
+from lommel.pupil import Pupil, ray_height
+from lommel.special.disk import disk_overlap
+
+_MAX_CELLS = 2**23
+
+
+@dataclass(frozen=True)
+class Geometric(Method):
+    r"""Density of the rays of the same wavefront, averaged over each pixel; conserves energy exactly.
+
+    Supports every pupil. A ray through rho meets the sensor at ``v = |dPhi/drho|``: defocus makes a uniform disk
+    of radius ``4 |C_d|``, spherical aberration caustics. Diffraction is left out, so this is no approximation of
+    the PSF at any one point, but of its local averages where the blur is many lambda*N wide.
+
+    Parameters
+    ----------
+    rings : int, default 8
+        Rings a pixel, 1 to 64: the light of each is spread evenly over its area, and each pixel receives exactly
+        the part of the ring that it covers.
+    """
+
+    sampling: ClassVar[str] = "pixel"
+    rings: int = 8
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "rings", validation.integer("rings", self.rings, least=1, most=64))
+
+    def unsupported(self, pupil: Pupil) -> str | None:
+        """Return None: every pupil is supported."""
+        return None
+
+    def intensity(self, pupil: Pupil, grid: Grid) -> Result:
+        """Return I averaged over pixels, shape ``(n, height, width)``."""
+        step = grid.step(pupil)
+        rows, columns = np.arange(grid.height // 2 + 1.0), np.arange(grid.width // 2 + 1.0)
+        corner = math.hypot(rows[-1] + 0.5, columns[-1] + 0.5)
+        count = math.ceil(corner * self.rings) + 1
+        stack = pupil.coefficients()
+        light = np.stack([self._light(c, pupil.obscuration, step / self.rings, count) for c in stack])
+        edges = np.arange(count + 1) / self.rings
+        density = light / (math.pi * (edges[1:] ** 2 - edges[:-1] ** 2))
+
+        # Nearest point of each pixel of the quadrant: the first ring that can touch it.
+        nearest = np.hypot(*np.meshgrid(np.maximum(rows - 0.5, 0), np.maximum(columns - 0.5, 0), indexing="ij"))
+        first = np.floor(nearest * self.rings).astype(np.int64)
+        pixel = (columns - 0.5, columns + 0.5, (rows - 0.5)[:, None], (rows + 0.5)[:, None])
+        quadrant = np.zeros((stack.shape[0], rows.size, columns.size))
+        inside = disk_overlap(first / self.rings, *pixel)
+        for k in range(math.ceil(math.sqrt(2.0) * self.rings) + 1):
+            ring = np.minimum(first + k, count - 1)
+            covered = disk_overlap((first + k + 1) / self.rings, *pixel)
+            quadrant += density[:, ring] * (covered - inside)
+            inside = covered
+        unfolded = quadrant[:, np.abs(np.arange(grid.height) - grid.height // 2)]
+        unfolded = unfolded[:, :, np.abs(np.arange(grid.width) - grid.width // 2)]
+        return Result(unfolded * (4.0 * math.pi * pupil.area / step**2), None)
+
+    def _light(
+        self, coefficients: NDArray[np.float64], obscuration: float, width: float, count: int
+    ) -> NDArray[np.float64]:
+        """Return the fraction of all light in each of `count` rings of `width` in v."""
+        rho = np.linspace(obscuration, 1.0, 4097)
+        height = ray_height(coefficients[None], rho)[0]
+        steepest = float(np.abs(np.diff(height)).max()) / (rho[1] - rho[0])
+        # Cells of the aperture so fine that the rays of each fall into at most two neighbouring rings.
+        cells = max(4096, math.ceil(1.05 * steepest * (1.0 - obscuration) / width))
+        if cells > _MAX_CELLS:
+            raise ValueError(
+                f"Geometric would trace {cells:.3g} rays for a blur this large on pixels this small, "
+                f"more than the limit of {_MAX_CELLS}"
+            )
+        rho = np.linspace(obscuration, 1.0, cells + 1)
+        height = np.abs(ray_height(coefficients[None], rho)[0]) / width
+        energy = np.diff(rho**2) / (1.0 - obscuration**2)
+        low, high = np.minimum(height[1:], height[:-1]), np.maximum(height[1:], height[:-1])
+        ring = np.floor(low)
+        # Part of the cell's light that falls beyond the ring its lowest ray is in.
+        spread = high - low
+        over = np.where(spread > 0, (high - ring - 1.0) / np.where(spread > 0, spread, 1.0), 0.0)
+        beyond = energy * np.clip(over, 0.0, 1.0)
+        inner = np.minimum(ring, count).astype(np.int64)
+        total = np.bincount(inner, energy - beyond, count + 2) + np.bincount(inner + 1, beyond, count + 2)
+        return np.asarray(total[:count])

@@ -1,0 +1,131 @@
+"""Lommel's series (1885): the exact field of a defocused circular aperture."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.methods.method import RadialMethod, Result, annulus
+from lommel.pupil import Pupil
+from lommel.special.bessel import bessel_sequence
+
+_BLOCK = 2**20  # values of J held at once: 8 MiB
+_SMALL = 1.0  # u below which the U series serves inside the shadow too
+
+
+@dataclass(frozen=True)
+class LommelSeries(RadialMethod):
+    r"""Lommel's functions U_n and V_n, for defocus alone; exact to rounding on both sides of u = v.
+
+    Supports pupils without spherical or higher aberration. Obscured pupils are the difference of two disks.
+
+    Notes
+    -----
+    With ``u = 4 |C_d|``, ``U_n(u, v) = sum_s (-1)^s (u/v)^(n+2s) J_{n+2s}(v)`` is used in the shadow (u <= v),
+    ``V_n(u, v) = sum_s (-1)^s (v/u)^(n+2s) J_{n+2s}(v)`` in the light, so every ratio is at most 1. Near
+    focus (u <= 1) ``(u/v)^m J_m(v)`` is taken as ``(u/2)^m / m! 0F1(; m+1; -v^2/4)`` throughout the light,
+    where the V form would cancel. Measured error: below 2e-14.
+
+    References
+    ----------
+    E. Lommel, Abh. Bayer. Akad. 15, 233 (1885). M. Born and E. Wolf, *Principles of Optics*, 7th ed.,
+    section 8.8.1 (whose C - iS is the conjugate of U for positive defocus).
+    """
+
+    def unsupported(self, pupil: Pupil) -> str | None:
+        """Return the reason where anything but defocus is present."""
+        w = pupil.wavefront
+        if np.any(w.spherical) or any(np.any(c) for c in w.higher):
+            return "supports defocus only; this pupil has spherical aberration"
+        return None
+
+    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> Result:
+        """Return U at rising v; no bound is claimed."""
+        return annulus(_disk, pupil, v)
+
+
+def _disk(coefficients: NDArray[np.float64], v: NDArray[np.float64]) -> Result:
+    values = np.empty((coefficients.shape[0], v.size), dtype=np.complex128)
+    for row, slope in zip(values, coefficients[:, 0], strict=True):
+        # coefficients[:, 0] = 2 C_d, u = 4 |C_d|
+        row[:] = _field(2.0 * abs(float(slope)), v)
+        if slope < 0:
+            np.conjugate(row, out=row)
+    return Result(values, None)
+
+
+def _field(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+    """Return U = C + iS for C_d = u/4 >= 0."""
+    out = np.empty(v.size, dtype=np.complex128)
+    shadow = v >= max(u, 1e-3)
+    inner = ~shadow
+    if u <= _SMALL:
+        out[inner] = _near_focus(u, v[inner])
+    else:
+        out[inner] = _light(u, v[inner])
+    out[shadow] = _shadow(u, v[shadow])
+    return out
+
+
+def _from_u(u: float, u1: NDArray[np.float64], u2: NDArray[np.float64]) -> NDArray[np.complex128]:
+    """Return the field from ``U_1 / u`` and ``U_2 / u``."""
+    c, s = math.cos(0.5 * u), math.sin(0.5 * u)
+    return np.asarray(2.0 * ((c * u1 + s * u2) + 1j * (s * u1 - c * u2)))
+
+
+def _shadow(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+    """Return the field for v >= u by U_1 and U_2, both divided by u."""
+    out = np.empty(v.size, dtype=np.complex128)
+    for block, j, sign in _blocks(v):
+        ratio = u / v[block, None]
+        # (-1)^s (u/v)^(m-1) / v J_m(v) with m = n + 2s
+        weighted = sign * j * _powers(ratio, j.shape[1] - 1) / v[block, None]
+        out[block] = _from_u(u, weighted[:, 0::2].sum(axis=1), weighted[:, 1::2].sum(axis=1))
+    return out
+
+
+def _light(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+    """Return the field for v < u by V_0 and V_1."""
+    out = np.empty(v.size, dtype=np.complex128)
+    c, s = math.cos(0.5 * u), math.sin(0.5 * u)
+    for block, j, sign in _blocks(v, first=0):
+        weighted = sign * j * _powers(v[block, None] / u, j.shape[1] - 1)
+        v0, v1 = weighted[:, 0::2].sum(axis=1), weighted[:, 1::2].sum(axis=1)
+        edge = 0.5 * v[block] ** 2 / u
+        out[block] = 2.0 / u * ((np.sin(edge) + s * v0 - c * v1) + 1j * (np.cos(edge) - c * v0 - s * v1))
+    return out
+
+
+def _near_focus(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
+    """Return the field for v, u <= 1 by U_1 and U_2 without division by v."""
+    from scipy.special import hyp0f1
+
+    sums = [np.zeros(v.size), np.zeros(v.size)]
+    for m in range(1, 17):
+        term = 0.5 * (0.5 * u) ** (m - 1) / math.factorial(m) * hyp0f1(m + 1, -0.25 * v * v)
+        sums[(m + 1) % 2] += (-1.0) ** ((m - 1) // 2) * term
+    return _from_u(u, sums[0], sums[1])
+
+
+def _blocks(
+    v: NDArray[np.float64], first: int = 1
+) -> Iterator[tuple[slice, NDArray[np.float64], NDArray[np.float64]]]:
+    """Yield slices of v with J_first, J_{first+1}, ... there and the signs + + - - of Lommel's sums."""
+    if not v.size:
+        return
+    reach = float(v.max())
+    count = int(reach + 12.0 * (reach + 1.0) ** (1.0 / 3.0)) + 40
+    rows = max(1, _BLOCK // count)
+    sign = np.where(np.arange(count - first) // 2 % 2 == 0, 1.0, -1.0)
+    for start in range(0, v.size, rows):
+        block = slice(start, start + rows)
+        yield block, bessel_sequence(v[block], count)[:, first:], sign
+
+
+def _powers(ratio: NDArray[np.float64], largest: int) -> NDArray[np.float64]:
+    with np.errstate(under="ignore"):
+        return np.asarray(ratio ** np.arange(largest + 1))

@@ -1,0 +1,180 @@
+"""The aperture, the wavefront across it, and the physical scale of the image."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel import validation
+from lommel.wavefront import Wavefront
+
+
+@dataclass(frozen=True)
+class Geometry:
+    """Distances that the Fresnel approximation reduces to C_d; Huygens' superposition needs them exactly.
+
+    The lens is stigmatic (free of aberration) for the plane it is focused on, the conjugate of the sensor:
+    ``1/focus_distance = 1/focal_length - 1/sensor_distance``.
+
+    Attributes
+    ----------
+    aperture_radius, focal_length, sensor_distance : float
+        Metres; the sensor distance is measured from the lens.
+    object_distance : tuple of float
+        Metres, one for each pupil of the (flattened) stack; may be infinite.
+    """
+
+    aperture_radius: float
+    focal_length: float
+    sensor_distance: float
+    object_distance: tuple[float, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types, an infinite distance as None (JSON has no infinity)."""
+        distances = [None if math.isinf(s) else s for s in self.object_distance]
+        return asdict(self) | {"object_distance": distances}
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> Geometry:
+        """Rebuild a geometry from :meth:`to_dict`."""
+        distances = tuple(math.inf if s is None else float(s) for s in description["object_distance"])
+        return cls(**{**description, "object_distance": distances})
+
+
+@dataclass(frozen=True)
+class Pupil:
+    """A circular aperture, clear from the obscuration to the rim, with a wavefront across it.
+
+    Parameters
+    ----------
+    wavefront : Wavefront
+        Phase; a stack of wavefronts makes a stack of pupils.
+    obscuration : float, default 0
+        Radius of the central obscuration over the radius of the aperture, 0 to below 1.
+    wavelength : float, optional
+        Metres. Together with `f_number` it makes lengths on the sensor metres; without both they are in
+        units of lambda*N.
+    f_number : float, optional
+        Working f-number N: sensor distance over aperture diameter.
+    geometry : Geometry, optional
+        Physical distances, filled in by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
+
+    Raises
+    ------
+    TypeError, ValueError
+        On anything that is not a finite number in range, or if only one of `wavelength` and `f_number` is given.
+    """
+
+    wavefront: Wavefront = field(default_factory=Wavefront)
+    obscuration: float = field(default=0.0, kw_only=True)
+    wavelength: float | None = field(default=None, kw_only=True)
+    f_number: float | None = field(default=None, kw_only=True)
+    geometry: Geometry | None = field(default=None, kw_only=True)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.wavefront, Wavefront):
+            raise TypeError(f"wavefront must be a Wavefront, got {self.wavefront!r}")
+        eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
+        object.__setattr__(self, "obscuration", eps)
+        if (self.wavelength is None) != (self.f_number is None):
+            raise ValueError(
+                "wavelength and f_number must be given together (sensor in metres) or not at all "
+                f"(sensor in lambda*N), got wavelength={self.wavelength!r}, f_number={self.f_number!r}"
+            )
+        if self.wavelength is not None:
+            object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
+            object.__setattr__(self, "f_number", validation.real("f_number", self.f_number, above=0.0))
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the stack; ``()`` for a single pupil."""
+        return self.wavefront.shape
+
+    @property
+    def scale(self) -> float:
+        """One unit of lambda*N in the unit of lengths on the sensor: metres, or 1."""
+        if self.wavelength is None or self.f_number is None:
+            return 1.0
+        return self.wavelength * self.f_number
+
+    @property
+    def unit(self) -> str:
+        """Unit of lengths on the sensor: ``"m"`` or ``"lambda*N"``."""
+        return "lambda*N" if self.wavelength is None else "m"
+
+    @property
+    def area(self) -> float:
+        """Clear area over that of the unobscured aperture, ``1 - eps^2``."""
+        return 1.0 - self.obscuration**2
+
+    @property
+    def airy_radius(self) -> float:
+        """Radius of the first dark ring of the unobscured, unaberrated lens: 1.2197 lambda*N."""
+        return 3.8317059702075123 / math.pi * self.scale
+
+    def v(self, radius: ArrayLike) -> NDArray[np.float64]:
+        """Return the optical coordinate ``v = pi radius / (lambda N)`` of radii on the sensor."""
+        return math.pi / self.scale * np.asarray(radius, dtype=np.float64)
+
+    def coefficients(self) -> NDArray[np.float64]:
+        """Return the phase coefficients of t = rho^2 for the flattened stack, shape ``(n, terms)``."""
+        c = self.wavefront.coefficients
+        return c.reshape(-1, c.shape[-1])
+
+    def geometric_radius(self) -> NDArray[np.float64]:
+        """Return the radius of the geometric blur, ``max |dPhi/drho|`` as a length on the sensor."""
+        rho = np.linspace(self.obscuration, 1.0, 2049)
+        blur = np.abs(ray_height(self.coefficients(), rho)).max(axis=1)
+        return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
+
+    def unaberrated(self) -> Pupil:
+        """Return the same aperture, in focus and without aberration."""
+        return Pupil(
+            Wavefront(),
+            obscuration=self.obscuration,
+            wavelength=self.wavelength,
+            f_number=self.f_number,
+        )
+
+    def __getitem__(self, index: Any) -> Pupil:
+        """Return part of a stack, as NumPy indexes arrays of its shape."""
+        part = self.wavefront[index]
+        geometry = self.geometry
+        if geometry is not None:
+            distances = np.reshape(geometry.object_distance, self.shape)[index]
+            geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
+        return replace(self, wavefront=part, geometry=geometry)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types; :meth:`from_dict` is the inverse."""
+        return {
+            "wavefront": self.wavefront.to_dict(),
+            "obscuration": self.obscuration,
+            "wavelength": self.wavelength,
+            "f_number": self.f_number,
+            "geometry": None if self.geometry is None else self.geometry.to_dict(),
+        }
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> Pupil:
+        """Rebuild a pupil from :meth:`to_dict`."""
+        parts = dict(description)
+        geometry = parts.pop("geometry")
+        return cls(
+            Wavefront(**parts.pop("wavefront")),
+            geometry=None if geometry is None else Geometry.from_dict(geometry),
+            **parts,
+        )
+
+
+def ray_height(coefficients: NDArray[np.float64], rho: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return ``dPhi/drho``, where the ray through `rho` meets the sensor (in v, signed), shape ``(n, rho)``."""
+    t = rho**2
+    slope = np.zeros((coefficients.shape[0], rho.size))
+    for k in reversed(range(coefficients.shape[1])):
+        slope = slope * t + (k + 1) * coefficients[:, k : k + 1]
+    return 2.0 * rho * slope

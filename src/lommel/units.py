@@ -1,0 +1,84 @@
+"""Unit strings, for the edges of the package only: the command line and lens files."""
+
+from __future__ import annotations
+
+import math
+import re
+
+_LENGTHS = {
+    "m": 1.0,
+    "km": 1e3,
+    "cm": 1e-2,
+    "mm": 1e-3,
+    "um": 1e-6,
+    "µm": 1e-6,  # micro sign
+    "μm": 1e-6,  # Greek mu
+    "nm": 1e-9,
+    "pm": 1e-12,
+    "angstrom": 1e-10,
+    "in": 25.4e-3,
+    "inch": 25.4e-3,
+}
+_ANGLES = {
+    "rad": 1.0,
+    "mrad": 1e-3,
+    "deg": math.pi / 180,
+    "arcmin": math.pi / 10800,
+    "arcsec": math.pi / 648000,
+    "mas": math.pi / 648000000,
+}
+_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)
+
+
+def parse_length(text: str | float) -> float:
+    """Return metres from ``"3.45 um"``, ``"50mm"``, ``"inf"``, or a number of metres.
+
+    Units: km, m, cm, mm, um, nm, pm, angstrom, in.
+
+    Raises
+    ------
+    ValueError
+        If the text is not a number with one of these units.
+    """
+    return _parse(text, _LENGTHS, "length", "550 nm")
+
+
+def parse_angle(text: str | float) -> float:
+    """Return radians from ``"0.1 arcsec"``, or a number of radians. Units: rad, mrad, deg, arcmin, arcsec, mas."""
+    return _parse(text, _ANGLES, "angle", "0.1 arcsec")
+
+
+def parse_radius(text: str | float, focal_length: float) -> float:
+    """Return metres on the sensor from a length, or from an angle on the sky times the focal length."""
+    found = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
+    if found and found[2] in _ANGLES:
+        return parse_angle(text) * focal_length
+    return parse_length(text)
+
+
+def format_length(metres: float) -> str:
+    """Return a length with a unit that suits it: ``"3.45 um"``."""
+    if math.isinf(metres):
+        return "infinity" if metres > 0 else "-infinity"
+    for name in ("m", "mm", "um", "nm"):
+        if abs(metres) >= 0.9995 * _LENGTHS[name]:
+            break
+    else:
+        name = "m" if metres == 0 else "nm"
+    return f"{metres / _LENGTHS[name]:.4g} {name}"
+
+
+def _parse(text: str | float, units: dict[str, float], kind: str, example: str) -> float:
+    if isinstance(text, bool) or not isinstance(text, str | int | float):
+        raise ValueError(f"a {kind} is a number or a text such as {example!r}, got {text!r}")
+    if not isinstance(text, str):
+        return float(text)
+    found = _QUANTITY.fullmatch(text)
+    if not found:
+        raise ValueError(f"{text!r} is not a {kind}; write for example {example!r}")
+    number, unit = float(found[1]), found[2]
+    if unit and unit not in units:
+        raise ValueError(f"{text!r} has the unknown unit {unit!r}; a {kind} is in {', '.join(units)}")
+    if math.isinf(number) and not found[1].lstrip("+-").startswith("inf"):
+        raise ValueError(f"{text!r} exceeds the range of numbers")
+    return number * units[unit] if unit else number

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -68,7 +68,8 @@ def compare(answers: Mapping[str, PSF], reference: str) -> Figure:
         raise ValueError(f"reference must be one of {', '.join(answers)}, got {reference!r}")
     columns = max(len(answers), 3)
     figure = NewFigure(figsize=(2.2 * columns, 7.2), layout="constrained")
-    pictures, graphs = figure.subfigures(2, 1, height_ratios=(1.0, 1.6))
+    parts: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.6))
+    pictures, graphs = parts
     for k, (name, psf) in enumerate(answers.items()):
         axes = pictures.add_subplot(1, columns, k + 1)
         plot(psf, axes)

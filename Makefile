@@ -120,8 +120,7 @@ build: .venv/build.stamp ## compile the core and install the package, editable, 
 		exit 1
 	fi
 	$(find_uv)
-	# RUST_LOG has uv show what the compiler says; it would hide warnings.
-	PATH="$(CURDIR)/.venv/bin:$$PATH" RUST_LOG=uv_build_frontend=debug "$$uv" pip install --python .venv/bin/python --reinstall --no-build-isolation --no-deps --editable .
+	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" pip install --quiet --python .venv/bin/python --reinstall --no-build-isolation --no-deps --editable .
 	mv $@.new $@
 
 psf: build ## compute the Hubble example, to out/hubble-1990.tif and .png

@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf test lint types format lock wheel clean FORCE
+.PHONY: help env build psf test sanitize lint types format lock wheel clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -129,6 +129,16 @@ psf: build ## compute the Hubble example, to out/hubble-1990.tif and .png
 
 test: build lint types ## build, lint, check the types and run the tests
 	@.venv/bin/pytest
+
+# The core alone, without Python: memory, undefined behaviour, then data races.
+sanitize: ## exercise the compiled core under the compiler's sanitizers
+	@mkdir -p build
+	for kind in address,undefined thread; do
+		echo "sanitizers: $$kind"
+		$(CXX) -std=c++17 -O1 -g -fno-omit-frame-pointer -fsanitize=$$kind -fno-sanitize-recover=all \
+			-Wall -Wextra -Wno-psabi -Icpp/include cpp/tests/exercise.cpp -o build/exercise -pthread
+		build/exercise
+	done
 
 lint: env ## check the style and the format
 	@.venv/bin/ruff check

@@ -3,16 +3,22 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 
 #include <complex>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "lommel/bessel.hpp"
 #include "lommel/huygens.hpp"
+#include "lommel/images.hpp"
 #include "lommel/legendre.hpp"
+#include "lommel/profiles.hpp"
 #include "lommel/render.hpp"
+#include "lommel/subpixel.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -42,6 +48,12 @@ void require(bool condition, const char* message) {
     }
 }
 
+lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration) {
+    require(coefficients.shape(0) > 0 && coefficients.shape(1) > 0, "coefficients must not be empty");
+    require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
+    return {coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration};
+}
+
 Out<double, 2> bessel_sequence(In<double, 1> v, std::size_t count) {
     auto out = new_array<double, 2>({v.shape(0), count});
     nb::gil_scoped_release nogil;
@@ -61,6 +73,14 @@ Out<double, 2> legendre_transforms(In<double, 1> v, std::size_t terms) {
     return out;
 }
 
+std::tuple<std::size_t, double, std::size_t, double> series_bounds(In<double, 1> coefficients, std::size_t power,
+                                                                   double reach, double error) {
+    require(coefficients.shape(0) > 0 && error > 0.0 && reach >= 0.0, "coefficients, reach and error must be given");
+    const lommel::Ellipses ellipses(coefficients.data(), coefficients.shape(0), power);
+    const lommel::Expansion plan(ellipses, reach, error);
+    return {plan.terms, plan.truncation, 2 * plan.rule->half, plan.quadrature};
+}
+
 std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
     require(n > 0, "n must be at least 1");
     auto nodes = new_array<double, 1>({n});
@@ -70,15 +90,6 @@ std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
         lommel::gauss_legendre(n, nodes.data(), weights.data());
     }
     return {nodes, weights};
-}
-
-Out<double, 2> legendre_sequence(In<double, 1> x, std::size_t terms) {
-    auto out = new_array<double, 2>({x.shape(0), terms});
-    nb::gil_scoped_release nogil;
-    for (std::size_t i = 0; i < x.shape(0); ++i) {
-        lommel::legendre_sequence(x.data()[i], terms, out.data() + i * terms);
-    }
-    return out;
 }
 
 std::pair<Out<std::int64_t, 1>, Out<std::int32_t, 2>> distinct_radii(std::size_t rows, std::size_t cols) {
@@ -97,32 +108,104 @@ std::pair<Out<std::int64_t, 1>, Out<std::int32_t, 2>> distinct_radii(std::size_t
 
 template <class T>
 void scatter(In<double, 2> profiles, In<double, 1> scales, In<std::int32_t, 2> index, Out<T, 3> out) {
-    const std::size_t height = out.shape(1), width = out.shape(2);
+    const std::size_t height = out.shape(1), width = out.shape(2), count = profiles.shape(1);
     require(profiles.shape(0) == out.shape(0) && scales.shape(0) == out.shape(0), "one profile and scale an image");
     require(index.shape(0) == height / 2 + 1 && index.shape(1) == width / 2 + 1, "index must cover the quadrant");
     nb::gil_scoped_release nogil;
     const std::size_t quadrant = index.shape(0) * index.shape(1);
     for (std::size_t i = 0; i < quadrant; ++i) {
         const std::int32_t rank = index.data()[i];
-        require(rank >= 0 && static_cast<std::size_t>(rank) < profiles.shape(1), "index points outside the profile");
+        require(rank >= 0 && static_cast<std::size_t>(rank) < count, "index points outside the profile");
     }
+    std::vector<T> profile(count);
     for (std::size_t s = 0; s < out.shape(0); ++s) {
-        lommel::scatter(profiles.data() + s * profiles.shape(1), scales.data()[s], index.data(), height, width,
-                        out.data() + s * height * width);
+        lommel::scaled(profiles.data() + s * count, scales.data()[s], count, profile.data());
+        lommel::scatter_rows(profile.data(), index.data(), height, width, 0, height / 2 + 1,
+                             out.data() + s * height * width);
     }
 }
 
-Out<double, 2> intensity_of_pieces(In<complex, 3> pieces, double piece_width, In<double, 1> v) {
-    require(piece_width > 0.0, "piece_width must be positive");
-    require(pieces.shape(1) > 0 && pieces.shape(2) > 0, "at least one piece and one coefficient");
-    const std::size_t stack = pieces.shape(0), count = v.shape(0);
-    auto out = new_array<double, 2>({stack, count});
-    nb::gil_scoped_release nogil;
-    for (std::size_t s = 0; s < stack; ++s) {
-        lommel::intensity_of_pieces(pieces.data() + s * pieces.shape(1) * pieces.shape(2), pieces.shape(1),
-                                    pieces.shape(2), piece_width, v.data(), count, out.data() + s * count);
+// Intensities in double: the caller scales and casts them.
+void paint_subpixel(In<double, 1> samples, double per_step, double center_y, double center_x, In<double, 1> nodes,
+                    In<double, 1> weights, int threads, Out<double, 2> out) {
+    const std::size_t height = out.shape(0), width = out.shape(1), n = nodes.shape(0);
+    require(weights.shape(0) == n && n > 0, "one weight a node");
+    require(threads >= 0, "threads must be at least 0");
+    // Four samples around the farthest point of the image must be there.
+    double far = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double dy = std::max(std::abs(center_y - nodes.data()[i]),
+                                   std::abs(static_cast<double>(height - 1) - center_y + nodes.data()[i]));
+        const double dx = std::max(std::abs(center_x - nodes.data()[i]),
+                                   std::abs(static_cast<double>(width - 1) - center_x + nodes.data()[i]));
+        far = std::max(far, dx * dx + dy * dy);
     }
-    return out;
+    require(per_step > 0.0 && per_step * std::sqrt(far) + 4.0 < static_cast<double>(samples.shape(0)),
+            "the profile must reach beyond the corners");
+    nb::gil_scoped_release nogil;
+    lommel::parallel_for(height, threads, [&](std::size_t, std::size_t y) {
+        lommel::dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            lommel::paint_subpixel(samples.data(), per_step, 1.0, center_y - static_cast<double>(y), center_x,
+                                   nodes.data(), weights.data(), n, 1, width, out.data() + y * width);
+        });
+    });
+}
+
+// Returns 0, or the bound on the error where the tolerance cannot be met.
+template <class T>
+double render(In<double, 2> coefficients, double obscuration, double step, double tol, int threads, Out<T, 3> images,
+              Out<double, 1> scales, Out<double, 1> bounds, In<std::int64_t, 1> powers, Out<T, 4> derivative_images,
+              Out<double, 2> derivative_bounds) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration);
+    const std::size_t n = stack.count, height = images.shape(1), width = images.shape(2), k = powers.shape(0);
+    require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n, "one image, scale and bound a pupil");
+    require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
+    require(derivative_images.shape(0) == k && derivative_bounds.shape(0) == k, "one derivative a power");
+    require(k == 0 || (derivative_images.shape(1) == n && derivative_images.shape(2) == height &&
+                       derivative_images.shape(3) == width && derivative_bounds.shape(1) == n),
+            "derivatives must match the images");
+    require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < k; ++i) {
+        require(powers.data()[i] >= 1 && powers.data()[i] <= 64, "powers must be from 1 to 64");
+        which.push_back(static_cast<std::size_t>(powers.data()[i]));
+    }
+    nb::gil_scoped_release nogil;
+    try {
+        lommel::Renderer<T>(stack, height, width, step, tol, threads,
+                            {images.data(), scales.data(), bounds.data(), which.data(), k, derivative_images.data(),
+                             derivative_bounds.data()})
+            .run();
+    } catch (const lommel::ToleranceNotMet& failure) {
+        return failure.bound;
+    }
+    return 0.0;
+}
+
+std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration, In<double, 1> v,
+                                                 double tol) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration);
+    auto out = new_array<complex, 2>({stack.count, v.shape(0)});
+    auto bounds = new_array<double, 1>({stack.count});
+    {
+        nb::gil_scoped_release nogil;
+        lommel::fields(stack, v.data(), v.shape(0), tol, out.data(), bounds.data());
+    }
+    return {out, bounds};
+}
+
+// Bounds are negative where the tolerance cannot be met.
+std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2> coefficients, double obscuration,
+                                                                   In<double, 1> v, double tol) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration);
+    auto out = new_array<double, 2>({stack.count, v.shape(0)});
+    auto peaks = new_array<double, 1>({stack.count});
+    auto bounds = new_array<double, 1>({stack.count});
+    {
+        nb::gil_scoped_release nogil;
+        lommel::profiles(stack, v.data(), v.shape(0), tol, out.data(), bounds.data(), peaks.data());
+    }
+    return {out, bounds, peaks};
 }
 
 Out<complex, 1> huygens_sum(In<double, 1> x, In<double, 1> y, In<complex, 1> amplitude, In<double, 1> sx,
@@ -136,22 +219,59 @@ Out<complex, 1> huygens_sum(In<double, 1> x, In<double, 1> y, In<complex, 1> amp
     return out;
 }
 
+void limit_instructions(const std::string& level) {
+    if (level == "portable") {
+        lommel::level_limit() = lommel::Level::portable;
+    } else if (level == "avx2") {
+        lommel::level_limit() = lommel::Level::avx2;
+    } else {
+        require(level == "avx512", "level must be portable, avx2 or avx512");
+        lommel::level_limit() = lommel::Level::avx512;
+    }
+}
+
+const char* instructions() {
+    switch (lommel::processor_level()) {
+        case lommel::Level::avx512:
+            return "avx512";
+        case lommel::Level::avx2:
+            return "avx2";
+        default:
+            return "portable";
+    }
+}
+
 }  // namespace
 
 NB_MODULE(_core, m) {
-    m.doc() = "Compiled core of lommel: Bessel and Legendre sequences, rendering, Huygens' sum.";
+    m.doc() = "Compiled core of lommel: the spectral engine, Bessel sequences, rendering, Huygens' sum.";
     m.def("bessel_sequence", &bessel_sequence, "v"_a, "count"_a, "J_0 .. J_{count-1} at each v >= 0.");
     m.def("legendre_transforms", &legendre_transforms, "v"_a, "terms"_a,
           "2 (-1)^n J_{2n+1}(v) / v for n < terms, at each v >= 0.");
+    m.def("series_bounds", &series_bounds, "coefficients"_a, "power"_a, "reach"_a, "error"_a,
+          "Terms, bound on those left out, quadrature nodes, and bound on the error they leave, of the series of "
+          "t^power exp(i Phi) up to v = reach.");
     m.def("gauss_legendre", &gauss_legendre, "n"_a, "Nodes and weights on [-1, 1].");
-    m.def("legendre_sequence", &legendre_sequence, "x"_a, "terms"_a, "P_0 .. P_{terms-1} at each x.");
     m.def("distinct_radii", &distinct_radii, "rows"_a, "cols"_a,
           "Distinct squared radii of a quadrant, rising, and the rank of every pixel's.");
     m.def("scatter", &scatter<float>, "profiles"_a, "scales"_a, "index"_a, "out"_a.noconvert(),
           "Profiles at the distinct radii, times a scale each, onto a stack of images.");
     m.def("scatter", &scatter<double>, "profiles"_a, "scales"_a, "index"_a, "out"_a.noconvert());
-    m.def("intensity_of_pieces", &intensity_of_pieces, "pieces"_a, "piece_width"_a, "v"_a,
-          "|U|^2 at v from Chebyshev coefficients of U, shape (stack, pieces, terms).");
+    m.def("render", &render<float>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
+          "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
+          "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert(),
+          "Images of a stack of pupils by the spectral engine; returns 0, or the bound where tol cannot be met.");
+    m.def("render", &render<double>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
+          "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
+          "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert());
+    m.def("paint_subpixel", &paint_subpixel, "samples"_a, "per_step"_a, "center_y"_a, "center_x"_a, "nodes"_a,
+          "weights"_a, "threads"_a, "out"_a.noconvert(),
+          "Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.");
+    m.def("field", &field, "coefficients"_a, "obscuration"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
+    m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "v"_a, "tol"_a,
+          "I at rising v, bounds on its error over the peak, negative where tol cannot be met, and the peaks.");
     m.def("huygens_sum", &huygens_sum, "x"_a, "y"_a, "amplitude"_a, "sx"_a, "sy"_a, "distance"_a, "wavenumber"_a,
           "Sum of spherical wavelets from sources (x, y, 0) at sensor points (sx, sy, distance).");
+    m.def("instructions", &instructions, "The widest instructions in use: portable, avx2 or avx512.");
+    m.def("limit_instructions", &limit_instructions, "level"_a, "Use no wider instructions than these.");
 }

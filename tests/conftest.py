@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import matplotlib as mpl
+import pytest
 from hypothesis import HealthCheck, settings
+
+import lommel as lm
 
 mpl.use("Agg")
 
@@ -16,4 +22,67 @@ settings.register_profile("thorough", deadline=None, max_examples=1000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "quick"))
 
 ROOT = Path(__file__).resolve().parent.parent
+TERMINAL = ("FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "NO_COLOR", "COLUMNS", "LINES")
 LENSES = sorted((ROOT / "examples" / "lenses").glob("*.toml"))
+
+
+@pytest.fixture(params=LENSES, ids=lambda path: path.stem)
+def lens_file(request: pytest.FixtureRequest) -> Path:
+    """Each lens file of the examples."""
+    return request.param
+
+
+@pytest.fixture(scope="session")
+def lenses() -> dict[str, Path]:
+    """The lens files of the examples by name."""
+    return {path.stem: path for path in LENSES}
+
+
+@pytest.fixture
+def camera() -> lm.Lens:
+    """A 50 mm f/1.8 camera lens, focused at 2 m."""
+    return lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+
+
+@pytest.fixture(scope="session")
+def run_lommel() -> Callable[..., subprocess.CompletedProcess[str]]:
+    """Run the installed `lommel` as a user does, with warnings as errors and a pipe for a terminal."""
+    script = Path(sys.executable).with_name("lommel")
+    environment = {name: value for name, value in os.environ.items() if name not in TERMINAL}
+    environment |= {"PYTHONWARNINGS": "error", "PYTHONUTF8": "1"}
+
+    def run(*arguments: object, folder: Path) -> subprocess.CompletedProcess[str]:
+        command = [str(script), *map(str, arguments)]
+        return subprocess.run(
+            command, cwd=folder, env=environment, capture_output=True, encoding="utf-8", timeout=300, check=False
+        )
+
+    return run
+
+
+@pytest.fixture
+def call_lommel(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> Callable[..., subprocess.CompletedProcess[str]]:
+    """Do what the installed `lommel` does, in this process, which is a hundred times as fast."""
+    from lommel.cli import main
+
+    for name in TERMINAL:
+        monkeypatch.delenv(name, raising=False)
+
+    def call(*arguments: object, folder: Path) -> subprocess.CompletedProcess[str]:
+        monkeypatch.chdir(folder)
+        with pytest.raises(SystemExit) as ended:
+            main([str(part) for part in arguments], prog_name="lommel")
+        shown = capsys.readouterr()
+        return subprocess.CompletedProcess(["lommel", *arguments], ended.value.code, shown.out, shown.err)
+
+    return call
+
+
+@pytest.fixture(autouse=True)
+def close_figures() -> Iterator[None]:
+    """Close the figures that a test left open."""
+    yield
+    if "matplotlib.pyplot" in sys.modules:
+        sys.modules["matplotlib.pyplot"].close("all")

@@ -6,7 +6,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 # Imported at once, because the function must win over the module of the same name.
-from lommel.psf import PSF, psf
+from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
     from lommel.grid import Grid
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         LommelSeries,
         Method,
         NijboerZernike,
+        Polychromatic,
         ToleranceError,
     )
     from lommel.metrics import best_focus, mse, peak_error
@@ -47,6 +48,7 @@ _HOME = {
     "LommelSeries": "methods.lommel_series",
     "Method": "methods.method",
     "ToleranceError": "methods.method",
+    "Polychromatic": "methods.polychromatic",
     "NijboerZernike": "methods.nijboer_zernike",
     "Pupil": "pupil",
     "Wavefront": "wavefront",
@@ -67,6 +69,8 @@ __all__ = [
     "LommelSeries",
     "Method",
     "NijboerZernike",
+    "Plan",
+    "Polychromatic",
     "Pupil",
     "TableErf",
     "ToleranceError",

@@ -16,16 +16,14 @@ try:
     import click
     from rich.console import Console
     from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
-    from rich.table import Table
 except ImportError as missing:  # pragma: no cover
     sys.exit(f'The command line needs {missing.name}: install "lommel[cli]".')
 
-from lommel.units import format_length, parse_length
+from lommel.units import parse_length
 
 if TYPE_CHECKING:
     from lommel.lensfile import Instrument
     from lommel.methods import Method
-    from lommel.psf import PSF
 
 METHOD_NAMES = (
     "nijboer-zernike",
@@ -96,7 +94,7 @@ def _lens_command(command: Callable[..., None]) -> Callable[..., None]:
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(package_name="lommel")
 def main() -> None:
-    r"""Point spread functions of defocused and aberrated lenses.
+    """Point spread functions of defocused and aberrated lenses.
 
     A lens is described by a TOML file; see examples/lenses. Lengths carry units: "550 nm", "3.45 um", "1.5 m".
 
@@ -105,7 +103,7 @@ def main() -> None:
       lommel info    lens.toml                          what is known without an image
       lommel psf     lens.toml -o psf.tif -o psf.png    the PSF, as data and as a picture
       lommel compare lens.toml --figure compare.png     every method against the reference
-    """
+    """  # noqa: D301 (\b is meant)
 
 
 @main.command()
@@ -137,20 +135,22 @@ def psf(
     normalize: str,
     dtype: str | None,
 ) -> None:
-    r"""Compute the PSF of a lens, print what it is, and write it to files.
+    """Compute the PSF of a lens, print what it is, and write it to files.
 
     \b
     Examples:
       lommel psf hubble.toml -o hubble.tif -o hubble.png
       lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz
       lommel psf camera.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
-    """
-    from lommel import files, report
+    """  # noqa: D301 (\b is meant)
+    from lommel import files, report, tables
     from lommel.psf import psf as compute
 
     for path in outputs:
         if path.suffix.lower() not in files.SUFFIXES:
             raise ValueError(f"--output must end in {', '.join(files.SUFFIXES)}, got {str(path)!r}")
+    if figure is not None:
+        _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape)
     method = build_method(method_name, settings, tol)
     with _progress(f"{type(method).__name__}, {instrument.shape[0]} x {instrument.shape[1]} pixels"):
@@ -173,8 +173,8 @@ def psf(
     if as_json:
         _print_json(facts | {"files": written})
         return
-    _print_lens(facts)
-    _print_psf(answer, facts["psf"])
+    tables.print_lens(facts)
+    tables.print_psf(answer, facts["psf"])
     for name in written:
         click.echo(f"wrote {name}")
 
@@ -183,7 +183,7 @@ def psf(
 @_lens_command
 @_one_line_errors
 def info(lens: Path, object_distance: float | None, pixel: float | None, shape: Any, as_json: bool) -> None:
-    r"""Print what is known about a lens without computing an image.
+    """Print what is known about a lens without computing an image.
 
     Wavefront in radians and waves, Airy radius, geometric blur, Strehl ratio, and encircled energies beside those
     of the same aperture without aberration.
@@ -191,14 +191,14 @@ def info(lens: Path, object_distance: float | None, pixel: float | None, shape: 
     \b
     Example:
       lommel info camera.toml --object-distance "3 m"
-    """
-    from lommel import report
+    """  # noqa: D301 (\b is meant)
+    from lommel import report, tables
 
     facts = report.describe_lens(_instrument(lens, object_distance, pixel, shape))
     if as_json:
         _print_json(facts)
     else:
-        _print_lens(facts)
+        tables.print_lens(facts)
 
 
 @main.command()
@@ -214,7 +214,7 @@ def compare(
     as_json: bool,
     figure: Path | None,
 ) -> None:
-    r"""Compute the PSF of a lens by every method and judge each by plain quadrature (Hankel).
+    """Compute the PSF of a lens by every method and judge each by plain quadrature (Hankel).
 
     Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. That of
     HuygensFresnel is the Fresnel approximation of all the others; Geometric averages over pixels. Times are those
@@ -223,10 +223,12 @@ def compare(
     \b
     Example:
       lommel compare camera.toml --figure methods.png
-    """
-    from lommel import report
+    """  # noqa: D301 (\b is meant)
+    from lommel import report, tables
     from lommel.methods import METHODS
 
+    if figure is not None:
+        _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape)
     with _progress("", total=len(METHODS)) as started:
         rows, answers = report.compare(instrument, [kind() for kind in METHODS.values()], started)
@@ -237,7 +239,7 @@ def compare(
     if as_json:
         _print_json({"name": instrument.name, "reference": "Hankel", "rows": rows})
     else:
-        _print_comparison(instrument, rows)
+        tables.print_comparison(instrument, rows)
         if figure is not None:
             click.echo(f"wrote {figure}")
 
@@ -259,6 +261,8 @@ def build_method(name: str, settings: tuple[str, ...] = (), tol: float | None = 
                 raise ValueError(
                     f"--set erf must be one of {', '.join(ERFS)}, with a count after a colon, got {text!r}"
                 )
+            if colon and not dataclasses.fields(ERFS[erf]):
+                raise ValueError(f"--set erf={erf} takes no count, got {text!r}")
             options[key] = ERFS[erf](*([_value(count)] if colon else []))
         else:
             options[key] = _value(text)
@@ -303,7 +307,8 @@ def _instrument(path: Path, object_distance: float | None, pixel: float | None, 
 def _progress(description: str, total: int | None = None) -> Iterator[Callable[[str], None]]:
     """Show a bar on standard error, if that is a terminal; yields what announces each step."""
     columns = [SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()]
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+    console = Console(stderr=True)
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task(description, total=total)
         count = 0
 
@@ -315,117 +320,23 @@ def _progress(description: str, total: int | None = None) -> Iterator[Callable[[
         yield started
 
 
+def _figure_format(path: Path) -> str:
+    suffix = path.suffix.lower().lstrip(".")
+    if suffix not in ("png", "pdf", "svg"):
+        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {str(path)!r}")
+    return suffix
+
+
 def _save_figure(figure: Any, path: Path) -> None:
     """Write a figure through a temporary name."""
     import io
 
     from lommel.files import write_atomically
 
-    kinds = figure.canvas.get_supported_filetypes()
-    suffix = path.suffix.lower().lstrip(".")
-    if suffix not in kinds:
-        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {str(path)!r}")
     buffer = io.BytesIO()
-    figure.savefig(buffer, format=suffix, dpi=150)
+    figure.savefig(buffer, format=_figure_format(path), dpi=150)
     write_atomically(path, buffer.getvalue())
 
 
 def _print_json(data: dict[str, Any]) -> None:
     click.echo(json.dumps(data, indent=2, allow_nan=False))
-
-
-def _console() -> Console:
-    # A pipe has no width; tables are then as wide as they need to be.
-    return Console() if sys.stdout.isatty() else Console(width=140)
-
-
-def _print_lens(facts: dict[str, Any]) -> None:
-    from lommel.report import length_or_infinity
-
-    waves = ", ".join(f"{name} = {value:.4g}" for name, value in facts["waves"].items())
-    lines = [
-        ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
-         + (f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else "")),
-        ("focused at", length_or_infinity(facts["focus_distance"])),
-        ("object at", length_or_infinity(facts["object_distance"])),
-        ("wavelength", format_length(facts["wavelength"])),
-        ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
-         f" (working f/{facts['working_f_number']:.4g})"),
-        ("pixel", format_length(facts["pixel"])),
-        ("defocus C_d", f"{facts['defocus']:.4g} rad"),
-        ("spherical C_s", f"{facts['spherical']:.4g} rad"),
-        *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(facts["higher"])],
-        ("in waves", waves),
-        ("Airy radius", format_length(facts["airy_radius"])),
-        ("geometric blur radius", format_length(facts["geometric_radius"])),
-        ("Strehl ratio (on axis)", f"{facts['strehl']:.4g}"),
-    ]  # fmt: skip
-    table = Table(show_header=False, box=None, pad_edge=False)
-    table.add_column(style="cyan")
-    table.add_column()
-    for row in lines:
-        table.add_row(*row)
-    energies = Table(box=None, pad_edge=False, title="Encircled energy", title_justify="left")
-    for name in ("within", "radius", "this lens", "unaberrated"):
-        energies.add_column(name, justify="left" if name == "within" else "right")
-    for row in facts["encircled_energy"]:
-        energies.add_row(
-            row["within"], format_length(row["radius"]), f"{row['fraction']:.1%}", f"{row['unaberrated']:.1%}"
-        )
-    console = _console()
-    console.print(facts["name"], style="bold")
-    console.print(table)
-    console.print()
-    console.print(energies)
-
-
-def _print_psf(answer: PSF, facts: dict[str, Any]) -> None:
-    meaning = {
-        "energy": "fraction of all light per pixel",
-        "strehl": "1 = unaberrated peak",
-        "peak": "1 = largest value",
-    }
-    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
-    table = Table(title="PSF", title_justify="left", show_header=False, box=None, pad_edge=False)
-    table.add_column(style="cyan")
-    table.add_column()
-    for row in (
-        ("method", repr(answer.method)),
-        ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {meaning[facts['normalize']]}"),
-        ("sampled at", "pixel centers" if facts["sampling"] == "center" else "pixels, averaged over each"),
-        ("largest value", f"{facts['peak']:.4g}"),
-        ("energy in the window", f"{facts['energy']:.2%}"),
-        ("error bound", bound),
-        ("time", f"{1e3 * facts['seconds']:.1f} ms"),
-    ):
-        table.add_row(*row)
-    console = _console()
-    console.print()
-    console.print(table)
-
-
-def _print_comparison(instrument: Instrument, rows: list[dict[str, Any]]) -> None:
-    size = f"{instrument.shape[0]} x {instrument.shape[1]} pixels of {format_length(instrument.pixel)}"
-    table = Table(box=None, pad_edge=False)
-    for name in ("method", "time", "MSE", "peak error", "error bound"):
-        table.add_column(name, justify="left" if name == "method" else "right", no_wrap=True)
-    table.add_column("")
-
-    def number(value: float | None) -> str:
-        return "-" if value is None else f"{value:.2g}"
-
-    for row in rows:
-        note = row["reason"] or {"Hankel": "the reference", "Geometric": "pixel averages"}.get(row["method"], "")
-        spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
-        table.add_row(
-            row["method"],
-            spent,
-            number(row["mse"]),
-            number(row["peak_error"]),
-            number(row["error_bound"]),
-            note,
-        )
-    console = _console()
-    console.print(instrument.name, style="bold")
-    console.print(size)
-    console.print(table)

@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel import validation
+from lommel.grid import Grid
 from lommel.methods import method_from_dict
 from lommel.psf import PSF
 from lommel.pupil import Pupil
@@ -94,9 +96,11 @@ def describe(psf: PSF) -> dict[str, Any]:
         "software": f"lommel {__version__}",
         "pupil": psf.pupil.to_dict(),
         "method": psf.method.to_dict(),
-        "sampling": psf.method.sampling,
+        "sampling": psf.sampling,
         "normalize": psf.normalize,
         "pixel": psf.pixel,
+        "center": list(psf.grid.center),
+        "integrate": psf.grid.integrate,
         "unit": psf.unit,
         "error_bound": psf.error_bound,
         "scale": psf.scale.tolist(),
@@ -107,7 +111,11 @@ def describe(psf: PSF) -> dict[str, Any]:
 
 def write_atomically(target: Path, data: bytes) -> None:
     """Write `data` to a temporary file next to `target` and move it into place."""
-    handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    except OSError as error:
+        # Told with the name that was asked for.
+        raise type(error)(error.errno, error.strerror, str(target)) from None
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)
@@ -122,15 +130,30 @@ def write_atomically(target: Path, data: bytes) -> None:
 
 
 def _rebuild(values: NDArray[Any], description: dict[str, Any]) -> PSF:
-    values = values.reshape(description["shape"]).astype(description["dtype"], copy=False)
+    pupil, method = Pupil.from_dict(description["pupil"]), method_from_dict(description["method"])
+    method.require(pupil)
+    bound = description["error_bound"]
+    if bound is not None:
+        bound = validation.real("error_bound", bound, least=0.0)
+    if description["dtype"] not in ("float32", "float64"):
+        raise ValueError(f"dtype must be float32 or float64, got {description['dtype']!r}")
+    scale = validation.real_array("scale", description["scale"], least=0.0)
+    shape = tuple(description["shape"])
+    if shape[:-2] != pupil.shape or scale.shape != pupil.shape or len(shape) != len(pupil.shape) + 2:
+        raise ValueError(f"values of shape {shape} and scales of {scale.shape} for pupils of {pupil.shape}")
     return PSF(
-        values=values,
-        pixel=description["pixel"],
-        pupil=Pupil.from_dict(description["pupil"]),
-        method=method_from_dict(description["method"]),
-        normalize=description["normalize"],
-        error_bound=description["error_bound"],
-        scale=np.asarray(description["scale"], dtype=np.float64),
+        values=values.reshape(shape).astype(description["dtype"], copy=False),
+        grid=Grid(
+            shape[-2:],
+            description["pixel"],
+            center=description["center"],
+            integrate=description["integrate"],
+        ),
+        pupil=pupil,
+        method=method,
+        normalize=validation.choice("normalize", description["normalize"], ("energy", "strehl", "peak")),
+        error_bound=bound,
+        scale=scale,
     )
 
 
@@ -216,7 +239,9 @@ def _png(psf: PSF, text: str) -> bytes:
 
 
 def _read_png(data: bytes) -> tuple[NDArray[Any], str]:
-    with _images("PIL.Image").open(io.BytesIO(data)) as file:
+    # Opened as what it is: Pillow's limit on the size of pictures from strangers is not for a PSF.
+    _images("PIL.Image")
+    with _images("PIL.PngImagePlugin").PngImageFile(io.BytesIO(data)) as file:
         file.load()
         text = file.text["lommel"]
         grey = np.asarray(file, dtype=np.float64)

@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from lommel import _core, validation
 from lommel.pupil import Pupil
@@ -16,7 +16,7 @@ from lommel.pupil import Pupil
 
 @dataclass(frozen=True, init=False)
 class Grid:
-    """An image of square pixels, centred on the middle of pixel ``(height // 2, width // 2)``.
+    """Square pixels around the optical axis.
 
     Parameters
     ----------
@@ -24,17 +24,39 @@ class Grid:
         Side of a square, or height and width, each 1 to 16384.
     pixel : float
         Pixel pitch: metres where the pupil has a wavelength, else units of lambda*N.
+    center : (float, float), optional
+        Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
+        pixel ``(height // 2, width // 2)``.
+    integrate : bool, default False
+        Whether pixels average the intensity over their area instead of sampling it at their centre.
     """
 
     height: int
     width: int
     pixel: float
+    center: tuple[float, float]
+    integrate: bool
 
-    def __init__(self, shape: Any, pixel: float) -> None:
+    def __init__(self, shape: Any, pixel: float, *, center: Any = None, integrate: bool = False) -> None:
         height, width = validation.image_shape(shape)
+        middle = (float(height // 2), float(width // 2))
+        if not isinstance(integrate, bool):
+            raise TypeError(f"integrate must be True or False, got {integrate!r}")
         object.__setattr__(self, "height", height)
         object.__setattr__(self, "width", width)
         object.__setattr__(self, "pixel", validation.real("pixel", pixel, above=0.0))
+        object.__setattr__(self, "center", middle if center is None else validation.position("center", center))
+        object.__setattr__(self, "integrate", integrate)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether all pixels at one distance have one value: sampled, with the axis in the default place."""
+        return not self.integrate and self.centered
+
+    @property
+    def centered(self) -> bool:
+        """Whether the axis is in the default place."""
+        return self.center == (self.height // 2, self.width // 2)
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -43,17 +65,17 @@ class Grid:
 
     @property
     def x(self) -> NDArray[np.float64]:
-        """Column positions, in the unit of `pixel`; 0 at the centre, rising to the right."""
-        return self.pixel * np.arange(-(self.width // 2), self.width - self.width // 2, dtype=np.float64)
+        """Column positions, in the unit of `pixel`; 0 at the axis, rising to the right."""
+        return self.pixel * (np.arange(self.width, dtype=np.float64) - self.center[1])
 
     @property
     def y(self) -> NDArray[np.float64]:
-        """Row positions, in the unit of `pixel`; 0 at the centre, rising downwards."""
-        return self.pixel * np.arange(-(self.height // 2), self.height - self.height // 2, dtype=np.float64)
+        """Row positions, in the unit of `pixel`; 0 at the axis, rising downwards."""
+        return self.pixel * (np.arange(self.height, dtype=np.float64) - self.center[0])
 
     @property
     def radii(self) -> NDArray[np.float64]:
-        """Distinct distances of pixel centres from the centre, rising, in the unit of `pixel`."""
+        """Distinct distances of pixel centres from a centred axis, rising, in the unit of `pixel`."""
         return np.sqrt(_quadrant(*self.shape)[0]) * self.pixel
 
     def step(self, pupil: Pupil) -> float:
@@ -64,21 +86,26 @@ class Grid:
         """Return the optical coordinate of the distinct :attr:`radii`."""
         return pupil.v(self.radii)
 
-    def paint(self, values: NDArray[np.float64], scale: NDArray[np.float64], dtype: DTypeLike) -> NDArray[Any]:
-        """Return a stack of images, each multiplied by its scale.
+    def unfold(self, quadrant: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return images from their quadrants, ``(..., height // 2 + 1, width // 2 + 1)`` from the axis outwards."""
+        rows = np.abs(np.arange(self.height) - self.height // 2)
+        columns = np.abs(np.arange(self.width) - self.width // 2)
+        return quadrant[..., rows[:, None], columns]
+
+    def paint(self, values: NDArray[np.float64], scale: NDArray[np.float64], out: NDArray[Any]) -> None:
+        """Write a stack of images, each multiplied by its scale.
 
         Parameters
         ----------
         values : ndarray
             Either ``(n, len(radii))``, values at the distinct radii, or ``(n, height, width)``.
         scale : ndarray, shape (n,)
-        dtype : float32 or float64
+        out : ndarray of float32 or float64, shape (n, height, width)
         """
         if values.ndim == 3:
-            return (values * scale[:, None, None]).astype(dtype)
-        out = np.empty((values.shape[0], *self.shape), dtype=dtype)
-        _core.scatter(np.ascontiguousarray(values), scale, _quadrant(*self.shape)[1], out)
-        return out
+            out[:] = values * scale[:, None, None]
+        else:
+            _core.scatter(np.ascontiguousarray(values), scale, _quadrant(*self.shape)[1], out)
 
 
 @lru_cache(maxsize=8)

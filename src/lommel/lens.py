@@ -134,6 +134,13 @@ class Lens:
     def pupil(self, object_distance: ArrayLike = math.inf) -> Pupil:
         """Return the pupil for an object at `object_distance` (metres); an array gives a stack of pupils."""
         s = _object_distance(object_distance)
+        try:
+            np.broadcast_shapes(s.shape, self.aberrations.shape)
+        except ValueError:
+            raise ValueError(
+                "object_distance must broadcast with the aberrations, "
+                f"got shapes {s.shape} and {self.aberrations.shape}"
+            ) from None
         wavefront = Wavefront(self.defocus(s)) + self.aberrations
         geometry = Geometry(
             0.5 * self.aperture_diameter,
@@ -155,6 +162,8 @@ def _object_distance(value: ArrayLike) -> NDArray[np.float64]:
     if distance.dtype.kind not in "iuf":
         raise TypeError(f"object_distance must be a number of metres, got {value!r}")
     distance = distance.astype(np.float64)
+    if distance.size == 0:
+        raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
     bad = ~(distance > 0.0)
     if bad.any():
         raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")

@@ -72,6 +72,25 @@ SignedLength = Annotated[float, BeforeValidator(parse_length), AfterValidator(_f
 Number = Annotated[float, Field(strict=True), AfterValidator(_finite)]
 
 
+def _shape(value: Any) -> tuple[int, int]:
+    try:
+        return validation.image_shape(value)
+    except TypeError as error:
+        raise ValueError(str(error)) from None
+
+
+def _pitch(value: float) -> float:
+    return validation.pixel(value, metric=True)
+
+
+def _radius(value: Any) -> str | float:
+    """Return a length or an angle as it was written, if it is one."""
+    if not 0.0 < parse_radius(value, 1.0) < math.inf:
+        raise ValueError(f"must be a positive length or angle, got {value!r}")
+    found: str | float = value
+    return found
+
+
 class _Section(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -101,12 +120,12 @@ class _Object(_Section):
 
 
 class _Sensor(_Section):
-    pixel: Length
-    shape: Annotated[tuple[int, int], BeforeValidator(validation.image_shape)]
+    pixel: Annotated[Length, AfterValidator(_pitch)]
+    shape: Annotated[tuple[int, int], BeforeValidator(_shape)]
 
 
 class _Report(_Section):
-    encircled_energy: list[str | float] = []
+    encircled_energy: list[Annotated[Any, BeforeValidator(_radius)]] = []
 
 
 class _File(_Section):
@@ -138,9 +157,9 @@ def load_instrument(path: str | PathLike[str]) -> Instrument:
     """
     source = Path(path)
     try:
-        text = source.read_text(encoding="utf-8")
+        text = source.read_text(encoding="utf-8-sig")
         raw = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise LensFileError(f"{source}: not valid TOML: {error}") from None
     try:
         file = _File.model_validate(raw)
@@ -163,9 +182,6 @@ def _instrument(file: _File) -> Instrument:
     )
     lens = Lens(**file.lens.model_dump(), aberrations=aberrations)
     radii = {str(text): parse_radius(text, lens.focal_length) for text in file.report.encircled_energy}
-    for text, radius in radii.items():
-        validation.real(f"report.encircled_energy {text!r}", radius, above=0.0, unit="metres")
-    validation.pixel(file.sensor.pixel, metric=True)
     return Instrument(file.name, file.source, lens, file.object.distance, file.sensor.pixel, file.sensor.shape, radii)
 
 
@@ -182,6 +198,8 @@ def _describe(fault: Any, text: str) -> str:
         )
     elif fault["type"] == "missing":
         message = "is missing"
+    elif fault["type"] == "model_type":
+        message = f"must be a section, [{'.'.join(keys)}]"
     line = _line(text, keys)
     return f"{'.'.join(keys)}{f' (line {line})' if line else ''}: {message}"
 

@@ -23,8 +23,17 @@ def strehl(answer: PSF) -> Numbers:
 
     For defocus alone this is ``(sin(C_d) / C_d)^2``.
     """
-    center = answer.values[..., answer.shape[-2] // 2, answer.shape[-1] // 2].astype(np.float64)
-    result: Numbers = (center / answer.scale / answer.pupil.area**2)[()]
+    method, pupil = answer.method, answer.pupil
+    if isinstance(method, RadialMethod):
+        # At the axis alone the peak, to which errors relate, would be missing.
+        v = np.array([0.0, *np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 64)[1:]])
+        center = method.profile(pupil, v).values[:, 0].reshape(pupil.shape)
+    else:
+        row, column = (round(c) for c in answer.grid.center)
+        if not (0 <= row < answer.grid.height and 0 <= column < answer.grid.width):
+            raise ValueError(f"the axis at {answer.grid.center} is outside the window of {type(method).__name__}")
+        center = answer.values[..., row, column] / answer.scale
+    result: Numbers = np.asarray(center / method.unaberrated_peak(pupil), dtype=np.float64)[()]
     return result
 
 
@@ -72,14 +81,16 @@ def window_energy(answer: PSF) -> Numbers:
         summed: Numbers = _energy_per_pixel(answer).sum(axis=(-2, -1))[()]
         return summed
     pupil = answer.pupil
-    height, width = answer.shape[-2:]
-    step = answer.grid.step(pupil)
+    grid = answer.grid
+    step = grid.step(pupil) / grid.pixel
+    half = 0.5 * grid.pixel
     nodes, weights = [np.zeros(1)], [np.zeros(1)]
-    for a in (width // 2 + 0.5, width - width // 2 - 0.5):
-        for b in (height // 2 + 0.5, height - height // 2 - 0.5):
-            v, w = _quadrant_rule(a * step, b * step)
+    # Inclusion and exclusion of rectangles with one corner on the axis.
+    for a in (grid.x[-1] + half, half - grid.x[0]):
+        for b in (grid.y[-1] + half, half - grid.y[0]):
+            v, w = _quadrant_rule(abs(a) * step, abs(b) * step)
             nodes.append(v)
-            weights.append(w)
+            weights.append(np.sign(a) * np.sign(b) * w)
     v, w = np.concatenate(nodes), np.concatenate(weights)
     order = np.argsort(v)
     intensity = answer.method.profile(pupil, v[order]).values

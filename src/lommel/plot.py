@@ -100,7 +100,7 @@ def compare(answers: Mapping[str, PSF], reference: str) -> Figure:
     errors.grid(alpha=0.3)
     for axes in (slices, errors):
         axes.set_xlabel(f"distance from the centre ({unit})")
-        axes.set_xlim(0.0, float(radius[-1]) * factor)
+        axes.set_xlim(0.0, max(float(radius[-1]), 0.5 * truth.pixel) * factor)
     return figure
 
 

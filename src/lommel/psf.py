@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -32,6 +33,11 @@ def psf(
     method: Method = _DEFAULT,
     normalize: str = "energy",
     dtype: DTypeLike | None = None,
+    center: tuple[float, float] | None = None,
+    integrate: bool = False,
+    derivatives: Sequence[str] = (),
+    out: NDArray[Any] | None = None,
+    threads: int | None = None,
 ) -> PSF:
     """Compute the point spread function of a pupil.
 
@@ -52,7 +58,22 @@ def psf(
         lambda*N sums to 1. "strehl": 1 is the peak of the same aperture without aberration. "peak": the largest
         value in the window is 1.
     dtype : float32 or float64, optional
-        Of the values. By default float32 where the tolerance of the method is 1e-6 or more, else float64.
+        Of the values. By default that of `out`, or float32 where the tolerance of the method is 1e-6 or more, else
+        float64.
+    center : (float, float), optional
+        Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
+        pixel ``(height // 2, width // 2)``.
+    integrate : bool, default False
+        Average the intensity over the area of each pixel instead of sampling it at the centre.
+    derivatives : sequence of str, default ()
+        Any of "defocus", "spherical", "rho^6", "rho^8": the derivatives of the values with respect to these
+        coefficients of the wavefront (per radian), in :attr:`PSF.derivatives`. Only of `NijboerZernike`, and not of
+        values normalised to their own peak.
+    out : ndarray, shape ``pupil.shape + (height, width)``, optional
+        A C-contiguous, writable array to put the values in.
+    threads : int, optional
+        At most so many threads; by default as many as there are processors. All calls together never use more
+        helper threads than there are further processors.
 
     Returns
     -------
@@ -74,52 +95,146 @@ def psf(
     >>> answer.values.shape
     (512, 512)
     """
-    if not isinstance(method, Method):
-        raise TypeError(f"method must be a Method such as NijboerZernike(tol=1e-6), got {method!r}")
-    method.require(pupil)
-    grid = Grid(shape, validation.pixel(pixel, metric=pupil.wavelength is not None))
-    validation.choice("normalize", normalize, ("energy", "strehl", "peak"))
-    kind = _output_type(dtype, method.tol)
-    count = math.prod(pupil.shape) * grid.height * grid.width
-    if count > validation.MAX_VALUES:
-        raise ValueError(
-            f"shape {grid.shape} for {math.prod(pupil.shape)} pupils makes {count} values, "
-            f"more than the limit of {validation.MAX_VALUES}"
-        )
-    intensity, error = method.intensity(pupil, grid)
-    if normalize == "peak":
-        peak = intensity.reshape(intensity.shape[0], -1).max(axis=1)
-        if not np.all(peak > 0):
-            raise ValueError('normalize="peak" is impossible: no light falls into the window')
-        scale = 1.0 / peak
-    else:
-        factor = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.area) if normalize == "energy" else pupil.area**-2
-        scale = np.full(intensity.shape[0], factor)
-    values = grid.paint(intensity, scale, kind).reshape(pupil.shape + grid.shape)
-    bound = None if error is None else float(error.max()) + (2.0**-24 if kind == np.float32 else 2.0**-53)
-    return PSF(
-        values=values,
-        pixel=grid.pixel,
-        pupil=pupil,
+    if out is not None and dtype is None:
+        dtype = _array("out", out).dtype
+    prepared = Plan(
+        shape,
+        pixel,
         method=method,
         normalize=normalize,
-        error_bound=bound,
-        scale=scale.reshape(pupil.shape),
+        dtype=dtype,
+        center=center,
+        integrate=integrate,
+        threads=threads,
     )
+    return prepared(pupil, derivatives=derivatives, out=out)
+
+
+class Plan:
+    """A question asked of many pupils, one after the other: everything but the pupil is checked once.
+
+    Called with a pupil, it answers as :func:`psf` would. After the first call with `out` nothing large is allocated
+    and no table is built: tables are kept by the compiled core.
+
+    Parameters
+    ----------
+    shape, pixel, method, normalize, dtype, center, integrate, threads
+        As of :func:`psf`.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> import numpy as np
+    >>> focus = lm.Plan(shape=33, pixel=0.5)
+    >>> frame = np.empty((33, 33), np.float32)
+    >>> for defocus in (0.0, 1.0, 2.0):
+    ...     answer = focus(lm.Pupil(lm.Wavefront(defocus)), out=frame)
+    """
+
+    def __init__(
+        self,
+        shape: int | tuple[int, int],
+        pixel: float,
+        *,
+        method: Method = _DEFAULT,
+        normalize: str = "energy",
+        dtype: DTypeLike | None = None,
+        center: tuple[float, float] | None = None,
+        integrate: bool = False,
+        threads: int | None = None,
+    ) -> None:
+        if not isinstance(method, Method):
+            raise TypeError(f"method must be a Method such as NijboerZernike(tol=1e-6), got {method!r}")
+        self.grid = Grid(shape, pixel, center=center, integrate=integrate)
+        self.method = method
+        self.normalize = validation.choice("normalize", normalize, ("energy", "strehl", "peak"))
+        self.dtype = _output_type(dtype, method.tol)
+        self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+
+    def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
+        """Compute the PSF of `pupil`; see :func:`psf`."""
+        grid, method, normalize = self.grid, self.method, self.normalize
+        method.require(pupil)
+        validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
+        stack = pupil.shape
+        count = math.prod(stack) * grid.height * grid.width
+        if count > validation.MAX_VALUES:
+            raise ValueError(
+                f"shape {grid.shape} for {math.prod(stack)} pupils makes {count} values, "
+                f"more than the limit of {validation.MAX_VALUES}"
+            )
+        powers = tuple(_power(name) for name in derivatives)
+        if powers and normalize == "peak":
+            raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
+        per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.area)
+        scale = per_pixel if normalize == "energy" else 1.0 / method.unaberrated_peak(pupil)
+        made = method.images(
+            pupil,
+            grid,
+            None if normalize == "peak" else scale,
+            self.dtype,
+            out=None if out is None else self._checked(out, stack),
+            powers=powers,
+            threads=self.threads,
+        )
+        rounding = 2.0**-24 if self.dtype == np.float32 else 2.0**-53
+        slopes, slope_bounds = {}, {}
+        for name, values, bound in zip(derivatives, made.derivatives, made.derivative_error, strict=True):
+            # The coefficient of rho^2 is twice C_d.
+            factor = 2.0 if name == "defocus" else 1.0
+            slopes[name] = np.multiply(values, factor, out=values).reshape(stack + grid.shape)
+            slope_bounds[name] = factor * float(bound.max())
+        return PSF(
+            values=made.values.reshape(stack + grid.shape) if out is None else out,
+            grid=grid,
+            pupil=pupil,
+            method=method,
+            normalize=normalize,
+            error_bound=None if made.error is None else float(made.error.max()) + rounding,
+            scale=made.scale.reshape(stack),
+            derivatives=slopes,
+            derivative_bounds=slope_bounds,
+        )
+
+    def _checked(self, out: NDArray[Any], stack: tuple[int, ...]) -> NDArray[Any]:
+        wanted = stack + self.grid.shape
+        if _array("out", out).shape != wanted:
+            raise ValueError(f"out must have the shape {wanted}, got {out.shape}")
+        if out.dtype != self.dtype:
+            raise ValueError(f"out must be of {self.dtype}, got {out.dtype}")
+        if not (out.flags.c_contiguous and out.flags.writeable):
+            raise ValueError("out must be C-contiguous and writable")
+        return out.reshape(-1, *self.grid.shape)
+
+
+_POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
+
+
+def _power(name: str) -> int:
+    return _POWERS[validation.choice("derivatives", name, _POWERS)]
+
+
+def _array(name: str, value: Any) -> NDArray[Any]:
+    if not isinstance(value, np.ndarray):
+        raise TypeError(f"{name} must be a NumPy array, got {type(value).__name__}")
+    return value
 
 
 def _output_type(dtype: DTypeLike | None, tol: float) -> np.dtype[Any]:
     if dtype is None:
-        return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
+        return _FLOAT32 if tol >= 1e-6 else _FLOAT64
     try:
         kind = np.dtype(dtype)
     except TypeError:
         raise TypeError(f"dtype must be float32 or float64, got {dtype!r}") from None
-    if kind not in (np.dtype(np.float32), np.dtype(np.float64)):
+    if kind not in (_FLOAT32, _FLOAT64):
         raise TypeError(f"dtype must be float32 or float64, got {dtype!r}")
-    if kind == np.float32 and tol < 2.0**-22:
+    if kind == _FLOAT32 and tol < 2.0**-22:
         raise ValueError(f"dtype float32 cannot hold tol={tol:g}; use float64, or a tolerance of at least 2.4e-7")
     return kind
+
+
+_FLOAT32, _FLOAT64 = np.dtype(np.float32), np.dtype(np.float64)
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,27 +244,32 @@ class PSF:
     Attributes
     ----------
     values : ndarray, shape ``pupil.shape + (height, width)``
-        float32 or float64; at pixel centres, or pixel averages where ``method.sampling`` is ``"pixel"``.
-    pixel : float
-        Pixel pitch, in :attr:`unit`.
+        float32 or float64; see :attr:`sampling`.
+    grid : Grid
+        The pixels.
     pupil : Pupil
     method : Method
     normalize : str
         "energy", "strehl" or "peak".
     error_bound : float or None
-        Bound on the largest error over the peak, the largest of the stack; None where the method has none. The
-        truncation, quadrature and interpolation in it are proven, the rounding is estimated.
+        Bound on the largest error over the peak, the largest of the stack; None where the method has none.
     scale : ndarray, shape ``pupil.shape``
         What the intensity (1 for the unobscured, unaberrated peak) was multiplied by.
+    derivatives : dict of str to ndarray
+        Derivatives of the values that were asked for, by name, each of the shape of the values.
+    derivative_bounds : dict of str to float
+        Bounds on their errors over the peak of the values, the largest of the stack; float32 adds its rounding.
     """
 
     values: NDArray[Any]
-    pixel: float
+    grid: Grid
     pupil: Pupil
     method: Method
     normalize: str
     error_bound: float | None
     scale: NDArray[np.float64] = field(repr=False)
+    derivatives: dict[str, NDArray[Any]] = field(default_factory=dict, repr=False)
+    derivative_bounds: dict[str, float] = field(default_factory=dict, repr=False)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -157,9 +277,14 @@ class PSF:
         return self.values.shape
 
     @property
-    def grid(self) -> Grid:
-        """The pixels."""
-        return Grid(self.values.shape[-2:], self.pixel)
+    def pixel(self) -> float:
+        """Pixel pitch, in :attr:`unit`."""
+        return self.grid.pixel
+
+    @property
+    def sampling(self) -> str:
+        """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
+        return "pixel" if self.grid.integrate else self.method.sampling
 
     @property
     def unit(self) -> str:
@@ -196,7 +321,8 @@ class PSF:
         Parameters
         ----------
         radius : array_like, optional
-            Any radii, evaluated anew by the method; by default the pixel centres to the right of the centre.
+            Any radii, evaluated anew by the method as point samples; by default the pixels from the middle one,
+            ``(height // 2, width // 2)``, to the right.
 
         Raises
         ------
@@ -204,17 +330,17 @@ class PSF:
             If radii are asked of a method that knows its values on the grid only.
         """
         if radius is None:
-            columns = np.arange(self.shape[-1] - self.shape[-1] // 2, dtype=np.float64)
-            row = self.values[..., self.shape[-2] // 2, self.shape[-1] // 2 :]
-            return columns * self.pixel, row.astype(np.float64)
+            middle = (self.shape[-2] // 2, self.shape[-1] // 2)
+            radii = np.hypot(self.grid.y[middle[0]], self.grid.x[middle[1] :])
+            return radii, self.values[..., middle[0], middle[1] :].astype(np.float64)
         if not isinstance(self.method, RadialMethod):
             raise ValueError(
                 f"radius must be None for {type(self.method).__name__}, whose values are on the grid only"
             )
         at = validation.real_array("radius", radius, least=0.0)
-        field = self.method.field(self.pupil, self.pupil.v(at))
-        scale = self.scale.reshape(self.scale.shape + (1,) * at.ndim)
-        return np.array(at), scale * (field.real**2 + field.imag**2)
+        v, where = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
+        intensity = self.method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
+        return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
         """Draw the values on matplotlib axes and return these; see :func:`lommel.plot.plot`."""
@@ -244,6 +370,7 @@ class PSF:
             values=self.values.reshape(-1, *self.shape[-2:])[which],
             pupil=pupil,
             scale=np.asarray(self.scale.reshape(-1)[which]),
+            derivatives={k: d.reshape(-1, *self.shape[-2:])[which] for k, d in self.derivatives.items()},
         )
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:

@@ -78,6 +78,8 @@ class Pupil:
     def __post_init__(self) -> None:
         if not isinstance(self.wavefront, Wavefront):
             raise TypeError(f"wavefront must be a Wavefront, got {self.wavefront!r}")
+        if self.geometry is not None and not isinstance(self.geometry, Geometry):
+            raise TypeError(f"geometry must be a Geometry, as Lens.pupil makes, got {self.geometry!r}")
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
         object.__setattr__(self, "obscuration", eps)
         if (self.wavelength is None) != (self.f_number is None):

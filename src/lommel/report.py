@@ -68,7 +68,7 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
     """Return what there is to say about a computed PSF."""
     return {
         "method": answer.method.to_dict(),
-        "sampling": answer.method.sampling,
+        "sampling": answer.sampling,
         "shape": list(answer.shape),
         "pixel": answer.pixel,
         "dtype": str(answer.values.dtype),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterable
 
 _LENGTHS = {
     "m": 1.0,
@@ -53,7 +54,7 @@ def parse_radius(text: str | float, focal_length: float) -> float:
     found = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     if found and found[2] in _ANGLES:
         return parse_angle(text) * focal_length
-    return parse_length(text)
+    return _parse(text, _LENGTHS, "length", "5 um", others=_ANGLES)
 
 
 def format_length(metres: float) -> str:
@@ -68,7 +69,7 @@ def format_length(metres: float) -> str:
     return f"{metres / _LENGTHS[name]:.4g} {name}"
 
 
-def _parse(text: str | float, units: dict[str, float], kind: str, example: str) -> float:
+def _parse(text: str | float, units: dict[str, float], kind: str, example: str, others: Iterable[str] = ()) -> float:
     if isinstance(text, bool) or not isinstance(text, str | int | float):
         raise ValueError(f"a {kind} is a number or a text such as {example!r}, got {text!r}")
     if not isinstance(text, str):
@@ -78,7 +79,9 @@ def _parse(text: str | float, units: dict[str, float], kind: str, example: str) 
         raise ValueError(f"{text!r} is not a {kind}; write for example {example!r}")
     number, unit = float(found[1]), found[2]
     if unit and unit not in units:
-        raise ValueError(f"{text!r} has the unknown unit {unit!r}; a {kind} is in {', '.join(units)}")
-    if math.isinf(number) and not found[1].lstrip("+-").startswith("inf"):
+        angles = f", an angle in {', '.join(others)}" if others else ""
+        raise ValueError(f"{text!r} has the unknown unit {unit!r}; a {kind} is in {', '.join(units)}{angles}")
+    value = number * units[unit] if unit else number
+    if math.isinf(value) and not found[1].lstrip("+-").startswith("inf"):
         raise ValueError(f"{text!r} exceeds the range of numbers")
-    return number * units[unit] if unit else number
+    return value

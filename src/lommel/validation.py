@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import numbers
 import operator
 from collections.abc import Iterable
 from typing import Any
@@ -36,12 +37,15 @@ def real(
     ValueError
         If it is NaN, infinite (unless `infinite`) or out of range.
     """
-    if isinstance(value, bool | str | bytes) or np.ndim(value) != 0:
-        raise TypeError(f"{name} must be a real number, got {value!r}")
-    try:
+    if isinstance(value, float):
         number = float(value)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name} must be a real number, got {value!r}") from None
+    elif isinstance(value, numbers.Real | np.ndarray | np.generic) and _is_real_scalar(value):
+        try:
+            number = float(value)
+        except OverflowError:
+            raise ValueError(f"{name} must be finite, got an integer beyond the range of numbers") from None
+    else:
+        raise TypeError(f"{name} must be a real number, got {value!r}")
     if math.isnan(number) or (math.isinf(number) and not infinite):
         raise ValueError(f"{name} must be finite, got {number}")
     if not (number > above and number >= least and number < below) and not (infinite and math.isinf(number)):
@@ -57,6 +61,12 @@ def real(
     if math.isinf(number) and number < 0:
         raise ValueError(f"{name} must not be -infinity")
     return number
+
+
+def _is_real_scalar(value: Any) -> bool:
+    if isinstance(value, np.ndarray | np.generic):
+        return value.ndim == 0 and value.dtype.kind in "iuf"
+    return not isinstance(value, bool)
 
 
 def integer(name: str, value: Any, *, least: int, most: int) -> int:
@@ -82,7 +92,10 @@ def choice(name: str, value: Any, allowed: Iterable[str]) -> str:
 
 def real_array(name: str, value: ArrayLike, *, least: float = -math.inf) -> NDArray[np.float64]:
     """Return `value` as a read-only float64 array of finite numbers ``>= least``."""
-    given = np.asarray(value)
+    try:
+        given = np.asarray(value)
+    except ValueError:  # a ragged sequence
+        given = np.asarray(None)
     if given.dtype.kind not in "iuf":
         raise TypeError(f"{name} must hold real numbers, got {value!r}")
     array = np.array(given, dtype=np.float64)
@@ -96,11 +109,20 @@ def real_array(name: str, value: ArrayLike, *, least: float = -math.inf) -> NDAr
 
 def image_shape(shape: Any) -> tuple[int, int]:
     """Return ``(height, width)`` from an int (a square) or a pair of ints, each 1 to `MAX_SIDE`."""
-    sides = tuple(shape) if isinstance(shape, tuple | list | np.ndarray) else (shape, shape)
+    pair = isinstance(shape, tuple | list) or (isinstance(shape, np.ndarray) and shape.ndim > 0)
+    sides = tuple(shape) if pair else (shape, shape)
     if len(sides) != 2:
         raise ValueError(f"shape must be an integer or (height, width), got {shape!r}")
     height, width = (integer("shape", side, least=1, most=MAX_SIDE) for side in sides)
     return height, width
+
+
+def position(name: str, value: Any) -> tuple[float, float]:
+    """Return ``(row, column)`` from a pair of finite numbers within 1e6 pixels."""
+    if not isinstance(value, tuple | list | np.ndarray) or len(value) != 2:
+        raise ValueError(f"{name} must be (row, column), got {value!r}")
+    row, column = (real(name, part, above=-1e6, below=1e6, unit="pixels") for part in value)
+    return row, column
 
 
 def wavelength(value: Any) -> float:
@@ -117,7 +139,7 @@ def wavelength(value: Any) -> float:
 
 
 def pixel(value: Any, *, metric: bool) -> float:
-    """Return a pixel pitch, in metres if `metric` (at most 0.1 m), else in units of lambda*N."""
+    """Return a pixel pitch, in metres (at most 0.1) if `metric`, else in units of lambda*N."""
     pitch = real("pixel", value, above=0.0, unit="metres" if metric else "lambda*N")
     if metric and pitch > 0.1:
         raise ValueError(
@@ -125,3 +147,12 @@ def pixel(value: Any, *, metric: bool) -> float:
             f"for {pitch:g} um give {pitch:g}e-6"
         )
     return pitch
+
+
+def pixel_on(pitch: float, scale: float, *, metric: bool) -> None:
+    """Check a pixel pitch against the size of one lambda*N, `scale`, in the same unit."""
+    if metric and pitch > 0.1:
+        pixel(pitch, metric=True)
+    if not 1e-9 <= pitch / scale <= 1e6:
+        metres = f"{pitch:g} m, that is " if metric else ""
+        raise ValueError(f"pixel must be from 1e-9 to 1e6 lambda*N, got {metres}{pitch / scale:.3g}")

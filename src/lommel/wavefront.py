@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -51,7 +52,7 @@ class Wavefront:
     def __init__(
         self, defocus: ArrayLike = 0.0, spherical: ArrayLike = 0.0, higher: Sequence[ArrayLike] = ()
     ) -> None:
-        if not isinstance(higher, Sequence):
+        if not isinstance(higher, Sequence) or isinstance(higher, str | bytes):
             raise TypeError(f"higher must be a sequence of coefficients, got {higher!r}")
         if len(higher) > MAX_HIGHER:
             raise ValueError(f"higher must hold at most {MAX_HIGHER} coefficients, got {len(higher)}")
@@ -105,7 +106,7 @@ class Wavefront:
         spherical = 6 * math.sqrt(5) * validation.real_array("rms", rms) / (1 - eps**2) ** 2
         return cls(-0.5 * (1 + eps**2) * spherical, spherical)
 
-    @property
+    @cached_property
     def shape(self) -> tuple[int, ...]:
         """Shape of the stack; ``()`` for a single wavefront."""
         return np.broadcast_shapes(self.defocus.shape, self.spherical.shape, *(c.shape for c in self.higher))
@@ -116,11 +117,13 @@ class Wavefront:
         names = [f"W0{2 * k}0" for k in range(1, 1 + self.coefficients.shape[-1])]
         return {name: self.coefficients[..., k] / (2 * math.pi) for k, name in enumerate(names)}
 
-    @property
+    @cached_property
     def coefficients(self) -> NDArray[np.float64]:
         """Coefficients of t, t^2, t^3, ... with t = rho^2, radians; shape ``shape + (terms,)``."""
         terms = (2.0 * self.defocus, self.spherical, *self.higher)
-        return np.stack([np.broadcast_to(c, self.shape) for c in terms], axis=-1)
+        stacked = np.stack([np.broadcast_to(c, self.shape) for c in terms], axis=-1)
+        stacked.flags.writeable = False
+        return stacked
 
     def __getitem__(self, index: Any) -> Wavefront:
         """Return part of a stack, as NumPy indexes arrays of its shape."""
@@ -158,6 +161,8 @@ class Wavefront:
         return Wavefront(f * self.defocus, f * self.spherical, tuple(f * c for c in self.higher))
 
     __rmul__ = __mul__
+    # NumPy is not to multiply each element of an array with a wavefront, but to leave that to __rmul__.
+    __array_ufunc__ = None
 
     def __neg__(self) -> Wavefront:
         """Return the conjugate wavefront."""

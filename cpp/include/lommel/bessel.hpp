@@ -62,7 +62,7 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
 // 2 (-1)^n J_{2n+1}(v) / v for n = 0 .. terms-1: the transforms of the Legendre polynomials P_n(2t - 1).
 // `scratch` is reused from call to call.
 inline void legendre_transforms(double v, std::size_t terms, double* out, std::vector<double>& scratch) {
-    if (v == 0.0) {
+    if (v < 1e-150) {
         std::fill(out, out + terms, 0.0);
         if (terms > 0) {
             out[0] = 1.0;

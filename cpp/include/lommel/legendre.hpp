@@ -41,17 +41,16 @@ inline void gauss_legendre(std::size_t n, double* nodes, double* weights) {
     }
 }
 
-// P_0(x) .. P_{terms-1}(x) by the three-term recurrence (DLMF 18.9.1), stable on [-1, 1].
+// P_0(x) .. P_{terms-1}(x) by the three-term recurrence (DLMF 18.9.1), stable on [-1, 1]; in extended precision, so
+// that the results are correct to double rounding.
 inline void legendre_sequence(double x, std::size_t terms, double* out) {
-    if (terms > 0) {
-        out[0] = 1.0;
-    }
-    if (terms > 1) {
-        out[1] = x;
-    }
-    for (std::size_t n = 2; n < terms; ++n) {
-        const double m = static_cast<double>(n);
-        out[n] = ((2.0 * m - 1.0) * x * out[n - 1] - (m - 1.0) * out[n - 2]) / m;
+    long double before = 0, here = 1;
+    for (std::size_t n = 0; n < terms; ++n) {
+        out[n] = static_cast<double>(here);
+        const long double m = static_cast<long double>(n);
+        const long double next = ((2 * m + 1) * x * here - m * before) / (m + 1);
+        before = here;
+        here = next;
     }
 }
 

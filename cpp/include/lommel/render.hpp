@@ -1,10 +1,12 @@
 // From a radial profile to a pixel grid.
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
+
+#include "lommel/simd.hpp"
 
 namespace lommel {
 
@@ -34,52 +36,35 @@ inline std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t co
     return squares;
 }
 
-// One image of height x width from the values at the distinct radii. The centre is the middle of pixel
-// (height / 2, width / 2). Each row is gathered once and its mirror image copied: bound by memory writes.
+// Rows [first, last) of the quadrant, and their mirror images, of one image of height x width from the values at the
+// distinct radii. The centre is the middle of pixel (height / 2, width / 2). Each row is gathered once and its mirror
+// images copied: bound by the loads of the gather and by memory writes.
 template <class T>
-void scatter(const double* profile, double scale, const std::int32_t* index, std::size_t height, std::size_t width,
-             T* out) {
-    const std::size_t cy = height / 2, cx = width / 2, cols = cx + 1;
-    for (std::size_t dy = 0; dy <= cy; ++dy) {
-        const std::int32_t* from = index + dy * cols;
+LOMMEL_INLINE void scatter_rows(const T* profile, const std::int32_t* index, std::size_t height, std::size_t width,
+                                std::size_t first, std::size_t last, T* out) {
+    const std::size_t cy = height / 2, cx = width / 2, right = width - cx;
+    for (std::size_t dy = first; dy < last; ++dy) {
+        const std::int32_t* from = index + dy * (cx + 1);
         T* row = out + (cy - dy) * width;
-        for (std::size_t dx = 0; dx <= cx; ++dx) {
-            const T value = static_cast<T>(scale * profile[from[dx]]);
-            row[cx - dx] = value;
-            if (cx + dx < width) {
-                row[cx + dx] = value;
-            }
+        T* center = row + cx;
+        for (std::size_t dx = 0; dx < right; ++dx) {
+            const T value = profile[from[dx]];
+            center[dx] = value;
+            *(center - dx) = value;
+        }
+        if (cx >= right) {
+            row[0] = profile[from[cx]];
         }
         if (dy > 0 && cy + dy < height) {
-            T* mirrored = out + (cy + dy) * width;
-            for (std::size_t x = 0; x < width; ++x) {
-                mirrored[x] = row[x];
+            T* below = out + (cy + dy) * width;
+            if (width >= 128) {
+                std::memcpy(below, row, width * sizeof(T));
+            } else {
+                for (std::size_t x = 0; x < width; ++x) {
+                    below[x] = row[x];
+                }
             }
         }
-    }
-}
-
-// |U|^2 at rising v, where piece s of U covers [s, s + 1] * piece_width and is given by `terms` Chebyshev
-// coefficients. Clenshaw's recurrence: two real fused chains per value, no loss of digits at any degree.
-inline void intensity_of_pieces(const std::complex<double>* pieces, std::size_t piece_count, std::size_t terms,
-                                double piece_width, const double* v, std::size_t count, double* out) {
-    for (std::size_t i = 0; i < count; ++i) {
-        std::size_t s = static_cast<std::size_t>(v[i] / piece_width);
-        s = s < piece_count ? s : piece_count - 1;
-        const double x = 2.0 * (v[i] / piece_width - static_cast<double>(s)) - 1.0;
-        const std::complex<double>* c = pieces + s * terms;
-        double re1 = 0.0, re2 = 0.0, im1 = 0.0, im2 = 0.0;
-        for (std::size_t k = terms; k-- > 1;) {
-            const double re = c[k].real() + 2.0 * x * re1 - re2;
-            const double im = c[k].imag() + 2.0 * x * im1 - im2;
-            re2 = re1;
-            re1 = re;
-            im2 = im1;
-            im1 = im;
-        }
-        const double re = c[0].real() + x * re1 - re2;
-        const double im = c[0].imag() + x * im1 - im2;
-        out[i] = re * re + im * im;
     }
 }
 

@@ -10,8 +10,9 @@ from lommel.methods.geometric import Geometric
 from lommel.methods.hankel import Hankel
 from lommel.methods.huygens import HuygensFresnel
 from lommel.methods.lommel_series import LommelSeries
-from lommel.methods.method import Method, RadialMethod, ToleranceError
+from lommel.methods.method import FieldMethod, Method, RadialMethod, ToleranceError
 from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.polychromatic import Polychromatic
 from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
 
 METHODS: dict[str, type[Method]] = {
@@ -31,7 +32,8 @@ ERFS: dict[str, type[Any]] = {"abramowitz": AbramowitzErf, "table": TableErf, "f
 
 def method_from_dict(description: dict[str, Any]) -> Method:
     """Rebuild a method from :meth:`Method.to_dict`; ValueError if its name is unknown."""
-    known = {kind.__name__: kind for kind in (*METHODS.values(), *ERFS.values())}
+    kinds: list[type[Any]] = [*METHODS.values(), Polychromatic, *ERFS.values()]
+    known = {kind.__name__: kind for kind in kinds}
 
     def build(part: dict[str, Any]) -> Any:
         options = {key: build(value) if isinstance(value, dict) else value for key, value in part.items()}
@@ -40,7 +42,9 @@ def method_from_dict(description: dict[str, Any]) -> Method:
             raise ValueError(f"unknown method {name!r}; known are {', '.join(sorted(known))}")
         return known[name](**{k: tuple(v) if isinstance(v, list) else v for k, v in options.items()})
 
-    method: Method = build(description)
+    method = build(description)
+    if not isinstance(method, Method):
+        raise ValueError(f"{description['name']!r} is not a method")
     return method
 
 
@@ -48,6 +52,7 @@ __all__ = [
     "ERFS",
     "METHODS",
     "ClosedForm",
+    "FieldMethod",
     "Fraunhofer",
     "Geometric",
     "Hankel",
@@ -55,6 +60,7 @@ __all__ = [
     "LommelSeries",
     "Method",
     "NijboerZernike",
+    "Polychromatic",
     "RadialMethod",
     "ToleranceError",
     "method_from_dict",

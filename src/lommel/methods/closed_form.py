@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import validation
-from lommel.methods.method import RadialMethod, Result, annulus
+from lommel.methods.method import FieldMethod, FieldValues, annulus
 from lommel.pupil import Pupil
 from lommel.special.bessel import tangent_line
-from lommel.special.chirp import chirp_moments, disk_moments
+from lommel.special.chirp import chirp_moments, unit_moments
 from lommel.special.erf import Erf, FresnelErf
 
 
 @dataclass(frozen=True)
-class ClosedForm(RadialMethod):
+class ClosedForm(FieldMethod):
     r"""Piecewise Bessel approximation integrated in closed form: approximate, with the paper's parameters.
 
     Supports defocus, with or without an obscuration (the difference of two disks). Errors of 20 to 40 % of the
@@ -85,7 +85,7 @@ class ClosedForm(RadialMethod):
             return "supports defocus only; this pupil has spherical aberration"
         return None
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> Result:
+    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v; no bound is claimed."""
         result = annulus(self._disk, pupil, v)
         if self.truncate is not None:
@@ -100,11 +100,13 @@ class ClosedForm(RadialMethod):
         are 4, 5 and 6 (Eq. 21-23), times ``sqrt(2/pi)`` in the corrected variant.
         """
         alpha = 2.0 * defocus
-        with np.errstate(divide="ignore"):
+        with np.errstate(divide="ignore", over="ignore"):
             split = np.minimum(self.transition / v, 1.0)
         m = np.arange(self.terms)[:, None]
         factorials = np.array([math.factorial(k) for k in range(self.terms)], dtype=np.float64)[:, None]
-        inner = (-0.25 * v * v) ** m / factorials**2 * disk_moments(alpha, split, self.terms)
+        # In x = R / T, where the powers of v T, at most the transition, cannot overflow.
+        moments = split**2 * unit_moments(alpha * split**2, self.terms)
+        inner = (-0.25 * (v * split) ** 2) ** m / factorials**2 * moments
         outer = np.zeros((3, v.size), dtype=np.complex128)
         beyond = split < 1.0
         beta, low = v[beyond], split[beyond]
@@ -117,6 +119,6 @@ class ClosedForm(RadialMethod):
             outer *= math.sqrt(2.0 / math.pi)
         return np.concatenate([inner, outer])
 
-    def _disk(self, coefficients: NDArray[np.float64], v: NDArray[np.float64]) -> Result:
+    def _disk(self, coefficients: NDArray[np.float64], v: NDArray[np.float64]) -> FieldValues:
         rows = [2.0 * self.sub_integrals(0.5 * float(c), v).sum(axis=0) for c in coefficients[:, 0]]
-        return Result(np.stack(rows), None)
+        return FieldValues(np.stack(rows), None)

@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 
 from lommel import validation
 from lommel.grid import Grid
-from lommel.methods.method import Method, Result
+from lommel.methods.method import Intensities, Method
 from lommel.pupil import Pupil
 from lommel.special.disk import disk_overlap
 
 _MAX_SIDE = 16384
+_MAX_SAMPLES = 8192
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class Fraunhofer(Method):
     edge: str = "binary"
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=8, most=8192))
+        object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=8, most=_MAX_SAMPLES))
         object.__setattr__(self, "padding", validation.real("padding", self.padding, least=1.0))
         validation.choice("edge", self.edge, ("binary", "grey"))
 
@@ -54,7 +55,7 @@ class Fraunhofer(Method):
         """Return None: every pupil is supported."""
         return None
 
-    def intensity(self, pupil: Pupil, grid: Grid) -> Result:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the pixel centres, shape ``(n, height, width)``.
 
         Raises
@@ -62,11 +63,16 @@ class Fraunhofer(Method):
         ValueError
             If light would wrap around into the window, or if the transform would exceed 16384 squared.
         """
+        if grid.integrate:
+            raise ValueError("integrate=True is not available from Fraunhofer, which samples the pixel centres")
         stride, side, spacing = self._layout(pupil, grid)
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
         rho2 = x[:, None] ** 2 + x**2
         mask = self._mask(x, pupil.obscuration)
+        # An axis off the default place is a tilt of the pupil.
+        away = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.center)
+        tilt = np.exp(-1j * (away[0] * x[:, None] + away[1] * x))
         place = np.arange(-count, count + 1) % side
         rows = stride * (np.arange(grid.height) - grid.height // 2) % side
         columns = stride * (np.arange(grid.width) - grid.width // 2) % side
@@ -77,10 +83,11 @@ class Fraunhofer(Method):
             for c in terms[::-1]:
                 phase = (phase + c) * rho2
             padded = np.zeros((side, side), dtype=np.complex128)
-            padded[np.ix_(place, place)] = mask * np.exp(1j * phase)
+            # Added, not assigned: without padding the first and the last samples share a place.
+            np.add.at(padded, np.ix_(place, place), mask * np.exp(1j * phase) * tilt)
             field = _fft2(padded)[np.ix_(rows, columns)]
             image[:] = (spacing**2 / math.pi) ** 2 * (field.real**2 + field.imag**2)
-        return Result(out, None)
+        return Intensities(out, None)
 
     def _layout(self, pupil: Pupil, grid: Grid) -> tuple[int, int, float]:
         """Return the FFT samples a pixel, the FFT's side, and the spacing of the pupil samples in rho."""
@@ -91,12 +98,14 @@ class Fraunhofer(Method):
         per_diameter = stride * math.pi / step  # FFT length over pupil samples that makes the pitches fit
         # Light from +-blur must not come back at the other side of the window.
         blur = float(pupil.v(pupil.geometric_radius()).max())
-        window = 0.5 * step * max(grid.shape)
+        window = max(float(np.abs(part).max()) for part in (grid.x, grid.y)) * step / grid.pixel + 0.5 * step
         needed = math.ceil((blur + window) / math.pi)
         if needed > self.samples:
+            where = f"the geometric blur (v = {blur:.4g}) and the window (v = {window:.4g})"
+            if needed > _MAX_SAMPLES:
+                raise ValueError(f"Fraunhofer would alias: {where} need {needed:.3g} samples, over {_MAX_SAMPLES}")
             raise ValueError(
-                f"Fraunhofer(samples={self.samples}) would alias: the geometric blur (v = {blur:.4g}) and the "
-                f"half window (v = {window:.4g}) need at least samples={needed}"
+                f"Fraunhofer(samples={self.samples}) would alias: {where} need at least samples={needed}"
             )
         wanted = max(self.samples * per_diameter, stride * max(grid.shape))
         if wanted > _MAX_SIDE:

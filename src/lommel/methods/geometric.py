@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from lommel import validation
 from lommel.grid import Grid
-from lommel.methods.method import Method, Result
+from lommel.methods.method import Intensities, Method
 from lommel.pupil import Pupil, ray_height
 from lommel.special.disk import disk_overlap
 
@@ -43,31 +43,33 @@ class Geometric(Method):
         """Return None: every pupil is supported."""
         return None
 
-    def intensity(self, pupil: Pupil, grid: Grid) -> Result:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I averaged over pixels, shape ``(n, height, width)``."""
         step = grid.step(pupil)
-        rows, columns = np.arange(grid.height // 2 + 1.0), np.arange(grid.width // 2 + 1.0)
-        corner = math.hypot(rows[-1] + 0.5, columns[-1] + 0.5)
+        # A centred image is four times its quadrant.
+        rows = np.arange(grid.height // 2 + 1.0) if grid.centered else grid.y / grid.pixel
+        columns = np.arange(grid.width // 2 + 1.0) if grid.centered else grid.x / grid.pixel
+        corner = math.hypot(np.abs(rows).max() + 0.5, np.abs(columns).max() + 0.5)
         count = math.ceil(corner * self.rings) + 1
         stack = pupil.coefficients()
         light = np.stack([self._light(c, pupil.obscuration, step / self.rings, count) for c in stack])
         edges = np.arange(count + 1) / self.rings
         density = light / (math.pi * (edges[1:] ** 2 - edges[:-1] ** 2))
 
-        # Nearest point of each pixel of the quadrant: the first ring that can touch it.
-        nearest = np.hypot(*np.meshgrid(np.maximum(rows - 0.5, 0), np.maximum(columns - 0.5, 0), indexing="ij"))
+        # Nearest point of each pixel: the first ring that can touch it.
+        nearest = np.hypot(*(np.maximum(np.abs(part) - 0.5, 0) for part in np.meshgrid(rows, columns, indexing="ij")))
         first = np.floor(nearest * self.rings).astype(np.int64)
         pixel = (columns - 0.5, columns + 0.5, (rows - 0.5)[:, None], (rows + 0.5)[:, None])
-        quadrant = np.zeros((stack.shape[0], rows.size, columns.size))
+        image = np.zeros((stack.shape[0], rows.size, columns.size))
         inside = disk_overlap(first / self.rings, *pixel)
         for k in range(math.ceil(math.sqrt(2.0) * self.rings) + 1):
             ring = np.minimum(first + k, count - 1)
             covered = disk_overlap((first + k + 1) / self.rings, *pixel)
-            quadrant += density[:, ring] * (covered - inside)
+            image += density[:, ring] * np.maximum(covered - inside, 0.0)
             inside = covered
-        unfolded = quadrant[:, np.abs(np.arange(grid.height) - grid.height // 2)]
-        unfolded = unfolded[:, :, np.abs(np.arange(grid.width) - grid.width // 2)]
-        return Result(unfolded * (4.0 * math.pi * pupil.area / step**2), None)
+        if grid.centered:
+            image = grid.unfold(image)
+        return Intensities(image * (4.0 * math.pi * pupil.area / step**2), None)
 
     def _light(
         self, coefficients: NDArray[np.float64], obscuration: float, width: float, count: int
@@ -90,8 +92,8 @@ class Geometric(Method):
         ring = np.floor(low)
         # Part of the cell's light that falls beyond the ring its lowest ray is in.
         spread = high - low
-        over = np.where(spread > 0, (high - ring - 1.0) / np.where(spread > 0, spread, 1.0), 0.0)
-        beyond = energy * np.clip(over, 0.0, 1.0)
+        past = np.maximum(high - ring - 1.0, 0.0)
+        beyond = energy * np.minimum(past / np.where(spread > 0, spread, 1.0), 1.0)
         inner = np.minimum(ring, count).astype(np.int64)
         total = np.bincount(inner, energy - beyond, count + 2) + np.bincount(inner + 1, beyond, count + 2)
         return np.asarray(total[:count])

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from lommel import validation
 from lommel.methods import bounds
-from lommel.methods.method import RadialMethod, Result
+from lommel.methods.method import FieldMethod, FieldValues
 from lommel.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
@@ -18,7 +18,7 @@ _MAX_NODES = 200_000
 
 
 @dataclass(frozen=True)
-class Hankel(RadialMethod):
+class Hankel(FieldMethod):
     r"""Gauss-Legendre quadrature of ``U(v) = int exp(i Phi) J0(v sqrt t) dt`` in t = rho^2, at every radius.
 
     Supports every pupil. Each distinct radius of the image is integrated on its own, without interpolation.
@@ -45,7 +45,7 @@ class Hankel(RadialMethod):
         """Return None: every pupil is supported."""
         return None
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> Result:
+    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v, with the bound of the quadrature and an estimate of the rounding."""
         from scipy.special import j0
 
@@ -56,7 +56,7 @@ class Hankel(RadialMethod):
         n = bounds.quadrature_nodes(g, self.tol * (1.0 - low), low)
         if n > _MAX_NODES:
             raise ValueError(
-                f"phases of {np.abs(coefficients).max():.3g} rad and v up to {reach:.3g} take {n} quadrature "
+                f"phases of {np.abs(coefficients).max():.3g} rad and v up to {reach:.3g} take {n:.3g} quadrature "
                 f"nodes, more than the limit of {_MAX_NODES}"
             )
         t, weights = gauss_legendre(n, low, 1.0)
@@ -70,4 +70,4 @@ class Hankel(RadialMethod):
             kernel = j0(root * v[block])
             values[:, block] = integrand.real @ kernel + 1j * (integrand.imag @ kernel)
         error = bounds.quadrature_error(g, n, low) + bounds.rounding_error(coefficients, low, n)
-        return Result(values, error)
+        return FieldValues(values, error)

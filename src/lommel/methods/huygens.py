@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from lommel import _core, validation
 from lommel.grid import Grid
-from lommel.methods.method import RadialMethod, Result
+from lommel.methods.method import FieldMethod, FieldValues, Intensities
 from lommel.pupil import Geometry, Pupil
 from lommel.special.legendre import gauss_legendre
 
@@ -19,7 +19,7 @@ _BLOCK = 2**22  # wavelets between two looks at the keyboard: well below a secon
 
 
 @dataclass(frozen=True)
-class HuygensFresnel(RadialMethod):
+class HuygensFresnel(FieldMethod):
     r"""Exhaustive sum of spherical wavelets with exact distances: no Fresnel approximation.
 
     Needs the physical distances, that is a pupil from :meth:`lommel.Lens.pupil`. The lens is stigmatic for the
@@ -62,18 +62,20 @@ class HuygensFresnel(RadialMethod):
             return "needs the physical distances of a lens; make the pupil with Lens.pupil(object_distance)"
         return None
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> Result:
+    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v, each radius summed over one half of the aperture; no bound is claimed."""
         radii = v * pupil.scale / math.pi
-        return Result(self._sums(pupil, radii, np.zeros_like(radii), half=True), None)
+        return FieldValues(self._sums(pupil, radii, np.zeros_like(radii), half=True), None)
 
-    def intensity(self, pupil: Pupil, grid: Grid) -> Result:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii, or at every pixel if not `symmetry`."""
         if self.symmetry:
-            return super().intensity(pupil, grid)
+            return super().intensity(pupil, grid, threads)
+        if grid.integrate:
+            raise ValueError("integrate=True needs HuygensFresnel(symmetry=True)")
         y, x = (part.ravel() for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
         field = self._sums(pupil, x, y, half=False)
-        return Result((field.real**2 + field.imag**2).reshape(-1, *grid.shape), None)
+        return Intensities((field.real**2 + field.imag**2).reshape(-1, *grid.shape), None)
 
     def _sums(
         self, pupil: Pupil, x: NDArray[np.float64], y: NDArray[np.float64], *, half: bool

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.methods.method import RadialMethod, Result, annulus
+from lommel.methods.method import FieldMethod, FieldValues, annulus
 from lommel.pupil import Pupil
 from lommel.special.bessel import bessel_sequence
 
@@ -18,7 +18,7 @@ _SMALL = 1.0  # u below which the U series serves inside the shadow too
 
 
 @dataclass(frozen=True)
-class LommelSeries(RadialMethod):
+class LommelSeries(FieldMethod):
     r"""Lommel's functions U_n and V_n, for defocus alone; exact to rounding on both sides of u = v.
 
     Supports pupils without spherical or higher aberration. Obscured pupils are the difference of two disks.
@@ -43,19 +43,19 @@ class LommelSeries(RadialMethod):
             return "supports defocus only; this pupil has spherical aberration"
         return None
 
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> Result:
+    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v; no bound is claimed."""
         return annulus(_disk, pupil, v)
 
 
-def _disk(coefficients: NDArray[np.float64], v: NDArray[np.float64]) -> Result:
+def _disk(coefficients: NDArray[np.float64], v: NDArray[np.float64]) -> FieldValues:
     values = np.empty((coefficients.shape[0], v.size), dtype=np.complex128)
     for row, slope in zip(values, coefficients[:, 0], strict=True):
         # coefficients[:, 0] = 2 C_d, u = 4 |C_d|
         row[:] = _field(2.0 * abs(float(slope)), v)
         if slope < 0:
             np.conjugate(row, out=row)
-    return Result(values, None)
+    return FieldValues(values, None)
 
 
 def _field(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:

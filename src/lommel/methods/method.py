@@ -5,12 +5,13 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import fields
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.grid import Grid
+from lommel.methods.subpixel import subpixel_intensity
 from lommel.pupil import Pupil
 from lommel.special.bessel import _radii
 
@@ -19,19 +20,58 @@ class ToleranceError(ArithmeticError):
     """A method cannot meet the tolerance it was given."""
 
 
-class Result(NamedTuple):
-    """Values with the method's bound on their error.
+class FieldValues(NamedTuple):
+    """The field at given radii, first axis the flattened stack of pupils.
 
     Attributes
     ----------
-    values : ndarray
-        First axis: the flattened stack of pupils.
+    values : complex ndarray, shape (n, radii)
     error : ndarray, shape (n,), or None
-        For a field: bound on ``|U - U_exact|``. For an intensity: bound on ``max|I - I_exact| / max I``.
+        Bounds on ``|U - U_exact|``; None where the method has none.
+    """
+
+    values: NDArray[np.complex128]
+    error: NDArray[np.float64] | None
+
+
+class Intensities(NamedTuple):
+    """Intensities, first axis the flattened stack of pupils.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, radii) or (n, height, width)
+    error : ndarray, shape (n,), or None
+        Bounds on ``max|I - I_exact| / peak``; None where the method has none.
+    peak : ndarray, shape (n,), or None
+        What the error is related to, where there is one.
+    """
+
+    values: NDArray[np.float64]
+    error: NDArray[np.float64] | None
+    peak: NDArray[np.float64] | None = None
+
+
+class Images(NamedTuple):
+    """Finished images of a flattened stack.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, height, width)
+    scale : ndarray, shape (n,)
+        What each intensity was multiplied by.
+    error : ndarray, shape (n,), or None
+        Bounds on the error over the peak.
+    derivatives : ndarray, shape (k, n, height, width)
+        With respect to the coefficients of rho^2, rho^4, ... that were asked for.
+    derivative_error : ndarray, shape (k, n)
+        Bounds on their error over the peak of the intensity.
     """
 
     values: NDArray[Any]
+    scale: NDArray[np.float64]
     error: NDArray[np.float64] | None
+    derivatives: NDArray[Any]
+    derivative_error: NDArray[np.float64]
 
 
 class Method(ABC):
@@ -51,11 +91,60 @@ class Method(ABC):
         """Return why `pupil` is not supported, or None if it is."""
 
     @abstractmethod
-    def intensity(self, pupil: Pupil, grid: Grid) -> Result:
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I on `grid` for the flattened stack.
 
         Shape ``(n, len(grid.radii))``, at the distinct radii, or ``(n, height, width)``.
         """
+
+    def unaberrated_peak(self, pupil: Pupil) -> float:
+        """Return the peak of the same aperture without aberration, to which "strehl" relates."""
+        return pupil.area**2
+
+    def tightened(self) -> Self:
+        """Return the same method with half the tolerance, if it has one."""
+        return self
+
+    def images(
+        self,
+        pupil: Pupil,
+        grid: Grid,
+        scale: float | None,
+        dtype: DTypeLike,
+        *,
+        out: NDArray[Any] | None = None,
+        powers: tuple[int, ...] = (),
+        threads: int = 0,
+    ) -> Images:
+        """Return the images of the flattened stack.
+
+        Parameters
+        ----------
+        pupil, grid
+        scale : float or None
+            What to multiply the intensity by; None divides each image by its largest value.
+        dtype : float32 or float64
+        out : ndarray, shape (n, height, width), optional
+            Where to write the images.
+        powers : tuple of int
+            k of each derivative with respect to the coefficient of t^k that is wanted.
+        threads : int
+            At most so many, 0 for as many as there are processors. Methods that are not compiled use one.
+        """
+        if powers:
+            raise ValueError(f"derivatives are not available from {type(self).__name__}; use NijboerZernike")
+        intensity, error, _ = self.intensity(pupil, grid, threads)
+        if scale is None:
+            peak = intensity.reshape(intensity.shape[0], -1).max(axis=1)
+            if not np.all(peak > 0):
+                raise ValueError('normalize="peak" is impossible: no light falls into the window')
+            scales = 1.0 / peak
+            error = None if error is None else normalized_error(error)
+        else:
+            scales = np.full(intensity.shape[0], scale)
+        values = np.empty((intensity.shape[0], *grid.shape), dtype=dtype) if out is None else out
+        grid.paint(intensity, scales, values)
+        return Images(values, scales, error, np.empty((0, *values.shape), dtype=dtype), np.empty((0, len(scales))))
 
     def require(self, pupil: Pupil) -> None:
         """Raise ValueError if `pupil` is not supported."""
@@ -81,10 +170,24 @@ def describe_options(thing: Any) -> dict[str, Any]:
 
 
 class RadialMethod(Method):
-    """A method whose answer depends on the distance from the centre only, and is known at any distance."""
+    """A method whose answer depends on the distance from the axis only, and is known at any distance."""
 
     @abstractmethod
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> Result:
+    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
+        """Return I at rising v for the flattened stack, shape ``(n, len(v))``."""
+
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
+        if not grid.symmetric:
+            return subpixel_intensity(self, pupil, grid, threads)
+        return self.profile(pupil, grid.v(pupil))
+
+
+class FieldMethod(RadialMethod):
+    """A radial method that knows the complex field."""
+
+    @abstractmethod
+    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v for the flattened stack, shape ``(n, len(v))``, with a bound on its error."""
 
     def field(self, pupil: Pupil, v: ArrayLike) -> NDArray[np.complex128]:
@@ -94,31 +197,36 @@ class RadialMethod(Method):
         values, where = np.unique(_radii(at.ravel()), return_inverse=True)
         return self.evaluate(pupil, values).values[:, where].reshape(pupil.shape + at.shape)
 
-    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Result:
+    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return I = abs(U)^2 at rising v with the bound on its error relative to the largest value."""
         values, error = self.evaluate(pupil, v)
         intensity = values.real**2 + values.imag**2
-        return Result(intensity, None if error is None else relative_error(intensity, error))
-
-    def intensity(self, pupil: Pupil, grid: Grid) -> Result:
-        """Return I at the distinct radii of `grid`."""
-        return self.profile(pupil, grid.v(pupil))
+        relative = None if error is None else relative_error(intensity, error)
+        return Intensities(intensity, relative, intensity.max(axis=1))
 
 
 def relative_error(intensity: NDArray[np.float64], field_error: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Bound ``max|I - I_exact| / max I`` from a bound on abs(U - U_exact): ``(2 M e + e^2) / M^2``."""
+    """Bound ``max|I - I_exact| / max I_exact`` from a bound e on abs(U - U_exact): ``(2 M e + e^2) / (M - e)^2``.
+
+    M is the largest abs(U) computed; the exact one may be smaller by e.
+    """
     peak = np.sqrt(intensity.max(axis=1))
-    # Where nothing but error is left (peak 0), no relative statement holds.
-    with np.errstate(divide="ignore", over="ignore"):
-        ratio = field_error / peak
-        return np.asarray(ratio * (2.0 + ratio))
+    exact = peak - field_error
+    error = field_error * (2.0 * peak + field_error)
+    return np.asarray(np.divide(error, exact**2, out=np.full(peak.shape, np.inf), where=exact > 1e-150))
+
+
+def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Bound the error of values divided by their own largest one, itself in error by `relative`."""
+    safe = np.minimum(relative, 1.0 - 1e-9)
+    return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
 
 
 def annulus(
-    disk: Callable[[NDArray[np.float64], NDArray[np.float64]], Result],
+    disk: Callable[[NDArray[np.float64], NDArray[np.float64]], FieldValues],
     pupil: Pupil,
     v: NDArray[np.float64],
-) -> Result:
+) -> FieldValues:
     """Build the field of an obscured aperture from that of full ones.
 
     ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``, where the inner disk carries the phase of rho < eps, that is
@@ -132,4 +240,4 @@ def annulus(
     powers = area ** np.arange(1, 1 + coefficients.shape[1])
     inner = disk(coefficients * powers, pupil.obscuration * v)
     error = None if outer.error is None or inner.error is None else outer.error + area * inner.error
-    return Result(outer.values - area * inner.values, error)
+    return FieldValues(outer.values - area * inner.values, error)

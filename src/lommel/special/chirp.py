@@ -85,28 +85,35 @@ def _by_quadrature(
 def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.complex128]:
     r"""Return ``int_0^T R^(2m+1) exp(i alpha R^2) dR`` for m = 0 .. count-1, shape ``(count,) + T.shape``.
 
-    The paper's Eq. (18)-(20) and their continuation, ``int_0^{T^2} u^m e^{i alpha u} du / 2`` with u = R^2. By
-    parts, ``J_m = ([u^m e^{i alpha u}] - m J_{m-1}) / (i alpha)``, where ``|alpha| T^2`` exceeds the number of
-    moments; by Gauss-Legendre quadrature below, where that recurrence cancels.
+    The paper's Eq. (18)-(20) and their continuation: ``T^(2m+2)`` times :func:`unit_moments` of ``alpha T^2``.
     """
-    edge = np.asarray(limit, dtype=np.float64) ** 2
-    turns = abs(alpha) * edge
-    out = np.empty((count, *edge.shape), dtype=np.complex128)
+    square = np.asarray(limit, dtype=np.float64) ** 2
+    powers = square ** np.arange(1, count + 1).reshape(-1, *(1,) * square.ndim)
+    return np.asarray(powers * unit_moments(alpha * square, count))
+
+
+def unit_moments(phase: NDArray[np.float64], count: int) -> NDArray[np.complex128]:
+    r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0 .. count-1, shape ``(count,) + phase.shape``.
+
+    With u = x^2, ``int_0^1 u^m e^{i phase u} du / 2``. By parts, ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``,
+    where the phase exceeds the number of moments; by Gauss-Legendre quadrature below, where that recurrence cancels.
+    """
+    turns = np.abs(phase)
+    out = np.empty((count, *phase.shape), dtype=np.complex128)
     slow = turns <= max(32.0, 2.0 * count)
     if np.any(slow):
-        x, w = gauss_legendre(24 + count // 2 + int(turns[slow].max()))
-        u = edge[slow][:, None] * x
-        wave = 0.5 * w * edge[slow][:, None] * np.exp(1j * alpha * u)
+        u, w = gauss_legendre(24 + count // 2 + int(turns[slow].max()))
+        wave = 0.5 * w * np.exp(1j * phase[slow][:, None] * u)
         for m in range(count):
             out[m, slow] = wave.sum(axis=1)
             wave = wave * u
     fast = ~slow
     if np.any(fast):
-        u = edge[fast]
-        end = np.exp(1j * alpha * u)
-        value = (end - 1.0) / (2j * alpha)
+        p = phase[fast]
+        end = np.exp(1j * p)
+        value = (end - 1.0) / (2j * p)
         out[0, fast] = value
         for m in range(1, count):
-            value = (0.5 * u**m * end - m * value) / (1j * alpha)
+            value = (0.5 * end - m * value) / (1j * p)
             out[m, fast] = value
     return out

@@ -1,0 +1,322 @@
+// The spectral engine: the field of one pupil, and what is proven about its error.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lommel/bessel.hpp"
+#include "lommel/ellipse.hpp"
+#include "lommel/pieces.hpp"
+#include "lommel/series.hpp"
+#include "lommel/simd.hpp"
+
+namespace lommel {
+
+constexpr double unit_roundoff = 1.1102230246251565e-16;
+constexpr std::size_t max_terms = 6000;  // of a series; its Legendre rule takes about 4 n^2 bytes
+constexpr double max_phase = 1e6;        // radians; beyond, the reduction of arguments loses digits
+
+struct PhaseTooLarge : std::domain_error {
+    using std::domain_error::domain_error;
+};
+
+// Coefficients of t, t^2, ... in radians.
+struct Phase {
+    const double* coefficients;
+    std::size_t terms;
+
+    double size() const { return weighted(0.0, 1.0); }
+    // What relative roundings of t and of the steps of Horner's rule do to the phase, in units of roundoff.
+    double sensitivity() const { return weighted(3.0, 4.0); }
+
+   private:
+    double weighted(double slope, double start) const {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < terms; ++k) {
+            sum += (slope * static_cast<double>(k) + start) * std::abs(coefficients[k]);
+        }
+        return sum;
+    }
+};
+
+// How a disk is expanded: enough terms and quadrature nodes for an error in U at every v up to a reach.
+struct Expansion {
+    std::size_t terms = 0;
+    std::shared_ptr<const LegendreRule> rule;
+    double truncation = 0.0, quadrature = 0.0;
+
+    Expansion() = default;
+    Expansion(const Ellipses& ellipses, double reach, double error) {
+        const std::size_t by_phase = ellipses.terms(0.5 * error), by_window = window_terms(reach, 0.5 * error);
+        terms = std::min(by_phase, by_window);
+        truncation = by_phase <= by_window ? ellipses.tail(terms) : window_tail(terms, reach);
+        const std::size_t nodes = ellipses.nodes(terms, 0.1 * error);
+        if (nodes > max_terms) {
+            throw PhaseTooLarge("phases this large take " + std::to_string(nodes) +
+                                " quadrature nodes, more than the limit of " + std::to_string(max_terms));
+        }
+        rule = LegendreRules::get(nodes, terms);
+        quadrature = ellipses.quadrature(2 * rule->half, terms);
+    }
+
+    std::size_t room() const { return rule->blocks * 2 * row_lanes; }
+
+    // Roundings of exp(i Phi) at the nodes reach U undiminished at most (Parseval, twice); those of the sums over half
+    // the nodes, in two chains, come with the square root of the number of terms.
+    double error(const Phase& phase) const {
+        const double rounding = phase.sensitivity() + 8.0 +
+                                std::sqrt(static_cast<double>(terms)) * (0.5 * static_cast<double>(rule->half) + 16.0);
+        return truncation + quadrature + unit_roundoff * rounding;
+    }
+};
+
+inline void check_size(const Phase& phase) {
+    const double size = phase.size();
+    if (!(size <= max_phase)) {
+        char message[96];
+        std::snprintf(message, sizeof message, "phases of %.3g rad exceed the limit of %.0f rad", size, max_phase);
+        throw PhaseTooLarge(message);
+    }
+}
+
+// The Legendre series of t^power exp(i Phi) on a full disk.
+struct Disk {
+    Doubles re, im;
+    std::size_t terms = 0;
+
+    // Expands to `error` in U at every v up to `reach`; returns the bound that was reached, rounding included.
+    double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch) {
+        check_size(phase);
+        const Expansion plan(Ellipses(phase.coefficients, phase.terms, power), reach, error);
+        terms = plan.terms;
+        if (re.size() < plan.room()) {
+            re.resize(plan.room());
+            im.resize(plan.room());
+        }
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, power, terms, re.data(), im.data(),
+                                  scratch);
+        });
+        return plan.error(phase);
+    }
+};
+
+// U of a pupil, obscured or not, as a function of v. Holds the scratch of one thread; nothing is allocated once it has
+// grown.
+class Field {
+   public:
+    // Makes ready for v up to `reach`, with t^power before exp(i Phi); returns the bound on the error of U.
+    double prepare(const Phase& phase, std::size_t power, double obscuration, double reach, double error) {
+        // An obscuration that takes less light than the rounding is none.
+        obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
+        const double area = obscuration_ * obscuration_;
+        double bound = outer_.expand(phase, power, reach, 0.5 * error, scratch_);
+        weight_ = 0.0;
+        if (area > 0.0) {
+            // The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).
+            weight_ = area;
+            inner_phase_.assign(phase.coefficients, phase.coefficients + phase.terms);
+            double scale = 1.0;
+            for (double& c : inner_phase_) {
+                c *= scale *= area;
+            }
+            for (std::size_t k = 0; k < power; ++k) {
+                weight_ *= area;
+            }
+            const Phase inner{inner_phase_.data(), phase.terms};
+            bound += weight_ * inner_.expand(inner, power, obscuration_ * reach, 0.5 * error, scratch_);
+        }
+        const std::size_t terms = std::max(outer_.terms, area > 0.0 ? inner_.terms : 0);
+        std::size_t width = 0;
+        while (width < widths.size() && piece_error(widths[width]) * (1.0 + weight_) > 0.4 * error) {
+            ++width;
+        }
+        if (width == widths.size()) {
+            table_ = nullptr;
+            // By Cauchy and Parseval, the magnitudes of what is added sum to at most 1.
+            return bound + unit_roundoff * (1.0 + weight_) * (static_cast<double>(terms) + 16.0);
+        }
+        const std::size_t pieces = static_cast<std::size_t>(reach / widths[width]) + 1;
+        table_ = PieceTables::get(width, pieces, terms);
+        return bound + (1.0 + weight_) * (piece_error(table_->width) +
+                                          unit_roundoff * table_->magnitude * (0.5 * static_cast<double>(terms) + 40.0));
+    }
+
+    // Hands U at radii[first .. last), rising, `step` in v each, to sink(i - first, re, im), a vector at a time. The
+    // arrays behind it must have room for widest_step values past the last, and so must the radii.
+    template <class I, class Sink>
+    LOMMEL_INLINE void evaluate(I isa, const double* radii, std::size_t first, std::size_t last, double step,
+                                const Sink& sink) {
+        using V = typename I::pack;
+        if (weight_ == 0.0) {
+            return evaluate_disk(isa, outer_, radii, first, last, step, sink);
+        }
+        re_.resize(last - first + widest_step);
+        im_.resize(re_.size());
+        double *re = re_.data(), *im = im_.data();
+        evaluate_disk(isa, inner_, radii, first, last, obscuration_ * step,
+                      [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
+                          store(re + i, a * splat<V>(weight_));
+                          store(im + i, b * splat<V>(weight_));
+                      });
+        evaluate_disk(isa, outer_, radii, first, last, step, [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
+            sink(i, a - load<V>(re + i), b - load<V>(im + i));
+        });
+    }
+
+   private:
+    template <class I, class Sink>
+    LOMMEL_INLINE void evaluate_disk(I isa, const Disk& disk, const double* radii, std::size_t first, std::size_t last,
+                                     double step, const Sink& sink) {
+        using V = typename I::pack;
+        if (table_ == nullptr) {
+            for (std::size_t i = first; i < last; i += I::lanes) {
+                alignas(64) double re[I::lanes], im[I::lanes];
+                for (std::size_t j = 0; j < I::lanes; ++j) {
+                    sum(disk, radii[i + j] * step, re[j], im[j]);
+                }
+                sink(i - first, load<V>(re), load<V>(im));
+            }
+            return;
+        }
+        constexpr std::size_t unroll = I::unroll;
+        const PieceTable& table = *table_;
+        const double per_pixel = step / table.width;
+        const std::size_t final_piece = table.pieces.size() - 1;
+        for (std::size_t i = first; i < last;) {
+            const std::size_t s = std::min(static_cast<std::size_t>(radii[i] * per_pixel), final_piece);
+            const double end = static_cast<double>(s + 1) / per_pixel;
+            const std::size_t stop =
+                s == final_piece ? last
+                                 : static_cast<std::size_t>(std::lower_bound(radii + i + 1, radii + last, end) - radii);
+            alignas(64) double re[degree_count], im[degree_count];
+            combine(isa, *table.pieces[s], disk.terms, disk.re.data(), disk.im.data(), re, im);
+            const V slope = splat<V>(2.0 * per_pixel), offset = splat<V>(-(2.0 * static_cast<double>(s) + 1.0));
+            for (; i < stop; i += unroll * I::lanes) {
+                // Two chains of multiply-adds a vector: enough vectors at once hide their latency.
+                V x[unroll], a[unroll], b[unroll];
+                for (std::size_t j = 0; j < unroll; ++j) {
+                    x[j] = load<V>(radii + i + j * I::lanes) * slope + offset;
+                    a[j] = splat<V>(re[degree_count - 1]);
+                    b[j] = splat<V>(im[degree_count - 1]);
+                }
+                for (std::size_t k = degree_count - 1; k-- > 0;) {
+                    const V r = splat<V>(re[k]), m = splat<V>(im[k]);
+                    for (std::size_t j = 0; j < unroll; ++j) {
+                        a[j] = a[j] * x[j] + r;
+                        b[j] = b[j] * x[j] + m;
+                    }
+                }
+                // What lies past the end of the piece is overwritten by the next.
+                for (std::size_t j = 0; j < unroll; ++j) {
+                    sink(i - first + j * I::lanes, a[j], b[j]);
+                }
+            }
+            i = stop;
+        }
+    }
+
+    // Without pieces, by the Bessel functions themselves: slower, for tolerances that no piece meets.
+    void sum(const Disk& disk, double v, double& re, double& im) {
+        transforms_.resize(disk.terms);
+        legendre_transforms(v, disk.terms, transforms_.data(), bessel_);
+        re = im = 0.0;
+        for (std::size_t n = 0; n < disk.terms; ++n) {
+            re += disk.re[n] * transforms_[n];
+            im += disk.im[n] * transforms_[n];
+        }
+    }
+
+    Disk outer_, inner_;
+    double obscuration_ = 0.0, weight_ = 0.0;
+    std::shared_ptr<const PieceTable> table_;
+    SeriesScratch scratch_;
+    std::vector<double> inner_phase_, transforms_, bessel_;
+    Doubles re_, im_;
+};
+
+struct ToleranceNotMet : std::runtime_error {
+    double bound;
+    explicit ToleranceNotMet(double reached) : std::runtime_error("tolerance not met"), bound(reached) {}
+};
+
+// (2 M e + e^2) / (M - e)^2: the error of I over its exact peak, from the error e of U and the computed peak M^2.
+inline double relative_error(double peak, double field_error) {
+    const double root = std::sqrt(peak), exact = root - field_error;
+    return exact > 1e-150 ? field_error * (2.0 * root + field_error) / (exact * exact) : 1e300;
+}
+
+// The error of values divided by their own largest one, itself in error by `relative`.
+inline double normalized_error(double relative) { return relative < 1.0 ? 2.0 * relative / (1.0 - relative) : 1e300; }
+
+// Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
+inline double likely_peak(const Phase& phase, double obscuration) {
+    return (1.0 - obscuration * obscuration) / (2.0 * phase.size() + 1.0);
+}
+
+inline double first_error(const Phase& phase, double obscuration, double tol) {
+    return 0.4 * tol * likely_peak(phase, obscuration);
+}
+
+// The largest I on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need not
+// be on the axis.
+inline double scanned_peak(const Phase& phase, double obscuration, double error) {
+    double blur = 4.0;  // rays reach |dPhi/drho| <= 2 sum k |c_k|
+    for (std::size_t k = 0; k < phase.terms; ++k) {
+        blur += 2.0 * static_cast<double>(k + 1) * std::abs(phase.coefficients[k]);
+    }
+    constexpr std::size_t samples = 512;
+    Doubles radii(samples + widest_step), values(samples + widest_step);
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        radii[i] = static_cast<double>(i);
+    }
+    Field field;
+    const double step = blur / samples;
+    field.prepare(phase, 0, obscuration, radii.back() * step, error);
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        field.evaluate(isa, radii.data(), 0, samples, step, [&](std::size_t i, auto re, auto im) LOMMEL_INLINE_LAMBDA {
+            store(values.data() + i, re * re + im * im);
+        });
+    });
+    return *std::max_element(values.begin(), values.begin() + samples);
+}
+
+struct Settled {
+    double error, bound;  // asked of U, proven of U
+    double relative;      // proven of I over the peak of the PSF
+    double top, peak;     // largest I in the window; the peak, where that was looked for elsewhere
+};
+
+// Prepares `field` for v up to `reach`, tightening the error until max|I - I_exact| / max I <= tol is proven. `evaluate`
+// computes the intensities of the window from the field and returns the largest, by which they will be divided if
+// `normalize`.
+template <class Evaluate>
+Settled settle(Field& field, const Phase& phase, double obscuration, double reach, double tol, bool normalize,
+               const Evaluate& evaluate) {
+    Settled s{first_error(phase, obscuration, tol), 0.0, 1e300, 0.0, 0.0};
+    for (;; s.error *= 0.1) {
+        s.bound = field.prepare(phase, 0, obscuration, reach, s.error);
+        s.top = s.peak = evaluate();
+        s.relative = relative_error(s.peak, s.bound);
+        if (normalize) {
+            s.relative = normalized_error(s.relative);
+        } else if (s.relative > tol) {
+            s.peak = std::max(s.peak, scanned_peak(phase, obscuration, s.error));
+            s.relative = relative_error(s.peak, s.bound);
+        }
+        if (s.relative <= tol) {
+            return s;
+        }
+        if (s.error < 8.0 * unit_roundoff) {
+            throw ToleranceNotMet(s.relative);
+        }
+    }
+}
+
+}  // namespace lommel

@@ -1,0 +1,276 @@
+// From pupils to finished images, each with its proven error.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "lommel/batch.hpp"
+#include "lommel/engine.hpp"
+#include "lommel/layout.hpp"
+#include "lommel/parallel.hpp"
+#include "lommel/render.hpp"
+
+namespace lommel {
+
+struct Stack {
+    const double* coefficients;  // [pupil][term] of t, t^2, ...
+    std::size_t count, terms;
+    double obscuration;
+    Phase operator[](std::size_t i) const { return {coefficients + i * terms, terms}; }
+};
+
+// Where the answer goes. For each pupil: the image, what the intensity was multiplied by (0 on entry: divide by the
+// largest value instead), the bound on the error over the peak, and dI/dc_k for each of `derivatives`.
+template <class T>
+struct Answer {
+    T* images;
+    double* scales;
+    double* bounds;
+    const std::size_t* powers;  // the k of dI/dc_k
+    std::size_t derivatives;
+    T* derivative_images;  // [derivative][pupil][height][width]
+    double* derivative_bounds;  // [derivative][pupil], over the peak of the intensity
+};
+
+// The largest of values >= 0, in eight chains that compilers vectorise.
+LOMMEL_INLINE double largest(const double* values, std::size_t count) {
+    double top[8] = {};
+    std::size_t i = 0;
+    for (; i + 8 <= count; i += 8) {
+        for (std::size_t j = 0; j < 8; ++j) {
+            top[j] = values[i + j] > top[j] ? values[i + j] : top[j];
+        }
+    }
+    for (; i < count; ++i) {
+        top[0] = values[i] > top[0] ? values[i] : top[0];
+    }
+    return *std::max_element(top, top + 8);
+}
+
+template <class T>
+LOMMEL_INLINE void scaled(const double* values, double scale, std::size_t count, T* out) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = static_cast<T>(scale * values[i]);
+    }
+}
+
+template <class T>
+class Renderer {
+   public:
+    Renderer(const Stack& stack, std::size_t height, std::size_t width, double step, double tol, int threads,
+             const Answer<T>& answer)
+        : stack_(stack), layout_(Layout::get(height, width)), step_(step), tol_(tol), threads_(threads),
+          answer_(answer) {}
+
+    void run() {
+        if (answer_.derivatives == 0 && stack_.count >= 4 && stack_.obscuration == 0.0 && prefer_batch()) {
+            run_batch();
+        } else if (stack_.count > 1) {
+            parallel_for(stack_.count, threads_, [&](std::size_t, std::size_t pupil) { render(pupil, 1); });
+        } else {
+            render(0, threads_);
+        }
+    }
+
+   private:
+    static constexpr std::size_t chunk = 4096;  // radii whose values stay in the first cache
+
+    // Multiply-adds a pupil by pieces and by the table at the exact radii, whose making is shared by the stack.
+    bool prefer_batch() const {
+        std::vector<double> least, most;
+        box(least, most);
+        const Phase far{most.data(), most.size()}, near{least.data(), least.size()};
+        const double reach = layout_->reach() * step_;
+        const double terms = std::min(0.5 * std::max(far.size(), near.size()) + 12.0, 0.5 * reach + 12.0);
+        const double radii = static_cast<double>(layout_->count);
+        const double pieces = 32.0 * (terms * (reach / 8.0 + 1.0) + radii) + 4000.0;
+        const double table = 2.0 * terms * radii + 4.0 * radii * (reach + terms + 60.0) / static_cast<double>(stack_.count);
+        return table < pieces && terms * radii < 4e6 && stack_.terms <= 4;
+    }
+
+    void box(std::vector<double>& least, std::vector<double>& most) const {
+        least.assign(stack_.coefficients, stack_.coefficients + stack_.terms);
+        most = least;
+        for (std::size_t i = 1; i < stack_.count; ++i) {
+            for (std::size_t k = 0; k < stack_.terms; ++k) {
+                least[k] = std::min(least[k], stack_[i].coefficients[k]);
+                most[k] = std::max(most[k], stack_[i].coefficients[k]);
+            }
+        }
+    }
+
+    void run_batch() {
+        std::vector<double> least, most;
+        box(least, most);
+        std::vector<double> largest(stack_.terms);
+        for (std::size_t k = 0; k < largest.size(); ++k) {
+            largest[k] = std::max(std::abs(least[k]), std::abs(most[k]));
+        }
+        const Phase worst{largest.data(), largest.size()};
+        check_size(worst);
+        const double error = first_error(worst, 0.0, tol_), reach = layout_->reach() * step_;
+        const Expansion plan(Ellipses(least, most), reach, error);
+        const auto table = RadiusTable::get(layout_, step_, plan.terms);
+        const std::size_t room = plan.room();
+        parallel_for((stack_.count + group - 1) / group, threads_, [&](std::size_t, std::size_t task) {
+            thread_local SeriesScratch scratch;
+            thread_local Doubles re, im, values;
+            re.resize(block_pupils * room);
+            im.resize(block_pupils * room);
+            values.resize(block_pupils * table->stride);
+            const std::size_t end = std::min(stack_.count, (task + 1) * group);
+            for (std::size_t i = task * group; i < end; i += block_pupils) {
+                const std::size_t here = std::min(block_pupils, end - i);
+                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                    for (std::size_t p = 0; p < here; ++p) {
+                        const Phase phase = stack_[i + p];
+                        legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, 0, plan.terms,
+                                              re.data() + p * room, im.data() + p * room, scratch);
+                    }
+                    block_intensities(isa, *table, plan.terms, re.data(), im.data(), room, values.data());
+                });
+                for (std::size_t p = 0; p < here; ++p) {
+                    const double rounding = unit_roundoff * (static_cast<double>(plan.terms) + 16.0);
+                    deliver(i + p, values.data() + p * table->stride, plan.error(stack_[i + p]) + rounding);
+                }
+            }
+        });
+    }
+
+    // An image of the batch; one whose bound is too weak for it is computed again on its own.
+    void deliver(std::size_t pupil, const double* intensity, double bound) {
+        double peak = 0.0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { peak = largest(intensity, layout_->count); });
+        const double simple = relative_error(peak, bound);
+        const double relative = answer_.scales[pupil] == 0.0 ? normalized_error(simple) : simple;
+        if (!(relative <= tol_)) {
+            return render(pupil, 1);
+        }
+        thread_local std::vector<T> profile;
+        profile.resize(layout_->count);
+        finish(pupil, peak, relative);
+        const double scale = answer_.scales[pupil];
+        scaled(intensity, scale, layout_->count, profile.data());
+        paint(profile.data(), answer_.images + pupil * pixels(), 1);
+    }
+
+    void finish(std::size_t pupil, double peak, double relative) {
+        answer_.bounds[pupil] = relative;
+        if (answer_.scales[pupil] == 0.0) {
+            answer_.scales[pupil] = 1.0 / peak;
+        }
+    }
+
+    std::size_t pixels() const { return layout_->height * layout_->width; }
+
+    // One pupil, by pieces.
+    void render(std::size_t pupil, int threads) {
+        thread_local std::vector<T> profile;
+        thread_local Field field;
+        profile.resize(layout_->count);
+        const Phase phase = stack_[pupil];
+        const double fixed = answer_.scales[pupil];
+        const Settled settled = settle(field, phase, stack_.obscuration, layout_->reach() * step_, tol_, fixed == 0.0, [&] {
+            return intensities(field, fixed == 0.0 ? 1.0 : fixed, profile.data(), threads);
+        });
+        finish(pupil, settled.top, settled.relative);
+        if (fixed == 0.0) {
+            const double scale = answer_.scales[pupil];
+            for (T& value : profile) {
+                value = static_cast<T>(scale * static_cast<double>(value));
+            }
+        }
+        paint(profile.data(), answer_.images + pupil * pixels(), threads);
+        for (std::size_t d = 0; d < answer_.derivatives; ++d) {
+            differentiate(pupil, d, settled);
+        }
+    }
+
+    // Scaled I at the distinct radii; returns the largest unscaled one.
+    double intensities(Field& field, double scale, T* profile, int threads) {
+        const std::size_t count = layout_->count, tasks = (count + chunk - 1) / chunk;
+        std::vector<double> peaks(tasks, 0.0);
+        const double* radii = layout_->radii.data();
+        const auto work = [&](Field& own, std::size_t task) {
+            alignas(64) double buffer[chunk + widest_step];
+            const std::size_t first = task * chunk, last = std::min(count, first + chunk);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                own.evaluate(isa, radii, first, last, step_, [&](std::size_t i, auto re, auto im) LOMMEL_INLINE_LAMBDA {
+                    store(buffer + i, re * re + im * im);
+                });
+                peaks[task] = largest(buffer, last - first);
+                scaled(buffer, scale, last - first, profile + first);
+            });
+        };
+        if (tasks < 16) {
+            for (std::size_t task = 0; task < tasks; ++task) {
+                work(field, task);
+            }
+        } else {
+            // The scratch of a field belongs to one thread.
+            std::vector<Field> fields(static_cast<std::size_t>(processors()) + 1, field);
+            parallel_for(tasks, threads, [&](std::size_t worker, std::size_t task) { work(fields[worker], task); });
+        }
+        return *std::max_element(peaks.begin(), peaks.end());
+    }
+
+    void paint(const T* profile, T* image, int threads) {
+        const std::size_t rows = layout_->height / 2 + 1;
+        const std::size_t block = std::max<std::size_t>(1, (std::size_t{1} << 18) / layout_->width);
+        parallel_for((rows + block - 1) / block, threads, [&](std::size_t, std::size_t task) {
+            const std::size_t first = task * block, last = std::min(rows, first + block);
+            scatter_rows(profile, layout_->index.data(), layout_->height, layout_->width, first, last, image);
+        });
+    }
+
+    // dI/dc_k = 2 Re(conj(U) i T), T = int t^k exp(i Phi) J0 dt: further right-hand sides on the same table.
+    void differentiate(std::size_t pupil, std::size_t which, const Settled& settled) {
+        const std::size_t count = layout_->count;
+        const double reach = layout_->reach() * step_, scale = answer_.scales[pupil];
+        Field field, derivative;
+        field.prepare(stack_[pupil], 0, stack_.obscuration, reach, settled.error);
+        const double own = derivative.prepare(stack_[pupil], answer_.powers[which], stack_.obscuration, reach, settled.error);
+        std::vector<T> profile(count);
+        double largest = 0.0;
+        // Vectors overlap where pieces meet, so the results must not replace what they are made of.
+        Doubles re(chunk + widest_step), im(re.size()), slope(re.size()), size(re.size());
+        for (std::size_t first = 0; first < count; first += chunk) {
+            const std::size_t last = std::min(count, first + chunk);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                using V = typename decltype(isa)::pack;
+                field.evaluate(isa, layout_->radii.data(), first, last, step_,
+                               [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
+                                   store(&re[i], a);
+                                   store(&im[i], b);
+                               });
+                derivative.evaluate(isa, layout_->radii.data(), first, last, step_,
+                                    [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
+                                        const V u = load<V>(&re[i]), w = load<V>(&im[i]);
+                                        store(&slope[i], splat<V>(2.0) * (w * a - u * b));
+                                        store(&size[i], a * a + b * b);
+                                    });
+            });
+            for (std::size_t i = 0; i < last - first; ++i) {
+                profile[first + i] = static_cast<T>(scale * slope[i]);
+                largest = std::max(largest, size[i]);
+            }
+        }
+        paint(profile.data(), answer_.derivative_images + (which * stack_.count + pupil) * pixels(), 1);
+        answer_.derivative_bounds[which * stack_.count + pupil] =
+            2.0 * (std::sqrt(settled.peak) * own + std::sqrt(largest) * settled.bound + own * settled.bound) / settled.peak;
+    }
+
+    static constexpr std::size_t group = 32;  // pupils a task
+    Stack stack_;
+    std::shared_ptr<const Layout> layout_;
+    double step_, tol_;
+    int threads_;
+    Answer<T> answer_;
+};
+
+}  // namespace lommel

@@ -1,0 +1,199 @@
+// The universal table: 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the v axis. It depends on nothing but the
+// width of the pieces, so one table serves every pupil, wavelength and pixel.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "lommel/bessel.hpp"
+#include "lommel/ellipse.hpp"
+#include "lommel/simd.hpp"
+
+namespace lommel {
+
+constexpr std::size_t degree_count = 16;  // coefficients of a piece
+
+// Widths to choose from: the error of interpolation, relative to sup|U|, and the size of the coefficients, which
+// magnifies rounding, both rise with the width.
+constexpr std::array<double, 7> widths = {12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2};
+
+// Bound on the error of a piece relative to sup|U|: U is of exponential type 1, so |U^(16)| <= sup|U| (Bernstein), and
+// interpolation at Chebyshev points errs by 2 (H/4)^16 / 16! of that.
+inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16) / 20922789888000.0; }
+
+// One piece: rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ... Orders that vanish here have no row.
+struct Piece {
+    Doubles rows;
+    double magnitude = 0.0;
+    std::size_t terms() const { return rows.size() / degree_count; }
+};
+
+struct PieceTable {
+    double width = 0.0;
+    std::size_t terms = 0;  // rows each piece has, unless it needs fewer
+    // max over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2): with sum |beta_n|^2 / (2n+1) <= 1 it bounds the sum of the
+    // magnitudes of all that is added up for one value of U, hence the rounding.
+    double magnitude = 0.0;
+    std::vector<std::shared_ptr<const Piece>> pieces;
+};
+
+// What all rows that a piece leaves out can add to U, whatever the pupil.
+constexpr double left_out = 1e-19;
+
+class PieceTables {
+   public:
+    // A table with at least this many pieces and rows. Built where it is missing, shared by all threads; it is kept
+    // until all tables together outgrow 128 MiB.
+    static std::shared_ptr<const PieceTable> get(std::size_t width_index, std::size_t pieces, std::size_t terms) {
+        static PieceTables tables;
+        const std::lock_guard<std::mutex> lock(tables.mutex_);
+        std::shared_ptr<const PieceTable>& held = tables.tables_[width_index];
+        if (held && held->pieces.size() >= pieces && held->terms >= terms) {
+            return held;
+        }
+        const std::shared_ptr<const PieceTable> table = tables.extended(held.get(), widths[width_index], pieces, terms);
+        held = table;
+        if (tables.bytes() > (std::size_t{128} << 20)) {
+            tables.tables_ = {};
+        }
+        return table;
+    }
+
+   private:
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (const auto& table : tables_) {
+            for (std::size_t i = 0; table && i < table->pieces.size(); ++i) {
+                sum += sizeof(double) * table->pieces[i]->rows.size();
+            }
+        }
+        return sum;
+    }
+
+    std::shared_ptr<const PieceTable> extended(const PieceTable* old, double width, std::size_t pieces,
+                                               std::size_t terms) {
+        auto table = std::make_shared<PieceTable>();
+        table->width = width;
+        // Rounded up, so that a little more defocus does not mean a new table.
+        table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
+        table->pieces.resize(std::max(pieces, old ? old->pieces.size() : 0));
+        for (std::size_t s = 0; s < table->pieces.size(); ++s) {
+            const std::size_t useful = window_terms(width * static_cast<double>(s + 1), left_out);
+            const std::size_t rows = std::min(table->terms, useful);
+            if (old && s < old->pieces.size() && old->pieces[s]->terms() >= rows) {
+                table->pieces[s] = old->pieces[s];
+            } else {
+                table->pieces[s] = made(width, s, rows);
+            }
+            table->magnitude = std::max(table->magnitude, table->pieces[s]->magnitude);
+        }
+        return table;
+    }
+
+    // Values at Chebyshev points to monomials, in extended precision: in double, the conversion would lose five digits.
+    std::shared_ptr<const Piece> made(double width, std::size_t s, std::size_t terms) {
+        constexpr std::size_t m = degree_count;
+        auto piece = std::make_shared<Piece>();
+        piece->rows.resize(terms * m);
+        std::vector<double> values(m * terms);
+        for (std::size_t j = 0; j < m; ++j) {
+            const double x = std::cos(3.14159265358979323846 * (static_cast<double>(j) + 0.5) / m);
+            const double v = width * (static_cast<double>(s) + 0.5 * (1.0 + x));
+            legendre_transforms(v, terms, &values[j * terms], scratch_);
+        }
+        for (std::size_t n = 0; n < terms; ++n) {
+            for (std::size_t k = 0; k < m; ++k) {
+                long double sum = 0;
+                for (std::size_t j = 0; j < m; ++j) {
+                    sum += to_monomials()[k][j] * static_cast<long double>(values[j * terms + n]);
+                }
+                piece->rows[n * m + k] = static_cast<double>(sum);
+            }
+        }
+        for (std::size_t k = 0; k < m; ++k) {
+            double sum = 0.0;
+            for (std::size_t n = 0; n < terms; ++n) {
+                sum += (2.0 * static_cast<double>(n) + 1.0) * piece->rows[n * m + k] * piece->rows[n * m + k];
+            }
+            piece->magnitude += std::sqrt(sum);
+        }
+        return piece;
+    }
+
+    using Matrix = std::array<std::array<long double, degree_count>, degree_count>;
+    static const Matrix& to_monomials() {
+        static const Matrix matrix = [] {
+            constexpr std::size_t m = degree_count;
+            // Monomial coefficients of T_0 .. T_15.
+            Matrix t{}, result{};
+            t[0][0] = 1;
+            t[1][1] = 1;
+            for (std::size_t i = 2; i < m; ++i) {
+                for (std::size_t k = 0; k < m; ++k) {
+                    t[i][k] = (k > 0 ? 2 * t[i - 1][k - 1] : 0) - t[i - 2][k];
+                }
+            }
+            const long double pi = std::acos(-1.0L);
+            for (std::size_t j = 0; j < m; ++j) {
+                for (std::size_t i = 0; i < m; ++i) {
+                    const long double c = (i == 0 ? 1.0L : 2.0L) / m * std::cos(pi * i * (j + 0.5L) / m);
+                    for (std::size_t k = 0; k < m; ++k) {
+                        result[k][j] += c * t[i][k];
+                    }
+                }
+            }
+            return result;
+        }();
+        return matrix;
+    }
+
+    std::mutex mutex_;
+    std::vector<double> scratch_;
+    std::array<std::shared_ptr<const PieceTable>, widths.size()> tables_;
+};
+
+// The 16 complex coefficients of U on one piece: sum over n of beta_n times row n. Bound by reading the table once.
+template <class I>
+LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im,
+                           double* re, double* im) {
+    using V = typename I::pack;
+    constexpr std::size_t at_once = 2 * I::lanes < degree_count ? 2 * I::lanes : degree_count;
+    constexpr std::size_t packs = at_once / I::lanes;
+    terms = std::min(terms, piece.terms());
+    for (std::size_t k = 0; k < degree_count; k += at_once) {
+        const double* column = piece.rows.data() + k;
+        V a[2][packs], b[2][packs];  // two rows at once, for their chains of multiply-adds to overlap
+        for (std::size_t j = 0; j < 2; ++j) {
+            for (std::size_t p = 0; p < packs; ++p) {
+                a[j][p] = b[j][p] = splat<V>(0.0);
+            }
+        }
+        const auto add = [&](std::size_t j, std::size_t n) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t p = 0; p < packs; ++p) {
+                const V c = load<V>(column + n * degree_count + p * I::lanes);
+                a[j][p] = a[j][p] + c * splat<V>(beta_re[n]);
+                b[j][p] = b[j][p] + c * splat<V>(beta_im[n]);
+            }
+        };
+        std::size_t n = 0;
+        for (; n + 2 <= terms; n += 2) {
+            add(0, n);
+            add(1, n + 1);
+        }
+        if (n < terms) {
+            add(0, n);
+        }
+        for (std::size_t p = 0; p < packs; ++p) {
+            store(re + k + p * I::lanes, a[0][p] + a[1][p]);
+            store(im + k + p * I::lanes, b[0][p] + b[1][p]);
+        }
+    }
+}
+
+}  // namespace lommel

@@ -1,0 +1,70 @@
+// Fields and intensities at radii of the caller's choice.
+#pragma once
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+
+#include "lommel/engine.hpp"
+#include "lommel/images.hpp"
+
+namespace lommel {
+
+// Rising v with room behind them for whole vectors.
+inline Doubles padded(const double* v, std::size_t count) {
+    Doubles radii(v, v + count);
+    radii.resize(count + widest_step, count > 0 ? v[count - 1] : 0.0);
+    return radii;
+}
+
+// U at rising v, out[pupil * count + i], with an error that serves an intensity within `tol` of the likely peak.
+inline void fields(const Stack& stack, const double* v, std::size_t count, double tol, std::complex<double>* out,
+                   double* bounds) {
+    const Doubles radii = padded(v, count);
+    Doubles re(count + widest_step), im(re.size());
+    Field field;
+    for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
+        const Phase phase = stack[pupil];
+        bounds[pupil] = field.prepare(phase, 0, stack.obscuration, radii.back(),
+                                      first_error(phase, stack.obscuration, tol));
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            field.evaluate(isa, radii.data(), 0, count, 1.0, [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
+                store(re.data() + i, a);
+                store(im.data() + i, b);
+            });
+        });
+        for (std::size_t i = 0; i < count; ++i) {
+            out[pupil * count + i] = {re[i], im[i]};
+        }
+    }
+}
+
+// I at rising v, out[pupil * count + i]; bounds on its error over the peak, negative where `tol` cannot be met, and what
+// the peak was taken to be.
+inline void profiles(const Stack& stack, const double* v, std::size_t count, double tol, double* out, double* bounds,
+                     double* peaks) {
+    const Doubles radii = padded(v, count);
+    Doubles values(count + widest_step);
+    Field field;
+    for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
+        const auto evaluate = [&] {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                field.evaluate(isa, radii.data(), 0, count, 1.0,
+                               [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
+                                   store(values.data() + i, a * a + b * b);
+                               });
+            });
+            return largest(values.data(), count);
+        };
+        try {
+            const Settled s = settle(field, stack[pupil], stack.obscuration, radii.back(), tol, false, evaluate);
+            bounds[pupil] = s.relative;
+            peaks[pupil] = s.peak;
+        } catch (const ToleranceNotMet& failure) {
+            bounds[pupil] = -failure.bound;
+        }
+        std::copy_n(values.data(), count, out + pupil * count);
+    }
+}
+
+}  // namespace lommel

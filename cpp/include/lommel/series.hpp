@@ -1,0 +1,146 @@
+// Legendre coefficients of the pupil function: beta_n = (2n+1) int_0^1 exp(i Phi(t)) P_n(2t - 1) dt.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "lommel/legendre.hpp"
+#include "lommel/simd.hpp"
+#include "lommel/sincos.hpp"
+
+namespace lommel {
+
+// Gauss nodes of [0, 1] and the Legendre polynomials there, weighted. P_n is even or odd about the middle, so half
+// the nodes serve: even orders meet the sum of exp(i Phi) at mirrored nodes, odd ones the difference.
+struct LegendreRule {
+    std::size_t half;    // nodes in the upper half, a multiple of 8
+    std::size_t blocks;  // groups of 16 orders, 8 even ones and 8 odd ones
+    Doubles upper, lower;  // t of the upper nodes and of their mirror images
+    Doubles even, odd;     // [block][node][lane]: (2n+1) w P_n
+
+    LegendreRule(std::size_t nodes, std::size_t terms)
+        : half(nodes / 2), blocks((terms + 2 * row_lanes - 1) / (2 * row_lanes)), upper(half), lower(half),
+          even(blocks * half * row_lanes), odd(even.size()) {
+        std::vector<double> x(nodes), w(nodes), p(blocks * 2 * row_lanes);
+        gauss_legendre(nodes, x.data(), w.data());
+        for (std::size_t q = 0; q < half; ++q) {
+            upper[q] = 0.5 * (1.0 + x[half + q]);
+            lower[q] = 0.5 * (1.0 - x[half + q]);
+            legendre_sequence(x[half + q], p.size(), p.data());
+            for (std::size_t n = 0; n < p.size(); ++n) {
+                const double value = (static_cast<double>(n) + 0.5) * w[half + q] * p[n];
+                Doubles& side = n % 2 == 0 ? even : odd;
+                side[((n / (2 * row_lanes)) * half + q) * row_lanes + n % (2 * row_lanes) / 2] = value;
+            }
+        }
+    }
+
+    std::size_t bytes() const { return sizeof(double) * (even.size() + odd.size() + 2 * half); }
+};
+
+// Rules shared by all calls, at sizes rounded up so that there are few; the cache is emptied when it outgrows 32 MiB.
+class LegendreRules {
+   public:
+    static std::shared_ptr<const LegendreRule> get(std::size_t nodes, std::size_t terms) {
+        static LegendreRules rules;
+        const std::size_t n = round_up(nodes, nodes < 256 ? 16 : 64), k = round_up(terms, n <= 256 ? 16 : 64);
+        const std::lock_guard<std::mutex> lock(rules.mutex_);
+        std::shared_ptr<const LegendreRule>& entry = rules.rules_[{n, k}];
+        if (!entry) {
+            auto made = std::make_shared<const LegendreRule>(n, k);
+            rules.bytes_ += made->bytes();
+            if (rules.bytes_ > (std::size_t{32} << 20)) {
+                rules.rules_.clear();
+                rules.bytes_ = made->bytes();
+                return rules.rules_[{n, k}] = made;
+            }
+            entry = made;
+        }
+        return entry;
+    }
+
+   private:
+    static std::size_t round_up(std::size_t n, std::size_t step) { return (n + step - 1) / step * step; }
+    std::mutex mutex_;
+    std::size_t bytes_ = 0;
+    std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<const LegendreRule>> rules_;
+};
+
+// Scratch of one thread; grows and is kept.
+struct SeriesScratch {
+    Doubles sum_re, sum_im, difference_re, difference_im;
+};
+
+// exp(i Phi) at a vector of nodes, by Horner's rule in t; the constant term of the phase is left out.
+template <class I>
+LOMMEL_INLINE void pupil_function(I isa, const double* phase, std::size_t phase_terms, typename I::pack t,
+                                  typename I::pack& re, typename I::pack& im) {
+    using V = typename I::pack;
+    V angle = splat<V>(0.0);
+    for (std::size_t k = phase_terms; k-- > 0;) {
+        angle = (angle + splat<V>(phase[k])) * t;
+    }
+    sincos(isa, angle, im, re);
+}
+
+// The first `terms` coefficients of t^power exp(i Phi), up to whole blocks of 16, as beta_re, beta_im.
+template <class I>
+LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const double* phase, std::size_t phase_terms,
+                                         std::size_t power, std::size_t terms, double* beta_re, double* beta_im, SeriesScratch& s) {
+    using V = typename I::pack;
+    const std::size_t half = rule.half;
+    for (Doubles* v : {&s.sum_re, &s.sum_im, &s.difference_re, &s.difference_im}) {
+        v->resize(std::max(v->size(), half));
+    }
+    for (std::size_t q = 0; q < half; q += I::lanes) {
+        V up_re, up_im, down_re, down_im;
+        pupil_function(isa, phase, phase_terms, load<V>(&rule.upper[q]), up_re, up_im);
+        pupil_function(isa, phase, phase_terms, load<V>(&rule.lower[q]), down_re, down_im);
+        for (std::size_t k = 0; k < power; ++k) {
+            up_re = up_re * load<V>(&rule.upper[q]);
+            up_im = up_im * load<V>(&rule.upper[q]);
+            down_re = down_re * load<V>(&rule.lower[q]);
+            down_im = down_im * load<V>(&rule.lower[q]);
+        }
+        store(&s.sum_re[q], up_re + down_re);
+        store(&s.sum_im[q], up_im + down_im);
+        store(&s.difference_re[q], up_re - down_re);
+        store(&s.difference_im[q], up_im - down_im);
+    }
+    const std::size_t blocks = std::min(rule.blocks, (terms + 2 * row_lanes - 1) / (2 * row_lanes));
+    for (std::size_t b = 0; b < blocks; ++b) {
+        for (std::size_t lane = 0; lane < row_lanes; lane += I::lanes) {
+            const double* even = &rule.even[b * half * row_lanes + lane];
+            const double* odd = &rule.odd[b * half * row_lanes + lane];
+            // Two nodes at a time: eight chains of multiply-adds hide the latency of one.
+            V sums[2][4];
+            for (auto& chains : sums) {
+                for (V& chain : chains) {
+                    chain = splat<V>(0.0);
+                }
+            }
+            for (std::size_t q = 0; q < half; q += 2) {
+                for (std::size_t j = 0; j < 2; ++j) {
+                    const V e = load<V>(even + (q + j) * row_lanes), o = load<V>(odd + (q + j) * row_lanes);
+                    sums[j][0] = sums[j][0] + e * splat<V>(s.sum_re[q + j]);
+                    sums[j][1] = sums[j][1] + e * splat<V>(s.sum_im[q + j]);
+                    sums[j][2] = sums[j][2] + o * splat<V>(s.difference_re[q + j]);
+                    sums[j][3] = sums[j][3] + o * splat<V>(s.difference_im[q + j]);
+                }
+            }
+            for (std::size_t c = 0; c < 4; ++c) {
+                const V total = sums[0][c] + sums[1][c];
+                double* to = (c % 2 == 0 ? beta_re : beta_im) + 2 * (b * row_lanes + lane) + c / 2;
+                for (std::size_t i = 0; i < I::lanes; ++i) {
+                    to[2 * i] = total[i];
+                }
+            }
+        }
+    }
+}
+
+}  // namespace lommel

@@ -1,0 +1,193 @@
+// Vectors of doubles, compiled for the widest instructions that the processor turns out to have.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <vector>
+
+#if defined(__GNUC__) || defined(__clang__)
+#define LOMMEL_INLINE inline __attribute__((always_inline))
+#define LOMMEL_INLINE_LAMBDA __attribute__((always_inline))
+#else
+#define LOMMEL_INLINE inline
+#define LOMMEL_INLINE_LAMBDA
+#endif
+
+#if (defined(__GNUC__) || defined(__clang__)) && defined(__x86_64__)
+#define LOMMEL_X86 1
+#endif
+
+namespace lommel {
+
+// Rows of tables are this long at least, whatever the width of the vectors.
+constexpr std::size_t row_lanes = 8;
+
+#if defined(__GNUC__) || defined(__clang__)
+
+template <std::size_t Lanes>
+struct Vector {
+    typedef double pack __attribute__((vector_size(8 * Lanes)));
+    typedef std::int64_t bits __attribute__((vector_size(8 * Lanes)));
+};
+
+// x - 0 is x, and compilers know it; a list of x's they would insert one by one.
+template <class V>
+LOMMEL_INLINE V splat(double x) {
+    return x - V{};
+}
+template <class V>
+LOMMEL_INLINE V larger(V a, V b) {
+    return a > b ? a : b;
+}
+// a where the bit of the integer in `at` is set, else b.
+template <class B, class V>
+LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
+    return (at & bit) != 0 ? a : b;
+}
+
+#else
+
+template <std::size_t Lanes>
+struct Vector {
+    struct pack {
+        double v[Lanes];
+        friend pack operator+(pack a, pack b) { return each(a, b, [](double x, double y) { return x + y; }); }
+        friend pack operator-(pack a, pack b) { return each(a, b, [](double x, double y) { return x - y; }); }
+        friend pack operator*(pack a, pack b) { return each(a, b, [](double x, double y) { return x * y; }); }
+        double operator[](std::size_t i) const { return v[i]; }
+        template <class F>
+        static pack each(pack a, pack b, F f) {
+            for (std::size_t i = 0; i < Lanes; ++i) {
+                a.v[i] = f(a.v[i], b.v[i]);
+            }
+            return a;
+        }
+    };
+    struct bits {
+        std::int64_t v[Lanes];
+        friend bits operator+(bits a, std::int64_t b) {
+            for (std::int64_t& lane : a.v) {
+                lane += b;
+            }
+            return a;
+        }
+    };
+};
+
+template <class V>
+LOMMEL_INLINE V splat(double x) {
+    V p;
+    for (double& lane : p.v) {
+        lane = x;
+    }
+    return p;
+}
+template <class V>
+LOMMEL_INLINE V larger(V a, V b) {
+    return V::each(a, b, [](double x, double y) { return x > y ? x : y; });
+}
+template <class B, class V>
+LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(double); ++i) {
+        a.v[i] = (at.v[i] & bit) != 0 ? a.v[i] : b.v[i];
+    }
+    return a;
+}
+
+#endif
+
+template <class V>
+LOMMEL_INLINE V load(const double* from) {
+    V p;
+    std::memcpy(&p, from, sizeof p);
+    return p;
+}
+template <class V>
+LOMMEL_INLINE void store(double* to, V p) {
+    std::memcpy(to, &p, sizeof p);
+}
+
+// What a kernel is compiled for: its vectors, and how many of them its registers hold in each of three arrays.
+template <std::size_t Lanes, std::size_t Unroll>
+struct Isa {
+    using pack = typename Vector<Lanes>::pack;
+    using bits = typename Vector<Lanes>::bits;
+    static constexpr std::size_t lanes = Lanes, unroll = Unroll;
+};
+// Vectors of 32 bytes there too: compilers of today make worse code of wider ones in functions that they inline.
+using Avx512 = Isa<4, 4>;
+using Avx2 = Isa<4, 4>;
+using Portable = Isa<2, 4>;
+constexpr std::size_t widest_step = 16;  // most values a kernel handles, and so may touch past the end, at once
+
+enum class Level { portable, avx2, avx512 };
+
+// Lowers what is used, for tests and comparisons.
+inline Level& level_limit() {
+    static Level limit = Level::avx512;
+    return limit;
+}
+
+inline Level processor_level() {
+#ifdef LOMMEL_X86
+    static const Level found = [] {
+        __builtin_cpu_init();
+        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+            __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
+            return Level::avx512;
+        }
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? Level::avx2 : Level::portable;
+    }();
+    return found < level_limit() ? found : level_limit();
+#else
+    return Level::portable;
+#endif
+}
+
+#ifdef LOMMEL_X86
+template <class Kernel>
+__attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,avx2,fma"), noinline)) void run_avx512(const Kernel& kernel) {
+    kernel(Avx512{});
+}
+template <class Kernel>
+__attribute__((target("avx2,fma"), noinline)) void run_avx2(const Kernel& kernel) {
+    kernel(Avx2{});
+}
+#endif
+
+// Runs a kernel compiled for this processor, which it is told by an Isa. The kernel and all that it calls must be
+// inlined, or they keep the baseline instructions.
+template <class Kernel>
+LOMMEL_INLINE void dispatch(const Kernel& kernel) {
+#ifdef LOMMEL_X86
+    switch (processor_level()) {
+        case Level::avx512:
+            return run_avx512(kernel);
+        case Level::avx2:
+            return run_avx2(kernel);
+        default:
+            break;
+    }
+#endif
+    kernel(Portable{});
+}
+
+// Memory that begins at a cache line, so that no vector of a table lies across two.
+template <class T>
+struct AlignedAllocator {
+    using value_type = T;
+    AlignedAllocator() = default;
+    template <class U>
+    AlignedAllocator(const AlignedAllocator<U>&) {}
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+    template <class U>
+    bool operator==(const AlignedAllocator<U>&) const { return true; }
+    template <class U>
+    bool operator!=(const AlignedAllocator<U>&) const { return false; }
+};
+using Doubles = std::vector<double, AlignedAllocator<double>>;
+
+}  // namespace lommel

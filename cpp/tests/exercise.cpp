@@ -1,0 +1,134 @@
+// The compiled core without Python, for sanitizers: every path of the engine at odd sizes, and from many threads at once.
+// Returns 1 and says where if an answer is not what another path, or the standard library, makes of it.
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "lommel/bessel.hpp"
+#include "lommel/huygens.hpp"
+#include "lommel/images.hpp"
+#include "lommel/profiles.hpp"
+#include "lommel/subpixel.hpp"
+
+namespace {
+
+int failures = 0;
+
+void check(bool good, const char* what, double value) {
+    if (!good) {
+        std::printf("FAILED: %s (%.3g)\n", what, value);
+        ++failures;
+    }
+}
+
+void bessel_functions_agree_with_the_standard_library() {
+    for (const double v : {0.0, 1e-9, 9.99e-4, 1e-3, 0.5, 7.0, 123.4, 800.0}) {
+        for (const std::size_t count : {std::size_t{1}, std::size_t{2}, std::size_t{37}, std::size_t{900}}) {
+            std::vector<double> j(count);
+            lommel::bessel_sequence(v, count, j.data());
+            double worst = 0.0;
+            for (std::size_t n = 0; n < count; n += 1 + n / 8) {
+                worst = std::max(worst, std::abs(j[n] - std::cyl_bessel_j(static_cast<double>(n), v)));
+            }
+            check(worst < 1e-12, "J_n(v)", worst);
+        }
+    }
+}
+
+template <class T>
+void images_keep_their_bounds(std::mt19937& random, std::size_t height, std::size_t width, std::size_t count,
+                              double obscuration, double tol, int threads, bool normalize) {
+    std::uniform_real_distribution<double> phase(-120.0, 120.0), pitch(0.2, 4.0);
+    const double step = pitch(random);
+    std::vector<double> coefficients(2 * count), scales(count, normalize ? 0.0 : 1.0), bounds(count);
+    for (double& c : coefficients) {
+        c = phase(random);
+    }
+    const std::vector<std::size_t> powers = {1, 2};
+    std::vector<T> images(count * height * width), slopes(powers.size() * images.size());
+    std::vector<double> slope_bounds(powers.size() * count);
+    const lommel::Stack stack{coefficients.data(), count, 2, obscuration};
+    const bool with_slopes = count < 4;
+    lommel::Renderer<T>(stack, height, width, step, tol, threads,
+                        {images.data(), scales.data(), bounds.data(), powers.data(), with_slopes ? powers.size() : 0,
+                         slopes.data(), slope_bounds.data()})
+        .run();
+    // The same pixels by the Bessel functions themselves.
+    for (std::size_t pupil = 0; pupil < count; pupil += 1 + count / 3) {
+        for (const std::size_t pixel : {std::size_t{0}, images.size() / count - 1, width * (height / 2) + width / 2}) {
+            const double y = static_cast<double>(pixel / width) - static_cast<double>(height / 2);
+            const double x = static_cast<double>(pixel % width) - static_cast<double>(width / 2);
+            const double v = step * std::hypot(x, y);
+            std::complex<double> u;
+            double bound;
+            const lommel::Stack one{coefficients.data() + 2 * pupil, 1, 2, obscuration};
+            lommel::fields(one, &v, 1, 1e-12, &u, &bound);
+            const double peak = normalize ? 1.0 : static_cast<double>(*std::max_element(
+                images.begin() + static_cast<std::ptrdiff_t>(pupil * height * width),
+                images.begin() + static_cast<std::ptrdiff_t>((pupil + 1) * height * width)));
+            const double found = static_cast<double>(images[pupil * height * width + pixel]);
+            const double error = std::abs(found - scales[pupil] * std::norm(u)) / std::max(peak, 1e-30);
+            check(bounds[pupil] <= tol, "bound within the tolerance", bounds[pupil]);
+            check(error <= tol + (sizeof(T) == 4 ? 1.2e-7 : 1e-12) || peak < 1e-9, "error within the tolerance", error);
+        }
+    }
+}
+
+void every_path_of_the_engine(unsigned seed) {
+    std::mt19937 random(seed);
+    for (const std::size_t side : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{16}, std::size_t{33}}) {
+        for (const double obscuration : {0.0, 0.33}) {
+            for (const int threads : {1, 3}) {
+                images_keep_their_bounds<float>(random, side, side + 5, 1, obscuration, 1e-5, threads, false);
+                images_keep_their_bounds<double>(random, side + 4, side, 2, obscuration, 1e-8, threads, true);
+                images_keep_their_bounds<double>(random, side, side + 1, 9, obscuration, 1e-6, threads, false);
+            }
+        }
+    }
+    images_keep_their_bounds<float>(random, 301, 640, 1, 0.0, 1e-6, 2, false);
+    images_keep_their_bounds<double>(random, 40, 41, 37, 0.0, 1e-7, 2, true);
+}
+
+void pixels_off_the_grid_read_nothing_beyond_the_profile() {
+    const double h = 0.25;
+    std::vector<double> profile;
+    for (int i = -1; i < 60; ++i) {
+        profile.push_back(std::exp(-0.01 * h * h * i * i));
+    }
+    const double node = 0.0, weight = 1.0;
+    std::vector<double> out(9 * 7);
+    lommel::paint_subpixel(profile.data(), 1.0 / h, 1.0, 3.3, 4.4, &node, &weight, 1, 9, 7, out.data());
+    const double exact = std::exp(-0.01 * (3.3 * 3.3 + 4.4 * 4.4));
+    check(std::abs(out[0] - exact) < 1e-6, "interpolated pixel", out[0] - exact);
+}
+
+void huygens_sum_of_one_source() {
+    const double x = 1e-3, y = 0.0, sx = 0.0, sy = 0.0;
+    const std::complex<double> a = 1.0;
+    std::complex<double> out;
+    lommel::huygens_sum(&x, &y, &a, 1, &sx, &sy, 1, 0.1, 1e7, &out);
+    check(std::abs(out - std::complex<double>(1.0 / (1.0 + 1e-4), 0.0)) < 1e-12, "wavelet on the axis", out.real());
+}
+
+}  // namespace
+
+int main() {
+    bessel_functions_agree_with_the_standard_library();
+    pixels_off_the_grid_read_nothing_beyond_the_profile();
+    huygens_sum_of_one_source();
+    for (const lommel::Level level : {lommel::Level::portable, lommel::Level::avx2, lommel::Level::avx512}) {
+        lommel::level_limit() = level;
+        every_path_of_the_engine(1);
+    }
+    std::vector<std::thread> callers;
+    for (unsigned seed = 2; seed < 6; ++seed) {
+        callers.emplace_back(every_path_of_the_engine, seed);
+    }
+    for (std::thread& caller : callers) {
+        caller.join();
+    }
+    std::printf(failures == 0 ? "all good\n" : "%d failures\n", failures);
+    return failures == 0 ? 0 : 1;
+}

@@ -1,0 +1,115 @@
+"""The command line's tables: what :mod:`lommel.report` says, for people."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+from rich.console import Console
+from rich.table import Table
+
+from lommel.report import length_or_infinity
+from lommel.units import format_length
+
+if TYPE_CHECKING:
+    from lommel.lensfile import Instrument
+    from lommel.psf import PSF
+
+
+def _console() -> Console:
+    # A pipe has no width; tables are then as wide as they need to be. Names are shown as they are written.
+    width = None if sys.stdout.isatty() else 160
+    return Console(width=width, markup=False, emoji=False, highlight=False)
+
+
+def print_lens(facts: dict[str, Any]) -> None:
+    """Print what :func:`lommel.report.describe_lens` says."""
+    waves = ", ".join(f"{name} = {value:.4g}" for name, value in facts["waves"].items())
+    lines = [
+        ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
+         + (f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else "")),
+        ("focused at", length_or_infinity(facts["focus_distance"])),
+        ("object at", length_or_infinity(facts["object_distance"])),
+        ("wavelength", format_length(facts["wavelength"])),
+        ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
+         f" (working f/{facts['working_f_number']:.4g})"),
+        ("pixel", format_length(facts["pixel"])),
+        ("defocus C_d", f"{facts['defocus']:.4g} rad"),
+        ("spherical C_s", f"{facts['spherical']:.4g} rad"),
+        *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(facts["higher"])],
+        ("in waves", waves),
+        ("Airy radius", format_length(facts["airy_radius"])),
+        ("geometric blur radius", format_length(facts["geometric_radius"])),
+        ("Strehl ratio (on axis)", f"{facts['strehl']:.4g}"),
+    ]  # fmt: skip
+    table = Table(show_header=False, box=None, pad_edge=False)
+    table.add_column(style="cyan")
+    table.add_column()
+    for row in lines:
+        table.add_row(*row)
+    energies = Table(box=None, pad_edge=False, title="Encircled energy", title_justify="left")
+    for name in ("within", "radius", "this lens", "unaberrated"):
+        energies.add_column(name, justify="left" if name == "within" else "right")
+    for row in facts["encircled_energy"]:
+        energies.add_row(
+            row["within"], format_length(row["radius"]), f"{row['fraction']:.1%}", f"{row['unaberrated']:.1%}"
+        )
+    console = _console()
+    console.print(facts["name"], style="bold")
+    console.print(table)
+    console.print()
+    console.print(energies)
+
+
+def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
+    """Print what :func:`lommel.report.describe_psf` says."""
+    meaning = {
+        "energy": "fraction of all light per pixel",
+        "strehl": "1 = unaberrated peak",
+        "peak": "1 = largest value",
+    }
+    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
+    table = Table(title="PSF", title_justify="left", show_header=False, box=None, pad_edge=False)
+    table.add_column(style="cyan")
+    table.add_column()
+    for row in (
+        ("method", repr(answer.method)),
+        ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {meaning[facts['normalize']]}"),
+        ("sampled at", "pixel centers" if facts["sampling"] == "center" else "pixels, averaged over each"),
+        ("largest value", f"{facts['peak']:.4g}"),
+        ("energy in the window", f"{facts['energy']:.2%}"),
+        ("error bound", bound),
+        ("time", f"{1e3 * facts['seconds']:.1f} ms"),
+    ):
+        table.add_row(*row)
+    console = _console()
+    console.print()
+    console.print(table)
+
+
+def print_comparison(instrument: Instrument, rows: list[dict[str, Any]]) -> None:
+    """Print the rows of :func:`lommel.report.compare`."""
+    size = f"{instrument.shape[0]} x {instrument.shape[1]} pixels of {format_length(instrument.pixel)}"
+    table = Table(box=None, pad_edge=False)
+    for name in ("method", "time", "MSE", "peak error", "error bound"):
+        table.add_column(name, justify="left" if name == "method" else "right", no_wrap=True)
+    table.add_column("")
+
+    def number(value: float | None) -> str:
+        return "-" if value is None else f"{value:.2g}"
+
+    for row in rows:
+        note = row["reason"] or {"Hankel": "the reference", "Geometric": "pixel averages"}.get(row["method"], "")
+        spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
+        table.add_row(
+            row["method"],
+            spent,
+            number(row["mse"]),
+            number(row["peak_error"]),
+            number(row["error_bound"]),
+            note,
+        )
+    console = _console()
+    console.print(instrument.name, style="bold")
+    console.print(size)
+    console.print(table)

@@ -1,0 +1,96 @@
+"""The bounds bound: what they promise is compared with measured errors, and not found to promise too little."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy import special
+
+from lommel.methods import bounds
+from lommel.special.legendre import gauss_legendre
+
+# Rounding of the measurement itself: a few units for each of some hundred radians.
+FLOOR = 1e-13
+
+ETA = np.geomspace(1e-3, 4.0, 96)
+
+sizes = st.sampled_from([0.01, 1.0, 30.0, 400.0])
+pupils = st.builds(
+    lambda size, parts: size * np.array(parts), sizes, st.lists(st.floats(-1, 1), min_size=1, max_size=4)
+)
+lows = st.one_of(st.just(0.0), st.floats(1e-4, 0.9))
+radii = st.one_of(st.just(0.0), st.floats(0.01, 20), st.floats(20, 700))
+
+
+def _phase(coefficients: NDArray[np.float64], t: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    return sum(c * t ** (k + 1) for k, c in enumerate(coefficients))
+
+
+def _quadrature(coefficients: NDArray[np.float64], low: float, v: float, n: int) -> complex:
+    t, weights = gauss_legendre(n, low)
+    return complex(np.sum(weights * np.exp(1j * _phase(coefficients, t)) * special.j0(v * np.sqrt(t))))
+
+
+@given(pupils, lows, radii)
+def test_growth_bounds_the_integrand_on_every_ellipse(
+    coefficients: NDArray[np.float64], low: float, v: float
+) -> None:
+    g = bounds.growth(coefficients[None], low, v)
+    # Angles that are not those of the grid on which the maximum is looked for.
+    theta = np.linspace(0.0, 2 * math.pi, 1009)
+    half = 0.5 * (1 - low)
+    for exponent, eta in list(zip(g, ETA, strict=True))[::5]:
+        t = 0.5 * (1 + low) + half * np.cos(theta + 1j * eta)
+        # log|J0(z)| <= |Im z|, and J0 itself overflows long before.
+        z = v * np.sqrt(t)
+        log_j0 = np.log(np.maximum(np.abs(special.jve(0, z)), 1e-300)) + np.abs(z.imag)
+        assert np.all(-_phase(coefficients, t).imag + log_j0 <= exponent + 1e-9 * (1 + exponent))
+
+
+@given(st.lists(st.tuples(st.floats(-200, 200), st.floats(-200, 200)), min_size=2, max_size=5), lows, radii)
+def test_growth_of_a_stack_bounds_that_of_each_pupil(rows: list[tuple[float, float]], low: float, v: float) -> None:
+    stack = np.array(rows)
+    together = bounds.growth(stack, low, v)
+    for row in stack:
+        assert np.all(bounds.growth(row[None], low, v) <= together * (1 + 1e-12))
+
+
+@given(pupils, lows, radii, st.integers(3, 12))
+def test_gauss_quadrature_is_as_accurate_as_promised_with_few_nodes_to_spare(
+    coefficients: NDArray[np.float64], low: float, v: float, digits: int
+) -> None:
+    g, error = bounds.growth(coefficients[None], low, v), 10.0**-digits
+    n = bounds.quadrature_nodes(g, error, low)
+    exact = _quadrature(coefficients, low, v, 2 * n + 40)
+    counts = np.arange(1, n + 1)
+    errors = np.array([abs(_quadrature(coefficients, low, v, m) - exact) for m in counts])
+    promised = np.array([bounds.quadrature_error(g, m, low) for m in counts])
+    assert np.all(errors <= promised + FLOOR)
+    assert promised[-1] <= error
+    assert n == 1 or promised[-2] > error
+    failing = counts[errors > error]
+    smallest = int(failing[-1]) + 1 if failing.size else 1
+    assert n <= 1.15 * smallest + 12
+
+
+@pytest.mark.parametrize("v", [0.0, 3.0, 500.0])
+@pytest.mark.parametrize("coefficients", [[0.0, 0.0], [400.0, 200.0], [-400.0, 200.0]])
+def test_more_nodes_never_promise_less(coefficients: list[float], v: float) -> None:
+    g = bounds.growth(np.array([coefficients]), 0.0, v)
+    errors = [bounds.quadrature_error(g, n) for n in range(1, 700)]
+    assert all(later <= earlier for earlier, later in itertools.pairwise(errors))
+    assert errors[-1] < 1e-15
+
+
+def test_the_estimate_of_rounding_grows_with_the_phase_and_shrinks_with_the_area() -> None:
+    estimate = bounds.rounding_error(np.array([[0.0, 0.0], [400.0, -200.0]]), 0.0, 100)
+    assert estimate.shape == (2,)
+    assert estimate[0] >= 16 * 2.0**-53
+    assert estimate[1] - estimate[0] == pytest.approx(2 * 600 * 2.0**-53)
+    assert bounds.rounding_error(np.zeros((1, 2)), 0.75, 100)[0] == pytest.approx(0.25 * estimate[0])

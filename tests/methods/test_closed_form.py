@@ -1,0 +1,181 @@
+"""The paper's closed form: its six integrals against quadrature, its errata, and the errors the paper reports."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import lommel as lm
+from lommel import AbramowitzErf, ClosedForm, FresnelErf, Hankel, Pupil, TableErf, Wavefront
+
+DEFOCUS = [0.0, 1e-6, 1e-3, 0.049, 0.051, 0.1, 1.0, 10.0, 50.0, -50.0, 200.0]
+V = np.array([1e-8, 1e-3, 0.5, 1.0, 1.0001, 2.9, 7.9, 8.1, 20.0, 57.3, 145.0, 333.3, 569.0, 800.0])
+
+
+def _panels(low: float, high: float, rate: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return nodes and weights of a composite rule: 20 points for every three radians of phase."""
+    x, w = np.polynomial.legendre.leggauss(20)
+    edges = np.linspace(low, high, 3 + int(rate * (high - low) / 3))
+    half = 0.5 * np.diff(edges)[:, None]
+    return (edges[:-1, None] + half * (1 + x)).ravel(), (half * w).ravel()
+
+
+def _integrals(defocus: float, v: float, method: ClosedForm) -> NDArray[np.complex128]:
+    """Return the integrals of Eq. (12) with the factor of Eq. (7), by quadrature of their integrands."""
+    split = min(method.transition / v, 1.0)
+    r, w = _panels(0.0, split, 4 * abs(defocus))
+    wave = w * r * np.exp(2j * defocus * r * r)
+    inner = [np.sum(wave * (-0.25 * (v * r) ** 2) ** m) / math.factorial(m) ** 2 for m in range(method.terms)]
+    r, w = _panels(split, 1.0, 4 * abs(defocus) + v)
+    wave = w * r * np.exp(2j * defocus * r * r) * math.sqrt(2 / math.pi) * np.cos(v * r - math.pi / 4)
+    slope, offset = -0.5 * method.tangent**-1.5, 1.5 * method.tangent**-0.5
+    return np.array([*inner, np.sum(wave * slope * v * r), np.sum(wave * offset), np.sum(wave / (v * r))])
+
+
+@pytest.mark.parametrize("defocus", DEFOCUS)
+@pytest.mark.parametrize(
+    "method",
+    [
+        *(ClosedForm(tangent=t) for t in (50, 100, 200)),
+        ClosedForm(transition=3, terms=10),
+        ClosedForm(transition=8, terms=28),
+        ClosedForm(tangent=50, transition=8, terms=10),
+    ],
+    ids=lambda m: f"tangent={m.tangent:g},transition={m.transition:g},terms={m.terms}",
+)
+def test_every_sub_integral_is_the_integral_of_its_integrand(method: ClosedForm, defocus: float) -> None:
+    values = method.sub_integrals(defocus, V)
+    assert values.shape == (method.terms + 3, V.size)
+    exact = np.stack([_integrals(defocus, v, method) for v in V], axis=1)
+    assert np.abs(values - exact).max() <= 1e-10
+    field = method.field(Pupil(Wavefront(defocus)), V)
+    assert np.abs(field - 2 * exact.sum(axis=0)).max() <= 1e-10
+
+
+@pytest.mark.parametrize("defocus", [0.0, 0.049, 10.0, -50.0])
+def test_as_printed_the_outer_integrals_lack_a_factor_and_nothing_else(defocus: float) -> None:
+    printed = ClosedForm(variant="printed").sub_integrals(defocus, V)
+    corrected = ClosedForm().sub_integrals(defocus, V)
+    assert np.array_equal(printed[:3], corrected[:3])
+    assert printed[3:] * math.sqrt(2 / math.pi) == pytest.approx(corrected[3:], rel=1e-14, abs=0)
+    assert np.abs(corrected[3:]).max() > 1e-3
+
+
+@pytest.mark.parametrize("defocus", DEFOCUS)
+def test_on_the_axis_nothing_is_approximated(defocus: float) -> None:
+    pupil = Pupil(Wavefront(defocus))
+    assert abs(ClosedForm().field(pupil, 0.0) - Hankel().field(pupil, 0.0)) <= 1e-13
+
+
+@pytest.mark.parametrize("defocus", DEFOCUS)
+def test_a_long_power_series_is_exact_up_to_the_transition(defocus: float) -> None:
+    pupil, v = Pupil(Wavefront(defocus)), np.linspace(0.0, 8.0, 33)
+    difference = ClosedForm(transition=8, terms=28).field(pupil, v) - Hankel().field(pupil, v)
+    assert np.abs(difference).max() <= 1e-12
+
+
+def test_a_series_too_long_for_the_powers_of_a_double_stays_finite() -> None:
+    method, pupil = ClosedForm(transition=20, terms=60), Pupil(Wavefront(5.0))
+    assert np.all(np.isfinite(method.field(pupil, np.array([800.0, 1200.0, 5000.0]))))
+
+
+@given(st.floats(-100, 100), st.floats(0, 500, allow_subnormal=False))
+def test_the_opposite_defocus_makes_the_conjugate_field(defocus: float, v: float) -> None:
+    one, other = (ClosedForm().field(Pupil(Wavefront(d)), v) for d in (defocus, -defocus))
+    assert abs(one - np.conj(other)) <= 1e-14
+
+
+@given(st.floats(-100, 100), st.floats(0.05, 0.95), st.floats(0, 500, allow_subnormal=False))
+def test_an_obscured_aperture_is_the_difference_of_two(defocus: float, obscuration: float, v: float) -> None:
+    area = obscuration**2
+    whole = ClosedForm().field(Pupil(Wavefront(defocus)), v)
+    hole = ClosedForm().field(Pupil(Wavefront(defocus * area)), obscuration * v)
+    field = ClosedForm().field(Pupil(Wavefront(defocus), obscuration=obscuration), v)
+    assert abs(field - (whole - area * hole)) <= 1e-13
+
+
+def test_beyond_the_truncation_there_is_no_light_and_within_it_nothing_changes() -> None:
+    pupil, v = Pupil(Wavefront(10.0)), np.linspace(0.0, 80.0, 161)
+    whole = ClosedForm().field(pupil, v)
+    cut = ClosedForm(truncate=41.25).field(pupil, v)
+    assert np.array_equal(cut[v <= 41.25], whole[v <= 41.25])
+    assert np.all(cut[v > 41.25] == 0)
+    assert np.all(whole[v > 41.25] != 0)
+
+
+@pytest.mark.parametrize("samples", [64, 1024, 16384])
+@pytest.mark.parametrize("defocus", [1.0, 10.0, 200.0])
+def test_with_a_table_the_error_falls_with_the_square_of_its_length(defocus: float, samples: int) -> None:
+    pupil, v = Pupil(Wavefront(defocus)), np.linspace(0.0, 300.0, 601)
+    exact = ClosedForm().field(pupil, v)
+    error = np.abs(ClosedForm(erf=TableErf(samples)).field(pupil, v) - exact).max()
+    # The moments carry the error of the table times (b / 2a)^2, at most 1 where the stationary point is inside.
+    assert error <= 20 / samples**2 * max(1.0, (v[-1] / (4 * defocus)) ** 2)
+
+
+def test_the_series_of_the_paper_is_as_good_as_fresnel_integrals_while_it_has_enough_terms() -> None:
+    """At C_d = 10 and v up to 40 the argument reaches s = 9, that is |Im z| = 6.3, and the terms peak at 13."""
+    pupil, v = Pupil(Wavefront(10.0)), np.linspace(0.0, 40.0, 161)
+    exact = ClosedForm(erf=FresnelErf()).field(pupil, v)
+    errors = [np.abs(ClosedForm(erf=AbramowitzErf(n)).field(pupil, v) - exact).max() for n in (4, 10, 16, 22)]
+    assert errors[0] > 10 * errors[1] > 100 * errors[2]
+    assert errors[3] < 1e-14
+
+
+@pytest.mark.parametrize(("terms", "reported"), [(10, 2.7e-3), (20, 1.9e-3), (30, 1.0e-3), (40, 8.8e-4)])
+def test_as_printed_it_makes_the_mean_squared_errors_of_the_paper(terms: int, reported: float) -> None:
+    """C_d = 10, tangent at 100, a window of v = 145, 512 x 512; the paper has 0.0009 at N = 30."""
+    pupil, pixel = Pupil(Wavefront(10.0)), 145 / (256 * math.pi)
+    method = ClosedForm(tangent=100, erf=AbramowitzErf(terms), variant="printed")
+    answer = lm.psf(pupil, 512, pixel, method=method, normalize="strehl", dtype=np.float64)
+    exact = lm.psf(pupil, 512, pixel, method=Hankel(), normalize="strehl")
+    assert lm.mse(answer, exact) == pytest.approx(reported, rel=0.02)
+
+
+@pytest.mark.parametrize(("tangent", "reported"), [(100, 0.0138), (200, 0.0020)])
+def test_as_printed_the_error_falls_with_the_tangent_as_in_the_paper(tangent: float, reported: float) -> None:
+    """C_d = 23, a window of v = 140; the paper has 0.0196 and 0.00199."""
+    pupil, pixel = Pupil(Wavefront(23.0)), 140 / (256 * math.pi)
+    method = ClosedForm(tangent=tangent, variant="printed")
+    answer = lm.psf(pupil, 512, pixel, method=method, normalize="strehl", dtype=np.float64)
+    exact = lm.psf(pupil, 512, pixel, method=Hankel(), normalize="strehl")
+    assert lm.mse(answer, exact) == pytest.approx(reported, rel=0.03)
+
+
+@pytest.mark.parametrize("wavefront", [Wavefront(1.0, 1e-9), Wavefront(1.0, 0.0, [2.0])])
+def test_anything_but_defocus_is_refused(wavefront: Wavefront) -> None:
+    with pytest.raises(ValueError, match="ClosedForm supports defocus only"):
+        lm.psf(Pupil(wavefront), 5, 0.5, method=ClosedForm())
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"tangent": 0.0}, "tangent must be > 0"),
+        ({"transition": 0.0}, "transition must be > 0"),
+        ({"transition": 50.0}, "transition must be > 0 and < 50"),
+        ({"terms": 0}, "terms must be from 1 to 60"),
+        ({"terms": 61}, "terms must be from 1 to 60"),
+        ({"variant": "correct"}, "variant must be one of 'corrected', 'printed'"),
+        ({"truncate": 0.0}, "truncate must be > 0"),
+    ],
+)
+def test_options_out_of_range_are_refused(options: dict[str, float], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        ClosedForm(**options)
+
+
+def test_an_error_function_must_be_one_of_the_three() -> None:
+    with pytest.raises(TypeError, match="erf must be AbramowitzErf, TableErf or FresnelErf"):
+        ClosedForm(erf="fresnel")  # type: ignore[arg-type]
+
+
+def test_no_bound_is_claimed() -> None:
+    answer = lm.psf(Pupil(Wavefront(3.0)), 5, 0.5, method=ClosedForm())
+    assert answer.error_bound is None
+    assert np.all(np.isfinite(answer.values))

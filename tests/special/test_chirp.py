@@ -1,0 +1,163 @@
+"""Moments of a linear chirp, and of a disk, against quadrature of their integrands."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from lommel import AbramowitzErf, FresnelErf, TableErf
+from lommel.special import chirp
+from lommel.special.chirp import chirp_moments, disk_moments
+
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(20)
+
+
+def _by_panels(a: float, b: float, low: float, high: float) -> NDArray[np.complex128]:
+    """Return the moments by a composite rule: 20 points for every two radians of phase."""
+    rate = 2 * abs(a) * max(abs(low), abs(high)) + abs(b)
+    edges = np.linspace(low, high, 3 + int(rate * (high - low) / 2))
+    half = 0.5 * np.diff(edges)[:, None]
+    r = edges[:-1, None] + half * (1 + NODES)
+    wave = half * WEIGHTS * np.exp(1j * r * (a * r + b))
+    return np.array([np.sum(wave), np.sum(wave * r), np.sum(wave * r * r)])
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "low", "high"),
+    [
+        (0.0, 0.0, 0.0, 1.0),
+        (0.0, 7.0, 0.25, 1.0),
+        (1e-9, -30.0, 0.0, 1.0),
+        (2.0, 0.0, 0.0, 1.0),
+        (20.0, -20.0, 0.05, 1.0),
+        (20.0, 30.0, 0.05, 1.0),
+        (-20.0, 20.0, 0.0, 0.7),
+        (-5.0, -9.0, 0.1, 2.0),
+        (100.0, -100.0, -1.0, 1.5),
+    ],
+)
+def test_the_moments_are_the_integrals(a: float, b: float, low: float, high: float) -> None:
+    panels = mp.linspace(low, high, 3 + int((2 * abs(a) + abs(b)) * (high - low) / 10))
+    for m, value in enumerate(chirp_moments(a, b, low, high)):
+        exact = mp.quad(lambda r, m=m: r**m * mp.expj(r * (a * r + b)), panels)
+        assert abs(complex(value) - complex(exact)) <= 1e-14 * max(1.0, high - low)
+
+
+curvatures = st.one_of(st.floats(-400, 400), st.floats(-1, 1), st.floats(-1e-6, 1e-6))
+slopes = st.one_of(st.floats(-800, 800), st.floats(-1, 1))
+
+
+@given(curvatures, slopes, st.floats(0, 1), st.floats(0, 1))
+def test_the_moments_are_the_integrals_for_any_curvature_slope_and_limits(
+    a: float, b: float, one: float, other: float
+) -> None:
+    low, high = min(one, other), max(one, other)
+    errors = np.abs(chirp_moments(a, b, low, high) - _by_panels(a, b, low, high))
+    assert errors[:2].max() <= 2e-14
+    # By parts, M_2 is the difference of terms of the size b / (2 a)^2, at a no less than 0.1.
+    assert errors[2] <= 2e-14 + 4e-15 * (1 + abs(b)) / max(2 * abs(a), 0.2) ** 2
+
+
+@pytest.mark.parametrize("b", [0.0, 30.0, -200.0, 800.0])
+@pytest.mark.parametrize("a", [1e-9, 1e-5, 1e-3, 0.03, 0.0999])
+def test_where_the_phase_is_nearly_linear_nothing_cancels(a: float, b: float) -> None:
+    for low in (0.0, 0.01, 0.3):
+        assert np.abs(chirp_moments(a, b, low, 1.0) - _by_panels(a, b, low, 1.0)).max() <= 1e-14
+
+
+@pytest.mark.parametrize("place", [-3.0, 0.0, 0.1, 0.35, 0.6, 1.0, 1.1, 40.0])
+@pytest.mark.parametrize("a", [-200.0, -3.0, 0.11, 3.0, 200.0, 1e4])
+def test_the_stationary_point_may_lie_before_in_or_beyond_the_interval(a: float, place: float) -> None:
+    b = -2 * a * place
+    moments = chirp_moments(a, b, 0.1, 0.6)
+    assert np.abs(moments - _by_panels(a, b, 0.1, 0.6)).max() <= 1e-13 * max(1.0, place**2)
+    if a >= 3 and place == 0.35:
+        # Inside, it contributes sqrt(pi / a): the method of stationary phase.
+        wave = math.sqrt(math.pi / a) * np.exp(1j * (math.pi / 4 - b * b / (4 * a)))
+        assert abs(moments[0] - wave) <= 2 / (a * 0.25)
+
+
+@pytest.mark.parametrize("b", [0.0, 0.3, -5.0, 60.0])
+def test_nothing_happens_where_the_closed_form_gives_way_to_quadrature(b: float) -> None:
+    """The interval has length 1, so the change is at a = 0.1; the moments are smooth in a."""
+    a = 0.1 + np.array([-2e-3, -1e-3, -1e-9, 1e-9, 1e-3, 2e-3])
+    values = np.array([chirp_moments(x, b, 0.0, 1.0) for x in a])
+    line = values[2] + (a[:, None] - a[2]) * 1j * np.array([_fourth(b, m) for m in range(3)])
+    assert np.abs(values[2:4] - line[2:4]).max() <= 1e-12
+    assert np.abs(values - line).max() <= 5e-6
+
+
+def _fourth(b: float, m: int) -> complex:
+    """Return ``int_0^1 R^(m + 2) exp(i (0.1 R^2 + b R)) dR``, the derivative of M_m by a over i."""
+    r, w = 0.5 * (1 + NODES), 0.5 * WEIGHTS
+    fine, weights = ((r + np.arange(40)[:, None]) / 40).ravel(), np.tile(w / 40, 40)
+    return complex(np.sum(weights * fine ** (m + 2) * np.exp(1j * fine * (0.1 * fine + b))))
+
+
+@given(curvatures, slopes, st.floats(0, 0.9))
+def test_the_opposite_phase_makes_the_conjugate_moments(a: float, b: float, low: float) -> None:
+    assert np.array_equal(chirp_moments(-a, -b, low, 1.0), np.conj(chirp_moments(a, b, low, 1.0)))
+
+
+@given(st.floats(-100, 100), st.floats(-100, 100), st.floats(0.1, 0.9))
+def test_moments_of_adjoining_intervals_add(a: float, b: float, middle: float) -> None:
+    whole = chirp_moments(a, b, 0.0, 1.0)
+    parts = chirp_moments(a, b, 0.0, middle) + chirp_moments(a, b, middle, 1.0)
+    assert np.abs(whole - parts).max() <= 1e-9
+
+
+def test_slopes_and_limits_broadcast() -> None:
+    b, low = np.array([[-3.0], [0.0], [500.0]]), np.array([0.0, 0.5, 1.0 - 1e-3, 1.0])
+    moments = chirp_moments(5.0, b, low, 1.0)
+    assert moments.shape == (3, 3, 4)
+    for i in range(3):
+        for k in range(4):
+            assert moments[:, i, k] == pytest.approx(chirp_moments(5.0, b[i, 0], low[k], 1.0), rel=0, abs=1e-14)
+    assert np.all(moments[:, :, 3] == 0)
+    assert chirp_moments(5.0, np.zeros(0), 0.0, 1.0).shape == (3, 0)
+
+
+def test_the_error_function_that_is_given_is_the_one_that_is_used() -> None:
+    b = np.linspace(-60.0, 60.0, 121)
+    exact = chirp_moments(20.0, b, 0.0, 1.0, erf=FresnelErf())
+    assert np.array_equal(exact, chirp_moments(20.0, b, 0.0, 1.0))
+    for erf in (TableErf(64), AbramowitzErf(10)):
+        assert 1e-9 < np.abs(chirp_moments(20.0, b, 0.0, 1.0, erf=erf) - exact).max() < 0.1
+
+
+def test_the_size_of_the_blocks_does_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
+    b = np.linspace(-90.0, 90.0, 57)
+    whole = chirp_moments(0.01, b, 0.2, 1.0)
+    monkeypatch.setattr(chirp, "_BLOCK", 100)
+    assert chirp_moments(0.01, b, 0.2, 1.0) == pytest.approx(whole, rel=0, abs=1e-15)
+
+
+@pytest.mark.parametrize("count", [1, 3, 10, 28, 60])
+@pytest.mark.parametrize("alpha", [0.0, 1e-9, 0.5, -8.0, 31.0, 33.0, -100.0, 121.0, 400.0])
+def test_the_disk_moments_are_the_integrals(alpha: float, count: int) -> None:
+    limits = np.array([0.0, 0.01, 0.4, 1.0])
+    values = disk_moments(alpha, limits, count)
+    assert values.shape == (count, 4)
+    assert np.all(values[:, 0] == 0)
+    for k, limit in enumerate(limits[1:], 1):
+        turn = alpha * limit**2
+        panels = mp.linspace(0, 1, 2 + int(abs(turn) / 12))
+        for m in {0, 1, count // 2, count - 1} & set(range(count)):
+            exact = complex(mp.quad(lambda u, m=m, turn=turn: u**m * mp.expj(turn * u) / 2, panels))
+            scaled = complex(values[m, k]) / limit ** (2 * m + 2)
+            assert abs(scaled - exact) <= 2e-14 / (m + 1)
+
+
+@given(st.floats(-400, 400), st.floats(0, 1), st.integers(1, 60))
+def test_the_disk_moments_follow_their_recurrence(alpha: float, limit: float, count: int) -> None:
+    """Integration by parts, ``i alpha J_m = [u^m e^{i alpha u} / 2] - m J_{m-1}``, on both sides of the switch."""
+    values, u = disk_moments(alpha, limit, count), limit * limit
+    for m in range(1, count):
+        left = 1j * alpha * values[m] + m * values[m - 1]
+        assert abs(left - 0.5 * u**m * np.exp(1j * alpha * u)) <= 1e-13 * (1 + abs(alpha) * u) * u**m + 1e-300

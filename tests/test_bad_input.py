@@ -1,0 +1,259 @@
+"""Every bad input, for every method: a ValueError or TypeError that names the argument and the value."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.methods import METHODS
+from lommel.pupil import Geometry
+
+BAD = (ValueError, TypeError)
+METHOD = pytest.mark.parametrize("method", [kind() for kind in METHODS.values()], ids=list(METHODS))
+PUPIL = lm.Lens(focal_length=50e-3, f_number=2.0, focus_distance=2.0, wavelength=500e-9).pupil(1.9)
+SPHERICAL = lm.Pupil(lm.Wavefront(spherical=1.0))
+
+# What is no finite real number, and how a message shows it.
+NOT_FINITE = [(math.nan, "nan"), (math.inf, "inf"), (-math.inf, "-inf")]
+NOT_REAL = [("1", "'1'"), (None, "None"), (True, "True"), (1j, "1j"), ({}, "{}"), (np.complex128(1), "(1+0j)")]
+NOT_POSITIVE = [(0, "0"), (-1.0, "-1")]
+
+
+def table(*rows: tuple[str, list[tuple[object, str]]]) -> pytest.MarkDecorator:
+    """Rows of an argument and its bad values, flattened."""
+    cases = [(name, value, shown) for name, values in rows for value, shown in values]
+    ids = [f"{name}={re.sub(r'[^ -~]', '', repr(value))[:30]}" for name, value, _ in cases]
+    return pytest.mark.parametrize(("name", "value", "shown"), cases, ids=ids)
+
+
+def refuses(call, name: str, shown: str) -> None:
+    with pytest.raises(BAD) as caught:
+        call()
+    assert name in str(caught.value)
+    assert shown in str(caught.value)
+
+
+@METHOD
+@table(
+    ("shape", [(0, "0"), (-1, "-1"), (2.5, "2.5"), ((0, 5), "0"), ((5, -5), "-5"), ((3,), "(3,)")]),
+    ("shape", [((3, 3, 3), "(3, 3, 3)"), ((), "()"), (10**6, "1000000"), ((5, 16385), "16385")]),
+    ("shape", [((5, 2.5), "2.5"), (True, "True"), ("5", "'5'"), (None, "None"), (math.nan, "nan")]),
+    ("shape", [((5, None), "None"), (5j, "5j")]),
+    ("pixel", [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE, (3.45, "3.45e-6"), (1e300, "1e+300"), ([1e-6], "[1e-06]")]),
+    ("normalize", [("Energy", "'Energy'"), ("", "''"), (None, "None"), (1, "1"), (["peak"], "['peak']")]),
+    ("dtype", [("float16", "'float16'"), (int, "int"), (complex, "complex"), ("junk", "'junk'"), (">f8", "'>f8'")]),
+    ("dtype", [("2f4", "'2f4'"), (3, "3"), (np.longdouble, "longdouble")]),
+    ("pupil", [(lm.Wavefront(1.0), "Wavefront(defocus=1.0"), (None, "None"), (1.0, "1.0"), ([PUPIL], "[Pupil(")]),
+)  # fmt: skip
+def test_a_bad_argument_of_psf_is_refused_by_every_method(method, name, value, shown):
+    arguments = {"pupil": PUPIL, "shape": 5, "pixel": 1e-6, "method": method} | {name: value}
+    refuses(lambda: lm.psf(**arguments), name, shown)
+
+
+@table(("method", [("hankel", "'hankel'"), (None, "None"), (lm.Hankel, "Hankel"), (lm.FresnelErf(), "FresnelErf()")]))
+def test_what_is_no_method_is_refused(name, value, shown):
+    refuses(lambda: lm.psf(PUPIL, 5, 1e-6, method=value), name, shown)
+
+
+@pytest.mark.parametrize("kind", [name for name in METHODS if name != "huygens-fresnel"])
+@pytest.mark.parametrize("pixel", [1e200, 1e300])
+def test_a_pixel_beyond_all_numbers_is_refused_in_lambda_N_too(kind, pixel):
+    refuses(lambda: lm.psf(lm.Pupil(), 5, pixel, method=METHODS[kind]()), "pixel", "1e+")
+
+
+@table(
+    ("defocus", [*NOT_FINITE, *NOT_REAL, ([0.0, math.nan], "nan"), (["a"], "['a']"), ([True], "[True]")]),
+    ("spherical", [*NOT_FINITE, *NOT_REAL, ([0.0, -math.inf], "-inf")]),
+    (
+        "higher",
+        [(1.0, "1.0"), (None, "None"), (np.ones(2), "array("), ({}, "{}"), ([0.0] * 9, "9"), (b"11", "b'11'")],
+    ),
+    ("higher[1]", [([0.0, value], shown) for value, shown in [*NOT_FINITE, *NOT_REAL]]),
+)
+def test_a_bad_wavefront_is_refused(name, value, shown):
+    refuses(lambda: lm.Wavefront(**{name.partition("[")[0]: value}), name, shown)
+
+
+@pytest.mark.parametrize(
+    ("coefficients", "shapes"),
+    [(([0.0, 1.0], [0.0, 1.0, 2.0]), ["(2,)", "(3,)"]), ((np.ones((2, 3)), 0.0, [np.ones(2)]), ["(2, 3)", "(2,)"])],
+)
+def test_coefficients_that_do_not_broadcast_are_refused_with_their_shapes(coefficients, shapes):
+    with pytest.raises(ValueError, match="defocus, spherical and higher must broadcast") as caught:
+        lm.Wavefront(*coefficients)
+    assert all(shape in str(caught.value) for shape in shapes)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [lambda: lm.Wavefront([]), lambda: lm.Wavefront(0.0, np.ones((2, 0))), lambda: lm.Wavefront([1.0, 2.0])[2:]],
+)
+def test_an_empty_stack_is_refused(make):
+    with pytest.raises(ValueError, match=r"must not be empty, got shape \(.*0"):
+        make()
+
+
+@table(*[(name, [*NOT_FINITE, *NOT_REAL]) for name in ("W020", "W040", "W060", "W080")])
+def test_bad_seidel_coefficients_are_refused(name, value, shown):
+    refuses(lambda: lm.Wavefront.from_seidel(**{name: value}), name, shown)
+
+
+@table(
+    ("rms", [*NOT_FINITE, *NOT_REAL]),
+    ("obscuration", [*NOT_FINITE, *NOT_REAL, (1.0, "1"), (-0.1, "-0.1"), ([0.1], "[0.1]")]),
+)
+def test_bad_balanced_spherical_aberration_is_refused(name, value, shown):
+    refuses(lambda: lm.Wavefront.balanced_spherical(**{"rms": 1.0} | {name: value}), name, shown)
+
+
+@table(
+    ("wavefront", [(None, "None"), (1.0, "1.0"), ([lm.Wavefront()], "[Wavefront(")]),
+    ("obscuration", [*NOT_FINITE, *NOT_REAL, (1.0, "1"), (-0.1, "-0.1"), ([0.1], "[0.1]")]),
+    ("wavelength", [*NOT_FINITE, *NOT_POSITIVE, *[v for v in NOT_REAL if v[0] is not None], (550, "550e-9")]),
+    ("wavelength", [(None, "None"), (0.55, "0.55e-6"), (1e-13, "1e-13"), (0.5, "0.5e-6")]),
+    ("f_number", [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE, ([2.0], "[2.0]")]),
+    ("geometry", [(True, "True"), ((1.0, 1.0, 1.0, 1.0), "(1.0, "), ("lens", "'lens'")]),
+)
+def test_a_bad_pupil_is_refused(name, value, shown):
+    refuses(lambda: lm.Pupil(**{"wavelength": 500e-9, "f_number": 2.0} | {name: value}), name, shown)
+
+
+@pytest.mark.parametrize(
+    ("options", "missing"), [({"wavelength": 5e-7}, "f_number"), ({"f_number": 2}, "wavelength")]
+)
+def test_a_wavelength_needs_an_f_number_and_the_other_way_round(options, missing):
+    with pytest.raises(ValueError, match=f"given together .*{missing}=None"):
+        lm.Pupil(**options)
+
+
+LENGTH = [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE, ([1.0], "[1.0]")]
+ONCE_GIVEN = [row for row in LENGTH if row[0] is not None]
+
+
+@table(
+    ("focal_length", LENGTH),
+    ("f_number", LENGTH),
+    ("aperture_diameter", LENGTH),
+    ("focus_distance", [row for row in ONCE_GIVEN if row[0] != math.inf]),
+    ("sensor_distance", ONCE_GIVEN),
+    ("wavelength", [*LENGTH, (550, "550e-9"), (0.55, "0.55e-6")]),
+    ("obscuration", [*NOT_FINITE, *NOT_REAL, (1, "1"), (-0.1, "-0.1")]),
+    ("aberrations", [(0.0, "0.0"), ({}, "{}"), (True, "True")]),
+)
+def test_a_bad_lens_is_refused(name, value, shown):
+    arguments = {"focal_length": 0.05, "wavelength": 550e-9, "f_number": 2.0}
+    if name == "aperture_diameter":
+        del arguments["f_number"]
+    refuses(lambda: lm.Lens(**arguments | {name: value}), name, shown)
+
+
+@table(
+    ("object_distance", [(math.nan, "nan"), (-math.inf, "-inf"), *NOT_REAL, *NOT_POSITIVE]),
+    ("object_distance", [([1.0, 0.0], "0.0"), (["1"], "['1']"), ([], "(0,)")]),
+)
+def test_a_bad_object_distance_is_refused(camera, name, value, shown):
+    refuses(lambda: camera.pupil(value), name, shown)
+
+
+@pytest.mark.parametrize("kind", ["lommel-series", "closed-form"])
+@pytest.mark.parametrize(
+    "wavefront", [{"spherical": 1.0}, {"higher": (0.0, 1.0)}, {"spherical": [0.0, 1.0]}], ids=str
+)
+def test_a_method_for_defocus_refuses_spherical_aberration(kind, wavefront):
+    with pytest.raises(ValueError, match=f"{METHODS[kind].__name__} supports defocus only"):
+        lm.psf(lm.Pupil(lm.Wavefront(**wavefront)), 5, 0.5, method=METHODS[kind]())
+
+
+def test_a_method_for_lenses_refuses_a_pupil_without_distances():
+    with pytest.raises(ValueError, match=r"HuygensFresnel needs the physical distances .* Lens.pupil"):
+        lm.psf(lm.Pupil(lm.Wavefront(1.0), wavelength=5e-7, f_number=2.0), 5, 1e-6, method=lm.HuygensFresnel())
+    assert isinstance(PUPIL.geometry, Geometry)
+
+
+@pytest.mark.parametrize("method", [lm.NijboerZernike(tol=1e-9), lm.Hankel()], ids=repr)
+def test_float32_is_refused_where_it_cannot_hold_the_tolerance(method):
+    with pytest.raises(ValueError, match=f"dtype float32 cannot hold tol={method.tol:g}; use float64"):
+        lm.psf(PUPIL, 5, 1e-6, method=method, dtype="float32")
+
+
+def test_a_stack_too_large_for_memory_is_refused_before_anything_is_computed():
+    stack = lm.Pupil(lm.Wavefront(np.zeros(100)))
+    with pytest.raises(ValueError, match=r"shape \(16384, 16384\) for 100 pupils .* limit of 2147483648"):
+        lm.psf(stack, 16384, 0.1)
+
+
+@METHOD
+@pytest.mark.parametrize("defocus", [1e12, 1e300])
+def test_a_phase_that_a_method_cannot_carry_is_refused_in_one_short_line(method, defocus):
+    pupil = lm.Pupil(lm.Wavefront(defocus), wavelength=5e-7, f_number=2.0, geometry=PUPIL.geometry)
+    message = ""
+    try:
+        assert np.all(np.isfinite(lm.psf(pupil, 3, 1e-6, method=method).values))
+    except (ValueError, ArithmeticError) as error:
+        message = str(error)
+    assert len(message) < 250
+
+
+COUNT = [
+    (2.5, "2.5"),
+    ("9", "'9'"),
+    (None, "None"),
+    (True, "True"),
+    (math.nan, "nan"),
+    (0, "0"),
+    (10**9, "1000000000"),
+]
+
+
+@table(
+    ("NijboerZernike.tol", [*NOT_FINITE, *NOT_REAL, (0, "0"), (1e-13, "1e-13"), (0.1, "0.1"), (-1e-6, "-1e-06")]),
+    ("Hankel.tol", [*NOT_FINITE, *NOT_REAL, (0, "0"), (1e-16, "1e-16"), (0.01, "0.01")]),
+    ("ClosedForm.tangent", [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE]),
+    ("ClosedForm.transition", [*NOT_FINITE, *NOT_REAL, *NOT_POSITIVE, (50, "50")]),
+    ("ClosedForm.terms", [*COUNT, (61, "61")]),
+    ("ClosedForm.variant", [("Printed", "'Printed'"), (None, "None"), (1, "1")]),
+    ("ClosedForm.truncate", [*NOT_FINITE, *NOT_POSITIVE, ("1", "'1'"), (True, "True")]),
+    ("ClosedForm.erf", [("fresnel", "'fresnel'"), (None, "None"), (math.erf, "erf"), (lm.FresnelErf, "FresnelErf")]),
+    ("AbramowitzErf.terms", COUNT),
+    ("TableErf.samples", [*COUNT, (1, "1")]),
+    ("Fraunhofer.samples", [*COUNT, (7, "7"), (8193, "8193")]),
+    ("Fraunhofer.padding", [*NOT_FINITE, *NOT_REAL, (0.5, "0.5")]),
+    ("Fraunhofer.edge", [("gray", "'gray'"), (None, "None")]),
+    ("Geometric.rings", [*COUNT, (65, "65")]),
+    ("HuygensFresnel.symmetry", [(1, "1"), (None, "None"), ("yes", "'yes'")]),
+    ("HuygensFresnel.nodes", [(5, "5"), ((5,), "(5,)"), ((5, 5, 5), "(5, 5, 5)"), ("55", "'55'"), ((1, 5), "1")]),
+    ("HuygensFresnel.nodes", [((2.5, 5), "2.5"), ((5, None), "None"), ((10**7, 5), "10000000"), ((True, 5), "True")]),
+)
+def test_a_bad_option_of_a_method_is_refused(name, value, shown):
+    kind, option = name.split(".")
+    refuses(lambda: getattr(lm, kind)(**{option: value}), option, shown)
+
+
+@METHOD
+def test_a_method_has_no_options_but_its_own(method):
+    with pytest.raises(TypeError, match="sharpness"):
+        type(method)(sharpness=1)
+
+
+@table(("radius", [*NOT_FINITE, (-1.0, "-1"), ("1", "'1'"), (True, "True"), (1j, "1j"), ([0.0, -1.0], "-1")]))
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda radius: lm.psf(PUPIL, 5, 1e-6).encircled_energy(radius),
+        lambda radius: lm.psf(PUPIL, 5, 1e-6, method=lm.Geometric()).encircled_energy(radius),
+        lambda radius: lm.psf(PUPIL, 5, 1e-6).profile(radius),
+        lambda radius: lm.best_focus(PUPIL, radius),
+    ],
+    ids=["encircled energy", "geometric encircled energy", "profile", "best focus"],
+)
+def test_a_bad_radius_is_refused(ask, name, value, shown):
+    refuses(lambda: ask(value), name, shown)
+
+
+@pytest.mark.parametrize("rho", [-0.1, math.nan, "1", True])
+def test_a_bad_pupil_radius_is_refused(rho):
+    refuses(lambda: lm.Wavefront(1.0).phase(rho), "rho", str(rho))

@@ -1,0 +1,236 @@
+"""The command line, run as a user runs it: what it prints, what it writes, and that all of it agrees."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import lommel as lm
+from lommel.methods import METHODS
+from lommel.units import format_length
+
+LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
+SUFFIXES = (".tif", ".npy", ".npz", ".png")
+OPTIONS = [
+    "--object-distance",
+    "1.2 m",
+    "--pixel",
+    "2um",
+    "--shape",
+    "8x9",
+    "--normalize",
+    "peak",
+    "--dtype",
+    "float64",
+]
+
+
+@pytest.fixture(scope="module")
+def written(run_lommel, lenses, tmp_path_factory):
+    """One run of `lommel psf` with every kind of file, and the folder it ran in."""
+    folder = tmp_path_factory.mktemp("psf")
+    outputs = [part for suffix in SUFFIXES for part in ("-o", f"a{suffix}")]
+    result = run_lommel("psf", lenses["phone"], *OPTIONS, *outputs, "--plot", "a.pdf", folder=folder)
+    assert result.returncode == 0, result.stderr
+    return folder, result.stdout
+
+
+@pytest.fixture(scope="module")
+def printed(run_lommel, lenses, tmp_path_factory):
+    """What the same run prints as JSON."""
+    folder = tmp_path_factory.mktemp("json")
+    result = run_lommel("psf", lenses["phone"], *OPTIONS, "-o", "b.npz", "--plot", "b.png", "--json", folder=folder)
+    assert result.returncode == 0, result.stderr
+    assert {path.name for path in folder.iterdir()} == {"b.npz", "b.png"}
+    return json.loads(result.stdout)
+
+
+@pytest.fixture(scope="module")
+def compared(run_lommel, lenses, tmp_path_factory):
+    """One run of `lommel compare` with a figure, and another as JSON."""
+    folder = tmp_path_factory.mktemp("compare")
+    arguments = ("compare", lenses["hubble-1990"], "--shape", "6x7")
+    tables = run_lommel(*arguments, "--figure", "methods.png", folder=folder)
+    data = run_lommel(*arguments, "--json", folder=folder)
+    assert (tables.returncode, data.returncode) == (0, 0), tables.stderr + data.stderr
+    return folder, tables.stdout, json.loads(data.stdout)
+
+
+def expected(lenses) -> lm.PSF:
+    lens = lm.load_instrument(lenses["phone"]).lens
+    return lm.psf(lens.pupil(1.2), (8, 9), 2e-6, normalize="peak", dtype="float64")
+
+
+def test_every_file_holds_what_python_computes(written, lenses):
+    folder, _ = written
+    psf = expected(lenses)
+    assert {path.name for path in folder.iterdir()} == {"a.tif", "a.npy", "a.npz", "a.png", "a.pdf"}
+    for suffix in SUFFIXES:
+        loaded = lm.PSF.load(folder / f"a{suffix}")
+        assert (loaded.pupil, loaded.method, loaded.normalize) == (psf.pupil, psf.method, "peak")
+        np.testing.assert_allclose(loaded.values, psf.values, rtol=0, atol=1.6e-5 if suffix == ".png" else 1e-12)
+    assert (folder / "a.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_the_tables_name_the_files_that_were_written(written):
+    _, text = written
+    assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.npy", "a.npz", "a.png", "a.pdf"]
+
+
+def test_the_json_is_about_the_lens_and_the_psf_that_python_knows(printed, lenses):
+    instrument, psf = lm.load_instrument(lenses["phone"]), expected(lenses)
+    lens = instrument.lens
+    assert (printed["name"], printed["source"]) == (instrument.name, instrument.source)
+    assert printed["files"] == ["b.npz", "b.png"]
+    assert printed["object_distance"] == 1.2
+    assert printed["pixel"] == pytest.approx(2e-6)
+    for key in ("focal_length", "aperture_diameter", "wavelength", "f_number", "working_f_number", "sensor_distance"):
+        assert printed[key] == pytest.approx(getattr(lens, key))
+    assert printed["focus_distance"] == pytest.approx(0.5)
+    assert printed["defocus"] == pytest.approx(float(lens.defocus(1.2)))
+    assert printed["waves"]["W020"] == pytest.approx(float(lens.defocus(1.2)) / np.pi)
+    assert printed["strehl"] == pytest.approx((np.sin(printed["defocus"]) / printed["defocus"]) ** 2)
+    assert printed["psf"]["method"] == {"name": "NijboerZernike", "tol": 1e-6}
+    assert (printed["psf"]["shape"], printed["psf"]["dtype"]) == ([8, 9], "float64")
+    assert (printed["psf"]["normalize"], printed["psf"]["sampling"]) == ("peak", "center")
+    assert printed["psf"]["peak"] == 1.0
+    assert printed["psf"]["energy"] == pytest.approx(psf.energy)
+    assert printed["psf"]["error_bound"] == pytest.approx(psf.error_bound)
+    for row in printed["encircled_energy"]:
+        assert row["fraction"] == pytest.approx(psf.encircled_energy(row["radius"]), abs=1e-6)
+        ideal = lm.psf(psf.pupil.unaberrated(), 1, 2e-6).encircled_energy(row["radius"])
+        assert row["unaberrated"] == pytest.approx(ideal, abs=1e-6)
+
+
+def test_the_tables_show_what_the_json_says(written, printed):
+    _, text = written
+    lens, energies, psf = re.split(r"^(?:Encircled energy|PSF)\s*$", text, flags=re.MULTILINE)
+    rows, p = dict(LINE.findall(lens)), printed
+    assert text.startswith(p["name"] + "\n")
+    assert rows["focused at"] == format_length(p["focus_distance"]) == "500 mm"
+    assert rows["object at"] == format_length(p["object_distance"]) == "1.2 m"
+    assert rows["wavelength"] == format_length(p["wavelength"]) == "530 nm"
+    assert rows["pixel"] == format_length(p["pixel"]) == "2 um"
+    assert rows["Airy radius"] == format_length(p["airy_radius"])
+    assert rows["geometric blur radius"] == format_length(p["geometric_radius"])
+    assert rows["defocus C_d"] == f"{p['defocus']:.4g} rad"
+    assert rows["spherical C_s"] == f"{p['spherical']:.4g} rad"
+    assert f"W020 = {p['waves']['W020']:.4g}" in rows["in waves"]
+    assert rows["Strehl ratio (on axis)"] == f"{p['strehl']:.4g}"
+    shown = dict(LINE.findall(energies))
+    for row in p["encircled_energy"]:
+        columns = re.split(r"\s{2,}", shown[row["within"]])
+        assert columns == [format_length(row["radius"]), f"{row['fraction']:.1%}", f"{row['unaberrated']:.1%}"]
+    values = dict(LINE.findall(psf))
+    assert values["method"] == "NijboerZernike(tol=1e-06)"
+    assert values["values"] == "8 x 9 float64, 1 = largest value"
+    assert values["energy in the window"] == f"{p['psf']['energy']:.2%}"
+    assert values["error bound"] == f"{p['psf']['error_bound']:.2g} of the peak"
+
+
+def test_info_says_about_a_lens_what_psf_does(run_lommel, lenses, tmp_path, printed):
+    result = run_lommel("info", lenses["phone"], *OPTIONS[:6], "--json", folder=tmp_path)
+    assert json.loads(result.stdout) == {key: value for key, value in printed.items() if key not in ("psf", "files")}
+    assert not list(tmp_path.iterdir())
+
+
+def test_info_shows_every_example(run_lommel, lens_file, tmp_path):
+    result = run_lommel("info", lens_file, folder=tmp_path)
+    instrument = lm.load_instrument(lens_file)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.startswith(instrument.name + "\n")
+    rows = dict(LINE.findall(result.stdout))
+    assert format_length(instrument.lens.focal_length) in rows["lens"]
+    for name, radius in instrument.radii.items():
+        assert format_length(radius) in rows[name]
+
+
+def test_compare_has_a_row_for_every_method(compared):
+    folder, _, data = compared
+    rows = {row["method"]: row for row in data["rows"]}
+    assert list(rows) == [kind.__name__ for kind in METHODS.values()]
+    assert data["reference"] == "Hankel"
+    assert (rows["Hankel"]["mse"], rows["Hankel"]["peak_error"]) == (0.0, 0.0)
+    assert rows["NijboerZernike"]["peak_error"] <= rows["NijboerZernike"]["error_bound"] < 1e-6
+    for row in rows.values():
+        assert (row["reason"] is None) == (row["mse"] is not None) == (row["seconds"] is not None)
+    for name in ("LommelSeries", "ClosedForm"):
+        assert "supports defocus only" in rows[name]["reason"]
+    assert [path.name for path in folder.iterdir()] == ["methods.png"]
+    with Image.open(folder / "methods.png") as figure:
+        assert min(figure.size) > 500
+
+
+def test_the_table_of_compare_shows_what_its_json_says(compared):
+    _, text, data = compared
+    assert text.startswith(f"{data['name']}\n6 x 7 pixels of 2.5 um\n")
+    shown = {line.split()[0]: line for line in text.splitlines()[3:]}
+    assert set(shown) == {row["method"] for row in data["rows"]} | {"wrote"}
+    for row in data["rows"]:
+        line = shown[row["method"]]
+        if row["reason"] is not None:
+            assert re.split(r"\s{2,}", line.strip()) == [row["method"], "-", "-", "-", "-", row["reason"]]
+            continue
+        time, mse, peak, bound = re.split(r"\s{2,}", line.strip())[1:5]
+        assert time.endswith(" ms")
+        for cell, value in ((mse, row["mse"]), (peak, row["peak_error"]), (bound, row["error_bound"])):
+            assert cell == ("-" if value is None else f"{value:.2g}")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "method"),
+    [
+        (["-m", "hankel", "--tol", "1e-10"], lm.Hankel(tol=1e-10)),
+        (["--tol", "1e-3"], lm.NijboerZernike(tol=1e-3)),
+        (["-m", "huygens-fresnel", "--set", "nodes=24,48", "--set", "symmetry=false"],
+         lm.HuygensFresnel(symmetry=False, nodes=(24, 48))),
+        (["-m", "closed-form", "--set", "tangent=200", "--set", "erf=abramowitz:30", "--set", "truncate=9.5"],
+         lm.ClosedForm(tangent=200.0, erf=lm.AbramowitzErf(30), truncate=9.5)),
+        (["-m", "closed-form", "--set", "variant=printed", "--set", "erf=table"],
+         lm.ClosedForm(variant="printed", erf=lm.TableErf())),
+        (["-m", "fraunhofer", "--set", "samples=64", "--set", "edge=grey"], lm.Fraunhofer(samples=64, edge="grey")),
+        (["-m", "geometric", "--set", "rings=2"], lm.Geometric(rings=2)),
+        (["-m", "lommel-series"], lm.LommelSeries()),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)  # fmt: skip
+def test_methods_and_their_options_are_chosen_by_name(call_lommel, lenses, tmp_path, arguments, method):
+    result = call_lommel("psf", lenses["phone"], "--shape", 5, "-o", "a.npy", *arguments, folder=tmp_path)
+    assert result.returncode == 0, result.stderr
+    assert lm.PSF.load(tmp_path / "a.npy").method == method
+    assert repr(method)[:40] in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("command", "example"),
+    [
+        ([], "  lommel psf     lens.toml -o psf.tif -o psf.png    the PSF, as data and as a picture"),
+        (["psf"], '  lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz'),
+        (["info"], '  lommel info camera.toml --object-distance "3 m"'),
+        (["compare"], "  lommel compare camera.toml --figure methods.png"),
+    ],
+    ids=["lommel", "psf", "info", "compare"],
+)
+@pytest.mark.parametrize("flag", ["--help", "-h"])
+def test_the_help_of_every_command_shows_its_examples_each_on_its_line(call_lommel, tmp_path, command, example, flag):
+    result = call_lommel(*command, flag, folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout.startswith(f"Usage: lommel {' '.join(command)}".strip())
+    assert example in [line[2:] for line in result.stdout.splitlines()]
+    assert "\\b" not in result.stdout
+
+
+def test_every_command_has_help(run_lommel, tmp_path):
+    for command in ("psf", "info", "compare"):
+        assert run_lommel(command, "--help", folder=tmp_path).stdout.startswith(
+            f"Usage: lommel {command} [OPTIONS] LENS"
+        )
+
+
+def test_the_version_is_that_of_the_package(run_lommel, tmp_path):
+    result = run_lommel("--version", folder=tmp_path)
+    assert result.stdout == f"lommel, version {lm.__version__}\n"

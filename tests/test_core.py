@@ -1,0 +1,292 @@
+"""The compiled core: what it returns, what it refuses, and that it lets other threads run."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from nanobind.stubgen import StubGen
+from numpy.typing import NDArray
+
+import lommel
+from lommel import _core
+
+STUB = Path(lommel.__file__).with_name("_core.pyi")
+CONTIGUOUS = np.linspace(0.0, 5.0, 6)
+
+
+def _pixels(rows: int, cols: int) -> NDArray[np.int64]:
+    return np.arange(rows + 1)[:, None] ** 2 + np.arange(cols + 1) ** 2
+
+
+def test_the_stub_is_what_the_compiled_module_says_of_itself() -> None:
+    generator = StubGen(_core)
+    generator.put(_core)
+    assert STUB.read_text() == generator.get()
+
+
+@pytest.mark.parametrize(("rows", "cols"), [(0, 0), (0, 5), (3, 1), (7, 7), (40, 100)])
+def test_distinct_radii_rank_every_pixel_of_a_quadrant(rows: int, cols: int) -> None:
+    squares, index = _core.distinct_radii(rows, cols)
+    assert squares.dtype == np.int64
+    assert index.dtype == np.int32
+    assert np.array_equal(squares, np.unique(_pixels(rows, cols)))
+    assert np.array_equal(squares[index], _pixels(rows, cols))
+
+
+@given(st.integers(1, 12), st.integers(1, 12), st.integers(1, 3), st.sampled_from([np.float32, np.float64]))
+def test_scatter_puts_the_value_of_its_radius_on_every_pixel(height: int, width: int, stack: int, kind: type) -> None:
+    squares, index = _core.distinct_radii(height // 2, width // 2)
+    # The profile is the squared radius itself, so the image tells where each value came from.
+    profiles = np.ascontiguousarray(np.arange(1.0, stack + 1)[:, None] * squares)
+    scales = 1.0 / np.arange(1, stack + 1) ** 2
+    out = np.full((stack, height, width), np.nan, dtype=kind)
+    _core.scatter(profiles, scales, index, out)
+    y, x = np.mgrid[:height, :width]
+    distance = (y - height // 2) ** 2 + (x - width // 2) ** 2
+    assert out == pytest.approx(distance / np.arange(1, stack + 1)[:, None, None], rel=1e-6)
+
+
+def test_scatter_refuses_what_does_not_fit() -> None:
+    squares, index = _core.distinct_radii(2, 3)
+    profiles, scales, out = np.ones((2, squares.size)), np.ones(2), np.empty((2, 5, 7))
+    _core.scatter(profiles, scales, index, out)
+    with pytest.raises(ValueError, match="one profile and scale an image"):
+        _core.scatter(profiles, np.ones(3), index, out)
+    with pytest.raises(ValueError, match="one profile and scale an image"):
+        _core.scatter(np.ones((1, squares.size)), scales, index, out)
+    with pytest.raises(ValueError, match="index must cover the quadrant"):
+        _core.scatter(profiles, scales, index, np.empty((2, 6, 7)))
+    with pytest.raises(ValueError, match="index points outside the profile"):
+        _core.scatter(profiles[:, :-1].copy(), scales, index, out)
+    with pytest.raises(ValueError, match="index points outside the profile"):
+        _core.scatter(profiles, scales, index - np.int32(1), out)
+    # The output is written in place, so no converted copy of it will do.
+    for bad in (out.astype(np.int64), np.empty((2, 5, 14))[:, :, ::2], out[0]):
+        with pytest.raises(TypeError, match="incompatible function arguments"):
+            _core.scatter(profiles, scales, index, bad)
+
+
+def _render(**changes: Any) -> float:
+    n, k, kind = 2, 1, np.float64
+    arguments: dict[str, Any] = {
+        "coefficients": np.ones((n, 2)),
+        "obscuration": 0.1,
+        "step": 0.5,
+        "tol": 1e-6,
+        "threads": 1,
+        "images": np.empty((n, 5, 7), kind),
+        "scales": np.ones(n),
+        "bounds": np.empty(n),
+        "powers": np.ones(k, np.int64),
+        "derivative_images": np.empty((k, n, 5, 7), kind),
+        "derivative_bounds": np.empty((k, n)),
+    }
+    return _core.render(**(arguments | changes))
+
+
+def test_rendering_refuses_what_does_not_fit() -> None:
+    assert _render() == 0.0
+    for changes, message in (
+        ({"coefficients": np.ones((0, 2))}, "must not be empty"),
+        ({"coefficients": np.ones((2, 0))}, "must not be empty"),
+        ({"coefficients": np.ones((3, 2))}, "one image, scale and bound a pupil"),
+        ({"scales": np.ones(1)}, "one image, scale and bound a pupil"),
+        ({"obscuration": 1.0}, "obscuration"),
+        ({"obscuration": float("nan")}, "obscuration"),
+        ({"step": 0.0}, "must be positive"),
+        ({"tol": float("nan")}, "must be positive"),
+        ({"powers": np.ones(2, np.int64)}, "one derivative a power"),
+        ({"powers": np.zeros(1, np.int64)}, "powers must be"),
+        ({"derivative_bounds": np.empty((1, 3))}, "derivatives must match"),
+        ({"coefficients": np.full((2, 2), np.nan)}, "exceed the limit"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            _render(**changes)
+    for bad in (np.empty((2, 5, 7), int), np.empty((2, 5, 14))[:, :, ::2], np.empty((5, 7))):
+        with pytest.raises(TypeError, match="incompatible function arguments"):
+            _render(images=bad)
+
+
+def test_a_tolerance_that_is_not_met_is_told_by_the_bound_that_is() -> None:
+    assert _render(coefficients=np.full((2, 2), 300.0), tol=1e-13) > 1e-13
+
+
+def test_the_instructions_in_use_can_be_limited_and_not_misspelt() -> None:
+    widest = _core.instructions()
+    _core.limit_instructions("portable")
+    assert _core.instructions() == "portable"
+    with pytest.raises(ValueError, match="level must be"):
+        _core.limit_instructions("mmx")
+    _core.limit_instructions("avx512")
+    assert _core.instructions() == widest
+
+
+def test_the_wavelets_add_up_and_keep_their_digits_far_from_the_sensor() -> None:
+    """Against extended precision, where k rho is ten million radians."""
+    rng = np.random.default_rng(7)
+    x, y = rng.uniform(-5e-3, 5e-3, (2, 50))
+    amplitude = rng.normal(size=50) + 1j * rng.normal(size=50)
+    sx, sy = rng.uniform(-1e-4, 1e-4, (2, 9))
+    distance, wavenumber = 0.8, 2 * np.pi / 5e-7
+    d, k = np.longdouble(distance), np.longdouble(wavenumber)
+    rho = np.sqrt((x - sx[:, None].astype(np.longdouble)) ** 2 + (y - sy[:, None].astype(np.longdouble)) ** 2 + d * d)
+    axis = np.sqrt(x.astype(np.longdouble) ** 2 + y.astype(np.longdouble) ** 2 + d * d)
+    phase = (k * (rho - axis)).astype(np.float64)
+    exact = (amplitude * (d / rho).astype(np.float64) ** 2 * np.exp(1j * phase)).sum(axis=1)
+    field = _core.huygens_sum(x, y, amplitude, sx, sy, distance, wavenumber)
+    assert np.abs(field - exact).max() <= 1e-10
+
+
+def test_sources_and_sensor_points_must_match_in_number() -> None:
+    one, two = np.zeros(1), np.zeros(2)
+    with pytest.raises(ValueError, match="x, y and amplitude must match"):
+        _core.huygens_sum(two, one, two.astype(complex), one, one, 1.0, 1.0)
+    with pytest.raises(ValueError, match="x, y and amplitude must match"):
+        _core.huygens_sum(two, two, one.astype(complex), one, one, 1.0, 1.0)
+    with pytest.raises(ValueError, match="sx and sy must match"):
+        _core.huygens_sum(one, one, one.astype(complex), one, two, 1.0, 1.0)
+
+
+def test_sequences_have_a_row_for_each_argument_and_may_be_empty() -> None:
+    for function in (_core.bessel_sequence, _core.legendre_transforms):
+        assert function(CONTIGUOUS, 4).shape == (6, 4)
+        assert function(CONTIGUOUS, 4).flags.c_contiguous
+        assert function(CONTIGUOUS, 0).shape == (6, 0)
+        assert function(np.zeros(0), 4).shape == (0, 4)
+        with pytest.raises(TypeError, match="incompatible function arguments"):
+            function(CONTIGUOUS[:, None], 4)
+        with pytest.raises(TypeError, match="incompatible function arguments"):
+            function(CONTIGUOUS, -1)
+        # Single precision and strides are converted, not misread.
+        assert np.array_equal(function(CONTIGUOUS[::2], 4), function(CONTIGUOUS, 4)[::2])
+        assert np.array_equal(function(CONTIGUOUS.astype(np.float32), 4), function(CONTIGUOUS, 4))
+
+
+def test_limits_are_errors() -> None:
+    with pytest.raises(ValueError, match="n must be at least 1"):
+        _core.gauss_legendre(0)
+    with pytest.raises(ValueError, match="rows and cols must be at most 20000"):
+        _core.distinct_radii(20001, 1)
+    with pytest.raises(MemoryError):
+        _core.bessel_sequence(np.zeros(1), 2**61)
+
+
+def test_an_answer_outlives_its_call_and_may_be_changed() -> None:
+    nodes, weights = _core.gauss_legendre(5)
+    kept = nodes.copy()
+    del weights
+    _core.gauss_legendre(5)[0][:] = 7.0
+    assert np.array_equal(nodes, kept)
+
+
+def _calls(scale: int) -> dict[str, Callable[[], Any]]:
+    """Return one call of each function; at scale 1 it takes tens of milliseconds."""
+    v = np.linspace(0.0, 300.0, 12_000 // scale)
+    squares, index = _core.distinct_radii(700, 700)
+    profiles = np.ascontiguousarray(np.tile(np.sqrt(squares), (max(1, 12 // scale), 1)))
+    pupils = np.ascontiguousarray(np.linspace([-90.0, 0.0], [90.0, 50.0], max(1, 200 // scale)))
+    far = np.linspace(0.0, 64.0, 400_000 // scale)
+    uniform = np.exp(-np.arange(3000.0) / 500)
+    sources, points = np.linspace(-1e-3, 1e-3, 4000), np.linspace(0.0, 1e-5, 400 // scale)
+
+    def scatter() -> NDArray[np.float32]:
+        out = np.empty((len(profiles), 1401, 1400), dtype=np.float32)
+        _core.scatter(profiles, np.ones(len(profiles)), index, out)
+        return out
+
+    def render() -> NDArray[np.float32]:
+        n = len(pupils)
+        out, nothing = np.empty((n, 300, 301), np.float32), np.empty((0, n, 300, 301), np.float32)
+        none = np.empty(0, np.int64)
+        _core.render(pupils, 0.0, 1.0, 1e-6, 2, out, np.ones(n), np.empty(n), none, nothing, np.empty((0, n)))
+        return out
+
+    def paint() -> NDArray[np.float64]:
+        out = np.empty((1600 // scale, 1200))
+        _core.paint_subpixel(uniform, 1.0, 100.5, 77.7, np.linspace(-0.4, 0.4, 3), np.ones(3), 2, out)
+        return out
+
+    return {
+        "bessel_sequence": lambda: _core.bessel_sequence(v, 300),
+        "legendre_transforms": lambda: _core.legendre_transforms(v, 150),
+        "gauss_legendre": lambda: np.stack(_core.gauss_legendre(4000 // scale)),
+        "distinct_radii": lambda: _core.distinct_radii(4000 // scale, 4000 // scale)[1],
+        "scatter": scatter,
+        "render": render,
+        "field": lambda: _core.field(pupils, 0.3, far, 1e-6)[0][0],
+        "profile": lambda: _core.profile(pupils, 0.3, far, 1e-6)[0][0],
+        "paint_subpixel": paint,
+        "huygens_sum": lambda: _core.huygens_sum(sources, sources, np.exp(1e4j * sources), points, points, 0.1, 1e7),
+    }
+
+
+NAMES = list(_calls(16))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_many_threads_at_once_find_what_one_does(name: str) -> None:
+    call = _calls(16)[name]
+    alone = call()
+    with ThreadPoolExecutor(8) as pool:
+        for answer in pool.map(lambda _: call(), range(24)):
+            assert np.array_equal(answer, alone)
+
+
+def _ticks_during(call: Callable[[], Any]) -> int:
+    """Count how often a thread that wakes up again and again can do so during a call.
+
+    The interpreter is kept from taking the lock away, so it can only where the call itself gives the lock.
+    """
+    ticks: list[None] = []
+    done = threading.Event()
+
+    def tick() -> None:
+        while not done.is_set():
+            ticks.append(None)
+            time.sleep(1e-4)
+
+    clock = threading.Thread(target=tick)
+    usual = sys.getswitchinterval()
+    sys.setswitchinterval(1000.0)
+    clock.start()
+    try:
+        before = len(ticks)
+        call()
+        return len(ticks) - before
+    finally:
+        done.set()
+        clock.join()
+        sys.setswitchinterval(usual)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_other_threads_run_while_the_core_computes(name: str) -> None:
+    assert _ticks_during(_calls(1)[name]) > 0
+
+
+def test_no_other_thread_runs_while_python_itself_computes() -> None:
+    """Or else the test above could not fail."""
+    assert _ticks_during(lambda: sum(i * i for i in range(300_000))) == 0
+
+
+def test_whole_answers_are_the_same_from_every_thread() -> None:
+    pupils = [lommel.Pupil(lommel.Wavefront(float(d), -0.5 * d), obscuration=0.1) for d in range(-8, 8)]
+
+    def compute(pupil: lommel.Pupil) -> NDArray[Any]:
+        return lommel.psf(pupil, (40, 41), 0.4).values
+
+    alone = [compute(pupil) for pupil in pupils]
+    with ThreadPoolExecutor(8) as pool:
+        together = list(pool.map(compute, pupils * 3))
+    for i, values in enumerate(together):
+        assert np.array_equal(values, alone[i % len(pupils)])

@@ -1,0 +1,112 @@
+"""The instruments of the examples: that they are what they claim to be."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel import report
+from lommel.methods import METHODS
+
+
+@pytest.fixture(scope="module")
+def hubble(lenses: dict[str, Path]) -> lm.Instrument:
+    return lm.load_instrument(lenses["hubble-1990"])
+
+
+def test_hubble_put_an_eighth_to_a_fifth_of_the_light_of_a_star_within_a_tenth_of_an_arcsecond(hubble):
+    within = hubble.radii["0.1 arcsec"]
+    assert within == pytest.approx(57.6 * 0.1 * math.pi / 180 / 3600)
+    as_launched = lm.psf(hubble.pupil(), 9, hubble.pixel)
+    as_designed = lm.psf(hubble.pupil().unaberrated(), 9, hubble.pixel)
+    assert 0.12 < as_launched.encircled_energy(within) < 0.20
+    assert as_designed.encircled_energy(within) > 0.60
+
+
+def test_hubble_is_at_the_focus_that_puts_most_light_within_a_tenth_of_an_arcsecond(hubble):
+    # Balanced spherical aberration of 0.265 um rms over the annulus, and no further defocus.
+    balanced = lm.Wavefront.balanced_spherical(2 * math.pi * 0.265 / 0.55, obscuration=0.33)
+    pupil = lm.Pupil(balanced, obscuration=0.33, wavelength=0.55e-6, f_number=24.0)
+    best = lm.best_focus(pupil, hubble.radii["0.1 arcsec"]) / math.pi
+    in_the_file = (hubble.pupil().wavefront - balanced).waves["W020"]
+    assert in_the_file == pytest.approx(best, abs=0.01)
+    assert (hubble.pupil().wavefront - balanced).waves["W040"] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_hubble_has_the_rms_of_its_mirror(hubble):
+    t, weights = np.polynomial.legendre.leggauss(40)
+    rho = np.sqrt(0.5 * (1 + 0.33**2) + 0.5 * (1 - 0.33**2) * t)
+    without_further_defocus = hubble.pupil().wavefront - lm.Wavefront.from_seidel(W020=3.697)
+    phase = without_further_defocus.phase(rho)
+    rms = math.sqrt(0.5 * weights @ (phase - 0.5 * weights @ phase) ** 2)
+    assert rms * 0.55 / (2 * math.pi) == pytest.approx(0.265)
+
+
+def test_the_nifty_fifty_is_as_far_out_of_focus_as_equation_3_says(lenses):
+    # With the sensor where an object at 2 m is sharp, 1/d - 1/f = -1/2, hence
+    # 2 C_d = pi / lambda (1/1.5 - 1/2) R^2 with R = 50 mm / 3.6, by hand 183.64.
+    radius = 0.050 / 3.6
+    by_hand = math.pi / 550e-9 * (1 / 1.5 - 1 / 2) * radius**2 / 2
+    assert by_hand == pytest.approx(91.82, abs=0.01)
+    instrument = lm.load_instrument(lenses["nifty-fifty"])
+    assert instrument.pupil().wavefront.defocus == pytest.approx(by_hand)
+    assert instrument.pupil().wavefront.spherical == 0.0
+
+
+def test_the_blur_of_the_nifty_fifty_is_that_of_similar_triangles(lenses):
+    instrument = lm.load_instrument(lenses["nifty-fifty"])
+    lens = instrument.lens
+    image = 1 / (1 / 0.05 - 1 / 1.5)
+    blur = lens.aperture_diameter / 2 * (image - lens.sensor_distance) / image
+    assert instrument.pupil().geometric_radius() == pytest.approx(blur)
+
+
+def test_the_phone_sees_its_background_out_of_focus_beyond_the_plane_in_focus(lenses):
+    instrument = lm.load_instrument(lenses["phone"])
+    assert instrument.object_distance > instrument.lens.focus_distance
+    assert instrument.pupil().wavefront.defocus < 0
+
+
+def test_the_microscope_has_the_working_f_number_of_its_magnification_and_aperture(lenses):
+    instrument = lm.load_instrument(lenses["microscope-20x"])
+    lens = instrument.lens
+    assert lens.working_f_number == pytest.approx(20 / (2 * 0.75), abs=0.005)
+    assert lens.sensor_distance / lens.focus_distance == pytest.approx(20.0)
+    assert lens.aperture_diameter / 2 / lens.focus_distance == pytest.approx(0.75)
+
+
+def test_the_microscope_is_two_micrometres_out_of_focus_with_a_quarter_wave_of_spherical(lenses):
+    instrument = lm.load_instrument(lenses["microscope-20x"])
+    waves = instrument.pupil().wavefront.waves
+    of_the_distance = -0.5 * 0.75**2 * 2e-6 / 515e-9
+    assert waves["W040"] == pytest.approx(0.25)
+    assert waves["W020"] == pytest.approx(of_the_distance - 0.25, rel=1e-3)
+
+
+def test_every_method_has_a_row_in_the_comparison_of_every_example(lens_file):
+    instrument = dataclasses.replace(lm.load_instrument(lens_file), shape=(7, 7))
+    methods = [kind() for kind in METHODS.values()]
+    started: list[str] = []
+    rows, answers = report.compare(instrument, methods, started.append)
+    assert [row["method"] for row in rows] == [type(method).__name__ for method in methods]
+    assert [row["options"] for row in rows] == [method.to_dict() for method in methods]
+    assert next(iter(answers)) == started[0] == "Hankel"
+    only_defocus = not np.any(instrument.pupil().wavefront.coefficients[..., 1:])
+    for row in rows:
+        expected = row["method"] not in ("LommelSeries", "ClosedForm") or only_defocus
+        assert (row["method"] in answers) == (row["reason"] is None) == expected
+    certified = {row["method"]: row for row in rows}["NijboerZernike"]
+    assert certified["peak_error"] <= certified["error_bound"] <= 1e-6
+
+
+def test_the_description_of_every_example_can_be_written_as_json_numbers(lens_file):
+    facts = report.describe_lens(lm.load_instrument(lens_file))
+    assert 0 < facts["strehl"] < 1
+    for row in facts["encircled_energy"]:
+        assert 0 < row["fraction"] < row["unaberrated"] < 1
+    assert all(value is None or math.isfinite(value) for value in facts.values() if isinstance(value, float))

@@ -1,0 +1,87 @@
+"""Pixels, and where their centres are."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import FrozenInstanceError
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import lommel as lm
+
+sides = st.integers(1, 40)
+grids = st.builds(lambda h, w, pixel: lm.Grid((h, w), pixel), sides, sides, st.floats(1e-9, 1e3))
+
+
+def distances(grid: lm.Grid) -> np.ndarray:
+    return np.hypot(grid.y[:, None], grid.x)
+
+
+@given(grids)
+def test_positions_are_whole_pixels_from_the_centre(grid):
+    height, width = grid.shape
+    assert (len(grid.y), len(grid.x)) == (height, width)
+    assert grid.y[height // 2] == 0.0
+    assert grid.x[width // 2] == 0.0
+    np.testing.assert_allclose(np.diff(grid.x), grid.pixel)
+    np.testing.assert_allclose(np.diff(grid.y), grid.pixel)
+
+
+@given(grids)
+def test_the_radii_are_the_distinct_distances_of_pixel_centres(grid):
+    radii = grid.radii
+    assert radii[0] == 0.0
+    assert np.all(np.diff(radii) > 0)
+    rows, columns = np.arange(grid.height) - grid.height // 2, np.arange(grid.width) - grid.width // 2
+    squares = np.unique(rows[:, None] ** 2 + columns**2)
+    np.testing.assert_allclose(radii, np.sqrt(squares) * grid.pixel, rtol=1e-14)
+
+
+@given(grids)
+def test_values_at_the_radii_are_painted_onto_every_pixel_at_that_distance(grid):
+    image = np.empty((2, *grid.shape))
+    grid.paint(np.stack([grid.radii, 1 + grid.radii]), np.array([1.0, 2.0]), image)
+    np.testing.assert_allclose(image[0], distances(grid), rtol=1e-12)
+    np.testing.assert_allclose(image[1], 2 * (1 + distances(grid)), rtol=1e-12)
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_images_are_painted_as_they_are(dtype):
+    grid = lm.Grid((2, 3), 1.0)
+    images = np.arange(12.0).reshape(2, 2, 3)
+    painted = np.empty(images.shape, dtype)
+    grid.paint(images, np.array([1.0, 10.0]), painted)
+    np.testing.assert_array_equal(painted, images * np.array([1.0, 10.0])[:, None, None])
+
+
+def test_the_optical_coordinate_of_a_pixel_is_pi_pixels_over_lambda_N():
+    pupil = lm.Pupil(wavelength=500e-9, f_number=4.0)
+    grid = lm.Grid(5, 1e-6)
+    assert grid.step(pupil) == pytest.approx(math.pi / 2)
+    np.testing.assert_allclose(grid.v(pupil), grid.radii * math.pi / 2e-6)
+
+
+def test_one_number_makes_a_square():
+    assert lm.Grid(7, 0.5) == lm.Grid((7, 7), 0.5)
+    assert lm.Grid(7, 0.5).shape == (7, 7)
+    assert lm.Grid((7, 7), 0.5) != lm.Grid((7, 7), 0.25)
+
+
+@pytest.mark.parametrize("shape", [np.int64(4), [4, 4], (np.int32(4), 4), np.array([4, 4])], ids=repr)
+def test_any_whole_numbers_make_a_shape(shape):
+    assert lm.Grid(shape, 1.0).shape == (4, 4)
+
+
+def test_a_grid_cannot_be_changed_and_can_be_a_key():
+    grid = lm.Grid(3, 1.0)
+    with pytest.raises(FrozenInstanceError):
+        grid.pixel = 2.0
+    assert {grid: "here"}[lm.Grid(3, 1.0)] == "here"
+
+
+def test_writing_into_the_radii_of_one_grid_spares_the_next():
+    lm.Grid((6, 6), 1.0).radii[:] = 99.0
+    assert lm.Grid((6, 6), 1.0).radii[0] == 0.0

@@ -1,0 +1,149 @@
+"""Focal length, stop and focus: the thin lens and the paper's Eq. 1-3."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import FrozenInstanceError
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import lommel as lm
+
+focal_lengths = st.floats(1e-3, 10.0)
+f_numbers = st.floats(0.7, 64.0)
+wavelengths = st.floats(200e-9, 12e-6)
+# How far away an object is, in focal lengths.
+distances = st.floats(1.1, 1e5)
+
+
+@given(f=focal_lengths, n=f_numbers, far=distances, wavelength=wavelengths)
+def test_the_sensor_is_at_the_image_of_the_object_in_focus(f, n, far, wavelength):
+    lens = lm.Lens(focal_length=f, f_number=n, focus_distance=far * f, wavelength=wavelength)
+    assert 1 / (far * f) + 1 / lens.sensor_distance == pytest.approx(1 / f)
+    assert lens.focus_distance == pytest.approx(far * f, rel=1e-8)
+    # The rounding of 1/d - 1/f, in units of what one focal length of defocus would be.
+    whole = math.pi / (8 * wavelength) * f / n**2
+    assert abs(lens.defocus(far * f)) < 1e-14 * whole
+
+
+@given(f=focal_lengths, n=f_numbers, near=distances, farther=st.floats(1.001, 10.0))
+def test_defocus_falls_as_the_object_recedes(f, n, near, farther):
+    lens = lm.Lens(focal_length=f, f_number=n, wavelength=500e-9)
+    one, two, at_infinity = lens.defocus([near * f, farther * near * f, math.inf])
+    assert one > two > at_infinity
+    assert at_infinity == pytest.approx(0.0, abs=1e-6 * one)
+
+
+@given(f=focal_lengths, n=f_numbers, d=st.floats(0.5, 2.0), far=distances, wavelength=wavelengths)
+def test_defocus_is_the_path_difference_between_rim_and_middle_to_second_order(f, n, d, far, wavelength):
+    lens = lm.Lens(focal_length=f, f_number=n, sensor_distance=d * f, wavelength=wavelength)
+    square = (f / n / 2) ** 2
+    waves = (square / (2 * d * f) - square / (2 * f) + square / (2 * far * f)) / wavelength
+    assert lens.pupil(far * f).wavefront.waves["W020"] == pytest.approx(waves, rel=1e-9, abs=1e-9)
+
+
+def test_a_lens_is_focused_at_infinity_unless_told_otherwise():
+    lens = lm.Lens(focal_length=0.1, f_number=2.0, wavelength=500e-9)
+    assert lens.sensor_distance == pytest.approx(0.1)
+    assert lens.focus_distance == math.inf
+    assert lens == lm.Lens(focal_length=0.1, f_number=2.0, wavelength=500e-9, focus_distance=math.inf)
+    assert lens.pupil() == lens.pupil(math.inf)
+
+
+def test_a_sensor_inside_the_focal_plane_is_focused_on_a_virtual_object():
+    lens = lm.Lens(focal_length=0.1, f_number=2.0, wavelength=500e-9, sensor_distance=0.05)
+    assert lens.focus_distance == pytest.approx(-0.1)
+
+
+def test_an_aperture_is_given_by_its_diameter_or_by_the_f_number():
+    common = {"focal_length": 0.1, "wavelength": 500e-9}
+    assert lm.Lens(f_number=4.0, **common) == lm.Lens(aperture_diameter=0.025, **common)
+    assert lm.Lens(aperture_diameter=0.025, **common).f_number == pytest.approx(4.0)
+
+
+def test_a_close_focus_makes_the_working_f_number_larger():
+    lens = lm.Lens(focal_length=0.1, f_number=4.0, focus_distance=0.15, wavelength=500e-9)
+    # Magnification m = f / (s - f) = 2; the working f-number is N (1 + m).
+    assert lens.f_number == pytest.approx(4.0)
+    assert lens.working_f_number == pytest.approx(12.0)
+
+
+def test_the_pupil_of_a_lens_has_its_scale_and_obscuration(camera):
+    pupil = camera.pupil(1.5)
+    assert pupil.wavelength == 550e-9
+    assert pupil.f_number == camera.working_f_number
+    assert pupil.unit == "m"
+    mirror = lm.Lens(focal_length=1.0, f_number=8.0, wavelength=550e-9, obscuration=0.4)
+    assert mirror.pupil().obscuration == 0.4
+
+
+def test_the_aberrations_of_a_lens_add_to_its_defocus():
+    extra = lm.Wavefront(defocus=1.0, spherical=2.0, higher=(3.0,))
+    lens = lm.Lens(focal_length=0.05, f_number=2.0, focus_distance=2.0, wavelength=550e-9, aberrations=extra)
+    assert lens.pupil(1.5).wavefront == lm.Wavefront(lens.defocus(1.5)) + extra
+    assert lens.pupil(2.0).wavefront.defocus == pytest.approx(1.0)
+
+
+def test_an_array_of_distances_makes_a_stack(camera):
+    stack = camera.pupil(np.linspace(0.5, 5.0, 7))
+    assert stack.shape == (7,)
+    assert camera.defocus([[1.0, 2.0]]).shape == (1, 2)
+    assert stack[3].wavefront.defocus == camera.defocus(np.linspace(0.5, 5.0, 7)[3])
+
+
+def test_a_stack_of_aberrations_broadcasts_with_the_distances():
+    spherical = lm.Wavefront(spherical=np.array([[0.0], [1.0]]))
+    lens = lm.Lens(focal_length=0.05, f_number=2.0, wavelength=550e-9, aberrations=spherical)
+    stack = lens.pupil([1.0, 2.0, math.inf])
+    assert stack.shape == (2, 3)
+    assert stack.geometry.object_distance == (1.0, 2.0, math.inf) * 2
+
+
+@pytest.mark.parametrize("value", [2, np.float32(2.0), np.int64(2), np.array(2.0)], ids=repr)
+def test_any_real_number_is_a_distance(value):
+    lens = lm.Lens(focal_length=0.05, f_number=2.0, wavelength=550e-9, focus_distance=value)
+    assert lens.focus_distance == pytest.approx(2.0)
+    assert lens.pupil(value).shape == ()
+
+
+def test_a_lens_cannot_be_changed(camera):
+    with pytest.raises(FrozenInstanceError):
+        camera.focal_length = 0.1
+
+
+def test_a_lens_takes_keywords_only():
+    with pytest.raises(TypeError):
+        lm.Lens(0.05, 550e-9)
+
+
+def test_the_repr_of_a_lens_shows_its_numbers(camera):
+    text = repr(camera)
+    for shown in ("focal_length=0.05", "aperture_diameter=0.0277", "sensor_distance=0.0512", "wavelength=5.5e-07"):
+        assert shown in text
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"f_number": None}, "exactly one of f_number and aperture_diameter, got f_number=None"),
+        ({"aperture_diameter": 0.01}, "exactly one of f_number and aperture_diameter, got f_number=2.0"),
+        ({"focus_distance": 2.0, "sensor_distance": 0.05}, "at most one of focus_distance and sensor_distance"),
+        ({"focus_distance": 0.05}, "focus_distance must exceed the focal length 0.05 m .*got 0.05"),
+        ({"focus_distance": 0.01}, "focus_distance must exceed the focal length 0.05 m .*got 0.01"),
+    ],
+)
+def test_contradictions_are_named(options, message):
+    with pytest.raises(ValueError, match=message):
+        lm.Lens(**{"focal_length": 0.05, "f_number": 2.0, "wavelength": 550e-9} | options)
+
+
+def test_distances_that_do_not_broadcast_with_the_aberrations_are_named():
+    spherical = lm.Wavefront(spherical=[0.0, 1.0])
+    lens = lm.Lens(focal_length=0.05, f_number=2.0, wavelength=550e-9, aberrations=spherical)
+    with pytest.raises(ValueError, match="object_distance") as caught:
+        lens.pupil([1.0, 2.0, 3.0])
+    assert "(3,)" in str(caught.value)
+    assert "(2,)" in str(caught.value)

@@ -1,0 +1,274 @@
+"""Lens files: what they may say, and how every fault in them is told with its key and line."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.lensfile import LensFileError
+
+PLAIN = """\
+name = "camera"
+source = "nobody"
+
+[lens]
+focal_length = "50 mm"
+f_number = 2.0
+focus_distance = "2 m"
+wavelength = "550 nm"
+
+[object]
+distance = "1.5 m"
+
+[sensor]
+pixel = "3.45 um"
+shape = 33
+"""
+
+
+@pytest.fixture
+def load(tmp_path: Path):
+    """Write a lens file and load it; a change replaces the line of its key, or is added as the last of [lens]."""
+
+    def write_and_load(*changes: str, text: str = PLAIN) -> lm.Instrument:
+        for change in changes:
+            key = change.partition(" =")[0]
+            old = next((line for line in text.splitlines() if line.startswith(f"{key} =")), None)
+            text = (
+                text.replace("\n\n[object]", f"\n{change}\n\n[object]") if old is None else text.replace(old, change)
+            )
+        file = tmp_path / "lens.toml"
+        file.write_text(text, encoding="utf-8")
+        return lm.load_instrument(file)
+
+    return write_and_load
+
+
+def test_every_example_loads_and_says_where_its_figures_come_from(lens_file):
+    instrument = lm.load_instrument(lens_file)
+    assert len(instrument.name) > 10
+    assert len(instrument.source) > 40
+    assert instrument.pupil() == instrument.lens.pupil(instrument.object_distance)
+    assert lm.load_instrument(str(lens_file)).lens == instrument.lens
+
+
+def test_a_file_says_what_the_python_would(load):
+    instrument = load()
+    assert instrument.lens == lm.Lens(focal_length=0.05, f_number=2.0, focus_distance=2.0, wavelength=550e-9)
+    assert instrument.object_distance == 1.5
+    assert instrument.pixel == pytest.approx(3.45e-6)
+    assert instrument.shape == (33, 33)
+    assert (instrument.name, instrument.source, instrument.radii) == ("camera", "nobody", {})
+
+
+def test_numbers_without_a_unit_are_metres(load):
+    plain = load(
+        "focal_length = 0.05", "focus_distance = 2", "wavelength = 550e-9", "pixel = 3.45e-6", "distance = 1.5"
+    )
+    assert plain.lens == load().lens
+    assert (plain.pixel, plain.object_distance) == (3.45e-6, 1.5)
+
+
+def test_an_object_is_at_infinity_unless_told_otherwise(load):
+    assert load(text=PLAIN.replace('[object]\ndistance = "1.5 m"\n', "")).object_distance == math.inf
+    assert load('distance = "inf"').object_distance == math.inf
+
+
+def test_a_sensor_has_a_side_or_a_height_and_a_width(load):
+    assert load("shape = [48, 64]").shape == (48, 64)
+
+
+def test_the_sensor_distance_and_the_aperture_may_be_given_instead(load):
+    text = PLAIN.replace("f_number = 2.0", 'aperture_diameter = "20 mm"').replace("focus_distance", "sensor_distance")
+    lens = load(text=text.replace('"2 m"', '"51 mm"')).lens
+    assert lens.aperture_diameter == pytest.approx(0.02)
+    assert lens.sensor_distance == pytest.approx(0.051)
+
+
+def test_all_aberrations_of_a_file_add(load):
+    everything = (
+        "[aberrations]\ndefocus = 1.0\nspherical = 2\nW020 = 0.5\nW040 = -0.25\nW060 = 0.125\nW080 = 1\n"
+        'spherical_rms = "-55 nm"\n'
+    )
+    text = PLAIN.replace("f_number = 2.0", "f_number = 2.0\nobscuration = 0.3") + everything
+    expected = (
+        lm.Wavefront(1.0, 2.0)
+        + lm.Wavefront.from_seidel(0.5, -0.25, 0.125, 1.0)
+        + lm.Wavefront.balanced_spherical(-2 * math.pi * 0.1, 0.3)
+    )
+    found = load(text=text).lens.aberrations
+    np.testing.assert_allclose(found.coefficients, expected.coefficients)
+
+
+def test_radii_are_lengths_on_the_sensor_or_angles_on_the_sky(load):
+    text = PLAIN + '[report]\nencircled_energy = ["5 um", "10 arcsec", 5e-6]\n'
+    radii = load(text=text).radii
+    assert radii["5 um"] == pytest.approx(5e-6)
+    assert radii["10 arcsec"] == pytest.approx(0.05 * 10 * math.pi / 648000)
+    assert radii["5e-06"] == 5e-6
+
+
+def fault(load, *changes: str, text: str = PLAIN) -> str:
+    """The message about a faulty file, which begins with its path, after that path."""
+    with pytest.raises(LensFileError) as caught:
+        load(*changes, text=text)
+    path, message = str(caught.value).split("lens.toml: ", 1)
+    assert Path(path).is_dir()
+    return message
+
+
+@pytest.mark.parametrize(
+    ("change", "where", "what"),
+    [
+        ('focal_length = "50 kg"', "lens.focal_length (line 5)", "unknown unit 'kg'; a length is in m, km, cm"),
+        ('focal_length = "50 deg"', "lens.focal_length (line 5)", "unknown unit 'deg'"),
+        ('focal_length = "-50 mm"', "lens.focal_length (line 5)", "must be positive, got -0.05 m"),
+        ('focal_length = "inf"', "lens.focal_length (line 5)", "must be finite"),
+        ("focal_length = nan", "lens.focal_length (line 5)", "nan"),
+        ("focal_length = true", "lens.focal_length (line 5)", "got True"),
+        ("focal_length = [50]", "lens.focal_length (line 5)", "got [50]"),
+        ("focal_length = 2020-01-01", "lens.focal_length (line 5)", "2020"),
+        ('f_number = "2.0"', "lens.f_number (line 6)", "number"),
+        ("f_number = true", "lens.f_number (line 6)", "number"),
+        ("f_number = 0", "lens.f_number (line 6)", "greater than 0"),
+        ("f_number = inf", "lens.f_number (line 6)", "finite"),
+        ("obscuration = 1.0", "lens.obscuration (line 9)", "less than 1"),
+        ("obscuration = -0.1", "lens.obscuration (line 9)", "greater than or equal to 0"),
+        ("fnumber = 2.0", "lens.fnumber (line 9)", "unknown key; did you mean f_number?"),
+        ("zoom = 3", "lens.zoom (line 9)", "unknown key; known are focal_length, f_number, aperture_diameter"),
+        ('focus_distance = "0 m"', "lens.focus_distance (line 7)", "must be positive"),
+        ('wavelength = "550"', "lens.wavelength (line 8)", "metres"),
+        ("wavelength = 550", "lens.wavelength (line 8)", "for 550 nm give 550e-9"),
+        ("wavelength = 0.55", "lens.wavelength (line 8)", "for 0.55 um give 0.55e-6"),
+        ('distance = "-1 m"', "object.distance (line 11)", "must be positive"),
+        ('pixel = "-1 um"', "sensor.pixel (line 14)", "must be positive"),
+        ("pixel = 3.45", "sensor.pixel (line 14)", "for 3.45 um give 3.45e-6"),
+        ("shape = 0", "sensor.shape (line 15)", "must be from 1 to 16384, got 0"),
+        ("shape = [1, 2, 3]", "sensor.shape (line 15)", "(height, width)"),
+        ("shape = 2.5", "sensor.shape (line 15)", "integer, got 2.5"),
+        ('shape = "33"', "sensor.shape (line 15)", "integer, got '33'"),
+        ("shape = [33, true]", "sensor.shape (line 15)", "integer, got True"),
+        ("name = 5", "name (line 1)", "string"),
+        ('source = ["a"]', "source (line 2)", "string"),
+    ],
+    ids=lambda text: text if " = " in text else "",
+)
+def test_a_bad_entry_is_told_with_its_key_and_line(load, change, where, what):
+    message = fault(load, change)
+    assert message.startswith(where + ": ")
+    assert what in message
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize("key", ["name", "source", "focal_length", "wavelength", "pixel", "shape"])
+def test_a_missing_entry_is_named(load, key):
+    message = fault(load, text=PLAIN.replace(f"{key} =", "# "))
+    section = {"focal_length": "lens.", "wavelength": "lens.", "pixel": "sensor.", "shape": "sensor."}.get(key, "")
+    assert message == f"{section}{key}: is missing"
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        ('aperture_diameter = "25 mm"', "exactly one of f_number and aperture_diameter"),
+        ('sensor_distance = "51 mm"', "at most one of focus_distance and sensor_distance"),
+        ('focus_distance = "49 mm"', "focus_distance must exceed the focal length"),
+    ],
+)
+def test_entries_that_contradict_each_other_are_named(load, change, what):
+    assert what in fault(load, change)
+
+
+def test_a_lens_without_an_aperture_is_told_both_ways_to_give_it(load):
+    message = fault(load, text=PLAIN.replace("f_number = 2.0", ""))
+    assert "exactly one of f_number and aperture_diameter" in message
+
+
+def test_an_unknown_section_is_told_with_what_it_may_have_been(load):
+    message = fault(load, text=PLAIN + "[aberations]\nW040 = 1\n")
+    assert message == "aberations (line 16): unknown key; did you mean aberrations?"
+    message = fault(load, text=PLAIN + "[zoom]\n")
+    assert message == (
+        "zoom (line 16): unknown key; known are name, source, lens, aberrations, object, sensor, report"
+    )
+
+
+def test_every_fault_is_told_at_once(load):
+    changes = ('focal_length = "50 kg"', "wavelength = 550", 'distance = "-1 m"', "pixels = 3")
+    text = PLAIN.replace("pixel =", "pixels =") + '[aberrations]\nW040 = "a"\n'
+    message = fault(load, *changes, text=text)
+    told = [line.strip().split(":")[0] for line in message.strip("\n").split("\n")]
+    assert sorted(told) == [
+        "aberrations.W040 (line 17)",
+        "lens.focal_length (line 5)",
+        "lens.wavelength (line 8)",
+        "object.distance (line 11)",
+        "sensor.pixel",
+        "sensor.pixels (line 14)",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("value", "what"),
+    [
+        ('["junk"]', "'junk'"),
+        ('["1 kg"]', "'1 kg'"),
+        ('["5 um", "-1 um"]', "'-1 um'"),
+        ("[0]", "0"),
+        ('["inf"]', "inf"),
+        ("[true]", "True"),
+        ("[[1]]", "[1]"),
+        ('"5 um"', "list"),
+    ],
+)
+def test_a_bad_radius_is_told_with_its_key_and_line(load, value, what):
+    message = fault(load, text=f"{PLAIN}[report]\nencircled_energy = {value}\n")
+    assert message.startswith("report.encircled_energy (line 17)")
+    assert what in message
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize(
+    "text", ["lens = 5\n" + PLAIN[:33], PLAIN.replace("[lens]", "[[lens]]")], ids=["5", "[[lens]]"]
+)
+def test_what_is_no_section_is_told_without_names_from_inside_the_package(load, text):
+    message = fault(load, text=text)
+    assert "lens" in message
+    assert "_Lens" not in message
+
+
+@pytest.mark.parametrize("text", ["[lens", "a = ", PLAIN + "[lens]\n", PLAIN + "\x00", "a = " + "[" * 5000])
+def test_what_is_no_toml_is_told(load, text):
+    assert fault(load, text=text).startswith("not valid TOML: ")
+
+
+@pytest.mark.parametrize("data", [PLAIN.encode() + b"# caf\xe9\n", PLAIN.encode("utf-16"), bytes(range(256))])
+def test_what_is_not_utf_8_is_told(tmp_path, data):
+    (tmp_path / "lens.toml").write_bytes(data)
+    with pytest.raises(LensFileError, match=r"lens.toml: not valid TOML: .*utf-8"):
+        lm.load_instrument(tmp_path / "lens.toml")
+
+
+@pytest.mark.parametrize(
+    "data", [PLAIN.replace("\n", "\r\n").encode(), b"\xef\xbb\xbf" + PLAIN.encode()], ids=["CRLF", "BOM"]
+)
+def test_files_from_windows_load(tmp_path, data):
+    (tmp_path / "lens.toml").write_bytes(data)
+    assert lm.load_instrument(tmp_path / "lens.toml").name == "camera"
+
+
+def test_what_cannot_be_read_is_an_os_error_with_its_name(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"nowhere\.toml"):
+        lm.load_instrument(tmp_path / "nowhere.toml")
+    with pytest.raises(IsADirectoryError):
+        lm.load_instrument(tmp_path)
+
+
+def test_an_empty_file_lacks_everything_which_is_a_value_error(load):
+    assert issubclass(LensFileError, ValueError)
+    missing = fault(load, text="").split("\n  ")[1:]
+    assert missing == ["name: is missing", "source: is missing", "lens: is missing", "sensor: is missing"]

@@ -1,0 +1,77 @@
+"""Plans: a question asked of many pupils."""
+
+from __future__ import annotations
+
+import tracemalloc
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+
+def test_a_plan_answers_what_psf_answers():
+    plan = lm.Plan((33, 40), 0.4, normalize="peak", dtype=np.float64)
+    for pupil in (lm.Pupil(), lm.Pupil(lm.Wavefront(7.0), obscuration=0.3), lm.Pupil(lm.Wavefront([1.0, 2.0]))):
+        expected = lm.psf(pupil, (33, 40), 0.4, normalize="peak", dtype=np.float64)
+        assert np.array_equal(plan(pupil).values, expected.values)
+
+
+def test_out_receives_the_values_and_is_the_answer():
+    out = np.full((2, 33, 33), np.nan, np.float32)
+    pupil = lm.Pupil(lm.Wavefront([3.0, 4.0]))
+    answer = lm.Plan(33, 0.5)(pupil, out=out)
+    assert answer.values is out
+    assert np.array_equal(out, lm.psf(pupil, 33, 0.5).values)
+
+
+def test_psf_takes_the_type_of_out():
+    out = np.empty((9, 9), np.float64)
+    assert lm.psf(lm.Pupil(), 9, 0.5, out=out).values is out
+
+
+def test_after_the_first_call_nothing_large_is_allocated():
+    plan, out = lm.Plan(512, 0.5, threads=1), np.empty((512, 512), np.float32)
+    pupils = [lm.Pupil(lm.Wavefront(c)) for c in (10.0, 11.0, 12.0)]
+    for pupil in pupils:
+        plan(pupil, out=out)
+    tracemalloc.start()
+    for pupil in pupils:
+        plan(pupil, out=out)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 20_000
+
+
+@pytest.mark.parametrize(
+    ("out", "error", "message"),
+    [
+        ([[0.0]], TypeError, "out must be a NumPy array"),
+        (np.empty((33, 32), np.float32), ValueError, r"out must have the shape \(33, 33\), got \(33, 32\)"),
+        (np.empty((33, 33), np.float64), ValueError, "out must be of float32, got float64"),
+        (np.empty((33, 66), np.float32)[:, ::2], ValueError, "out must be C-contiguous and writable"),
+        (np.broadcast_to(np.float32(0), (33, 33)), ValueError, "out must be C-contiguous and writable"),
+    ],
+)
+def test_an_out_that_cannot_hold_the_answer_is_refused(out, error, message):
+    with pytest.raises(error, match=message):
+        lm.Plan(33, 0.5)(lm.Pupil(), out=out)
+
+
+@pytest.mark.parametrize("threads", [0, -1, 2.5, True, 10**6])
+def test_a_number_of_threads_that_is_none_is_refused(threads):
+    with pytest.raises((ValueError, TypeError), match="threads"):
+        lm.Plan(33, 0.5, threads=threads)
+
+
+@pytest.mark.parametrize("name", ["coma", "", 3])
+def test_a_derivative_that_does_not_exist_is_refused(name):
+    with pytest.raises(ValueError, match="derivatives must be one of 'defocus'"):
+        lm.psf(lm.Pupil(), 9, 0.5, derivatives=(name,))
+
+
+def test_derivatives_of_what_has_none_are_refused():
+    with pytest.raises(ValueError, match="derivatives are not available from Hankel"):
+        lm.psf(lm.Pupil(), 9, 0.5, derivatives=("defocus",), method=lm.Hankel())
+    with pytest.raises(ValueError, match='not "peak"'):
+        lm.psf(lm.Pupil(), 9, 0.5, derivatives=("defocus",), normalize="peak")

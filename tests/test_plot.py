@@ -1,0 +1,156 @@
+"""Pictures of PSFs."""
+
+from __future__ import annotations
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import lommel as lm
+from lommel import plot
+from lommel.methods import METHODS
+
+METRIC = {"wavelength": 500e-9, "f_number": 4.0}
+
+
+@pytest.fixture
+def image() -> lm.PSF:
+    return lm.psf(lm.Pupil(lm.Wavefront(defocus=4.0), **METRIC), (6, 9), 2e-6)
+
+
+@pytest.fixture
+def answers(camera) -> dict[str, lm.PSF]:
+    """The same question put to every method."""
+    pupil = camera.pupil(1.99)
+    return {type(m).__name__: lm.psf(pupil, 9, 1e-6, method=m) for m in (kind() for kind in METHODS.values())}
+
+
+def test_it_draws_on_the_axes_it_is_given_and_returns_them(image):
+    _, (left, right) = plt.subplots(1, 2)
+    assert image.plot(right) is right
+    assert len(right.get_images()) == 1
+    assert not left.get_images()
+
+
+def test_it_draws_on_new_axes_where_none_are_given(image):
+    _, axes = plt.subplots()
+    new = image.plot()
+    assert new is not axes
+    assert new.figure in map(plt.figure, plt.get_fignums())
+
+
+def test_the_picture_shows_the_values_with_row_zero_at_the_top(image):
+    axes = image.plot()
+    picture = axes.get_images()[0]
+    np.testing.assert_array_equal(picture.get_array(), image.values)
+    left, right, bottom, top = picture.get_extent()
+    # Edges of the outer pixels in micrometres: columns -4..4 and rows -3..2 of 2 um, and half a pixel around.
+    assert (left, right, top, bottom) == pytest.approx((-9.0, 9.0, -7.0, 5.0))
+    assert axes.get_ylim() == pytest.approx((bottom, top))
+
+
+@pytest.mark.parametrize(("options", "pixel", "unit"), [(METRIC, 2e-6, "µm"), ({}, 0.5, "λN")], ids=["m", "lambda*N"])
+def test_the_labels_have_the_unit_of_the_sensor(options, pixel, unit):
+    axes = lm.psf(lm.Pupil(**options), 5, pixel).plot()
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (f"x ({unit})", f"y ({unit})")
+
+
+@pytest.mark.parametrize(("stretch", "grey"), [("linear", 1e-2), ("sqrt", 1e-1), ("log", 0.6)])
+def test_a_hundredth_of_the_peak_is_as_grey_as_the_stretch_says(image, stretch, grey):
+    norm = image.plot(stretch=stretch).get_images()[0].norm
+    peak = float(image.values.max())
+    assert norm(peak) == pytest.approx(1.0)
+    assert norm(0.01 * peak) == pytest.approx(grey)
+    assert norm(0.0) == pytest.approx(0.0)
+
+
+def test_the_square_root_is_the_stretch_unless_another_is_named(image):
+    norm = image.plot().get_images()[0].norm
+    assert norm(0.25 * float(image.values.max())) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("stretch", ["cubic", "", None, 1])
+def test_an_unknown_stretch_is_refused(image, stretch):
+    with pytest.raises(ValueError, match="stretch must be one of 'sqrt', 'linear', 'log', got ") as caught:
+        image.plot(stretch=stretch)
+    assert repr(stretch) in str(caught.value)
+
+
+def test_a_stack_is_refused_with_its_shape():
+    stack = lm.psf(lm.Pupil(lm.Wavefront([1.0, 2.0])), 5, 0.5)
+    with pytest.raises(ValueError, match=r"a single PSF can be drawn, got a stack of shape \(2, 5, 5\)"):
+        stack.plot()
+    stack[0].plot()
+
+
+@pytest.mark.parametrize("shape", [1, (1, 7), (7, 1), 2, 300], ids=str)
+@pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
+def test_windows_of_every_shape_are_drawn_without_a_warning(shape, stretch):
+    lm.psf(lm.Pupil(), shape, 0.5).plot(stretch=stretch).figure.canvas.draw()
+
+
+def test_a_window_without_light_is_drawn_without_a_warning():
+    ring = lm.Pupil(lm.Wavefront(defocus=100.0), obscuration=0.9)
+    dark = lm.psf(ring, 3, 0.5, method=lm.Geometric())
+    assert dark.values.max() == 0
+    for stretch in ("sqrt", "linear", "log"):
+        dark.plot(stretch=stretch).figure.canvas.draw()
+
+
+def test_a_comparison_shows_every_image_and_the_slices_and_the_errors(answers):
+    figure = plot.compare(answers, "Hankel")
+    figure.canvas.draw()
+    *pictures, slices, errors = figure.axes
+    assert [axes.get_title() for axes in pictures] == list(answers)
+    for axes, psf in zip(pictures, answers.values(), strict=True):
+        np.testing.assert_array_equal(axes.get_images()[0].get_array(), psf.values)
+    assert [text.get_text() for text in slices.get_legend().get_texts()] == list(answers)
+    assert len(slices.get_lines()) == len(answers)
+    assert len(errors.get_lines()) == len(answers) - 1
+    assert errors.get_ylabel() == "error against Hankel / peak"
+    assert {axes.get_xlabel() for axes in (slices, errors)} == {"distance from the centre (µm)"}
+
+
+def test_the_slices_of_a_comparison_are_the_profiles_over_the_peak_of_the_reference(answers):
+    *_, slices, errors = plot.compare(answers, "Hankel").axes
+    reference, other = answers["Hankel"], answers["Fraunhofer"]
+    peak = reference.values.max()
+    lines = {line.get_label(): line for line in slices.get_lines()}
+    radius, values = reference.profile()
+    np.testing.assert_allclose(lines["Hankel"].get_xdata(), radius * 1e6)
+    np.testing.assert_allclose(lines["Hankel"].get_ydata(), values / peak)
+    difference = np.abs(other.profile()[1] - values) / peak
+    assert any(np.allclose(line.get_ydata(), difference, rtol=1e-6) for line in errors.get_lines())
+
+
+def test_a_line_of_errors_has_the_colour_of_its_method(answers):
+    *_, slices, errors = plot.compare(answers, "Hankel").axes
+    colors = [line.get_color() for line in slices.get_lines() if line.get_label() != "Hankel"]
+    assert [line.get_color() for line in errors.get_lines()] == colors
+    assert len(set(colors)) == len(colors)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_a_comparison_of_few_methods_is_drawn_too(answers, count):
+    few = {name: answers[name] for name in ["Hankel", "Geometric"][:count]}
+    figure = plot.compare(few, "Hankel")
+    figure.canvas.draw()
+    assert len(figure.axes) == count + 2
+
+
+@pytest.mark.parametrize("shape", [1, (1, 7), (7, 1), 300], ids=str)
+def test_a_comparison_of_windows_of_every_shape_is_drawn_without_a_warning(shape):
+    few = {"Hankel": lm.psf(lm.Pupil(), shape, 0.5), "other": lm.psf(lm.Pupil(lm.Wavefront(1.0)), shape, 0.5)}
+    plot.compare(few, "Hankel").canvas.draw()
+
+
+def test_a_comparison_leaves_no_figure_open(answers):
+    before = plt.get_fignums()
+    assert isinstance(plot.compare(answers, "Hankel"), Figure)
+    assert plt.get_fignums() == before
+
+
+def test_an_unknown_reference_is_refused_with_the_known_ones(answers):
+    with pytest.raises(ValueError, match=r"reference must be one of NijboerZernike, Hankel, .*, got 'truth'"):
+        plot.compare(answers, "truth")

@@ -1,0 +1,255 @@
+"""The front door and its answer."""
+
+from __future__ import annotations
+
+import copy
+import math
+import pickle
+from dataclasses import FrozenInstanceError
+
+import numpy as np
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+from scipy.special import j0, j1
+
+import lommel as lm
+from lommel.methods import METHODS, RadialMethod
+
+METHOD = pytest.mark.parametrize("method", [kind() for kind in METHODS.values()], ids=list(METHODS))
+LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=500e-9)
+STACK = LENS.pupil([[1.9, 2.0, 2.1], [2.2, 5.0, math.inf]])
+
+coefficients = st.floats(-30, 30)
+pupils = st.builds(
+    lm.Pupil,
+    st.builds(lm.Wavefront, coefficients, coefficients, st.lists(st.floats(-5, 5), max_size=2)),
+    obscuration=st.floats(0, 0.9),
+)
+shapes = st.tuples(st.integers(1, 24), st.integers(1, 24))
+fine_pixels = st.floats(0.05, 1.0)
+
+
+@given(pupils, shapes, fine_pixels)
+@example(lm.Pupil(obscuration=5e-324), (1, 2), 0.25)
+def test_an_image_is_symmetric_and_not_negative_and_holds_at_most_all_light(pupil, shape, pixel):
+    image = lm.psf(pupil, shape, pixel, dtype="float64")
+    row, column = shape[0] // 2, shape[1] // 2
+    values = image.values
+    assert values.shape == shape
+    assert values.min() >= 0.0
+    # Samples a Nyquist interval or less apart sum to the integral, so no aliasing adds to the light.
+    assert values.sum() <= 1.0 + values.size * image.error_bound * values.max()
+    # The centre of an even side has one pixel more on its left.
+    inner = values[1 - shape[0] % 2 :, 1 - shape[1] % 2 :]
+    np.testing.assert_array_equal(inner, inner[::-1])
+    np.testing.assert_array_equal(inner, inner[:, ::-1])
+    turned = lm.psf(pupil, shape[::-1], pixel, dtype="float64").values
+    np.testing.assert_allclose(values.T, turned, rtol=0, atol=2 * image.error_bound * values.max())
+    assert values[row, column] == pytest.approx(image.strehl * image.scale * pupil.area**2)
+
+
+@given(pupils, st.integers(1, 12), st.integers(0, 4), fine_pixels)
+def test_a_larger_window_shows_the_same_values_and_more_light(pupil, half, more, pixel):
+    small, large = (lm.psf(pupil, 2 * n + 1, pixel, dtype="float64") for n in (half, half + more))
+    size = max(small.error_bound, large.error_bound) * large.values.max()
+    crop = large.values[more : more + small.shape[0], more : more + small.shape[1]]
+    np.testing.assert_allclose(small.values, crop, rtol=0, atol=2 * size)
+    assert 0 < small.energy <= large.energy * (1 + 1e-9) < 1 + 1e-9
+
+
+@METHOD
+def test_a_stack_holds_what_its_pupils_give_one_by_one(method):
+    images = lm.psf(STACK, (5, 6), 1e-6, method=method, dtype="float64")
+    assert images.shape == (2, 3, 5, 6)
+    for index in np.ndindex(STACK.shape):
+        single = lm.psf(STACK[index], (5, 6), 1e-6, method=method, dtype="float64")
+        within = 1e-12 if single.error_bound is None else images.error_bound + single.error_bound
+        np.testing.assert_allclose(images.values[index], single.values, rtol=0, atol=within * single.values.max())
+        assert images.energy[index] == pytest.approx(single.energy, rel=1e-5)
+        assert images.strehl[index] == pytest.approx(single.strehl, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    "index",
+    [0, -1, (1, 2), slice(1, None), (..., 0), [1, 0], np.array([True, False]), None, (0, slice(0, 2))],
+    ids=repr,
+)
+def test_a_stack_is_indexed_as_numpy_does(index):
+    images = lm.psf(STACK, 5, 1e-6, normalize="peak")
+    part = images[index]
+    which = np.arange(6).reshape(2, 3)[index]
+    np.testing.assert_array_equal(part.values, images.values.reshape(6, 5, 5)[which])
+    np.testing.assert_array_equal(part.profile()[1], images.profile()[1].reshape(6, 3)[which])
+    assert part.pupil == STACK[index]
+    np.testing.assert_allclose(part.strehl, images.strehl[index])
+    np.testing.assert_allclose(part.energy, images.energy[index], rtol=1e-5)
+    np.testing.assert_allclose(part.encircled_energy(2e-6), images.encircled_energy(2e-6)[index], rtol=1e-5)
+
+
+def test_iterating_a_stack_gives_its_images():
+    images = lm.psf(lm.Pupil(lm.Wavefront([0.0, 1.0, 2.0])), 3, 0.5)
+    assert [float(image.pupil.wavefront.defocus) for image in images] == [0.0, 1.0, 2.0]
+
+
+def test_a_single_image_cannot_be_indexed():
+    with pytest.raises(TypeError, match="single"):
+        lm.psf(lm.Pupil(), 3, 0.5)[0]
+
+
+def test_there_is_no_image_beyond_the_end_of_a_stack():
+    with pytest.raises(IndexError):
+        lm.psf(lm.Pupil(lm.Wavefront([0.0, 1.0])), 3, 0.5)[2]
+
+
+@pytest.mark.parametrize(
+    ("method", "expected"),
+    [
+        (lm.NijboerZernike(), "float32"),
+        (lm.NijboerZernike(tol=1e-3), "float32"),
+        (lm.NijboerZernike(tol=9e-7), "float64"),
+        (lm.Hankel(), "float64"),
+        (lm.Hankel(tol=1e-4), "float32"),
+        (lm.Fraunhofer(), "float32"),
+        (lm.Geometric(), "float32"),
+    ],
+    ids=repr,
+)
+def test_values_are_float32_where_the_tolerance_is_1e_6_or_more_and_float64_elsewhere(method, expected):
+    assert lm.psf(lm.Pupil(), 3, 0.5, method=method).values.dtype == expected
+
+
+@pytest.mark.parametrize(
+    "dtype", ["float32", "float64", np.float32, np.float64, float, "f4", np.dtype("f8")], ids=repr
+)
+def test_values_have_the_dtype_asked_for(dtype):
+    assert lm.psf(lm.Pupil(), 3, 0.5, dtype=dtype).values.dtype == np.dtype(dtype)
+
+
+@METHOD
+def test_a_bound_on_the_error_is_claimed_by_the_certified_methods_only(method):
+    bound = lm.psf(LENS.pupil(1.9), 5, 1e-6, method=method).error_bound
+    if isinstance(method, lm.NijboerZernike | lm.Hankel):
+        assert 0 < bound <= max(method.tol, 1e-11) + 2**-24
+    else:
+        assert bound is None
+
+
+@pytest.mark.parametrize("dtype", ["float32", "float64"])
+@pytest.mark.parametrize("tol", [1e-2, 1e-4, 1e-6])
+def test_the_error_bound_holds_and_is_within_the_tolerance(tol, dtype):
+    pupil = lm.Pupil(lm.Wavefront(defocus=20.0, spherical=-7.0), obscuration=0.3)
+    image = lm.psf(pupil, 32, 0.5, method=lm.NijboerZernike(tol=tol), dtype=dtype)
+    truth = lm.psf(pupil, 32, 0.5, method=lm.Hankel())
+    assert lm.peak_error(image, truth) <= image.error_bound + truth.error_bound
+    assert image.error_bound <= tol + 2**-24
+
+
+def test_energy_strehl_and_peak_differ_by_a_factor_that_the_scale_tells():
+    pupil = lm.Pupil(lm.Wavefront(defocus=5.0), obscuration=0.4)
+    images = [lm.psf(pupil, 9, 0.5, normalize=how, dtype="float64") for how in ("energy", "strehl", "peak")]
+    intensities = [image.values / image.scale for image in images]
+    np.testing.assert_allclose(intensities[1], intensities[0])
+    np.testing.assert_allclose(intensities[2], intensities[0])
+    for image in images:
+        assert image.energy == pytest.approx(images[0].energy)
+        assert image.strehl == pytest.approx(images[0].strehl)
+        assert image.encircled_energy(1.0) == pytest.approx(images[0].encircled_energy(1.0))
+
+
+def test_the_profile_is_the_row_to_the_right_of_the_centre_unless_radii_are_given():
+    image = lm.psf(lm.Pupil(lm.Wavefront(defocus=5.0)), (8, 9), 0.5)
+    radius, values = image.profile()
+    assert radius.tolist() == [0.0, 0.5, 1.0, 1.5, 2.0]
+    np.testing.assert_array_equal(values, image.values[4, 4:])
+    np.testing.assert_allclose(image.profile(radius)[1], values, rtol=0, atol=2e-6 * values.max())
+
+
+def test_a_profile_at_any_radii_is_normalised_like_the_values():
+    images = lm.psf(lm.Pupil(lm.Wavefront(defocus=[[0.0], [2.0]])), 5, 0.5, normalize="strehl")
+    radius, values = images.profile([[0.0, 0.1, 0.2], [0.3, 50.0, 0.0]])
+    assert radius.shape == (2, 3)
+    assert values.shape == (2, 1, 2, 3)
+    airy = 2 * j1(math.pi * 0.3) / (math.pi * 0.3)
+    assert values[0, 0, 1, 0] == pytest.approx(airy**2, rel=1e-5)
+    assert values[1, 0, 0, 0] == values[1, 0, 1, 2] == pytest.approx((math.sin(2) / 2) ** 2, rel=1e-5)
+
+
+@METHOD
+def test_the_values_between_the_pixels_are_known_to_radial_methods_only(method):
+    image = lm.psf(LENS.pupil(2.0), 5, 1e-6, method=method)
+    if isinstance(method, RadialMethod):
+        assert image.profile(0.0)[1] == pytest.approx(image.values[2, 2], rel=1e-5)
+    else:
+        with pytest.raises(ValueError, match=f"radius must be None for {type(method).__name__}"):
+            image.profile(0.0)
+
+
+def test_the_encircled_energy_of_an_airy_pattern_is_that_of_rayleigh():
+    radius = np.linspace(0.0, 8.0, 41).reshape(1, 41)
+    v = math.pi * radius
+    fraction = lm.psf(lm.Pupil(), 1, 0.5).encircled_energy(radius)
+    np.testing.assert_allclose(fraction, 1 - j0(v) ** 2 - j1(v) ** 2, atol=1e-6)
+    assert fraction.shape == (1, 41)
+
+
+@METHOD
+def test_encircled_energy_rises_from_none_towards_all_light(method):
+    image = lm.psf(LENS.pupil(1.9), 65, 1e-6, method=method, dtype="float64")
+    within = image.encircled_energy(np.linspace(0.0, 32e-6, 20))
+    assert within[0] == 0.0
+    assert np.all(np.diff(within) > -1e-12)
+    assert within[-1] <= image.energy * (1 + 1e-6)
+    # A fifth to two fifths of the peak is the error that the approximation of the paper has by its nature.
+    if not isinstance(method, lm.ClosedForm):
+        assert within[-1] > 0.97
+        assert image.energy <= 1.0 + 1e-3
+
+
+@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
+@pytest.mark.parametrize("method", [lm.Fraunhofer(), lm.Geometric()], ids=repr)
+def test_the_energy_of_a_method_on_pixels_is_the_sum_of_its_pixels(method, normalize):
+    pupil = lm.Pupil(lm.Wavefront(defocus=[5.0, 9.0]))
+    image = lm.psf(pupil, 21, 0.5, method=method, normalize=normalize, dtype="float64")
+    fractions = lm.psf(pupil, 21, 0.5, method=method, normalize="energy", dtype="float64").values
+    np.testing.assert_allclose(image.energy, fractions.sum(axis=(1, 2)))
+
+
+def test_numpy_sees_the_values_without_a_copy_unless_one_is_needed():
+    image = lm.psf(lm.Pupil(), 4, 0.5)
+    assert np.shares_memory(np.asarray(image), image.values)
+    assert np.shares_memory(np.array(image, copy=False), image.values)
+    assert not np.shares_memory(np.array(image), image.values)
+    assert np.asarray(image, dtype=np.float64).dtype == np.float64
+    with pytest.raises(ValueError, match="copy"):
+        np.array(image, dtype=np.float64, copy=False)
+    assert np.max(image) == image.values.max()
+
+
+@METHOD
+def test_an_image_survives_pickling_and_copying(method):
+    image = lm.psf(LENS.pupil([1.9, 2.5]), 5, 1e-6, method=method)
+    for twin in (pickle.loads(pickle.dumps(image)), copy.deepcopy(image)):
+        np.testing.assert_array_equal(twin.values, image.values)
+        assert (twin.method, twin.pupil, twin.pixel) == (image.method, image.pupil, image.pixel)
+
+
+def test_an_image_says_what_it_is():
+    stack = lm.psf(STACK, (5, 6), 1e-6)
+    assert repr(stack).startswith(
+        "<PSF 2x3x5x6 float32, pixel 1e-06 m, NijboerZernike, normalize 'energy', error bound "
+    )
+    plain = lm.psf(lm.Pupil(), 3, 0.5, method=lm.Geometric(), normalize="peak", dtype="float64")
+    assert repr(plain) == "<PSF 3x3 float64, pixel 0.5 lambda*N, Geometric, normalize 'peak', error bound none>"
+    assert (plain.unit, plain.grid, plain.shape) == ("lambda*N", lm.Grid(3, 0.5), (3, 3))
+
+
+def test_an_answer_cannot_be_changed():
+    with pytest.raises(FrozenInstanceError):
+        lm.psf(lm.Pupil(), 3, 0.5).pixel = 1.0
+
+
+def test_no_light_in_the_window_cannot_be_scaled_to_a_peak():
+    ring = lm.Pupil(lm.Wavefront(defocus=100.0), obscuration=0.9)
+    with pytest.raises(ValueError, match="no light falls into the window"):
+        lm.psf(ring, 3, 0.5, method=lm.Geometric(), normalize="peak")

@@ -19,10 +19,10 @@ struct RadiusTable {
     std::shared_ptr<const Layout> layout;  // keeps the key alive
     double step;
     std::size_t terms, stride;
-    Doubles rows;  // [n][radius], rows padded to whole vectors
+    Doubles rows;  // [n][radius], rows padded to two of the widest vectors
 
     RadiusTable(const std::shared_ptr<const Layout>& l, double pixel_step, std::size_t n)
-        : layout(l), step(pixel_step), terms(n), stride((l->count + widest_step - 1) / widest_step * widest_step),
+        : layout(l), step(pixel_step), terms(n), stride((l->count + 15) / 16 * 16),
           rows(terms * stride) {
         std::vector<double> values(terms), scratch;
         for (std::size_t i = 0; i < l->count; ++i) {

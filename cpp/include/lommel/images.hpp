@@ -120,24 +120,26 @@ class Renderer {
         parallel_for((stack_.count + group - 1) / group, threads_, [&](std::size_t, std::size_t task) {
             thread_local SeriesScratch scratch;
             thread_local Doubles re, im, values;
-            re.resize(block_pupils * room);
-            im.resize(block_pupils * room);
-            values.resize(block_pupils * table->stride);
-            const std::size_t end = std::min(stack_.count, (task + 1) * group);
-            for (std::size_t i = task * group; i < end; i += block_pupils) {
-                const std::size_t here = std::min(block_pupils, end - i);
-                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                    for (std::size_t p = 0; p < here; ++p) {
-                        const Phase phase = stack_[i + p];
-                        legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, 0, plan.terms,
-                                              re.data() + p * room, im.data() + p * room, scratch);
-                    }
-                    block_intensities(isa, *table, plan.terms, re.data(), im.data(), room, values.data());
-                });
+            // A group at a time through each stage, so that one table at a time fills the first cache.
+            const std::size_t first = task * group, here = std::min(group, stack_.count - first);
+            constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
+            re.resize(rounded * room);
+            im.resize(rounded * room);
+            values.resize(rounded * table->stride);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 for (std::size_t p = 0; p < here; ++p) {
-                    const double rounding = unit_roundoff * (static_cast<double>(plan.terms) + 16.0);
-                    deliver(i + p, values.data() + p * table->stride, plan.error(stack_[i + p]) + rounding);
+                    const Phase phase = stack_[first + p];
+                    legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, 0, plan.terms,
+                                          re.data() + p * room, im.data() + p * room, scratch);
                 }
+                for (std::size_t p = 0; p < here; p += block_pupils) {
+                    block_intensities(isa, *table, plan.terms, re.data() + p * room, im.data() + p * room, room,
+                                      values.data() + p * table->stride);
+                }
+            });
+            const double rounding = unit_roundoff * (static_cast<double>(plan.terms) + 16.0);
+            for (std::size_t p = 0; p < here; ++p) {
+                deliver(first + p, values.data() + p * table->stride, plan.error(stack_[first + p]) + rounding);
             }
         });
     }

@@ -35,6 +35,15 @@ struct Vector {
 // x - 0 is x, and compilers know it; a list of x's they would insert one by one.
 template <class V>
 LOMMEL_INLINE V splat(double x) {
+#if defined(LOMMEL_X86) && !defined(__clang__)
+    // GCC takes vectors that the function this is written in does not have apart, even where it is inlined into one that
+    // has them, and puts broadcasts, unlike sums and products, back together by eight masked steps.
+    if constexpr (sizeof(V) == 64) {
+        V v;
+        asm("vbroadcastsd %1, %0" : "=v"(v) : "vm"(x));
+        return v;
+    }
+#endif
     return x - V{};
 }
 template <class V>
@@ -116,11 +125,10 @@ struct Isa {
     using bits = typename Vector<Lanes>::bits;
     static constexpr std::size_t lanes = Lanes, unroll = Unroll;
 };
-// Vectors of 32 bytes there too: compilers of today make worse code of wider ones in functions that they inline.
-using Avx512 = Isa<4, 4>;
+using Avx512 = Isa<8, 4>;
 using Avx2 = Isa<4, 4>;
 using Portable = Isa<2, 4>;
-constexpr std::size_t widest_step = 16;  // most values a kernel handles, and so may touch past the end, at once
+constexpr std::size_t widest_step = 32;  // most values a kernel handles, and so may touch past the end, at once
 
 enum class Level { portable, avx2, avx512 };
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -158,7 +159,15 @@ class Renderer {
         finish(pupil, peak, relative);
         const double scale = answer_.scales[pupil];
         scaled(intensity, scale, layout_->count, profile.data());
-        paint(profile.data(), answer_.images + pupil * pixels(), 1);
+        T* image = answer_.images + pupil * pixels();
+        if (pixels() * sizeof(T) > (std::size_t{1} << 14)) {
+            return paint(profile.data(), image, 1);
+        }
+        // A small image is put together in the first cache and written out in one stream, not row by mirrored row.
+        thread_local std::vector<T> assembled;
+        assembled.resize(pixels());
+        paint(profile.data(), assembled.data(), 1);
+        std::memcpy(image, assembled.data(), pixels() * sizeof(T));
     }
 
     void finish(std::size_t pupil, double peak, double relative) {

@@ -117,6 +117,8 @@ class Field {
         obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
         const double area = obscuration_ * obscuration_;
         double bound = outer_.expand(phase, power, reach, 0.5 * error, scratch_);
+        // Radii in units of a piece are off by three roundings, and |U'| <= int sqrt(t) |J_1| dt < 1/2.
+        bound += 1.5 * unit_roundoff * reach;
         weight_ = 0.0;
         if (area > 0.0) {
             // The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).

@@ -138,7 +138,7 @@ class Renderer {
                                       values.data() + p * table->stride);
                 }
             });
-            const double rounding = unit_roundoff * (static_cast<double>(plan.terms) + 16.0);
+            const double rounding = unit_roundoff * (static_cast<double>(plan.terms) + 16.0 + 1.5 * reach);
             for (std::size_t p = 0; p < here; ++p) {
                 deliver(first + p, values.data() + p * table->stride, plan.error(stack_[first + p]) + rounding);
             }

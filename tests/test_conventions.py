@@ -71,6 +71,22 @@ def test_the_geometric_method_averages_over_pixels():
     assert 0.2 < rim / image.values[11, 11] < 0.6
 
 
+@pytest.mark.parametrize("center", [(3.0, 4.0), (0.0, 0.0), (2.25, 7.5), (-3.0, 12.0)])
+def test_pixels_that_integrate_hold_the_light_in_the_window_wherever_the_axis_is(center):
+    pupil = lm.Pupil(lm.Wavefront(defocus=5.0), obscuration=0.2)
+    image = lm.psf(pupil, (7, 9), 0.8, center=center, integrate=True, dtype="float64")
+    assert image.sampling == "pixel"
+    assert image.values.sum() == pytest.approx(image.energy, rel=1e-5)
+
+
+def test_a_centre_is_a_row_and_a_column_counted_from_the_middle_of_the_first_pixel():
+    image = lm.psf(lm.Pupil(), (8, 9), 0.4, center=(2, 6))
+    assert np.unravel_index(image.values.argmax(), (8, 9)) == (2, 6)
+    between = lm.psf(lm.Pupil(), (8, 9), 0.4, center=(2.5, 6)).values
+    np.testing.assert_allclose(between[2], between[3], rtol=1e-5)
+    assert between[2, 6] > between[1, 6]
+
+
 def test_rows_go_down_and_columns_to_the_right():
     grid = lm.Grid((3, 5), 2.0)
     assert grid.y.tolist() == [-2.0, 0.0, 2.0]

@@ -36,16 +36,23 @@ def stack() -> lm.PSF:
     return lm.psf(LENS.pupil(DISTANCES), (9, 8), 2.5e-6, method=lm.NijboerZernike(tol=1e-9), normalize="peak")
 
 
+@pytest.fixture
+def moved() -> lm.PSF:
+    method = lm.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0], lm.NijboerZernike(tol=1e-4))
+    return lm.psf(LENS.pupil([2e5, 3e5]), (9, 8), 2.5e-6, method=method, center=(3.25, 9.5), integrate=True)
+
+
 def same(one: lm.PSF, two: lm.PSF) -> None:
     """Everything but the values, and their error bound."""
-    assert (one.pixel, one.unit, one.normalize, one.shape) == (two.pixel, two.unit, two.normalize, two.shape)
+    assert (one.grid, one.unit, one.normalize, one.shape) == (two.grid, two.unit, two.normalize, two.shape)
+    assert one.sampling == two.sampling
     assert one.values.dtype == two.values.dtype
     assert one.method == two.method
     assert one.pupil == two.pupil
     np.testing.assert_array_equal(one.scale, two.scale)
 
 
-@pytest.mark.parametrize("which", ["single", "stack"])
+@pytest.mark.parametrize("which", ["single", "stack", "moved"])
 @pytest.mark.parametrize("suffix", EXACT)
 def test_what_is_saved_loads_as_it_was(suffix, which, tmp_path, request):
     psf = request.getfixturevalue(which)

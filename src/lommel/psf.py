@@ -163,7 +163,7 @@ class Plan:
                 f"shape {grid.shape} for {math.prod(stack)} pupils makes {count} values, "
                 f"more than the limit of {validation.MAX_VALUES}"
             )
-        powers = tuple(_power(name) for name in derivatives)
+        powers = _powers(derivatives)
         if powers and normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
         per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.area)
@@ -210,8 +210,10 @@ class Plan:
 _POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
 
 
-def _power(name: str) -> int:
-    return _POWERS[validation.choice("derivatives", name, _POWERS)]
+def _powers(derivatives: Sequence[str]) -> tuple[int, ...]:
+    if isinstance(derivatives, str) or not isinstance(derivatives, Sequence):
+        raise TypeError(f"derivatives must be a sequence of names such as ('defocus',), got {derivatives!r}")
+    return tuple(_POWERS[validation.choice("derivatives", name, _POWERS)] for name in derivatives)
 
 
 def _array(name: str, value: Any) -> NDArray[Any]:

@@ -164,7 +164,7 @@ def test_a_bad_entry_is_told_with_its_key_and_line(load, change, where, what):
     assert "\n" not in message
 
 
-@pytest.mark.parametrize("key", ["name", "source", "focal_length", "wavelength", "pixel", "shape"])
+@pytest.mark.parametrize("key", ["name", "focal_length", "wavelength", "pixel", "shape"])
 def test_a_missing_entry_is_named(load, key):
     message = fault(load, text=PLAIN.replace(f"{key} =", "# "))
     section = {"focal_length": "lens.", "wavelength": "lens.", "pixel": "sensor.", "shape": "sensor."}.get(key, "")
@@ -271,4 +271,4 @@ def test_what_cannot_be_read_is_an_os_error_with_its_name(tmp_path):
 def test_an_empty_file_lacks_everything_which_is_a_value_error(load):
     assert issubclass(LensFileError, ValueError)
     missing = fault(load, text="").split("\n  ")[1:]
-    assert missing == ["name: is missing", "source: is missing", "lens: is missing", "sensor: is missing"]
+    assert missing == ["name: is missing", "lens: is missing", "sensor: is missing"]

@@ -75,3 +75,16 @@ def test_derivatives_of_what_has_none_are_refused():
         lm.psf(lm.Pupil(), 9, 0.5, derivatives=("defocus",), method=lm.Hankel())
     with pytest.raises(ValueError, match='not "peak"'):
         lm.psf(lm.Pupil(), 9, 0.5, derivatives=("defocus",), normalize="peak")
+
+
+def test_derivatives_travel_with_an_npz_file_and_no_other_drops_them_silently(tmp_path):
+    answer = lm.psf(lm.Pupil(lm.Wavefront([1.0, 9.0])), (9, 8), 0.5, derivatives=("spherical", "defocus"))
+    answer.save(tmp_path / "a.npz")
+    loaded = lm.PSF.load(tmp_path / "a.npz")
+    assert loaded.derivative_bounds == answer.derivative_bounds
+    assert list(loaded.derivatives) == ["spherical", "defocus"]
+    for name, values in answer.derivatives.items():
+        assert np.array_equal(loaded.derivatives[name], values)
+        assert np.array_equal(loaded[1].derivatives[name], values[1])
+    with pytest.raises(ValueError, match=r"must end in \.npz for a PSF with derivatives"):
+        answer.save(tmp_path / "a.tif")

@@ -168,7 +168,10 @@ def psf(
         for path in outputs:
             answer.save(path)
         if figure is not None:
-            _save_figure(answer.plot().figure, figure)
+            axes = answer.plot()
+            axes.set_title(instrument.name, fontsize=9)
+            axes.figure.colorbar(axes.images[0], ax=axes, label=tables.MEANING[normalize])
+            _save_figure(axes.figure, figure)
     written = [str(path) for path in (*outputs, *([figure] if figure else []))]
     if as_json:
         _print_json(facts | {"files": written})
@@ -264,6 +267,8 @@ def build_method(name: str, settings: tuple[str, ...] = (), tol: float | None = 
             if colon and not dataclasses.fields(ERFS[erf]):
                 raise ValueError(f"--set erf={erf} takes no count, got {text!r}")
             options[key] = ERFS[erf](*([_value(count)] if colon else []))
+        elif key in options:
+            raise ValueError(f"{key} is given twice")
         else:
             options[key] = _value(text)
     for key in options:

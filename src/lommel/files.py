@@ -22,7 +22,11 @@ from lommel.pupil import Pupil
 SUFFIXES = (".tif", ".tiff", ".npy", ".npz", ".png")
 
 _MARK = b"\n#lommel "  # between the array and the description in a .npy file
+_SLOPE = "derivative "  # before the name of a derivative in a .npz file
 _PNG_LEVELS = 65535
+
+
+_Contents = tuple[NDArray[Any], str, dict[str, NDArray[Any]]]  # values, description, derivatives
 
 
 class FileError(ValueError):
@@ -36,14 +40,14 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
     it, where NumPy does not look. ``.npz``: ``values`` and ``description``. ``.png``: a picture, 16-bit grey,
     the square root of the values over their peak (a single PSF only; values come back to 1.6e-5 of the peak).
 
-    The description is JSON: version, pupil (wavefront, obscuration, wavelength, f-number, lens distances),
-    method with all its options, normalisation, pixel, error bound. The file is written under a temporary name
-    and moved into place, so that a failure leaves what was there before.
+    Derivatives go into ``.npz`` only. The description is JSON: version, pupil (wavefront, obscuration, wavelength,
+    f-number, lens distances), method with all its options, normalisation, pixel, error bound. The file is written
+    under a temporary name and moved into place, so that a failure leaves what was there before.
 
     Raises
     ------
     ValueError
-        If the suffix is unknown, or for a PNG of a stack.
+        If the suffix is unknown, for a PNG of a stack, or for derivatives in anything but ``.npz``.
     ImportError
         If tifffile or Pillow is not installed (``lommel[images]``).
     OSError
@@ -54,6 +58,8 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
     writer = writers.get(target.suffix.lower())
     if writer is None:
         raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
+    if psf.derivatives and writer is not _npz:
+        raise ValueError(f"path must end in .npz for a PSF with derivatives, got {str(path)!r}")
     write_atomically(target, writer(psf, json.dumps(describe(psf), allow_nan=False)))
 
 
@@ -80,8 +86,8 @@ def load(path: str | PathLike[str]) -> PSF:
         raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
     data = source.read_bytes()
     try:
-        values, text = reader(data)
-        return _rebuild(values, json.loads(text))
+        values, text, slopes = reader(data)
+        return _rebuild(values, json.loads(text), slopes)
     except ImportError:
         raise
     except Exception as error:
@@ -103,6 +109,7 @@ def describe(psf: PSF) -> dict[str, Any]:
         "integrate": psf.grid.integrate,
         "unit": psf.unit,
         "error_bound": psf.error_bound,
+        "derivative_bounds": psf.derivative_bounds,
         "scale": psf.scale.tolist(),
         "shape": list(psf.shape),
         "dtype": str(psf.values.dtype),
@@ -129,7 +136,7 @@ def write_atomically(target: Path, data: bytes) -> None:
         raise
 
 
-def _rebuild(values: NDArray[Any], description: dict[str, Any]) -> PSF:
+def _rebuild(values: NDArray[Any], description: dict[str, Any], slopes: dict[str, NDArray[Any]]) -> PSF:
     pupil, method = Pupil.from_dict(description["pupil"]), method_from_dict(description["method"])
     method.require(pupil)
     bound = description["error_bound"]
@@ -154,6 +161,8 @@ def _rebuild(values: NDArray[Any], description: dict[str, Any]) -> PSF:
         normalize=validation.choice("normalize", description["normalize"], ("energy", "strehl", "peak")),
         error_bound=bound,
         scale=scale,
+        derivatives={name: d.reshape(shape) for name, d in slopes.items()},
+        derivative_bounds=dict(description["derivative_bounds"]),
     )
 
 
@@ -184,7 +193,7 @@ def _tiff(psf: PSF, text: str) -> bytes:
     return buffer.getvalue()
 
 
-def _read_tiff(data: bytes) -> tuple[NDArray[Any], str]:
+def _read_tiff(data: bytes) -> _Contents:
     from xml.etree import ElementTree as ET
 
     with _images("tifffile").TiffFile(io.BytesIO(data)) as file:
@@ -193,7 +202,7 @@ def _read_tiff(data: bytes) -> tuple[NDArray[Any], str]:
         description = ET.fromstring(file.ome_metadata).find(".//{*}Image/{*}Description")
         if description is None or not description.text:
             raise ValueError("no description of how it was made")
-        return file.asarray(), description.text
+        return file.asarray(), description.text, {}
 
 
 def _npy(psf: PSF, text: str) -> bytes:
@@ -202,24 +211,26 @@ def _npy(psf: PSF, text: str) -> bytes:
     return buffer.getvalue() + _MARK + text.encode()
 
 
-def _read_npy(data: bytes) -> tuple[NDArray[Any], str]:
+def _read_npy(data: bytes) -> _Contents:
     buffer = io.BytesIO(data)
     values = np.load(buffer, allow_pickle=False)
     rest = buffer.read()
     if not rest.startswith(_MARK):
         raise ValueError("no description of how it was made")
-    return values, rest.removeprefix(_MARK).decode()
+    return values, rest.removeprefix(_MARK).decode(), {}
 
 
 def _npz(psf: PSF, text: str) -> bytes:
     buffer = io.BytesIO()
-    np.savez_compressed(buffer, values=psf.values, description=np.array(text))
+    arrays: dict[str, Any] = {f"{_SLOPE}{name}": values for name, values in psf.derivatives.items()}
+    np.savez_compressed(buffer, values=psf.values, description=np.array(text), **arrays)
     return buffer.getvalue()
 
 
-def _read_npz(data: bytes) -> tuple[NDArray[Any], str]:
+def _read_npz(data: bytes) -> _Contents:
     with np.load(io.BytesIO(data), allow_pickle=False) as file:
-        return file["values"], str(file["description"])
+        slopes = {name.removeprefix(_SLOPE): file[name] for name in file.files if name.startswith(_SLOPE)}
+        return file["values"], str(file["description"]), slopes
 
 
 def _png(psf: PSF, text: str) -> bytes:
@@ -238,7 +249,7 @@ def _png(psf: PSF, text: str) -> bytes:
     return buffer.getvalue()
 
 
-def _read_png(data: bytes) -> tuple[NDArray[Any], str]:
+def _read_png(data: bytes) -> _Contents:
     # Opened as what it is: Pillow's limit on the size of pictures from strangers is not for a PSF.
     _images("PIL.Image")
     with _images("PIL.PngImagePlugin").PngImageFile(io.BytesIO(data)) as file:
@@ -250,4 +261,4 @@ def _read_png(data: bytes) -> tuple[NDArray[Any], str]:
     if description["error_bound"] is not None:
         # Half a level of the square root, at its steepest.
         description["error_bound"] += 1.0 / picture["levels"]
-    return picture["peak"] * (grey / picture["levels"]) ** 2, json.dumps(description)
+    return picture["peak"] * (grey / picture["levels"]) ** 2, json.dumps(description), {}

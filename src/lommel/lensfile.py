@@ -130,7 +130,7 @@ class _Report(_Section):
 
 class _File(_Section):
     name: str
-    source: str
+    source: str = ""
     lens: _Lens
     aberrations: _Aberrations = _Aberrations()
     object: _Object = _Object()

@@ -58,8 +58,8 @@ def psf(
         lambda*N sums to 1. "strehl": 1 is the peak of the same aperture without aberration. "peak": the largest
         value in the window is 1.
     dtype : float32 or float64, optional
-        Of the values. By default that of `out`, or float32 where the tolerance of the method is 1e-6 or more, else
-        float64.
+        Of the values. By default that of `out`, or float64 where the method has a tolerance below 1e-6, else
+        float32.
     center : (float, float), optional
         Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
         pixel ``(height // 2, width // 2)``.
@@ -365,6 +365,8 @@ class PSF:
 
     def __getitem__(self, index: Any) -> PSF:
         """Return part of a stack, as NumPy indexes arrays of the shape of its pupils."""
+        if self.pupil.shape == ():
+            raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
         pupil = self.pupil[index]
         which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
         return replace(

@@ -16,6 +16,20 @@ if TYPE_CHECKING:
     from lommel.psf import PSF
 
 
+MEANING = {
+    "energy": "fraction of all light per pixel",
+    "strehl": "1 = unaberrated peak",
+    "peak": "1 = largest value",
+}
+"""What a value is, by the normalisation."""
+
+_NOTES = {
+    "Hankel": "the reference",
+    "HuygensFresnel": "differs by what the Fresnel approximation leaves out",
+    "Geometric": "averages over pixels, no diffraction",
+}
+
+
 def _console() -> Console:
     # A pipe has no width; tables are then as wide as they need to be. Names are shown as they are written.
     width = None if sys.stdout.isatty() else 160
@@ -63,19 +77,14 @@ def print_lens(facts: dict[str, Any]) -> None:
 
 def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
     """Print what :func:`lommel.report.describe_psf` says."""
-    meaning = {
-        "energy": "fraction of all light per pixel",
-        "strehl": "1 = unaberrated peak",
-        "peak": "1 = largest value",
-    }
     bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
     table = Table(title="PSF", title_justify="left", show_header=False, box=None, pad_edge=False)
     table.add_column(style="cyan")
     table.add_column()
     for row in (
         ("method", repr(answer.method)),
-        ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {meaning[facts['normalize']]}"),
-        ("sampled at", "pixel centers" if facts["sampling"] == "center" else "pixels, averaged over each"),
+        ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"),
+        ("sampled at", "pixel centres" if facts["sampling"] == "center" else "pixels, averaged over each"),
         ("largest value", f"{facts['peak']:.4g}"),
         ("energy in the window", f"{facts['energy']:.2%}"),
         ("error bound", bound),
@@ -99,7 +108,9 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]]) -> None
         return "-" if value is None else f"{value:.2g}"
 
     for row in rows:
-        note = row["reason"] or {"Hankel": "the reference", "Geometric": "pixel averages"}.get(row["method"], "")
+        # "X supports defocus only; this pupil ..." stands beside the name of X.
+        reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
+        note = reason or _NOTES.get(row["method"], "")
         spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
         table.add_row(
             row["method"],

@@ -62,7 +62,7 @@ def format_length(metres: float) -> str:
     if math.isinf(metres):
         return "infinity" if metres > 0 else "-infinity"
     for name in ("m", "mm", "um", "nm"):
-        if abs(metres) >= 0.9995 * _LENGTHS[name]:
+        if abs(metres) >= 0.99995 * _LENGTHS[name]:
             break
     else:
         name = "m" if metres == 0 else "nm"
@@ -70,17 +70,18 @@ def format_length(metres: float) -> str:
 
 
 def _parse(text: str | float, units: dict[str, float], kind: str, example: str, others: Iterable[str] = ()) -> float:
+    article = "an" if kind == "angle" else "a"
     if isinstance(text, bool) or not isinstance(text, str | int | float):
-        raise ValueError(f"a {kind} is a number or a text such as {example!r}, got {text!r}")
+        raise ValueError(f"{article} {kind} is a number or a text such as {example!r}, got {text!r}")
     if not isinstance(text, str):
         return float(text)
     found = _QUANTITY.fullmatch(text)
     if not found:
-        raise ValueError(f"{text!r} is not a {kind}; write for example {example!r}")
+        raise ValueError(f"{text!r} is not {article} {kind}; write for example {example!r}")
     number, unit = float(found[1]), found[2]
     if unit and unit not in units:
         angles = f", an angle in {', '.join(others)}" if others else ""
-        raise ValueError(f"{text!r} has the unknown unit {unit!r}; a {kind} is in {', '.join(units)}{angles}")
+        raise ValueError(f"{text!r} has the unknown unit {unit!r}; {article} {kind} is in {', '.join(units)}{angles}")
     value = number * units[unit] if unit else number
     if math.isinf(value) and not found[1].lstrip("+-").startswith("inf"):
         raise ValueError(f"{text!r} exceeds the range of numbers")

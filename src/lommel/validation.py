@@ -153,6 +153,7 @@ def pixel_on(pitch: float, scale: float, *, metric: bool) -> None:
     """Check a pixel pitch against the size of one lambda*N, `scale`, in the same unit."""
     if metric and pitch > 0.1:
         pixel(pitch, metric=True)
-    if not 1e-9 <= pitch / scale <= 1e6:
+    if not 1e-4 <= pitch / scale <= 1e6:
         metres = f"{pitch:g} m, that is " if metric else ""
-        raise ValueError(f"pixel must be from 1e-9 to 1e6 lambda*N, got {metres}{pitch / scale:.3g}")
+        hint = "" if metric or pitch > 1e-4 else "; for metres give the pupil a wavelength and an f_number"
+        raise ValueError(f"pixel must be from 1e-4 to 1e6 lambda*N, got {metres}{pitch / scale:.3g}{hint}")

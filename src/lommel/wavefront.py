@@ -164,6 +164,13 @@ class Wavefront:
     # NumPy is not to multiply each element of an array with a wavefront, but to leave that to __rmul__.
     __array_ufunc__ = None
 
+    def __truediv__(self, divisor: float) -> Wavefront:
+        """Return the wavefront divided by a number."""
+        d = validation.real("divisor", divisor)
+        if d == 0:
+            raise ValueError("divisor must not be 0")
+        return self * (1.0 / d)
+
     def __neg__(self) -> Wavefront:
         """Return the conjugate wavefront."""
         return -1.0 * self

@@ -163,10 +163,15 @@ def test_work_without_end_is_refused_before_it_begins(symmetry: bool) -> None:
 
 
 def test_the_limit_counts_the_whole_stack() -> None:
-    lens, method = _lens(8.0), HuygensFresnel(nodes=(10**5, 10**5))
-    values: NDArray[np.float64] = np.full(30, math.inf)
+    lens, method = _lens(8.0), HuygensFresnel(nodes=(10**4, 5 * 10**3))
+    values: NDArray[np.float64] = np.full(6000, math.inf)
     with pytest.raises(ValueError, match=r"would sum 1\.5e\+11 wavelets"):
         method.field(lens.pupil(values), 0.0)
+
+
+def test_more_sources_than_memory_holds_are_refused_however_few_the_pixels() -> None:
+    with pytest.raises(ValueError, match=r"1e\+05 x 1e\+05 sources in the aperture, more than the limits"):
+        HuygensFresnel(nodes=(10**5, 10**5)).field(_lens(8.0).pupil(math.inf), 0.0)
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,8 @@ from lommel.pupil import Geometry, Pupil
 from lommel.special.legendre import gauss_legendre
 
 _MAX_WAVELETS = 10**11
+_MAX_RADIAL = 20_000
+_MAX_SOURCES = 5 * 10**7
 _BLOCK = 2**22  # wavelets between two looks at the keyboard: well below a second
 
 
@@ -86,6 +88,11 @@ class HuygensFresnel(FieldMethod):
         wavenumber = 2.0 * math.pi / pupil.wavelength
         reach = float(pupil.v(np.hypot(x, y).max())) if x.size else 0.0
         radial, azimuthal = self.nodes or _nodes(pupil, geometry, reach)
+        if radial > _MAX_RADIAL or radial * azimuthal > _MAX_SOURCES:
+            raise ValueError(
+                f"HuygensFresnel would take {radial:.3g} x {azimuthal:.3g} sources in the aperture, more than the "
+                f"limits of {_MAX_RADIAL} radii and {_MAX_SOURCES:.0g} in all"
+            )
         wavelets = pupil.coefficients().shape[0] * x.size * radial * azimuthal // (2 if half else 1)
         if wavelets > _MAX_WAVELETS:
             raise ValueError(

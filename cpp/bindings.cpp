@@ -151,35 +151,51 @@ void paint_subpixel(In<double, 1> samples, double per_step, double center_y, dou
     });
 }
 
-// Returns 0, or the bound on the error where the tolerance cannot be met.
 template <class T>
-double render(In<double, 2> coefficients, double obscuration, double step, double tol, int threads, Out<T, 3> images,
-              Out<double, 1> scales, Out<double, 1> bounds, In<std::int64_t, 1> powers, Out<T, 4> derivative_images,
-              Out<double, 2> derivative_bounds) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration);
-    const std::size_t n = stack.count, height = images.shape(1), width = images.shape(2), k = powers.shape(0);
+double rendered(const lommel::Stack& stack, double step, double tol, int threads, const Out<T, 3>& images,
+                const Out<double, 1>& scales, const Out<double, 1>& bounds, const std::vector<std::size_t>& powers,
+                T* derivative_images, double* derivative_bounds) {
+    const std::size_t n = stack.count, height = images.shape(1), width = images.shape(2);
     require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n, "one image, scale and bound a pupil");
     require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
-    require(derivative_images.shape(0) == k && derivative_bounds.shape(0) == k, "one derivative a power");
-    require(k == 0 || (derivative_images.shape(1) == n && derivative_images.shape(2) == height &&
-                       derivative_images.shape(3) == width && derivative_bounds.shape(1) == n),
-            "derivatives must match the images");
     require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
-    std::vector<std::size_t> which;
-    for (std::size_t i = 0; i < k; ++i) {
-        require(powers.data()[i] >= 1 && powers.data()[i] <= 64, "powers must be from 1 to 64");
-        which.push_back(static_cast<std::size_t>(powers.data()[i]));
-    }
     nb::gil_scoped_release nogil;
     try {
         lommel::Renderer<T>(stack, height, width, step, tol, threads,
-                            {images.data(), scales.data(), bounds.data(), which.data(), k, derivative_images.data(),
-                             derivative_bounds.data()})
+                            {images.data(), scales.data(), bounds.data(), powers.data(), powers.size(),
+                             derivative_images, derivative_bounds})
             .run();
     } catch (const lommel::ToleranceNotMet& failure) {
         return failure.bound;
     }
     return 0.0;
+}
+
+// Returns 0, or the bound on the error where the tolerance cannot be met.
+template <class T>
+double render(In<double, 2> coefficients, double obscuration, double step, double tol, int threads, Out<T, 3> images,
+              Out<double, 1> scales, Out<double, 1> bounds) {
+    return rendered<T>(stack_of(coefficients, obscuration), step, tol, threads, images, scales, bounds, {}, nullptr,
+                       nullptr);
+}
+
+template <class T>
+double differentiate(In<double, 2> coefficients, double obscuration, double step, double tol, int threads,
+                     Out<T, 3> images, Out<double, 1> scales, Out<double, 1> bounds, In<std::int64_t, 1> powers,
+                     Out<T, 4> derivative_images, Out<double, 2> derivative_bounds) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration);
+    const std::size_t k = powers.shape(0);
+    require(derivative_images.shape(0) == k && derivative_bounds.shape(0) == k, "one derivative a power");
+    require(derivative_images.shape(1) == stack.count && derivative_images.shape(2) == images.shape(1) &&
+                derivative_images.shape(3) == images.shape(2) && derivative_bounds.shape(1) == stack.count,
+            "derivatives must match the images");
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < k; ++i) {
+        require(powers.data()[i] >= 1 && powers.data()[i] <= 64, "powers must be from 1 to 64");
+        which.push_back(static_cast<std::size_t>(powers.data()[i]));
+    }
+    return rendered<T>(stack, step, tol, threads, images, scales, bounds, which, derivative_images.data(),
+                       derivative_bounds.data());
 }
 
 std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration, In<double, 1> v,
@@ -258,10 +274,15 @@ NB_MODULE(_core, m) {
           "Profiles at the distinct radii, times a scale each, onto a stack of images.");
     m.def("scatter", &scatter<double>, "profiles"_a, "scales"_a, "index"_a, "out"_a.noconvert());
     m.def("render", &render<float>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
-          "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
-          "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert(),
+          "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(),
           "Images of a stack of pupils by the spectral engine; returns 0, or the bound where tol cannot be met.");
     m.def("render", &render<double>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
+          "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert());
+    m.def("differentiate", &differentiate<float>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
+          "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
+          "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert(),
+          "render(), and the derivatives by the coefficients of t^power.");
+    m.def("differentiate", &differentiate<double>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
           "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert());
     m.def("paint_subpixel", &paint_subpixel, "samples"_a, "per_step"_a, "center_y"_a, "center_x"_a, "nodes"_a,

@@ -91,7 +91,7 @@ def _render(**changes: Any) -> float:
         "derivative_images": np.empty((k, n, 5, 7), kind),
         "derivative_bounds": np.empty((k, n)),
     }
-    return _core.render(**(arguments | changes))
+    return _core.differentiate(**(arguments | changes))
 
 
 def test_rendering_refuses_what_does_not_fit() -> None:
@@ -99,7 +99,7 @@ def test_rendering_refuses_what_does_not_fit() -> None:
     for changes, message in (
         ({"coefficients": np.ones((0, 2))}, "must not be empty"),
         ({"coefficients": np.ones((2, 0))}, "must not be empty"),
-        ({"coefficients": np.ones((3, 2))}, "one image, scale and bound a pupil"),
+        ({"coefficients": np.ones((3, 2))}, "derivatives must match the images"),
         ({"scales": np.ones(1)}, "one image, scale and bound a pupil"),
         ({"obscuration": 1.0}, "obscuration"),
         ({"obscuration": float("nan")}, "obscuration"),
@@ -206,9 +206,8 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
 
     def render() -> NDArray[np.float32]:
         n = len(pupils)
-        out, nothing = np.empty((n, 300, 301), np.float32), np.empty((0, n, 300, 301), np.float32)
-        none = np.empty(0, np.int64)
-        _core.render(pupils, 0.0, 1.0, 1e-6, 2, out, np.ones(n), np.empty(n), none, nothing, np.empty((0, n)))
+        out = np.empty((n, 300, 301), np.float32)
+        _core.render(pupils, 0.0, 1.0, 1e-6, 2, out, np.ones(n), np.empty(n))
         return out
 
     def paint() -> NDArray[np.float64]:

@@ -179,11 +179,12 @@ class Plan:
         )
         rounding = 2.0**-24 if self.dtype == np.float32 else 2.0**-53
         slopes, slope_bounds = {}, {}
-        for name, values, bound in zip(derivatives, made.derivatives, made.derivative_error, strict=True):
-            # The coefficient of rho^2 is twice C_d.
-            factor = 2.0 if name == "defocus" else 1.0
-            slopes[name] = np.multiply(values, factor, out=values).reshape(stack + grid.shape)
-            slope_bounds[name] = factor * float(bound.max())
+        if made.slopes is not None:
+            for name, values, bound in zip(derivatives, *made.slopes, strict=True):
+                # The coefficient of rho^2 is twice C_d.
+                factor = 2.0 if name == "defocus" else 1.0
+                slopes[name] = np.multiply(values, factor, out=values).reshape(stack + grid.shape)
+                slope_bounds[name] = factor * float(bound.max())
         return PSF(
             values=made.values.reshape(stack + grid.shape) if out is None else out,
             grid=grid,

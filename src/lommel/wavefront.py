@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -34,6 +33,13 @@ class Wavefront:
     higher : sequence of array_like, default ()
         Coefficients of rho^6, rho^8, ..., radians; at most eight.
 
+    Attributes
+    ----------
+    shape : tuple of int
+        Of the stack; ``()`` for a single wavefront.
+    coefficients : ndarray, shape ``shape + (terms,)``
+        Of t, t^2, t^3, ... with t = rho^2, radians.
+
     Raises
     ------
     TypeError, ValueError
@@ -48,6 +54,8 @@ class Wavefront:
     defocus: NDArray[np.float64]
     spherical: NDArray[np.float64]
     higher: tuple[NDArray[np.float64], ...] = field(default=())
+    shape: tuple[int, ...] = field(init=False, repr=False)
+    coefficients: NDArray[np.float64] = field(init=False, repr=False)
 
     def __init__(
         self, defocus: ArrayLike = 0.0, spherical: ArrayLike = 0.0, higher: Sequence[ArrayLike] = ()
@@ -60,13 +68,18 @@ class Wavefront:
         object.__setattr__(self, "spherical", validation.real_array("spherical", spherical))
         rest = tuple(validation.real_array(f"higher[{i}]", c) for i, c in enumerate(higher))
         object.__setattr__(self, "higher", rest)
+        terms = (2.0 * self.defocus, self.spherical, *rest)
         try:
-            shape = self.shape
+            together = np.broadcast_arrays(*terms)
         except ValueError:
-            shapes = [c.shape for c in (self.defocus, self.spherical, *rest)]
+            shapes = [c.shape for c in terms]
             raise ValueError(f"defocus, spherical and higher must broadcast, got shapes {shapes}") from None
-        if 0 in shape:
-            raise ValueError(f"defocus, spherical and higher must not be empty, got shape {shape}")
+        coefficients = np.stack(together, axis=-1)
+        coefficients.flags.writeable = False
+        if coefficients.size == 0:
+            raise ValueError(f"defocus, spherical and higher must not be empty, got shape {coefficients.shape[:-1]}")
+        object.__setattr__(self, "shape", coefficients.shape[:-1])
+        object.__setattr__(self, "coefficients", coefficients)
 
     @classmethod
     def from_seidel(
@@ -106,24 +119,11 @@ class Wavefront:
         spherical = 6 * math.sqrt(5) * validation.real_array("rms", rms) / (1 - eps**2) ** 2
         return cls(-0.5 * (1 + eps**2) * spherical, spherical)
 
-    @cached_property
-    def shape(self) -> tuple[int, ...]:
-        """Shape of the stack; ``()`` for a single wavefront."""
-        return np.broadcast_shapes(self.defocus.shape, self.spherical.shape, *(c.shape for c in self.higher))
-
     @property
     def waves(self) -> dict[str, NDArray[np.float64]]:
         """Seidel coefficients W020, W040, W060, ... in waves."""
         names = [f"W0{2 * k}0" for k in range(1, 1 + self.coefficients.shape[-1])]
         return {name: self.coefficients[..., k] / (2 * math.pi) for k, name in enumerate(names)}
-
-    @cached_property
-    def coefficients(self) -> NDArray[np.float64]:
-        """Coefficients of t, t^2, t^3, ... with t = rho^2, radians; shape ``shape + (terms,)``."""
-        terms = (2.0 * self.defocus, self.spherical, *self.higher)
-        stacked = np.stack([np.broadcast_to(c, self.shape) for c in terms], axis=-1)
-        stacked.flags.writeable = False
-        return stacked
 
     def __getitem__(self, index: Any) -> Wavefront:
         """Return part of a stack, as NumPy indexes arrays of its shape."""

@@ -51,6 +51,20 @@ class Intensities(NamedTuple):
     peak: NDArray[np.float64] | None = None
 
 
+class Slopes(NamedTuple):
+    """Derivatives of images with respect to k coefficients of the phase.
+
+    Attributes
+    ----------
+    values : ndarray, shape (k, n, height, width)
+    error : ndarray, shape (k, n)
+        Bounds on their error over the peak of the intensity.
+    """
+
+    values: NDArray[Any]
+    error: NDArray[np.float64]
+
+
 class Images(NamedTuple):
     """Finished images of a flattened stack.
 
@@ -61,17 +75,14 @@ class Images(NamedTuple):
         What each intensity was multiplied by.
     error : ndarray, shape (n,), or None
         Bounds on the error over the peak.
-    derivatives : ndarray, shape (k, n, height, width)
-        With respect to the coefficients of rho^2, rho^4, ... that were asked for.
-    derivative_error : ndarray, shape (k, n)
-        Bounds on their error over the peak of the intensity.
+    slopes : Slopes or None
+        Derivatives, if any were asked for.
     """
 
     values: NDArray[Any]
     scale: NDArray[np.float64]
     error: NDArray[np.float64] | None
-    derivatives: NDArray[Any]
-    derivative_error: NDArray[np.float64]
+    slopes: Slopes | None = None
 
 
 class Method(ABC):
@@ -144,7 +155,7 @@ class Method(ABC):
             scales = np.full(intensity.shape[0], scale)
         values = np.empty((intensity.shape[0], *grid.shape), dtype=dtype) if out is None else out
         grid.paint(intensity, scales, values)
-        return Images(values, scales, error, np.empty((0, *values.shape), dtype=dtype), np.empty((0, len(scales))))
+        return Images(values, scales, error)
 
     def require(self, pupil: Pupil) -> None:
         """Raise ValueError if `pupil` is not supported."""

@@ -10,7 +10,7 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel import _core, validation
 from lommel.grid import Grid
-from lommel.methods.method import FieldMethod, FieldValues, Images, Intensities, ToleranceError
+from lommel.methods.method import FieldMethod, FieldValues, Images, Intensities, Slopes, ToleranceError
 from lommel.pupil import Pupil
 
 _BLOCK = 2**24  # values between two looks at the keyboard
@@ -87,37 +87,27 @@ class NijboerZernike(FieldMethod):
         coefficients = pupil.coefficients()
         n, shape = len(coefficients), grid.shape
         values = np.empty((n, *shape), dtype) if out is None else out
+        scales, bounds = np.empty(n), np.empty(n)
         # The compiled core takes 0 for "divide by the largest value".
-        scales = np.zeros(n) if scale is None else np.full(n, scale)
-        bounds = np.empty(n)
-        which = np.array(powers, dtype=np.int64)
-        derivatives = np.empty((len(powers), n, *shape), dtype)
-        derivative_bounds = np.empty((len(powers), n))
+        scales.fill(0.0 if scale is None else scale)
+        slopes = Slopes(np.empty((len(powers), n, *shape), dtype), np.empty((len(powers), n))) if powers else None
         step = grid.step(pupil)
         block = max(1, _BLOCK // (shape[0] * shape[1]))
         for first in range(0, n, block):
             part = slice(first, first + block)
-            whole = n <= block
-            slopes = derivatives if whole else np.empty((len(powers), len(bounds[part]), *shape), dtype)
-            slope_bounds = derivative_bounds if whole else np.empty(slopes.shape[:2])
-            unmet = _core.render(
-                coefficients[part],
-                pupil.obscuration,
-                step,
-                self.tol,
-                threads,
-                values[part],
-                scales[part],
-                bounds[part],
-                which,
-                slopes,
-                slope_bounds,
-            )
+            arguments = (coefficients[part], pupil.obscuration, step, self.tol, threads)
+            places = (values[part], scales[part], bounds[part])
+            if slopes is None:
+                unmet = _core.render(*arguments, *places)
+            else:
+                # The part of a stack is not contiguous where the derivatives come first.
+                count = len(places[0])
+                own = Slopes(np.empty((len(powers), count, *shape), dtype), np.empty((len(powers), count)))
+                unmet = _core.differentiate(*arguments, *places, np.array(powers, dtype=np.int64), *own)
+                slopes.values[:, part], slopes.error[:, part] = own
             if unmet:
                 raise self._not_met(unmet)
-            if not whole:
-                derivatives[:, part], derivative_bounds[:, part] = slopes, slope_bounds
-        return Images(values, scales, bounds, derivatives, derivative_bounds)
+        return Images(values, scales, bounds, slopes)
 
     def _not_met(self, bound: float) -> ToleranceError:
         return ToleranceError(

@@ -1,0 +1,208 @@
+"""Piecewise quadratic phases: the paper's Eq. (17), and what it leaves out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel import validation
+
+SPLITS = ("linear", "sqrt", "log", "optimal")
+FITS = ("interpolation", "least-squares", "sweep")
+
+_SAMPLES = 96  # of each segment, where an error is averaged over it
+_SWEEP, _LEVELS = 61, 4  # values of each coefficient in a sweep, and sweeps, each around the best of the last
+
+
+@dataclass(frozen=True, eq=False)
+class PiecewiseQuadratic:
+    """``alpha_i rho^2 + beta_i rho + gamma_i`` on ``[edges_i, edges_{i+1})``.
+
+    Attributes
+    ----------
+    edges : ndarray, shape (segments + 1,)
+        From 0 to 1, rising.
+    alpha, beta, gamma : ndarray, shape (segments,)
+        Radians; gamma is 0 without piston.
+    bound : float or None
+        Proven bound on the error of the phase; None where the fit has none.
+    """
+
+    edges: NDArray[np.float64]
+    alpha: NDArray[np.float64]
+    beta: NDArray[np.float64]
+    gamma: NDArray[np.float64]
+    bound: float | None
+
+    def phase(self, rho: ArrayLike) -> NDArray[np.float64]:
+        """Return the phase at pupil radii `rho` (0 to 1)."""
+        at = np.asarray(rho, dtype=np.float64)
+        i = np.clip(np.searchsorted(self.edges, at, side="right") - 1, 0, self.alpha.size - 1)
+        return np.asarray((self.alpha[i] * at + self.beta[i]) * at + self.gamma[i])
+
+    def mse(self, coefficients: Sequence[float]) -> float:
+        """Return the mean of ``|exp(i fit) - exp(i phase)|^2`` over the radius, as the paper reports it."""
+        rho = (np.arange(20_000) + 0.5) / 20_000
+        return float(np.mean(2.0 - 2.0 * np.cos(self.phase(rho) - _derivative(coefficients, rho, 0))))
+
+
+def split_edges(segments: int, split: str = "optimal") -> NDArray[np.float64]:
+    r"""Return the edges of `segments` segments of [0, 1].
+
+    "linear": ``i/S``. "sqrt": ``sqrt(i/S)``. "log": ``log(1 + (e-1) i/S)``. "optimal": ``(i/S)^(3/4)``, which
+    makes the errors of a quartic phase equal, ``|phi'''| h^3 / 192`` with ``phi''' = 24 C_s rho``.
+    """
+    count = validation.integer("segments", segments, least=1, most=4096)
+    validation.choice("split", split, SPLITS)
+    x = np.linspace(0.0, 1.0, count + 1)
+    forms = {"linear": x, "sqrt": np.sqrt(x), "log": np.log1p((math.e - 1.0) * x), "optimal": x**0.75}
+    edges = forms[split]
+    edges[-1] = 1.0
+    return edges
+
+
+def fit_quadratics(
+    coefficients: Sequence[float],
+    segments: int = 5,
+    *,
+    split: str = "optimal",
+    fit: str = "interpolation",
+    piston: bool = True,
+    sweep: tuple[float, float] | None = None,
+) -> PiecewiseQuadratic:
+    r"""Approximate the phase ``c_1 rho^2 + c_2 rho^4 + ...`` by quadratics on segments (paper, Eq. 17).
+
+    Parameters
+    ----------
+    coefficients : sequence of float
+        c_1 = 2 C_d, c_2 = C_s, ... in radians.
+    segments : int, default 5
+        1 to 4096.
+    split : {"optimal", "linear", "sqrt", "log"}
+        See :func:`split_edges`.
+    fit : {"interpolation", "least-squares", "sweep"}
+        "interpolation": at the Chebyshev points of each segment, with the proven bound ``max|phi'''| h^3 / 192``
+        (without piston, where that is impossible: through value, up to whole turns, and slope in the middle, without
+        a bound). "least-squares": of ``exp(i phase)``, from there. "sweep": the paper's search over alpha and beta,
+        here repeated around the best with finer steps.
+    piston : bool, default True
+        Whether there is a constant gamma_i, which Eq. (17) leaves out.
+    sweep : (float, float), optional
+        Largest magnitudes of alpha and beta to search; by default 1.5 times those of the phase itself.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or if the best of a sweep lies on the border of its range.
+    """
+    c = validation.real_array("coefficients", coefficients)
+    if c.ndim != 1 or c.size == 0:
+        raise ValueError(f"coefficients must be a sequence of numbers, got {coefficients!r}")
+    edges = split_edges(segments, split)
+    validation.choice("fit", fit, FITS)
+    if not isinstance(piston, bool):
+        raise TypeError(f"piston must be True or False, got {piston!r}")
+    rows = []
+    for low, high in pairwise(edges.tolist()):
+        row = _interpolated(c, low, high) if piston else _osculating(c, low, high)
+        if fit == "least-squares":
+            row = _least_squares(c, low, high, row, piston)
+        elif fit == "sweep":
+            row = _swept(c, low, high, piston, sweep)
+        rows.append(row)
+    alpha, beta, gamma = np.array(rows).T
+    bound = None
+    if piston and fit == "interpolation":
+        # |phi'''| is largest at the outer end of a segment if all terms have one sign, and at most the sum otherwise.
+        third = _derivative(np.abs(c), edges[1:], 3)
+        bound = float((third * np.diff(edges) ** 3).max() / 192.0)
+    return PiecewiseQuadratic(edges, alpha, beta, gamma, bound)
+
+
+def _derivative(
+    coefficients: Sequence[float] | NDArray[np.float64], rho: ArrayLike, order: int
+) -> NDArray[np.float64]:
+    """Return a derivative of the phase."""
+    polynomial = np.zeros(2 * len(coefficients) + 1)
+    polynomial[2::2] = coefficients
+    return np.asarray(np.polynomial.Polynomial(polynomial).deriv(order)(np.asarray(rho)))
+
+
+def _interpolated(c: NDArray[np.float64], low: float, high: float) -> NDArray[np.float64]:
+    x = 0.5 * (low + high) + 0.5 * (high - low) * np.cos(np.pi * np.array([5, 3, 1]) / 6)
+    value = _derivative(c, x, 0)
+    first = np.diff(value) / np.diff(x)
+    alpha = (first[1] - first[0]) / (x[2] - x[0])
+    beta = first[0] - alpha * (x[0] + x[1])
+    return np.array([alpha, beta, value[0] - (alpha * x[0] + beta) * x[0]])
+
+
+def _osculating(c: NDArray[np.float64], low: float, high: float) -> NDArray[np.float64]:
+    """Return alpha and beta through the value, up to whole turns, and the slope in the middle."""
+    middle = 0.5 * (low + high)
+    value, slope, bend = (float(_derivative(c, middle, k)) for k in range(3))
+    # Whole turns that bring the curvature as near to the true one as they can.
+    turns = round((slope * middle - value - 0.5 * bend * middle**2) / (2.0 * math.pi))
+    alpha = (slope * middle - value - 2.0 * math.pi * turns) / middle**2
+    return np.array([alpha, slope - 2.0 * alpha * middle, 0.0])
+
+
+def _least_squares(
+    c: NDArray[np.float64], low: float, high: float, start: NDArray[np.float64], piston: bool
+) -> NDArray[np.float64]:
+    from scipy.optimize import least_squares
+
+    rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+    phase = _derivative(c, rho, 0)
+    # In the middle of the segment the three coefficients hardly depend on each other.
+    x = rho - 0.5 * (low + high)
+    free = 3 if piston else 2
+    powers = (rho**2, rho, np.ones_like(rho)) if not piston else (x**2, x, np.ones_like(x))
+
+    def residual(p: NDArray[np.float64]) -> NDArray[np.float64]:
+        off = sum(q * power for q, power in zip(p, powers, strict=False)) - phase
+        return np.concatenate([np.cos(off) - 1.0, np.sin(off)])
+
+    a, b, g = start
+    m = 0.5 * (low + high)
+    first = np.array([a, b + 2 * a * m, g + (a * m + b) * m]) if piston else start
+    best = least_squares(residual, first[:free], x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14).x
+    if not piston:
+        return np.array([best[0], best[1], 0.0])
+    return np.array([best[0], best[1] - 2 * best[0] * m, best[2] - (best[1] - best[0] * m) * m])
+
+
+def _swept(
+    c: NDArray[np.float64], low: float, high: float, piston: bool, ranges: tuple[float, float] | None
+) -> NDArray[np.float64]:
+    rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
+    wave = np.exp(1j * _derivative(c, rho, 0))
+    if ranges is None:
+        # Without a piston alpha also makes up for the constant, up to half a turn.
+        spread = 0.0 if piston else math.pi / (0.5 * (low + high)) ** 2
+        alpha = 0.75 * float(_derivative(np.abs(c), high, 2)) + spread + 1.0
+        beta = 1.5 * float(_derivative(np.abs(c), high, 1)) + 2.0 * alpha * high
+    else:
+        alpha, beta = (validation.real("sweep", r, above=0.0) for r in ranges)
+    # A first step changes the phase by no more than half a radian: over the segment, or, where no piston can make up
+    # for what is common to all of it, altogether.
+    reach = high - low if piston else high
+    counts = [min(1201, max(_SWEEP, math.ceil(4.0 * size) | 1)) for size in (alpha * reach**2, beta * reach)]
+    a, b = np.linspace(-alpha, alpha, counts[0]), np.linspace(-beta, beta, counts[1])
+    for level in range(_LEVELS):
+        overlap = np.exp(-1j * np.outer(a, rho**2)) * wave @ np.exp(-1j * np.outer(rho, b)) / _SAMPLES
+        score = np.abs(overlap) if piston else overlap.real
+        i, j = np.unravel_index(int(score.argmax()), score.shape)
+        if level == 0 and (i in (0, a.size - 1) or j in (0, b.size - 1)):
+            raise ValueError(
+                f"sweep range excludes the optimum on [{low:.3g}, {high:.3g}]: the best of |alpha| <= {alpha:.3g}, "
+                f"|beta| <= {beta:.3g} lies on its border"
+            )
+        best = np.array([a[i], b[j], np.angle(overlap[i, j]) if piston else 0.0])
+        a, b = (x[k] + 3.0 * (x[1] - x[0]) * np.linspace(-1.0, 1.0, _SWEEP) for x, k in ((a, i), (b, j)))
+    return best

@@ -28,6 +28,7 @@ ORDER = [
     {"psf"},
     {"metrics", "files", "plot"},
     {"report"},
+    {"paper"},
     {"tables"},
     {"cli"},
 ]

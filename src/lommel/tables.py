@@ -124,3 +124,16 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]]) -> None
     console.print(instrument.name, style="bold")
     console.print(size)
     console.print(table)
+
+
+def print_numbers(rows: list[dict[str, Any]]) -> None:
+    """Print the rows of :func:`lommel.paper.numbers.rows`."""
+    from lommel.paper.numbers import closest_text, number
+
+    table = Table(box=None, pad_edge=False, title="The numbers of the paper", title_justify="left")
+    for name in ("quantity", "paper", "as printed", "corrected", "closest, as printed"):
+        table.add_column(name, justify="left" if name == "quantity" else "right", no_wrap=True)
+    for row in rows:
+        values = [number(row[key]) for key in ("paper", "printed", "corrected")]
+        table.add_row(row["quantity"], *values, closest_text(row["closest"]["printed"]))
+    _console().print(table)

@@ -1,0 +1,160 @@
+"""Figures and table to files, each whole or not at all."""
+
+from __future__ import annotations
+
+import errno
+import io
+import json
+import tempfile
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from lommel.files import write_atomically
+from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical
+from lommel.paper.setting import FigureData
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@dataclass(frozen=True)
+class _Plan:
+    caption: str
+    compute: Callable[[], FigureData]
+    draw: Callable[[FigureData], Figure]
+
+
+FIGURES = {
+    1: _Plan("Methods and cost against n", methods_cost.compute, methods_cost.draw),
+    2: _Plan("Comparison of various forms of J0(a)", bessel_forms.compute, bessel_forms.draw),
+    3: _Plan("PSF comparison between FFT and CFIS", comparison.compute, comparison.draw),
+    4: _Plan("CFIS PSF for varying N", families.by_terms, families.draw_intensity),
+    5: _Plan("Error of the CFIS PSF for varying N", families.by_terms, families.draw_error),
+    6: _Plan("Error of the CFIS PSF for varying defocus", families.by_defocus, families.draw_error),
+    7: _Plan(
+        "Error of the CFIS PSF for varying tangent-line centres (TLC)", families.by_tangent, families.draw_error
+    ),
+    17: _Plan("The piecewise quadratic phase of Eq. (17)", spherical.compute, spherical.draw),
+}
+"""Every figure by its number in the paper; 17 is the equation."""
+
+TABLE = ("table.md", "table.json")
+
+
+def names(number: int) -> tuple[str, str, str]:
+    """Return the file names of a figure: picture, all data, one-dimensional data."""
+    return f"figure-{number}.png", f"figure-{number}.npz", f"figure-{number}.csv"
+
+
+def reproduce(
+    folder: Path,
+    figures: Iterable[int] | None = None,
+    started: Callable[[str], object] = str,
+    *,
+    dpi: float = 130.0,
+) -> dict[str, Any]:
+    """Compute and write figures, and the table if all are wanted.
+
+    Parameters
+    ----------
+    folder : Path
+        Made if it is not there.
+    figures : iterable of int, optional
+        Of :data:`FIGURES`; by default all of them, and the table.
+    started : callable
+        Told what is computed next.
+    dpi : float
+        Of the pictures.
+
+    Returns
+    -------
+    dict
+        "files": their paths; "figures": the facts of each; "table": its rows, or None.
+
+    Raises
+    ------
+    ValueError
+        If a figure does not exist.
+    OSError
+        If the folder cannot be made or written; nothing is then left behind.
+    """
+    wanted = list(FIGURES) if figures is None else list(dict.fromkeys(figures))
+    for number in wanted:
+        if number not in FIGURES:
+            raise ValueError(f"there is no figure {number}; there are {', '.join(map(str, FIGURES))}")
+    targets = [name for number in wanted for name in names(number)] + ([*TABLE] if figures is None else [])
+    _prepare(folder, targets)
+    files: list[str] = []
+
+    def keep(name: str, data: bytes) -> None:
+        write_atomically(folder / name, data)
+        files.append(str(folder / name))
+
+    facts = {}
+    for number in wanted:
+        started(f"Fig. {number}: {FIGURES[number].caption}")
+        data = FIGURES[number].compute()
+        # All three are made before the first is written.
+        made = (picture(FIGURES[number].draw(data), dpi), archive(data), spreadsheet(data))
+        for name, content in zip(names(number), made, strict=True):
+            keep(name, content)
+        facts[str(number)] = {"caption": FIGURES[number].caption} | data.facts
+    table = None
+    if figures is None:
+        started("the numbers")
+        table = numbers.rows()
+        keep(TABLE[0], numbers.markdown(table).encode())
+        keep(TABLE[1], (json.dumps({"rows": table}, indent=2, allow_nan=False) + "\n").encode())
+    return {"files": files, "figures": facts, "table": table}
+
+
+def _prepare(folder: Path, targets: Iterable[str]) -> None:
+    """Make the folder and see that it can be written, before minutes are spent."""
+    made = [part for part in (folder, *folder.parents) if not part.exists()]
+    try:
+        if folder.exists() and not folder.is_dir():
+            raise NotADirectoryError(errno.ENOTDIR, "Not a directory", str(folder))
+        folder.mkdir(parents=True, exist_ok=True)
+        try:
+            with tempfile.TemporaryFile(dir=folder):
+                pass
+        except OSError as error:
+            raise type(error)(error.errno, error.strerror, str(folder)) from None
+        for name in targets:
+            if (folder / name).is_dir():
+                raise IsADirectoryError(errno.EISDIR, "Is a directory", str(folder / name))
+    except OSError:
+        for part in made:
+            if part.is_dir():
+                part.rmdir()
+        raise
+
+
+def picture(figure: Figure, dpi: float) -> bytes:
+    """Return a figure as a PNG."""
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="png", dpi=dpi)
+    return buffer.getvalue()
+
+
+def archive(data: FigureData) -> bytes:
+    """Return the arrays as an .npz, with the facts as JSON in "description"."""
+    buffer = io.BytesIO()
+    arrays: dict[str, Any] = dict(data.arrays)
+    description = json.dumps({"title": data.title} | data.facts, allow_nan=False)
+    np.savez_compressed(buffer, description=np.array(description), **arrays)
+    return buffer.getvalue()
+
+
+def spreadsheet(data: FigureData) -> bytes:
+    """Return the columns as a .csv, names in the first line; a value that is not there is an empty cell."""
+    lines = [",".join(f'"{name}"' if "," in name else name for name in data.columns)]
+    lines += [
+        ",".join("" if np.isnan(value) else f"{value:.9g}" for value in row)
+        for row in zip(*data.columns.values(), strict=True)
+    ]
+    return ("\n".join(lines) + "\n").encode()

@@ -251,14 +251,15 @@ def compare(
 @main.command()
 @click.argument("outdir", type=click.Path(path_type=Path))
 @click.option("--figure", "figures", multiple=True, type=click.Choice(("1", "2", "3", "4", "5", "6", "7", "17")),
-              help="One figure, without the table; may be repeated. 17 is the piecewise fit of Eq. (17).")  # fmt: skip
+              help="One, without the table; may be repeated. 17 is the piecewise fit of Eq. (17).")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print settings, errors and the table as JSON.")
 @_one_line_errors
 def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
     """Regenerate every figure and number of the paper, in OUTDIR, in about half a minute.
 
-    Each figure becomes figure-N.png, figure-N.npz with all of its data and figure-N.csv with its curves. table.md and
-    table.json set each number of the paper beside the one computed, from Eq. (12) as printed and corrected.
+    Each figure becomes figure-N.png, figure-N.npz with all of its data and figure-N.csv with its curves.
+    table.md and table.json set each number of the paper beside the one computed, from
+    Eq. (12) as printed and corrected.
 
     \b
     Examples:

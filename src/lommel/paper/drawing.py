@@ -77,7 +77,7 @@ def picture_rows(
     figure = new_figure(2.35 * columns + 1.3, 2.5 * len(rows) + 0.6)
     figure.suptitle(heading, fontsize=10)
     grid: Any = figure.subplots(len(rows), columns, squeeze=False, sharex=True, sharey=True)
-    drawn = None
+    drawn: Any = None
     for axes_row, images, texts, name in zip(grid, rows, titles, names, strict=True):
         for axes, image, text in zip(axes_row, images, texts, strict=True):
             drawn = picture(axes, image, window, norm, text)

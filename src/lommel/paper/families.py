@@ -21,7 +21,7 @@ TERMS = (10, 20, 30, 40)
 DEFOCUS = (5.0, 10.0, 20.0, 30.0)
 TANGENTS = (100.0, 150.0, 200.0, 250.0)
 TANGENT_DEFOCUS, TANGENT_WINDOW = 22.0, 185.0
-"""C_d of Fig. 7, which the paper leaves out, and the window: those whose errors come closest, see :mod:`lommel.paper.numbers`."""
+"""C_d and window of Fig. 7, which the paper leaves out: where its errors come closest, see `numbers`."""
 
 
 def compute(parameter: str, values: Sequence[float], setting: Setting = Setting()) -> FigureData:  # noqa: B008
@@ -45,7 +45,7 @@ def compute(parameter: str, values: Sequence[float], setting: Setting = Setting(
     columns = {"v": setting.v}
     panels = []
     for value in values:
-        one = replace(setting, **{parameter: value})
+        one = Setting(**setting.facts() | {parameter: value})
         images = {"exact": one.image(REFERENCE), "fft": one.image(one.fft())}
         images |= {variant: one.image(one.closed_form(variant)) for variant in VARIANTS}
         peak = images["exact"].max()

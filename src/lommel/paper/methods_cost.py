@@ -149,8 +149,8 @@ def draw(data: FigureData) -> Figure:
     left.set_title("Cost of an image of n × n pixels", fontsize=10)
     right.set_xlabel("time / one complex FFT of n × n")
     right.set_ylabel("largest difference from the exact PSF / peak")
-    right.annotate("Huygens differs by what the\nFresnel approximation leaves out", (0.97, 0.5), xycoords="axes fraction",
-                   ha="right", fontsize=7, color="tab:brown")  # fmt: skip
+    note = "Huygens differs by what the\nFresnel approximation leaves out"
+    right.annotate(note, (0.97, 0.5), xycoords="axes fraction", ha="right", fontsize=7, color="tab:brown")
     right.set_title("Error against cost, n = 512 where nothing else is said", fontsize=10)
     right.margins(0.15, 0.1)
     for axes in (left, right):

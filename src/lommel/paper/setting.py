@@ -53,7 +53,7 @@ class Setting:
     @property
     def v(self) -> NDArray[np.float64]:
         """Optical coordinate along the slice from the centre to the right."""
-        return np.arange(self.shape - self.shape // 2) * (self.window / (self.shape // 2))
+        return np.arange(self.shape - self.shape // 2, dtype=np.float64) * (self.window / (self.shape // 2))
 
     @property
     def erf(self) -> Erf:

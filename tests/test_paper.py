@@ -1,0 +1,275 @@
+"""Every figure and number of the paper."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical, write
+from lommel.paper.setting import VARIANTS, Setting
+
+SMALL = Setting(shape=96)
+
+
+@pytest.fixture(scope="module")
+def table():
+    return {row["quantity"]: row for row in numbers.rows()}
+
+
+def test_the_window_is_what_the_setting_says():
+    assert SMALL.v[-1] == pytest.approx(145.0 * 47 / 48)
+    assert lm.Grid(96, SMALL.pixel).step(lm.Pupil()) == pytest.approx(145.0 / 48)
+
+
+@pytest.mark.parametrize("window", [100.0, 145.0, 185.0])
+def test_the_fft_of_the_paper_is_as_large_as_the_image(window):
+    setting = Setting(window=window)
+    stride, side, spacing = setting.fft()._layout(lm.Pupil(lm.Wavefront(10.0)), lm.Grid(512, setting.pixel))
+    assert (stride, side) == (1, 512)
+    assert 1.0 / spacing == pytest.approx(window / math.pi)
+
+
+def test_the_first_headline_comes_out_as_printed_within_15_percent(table):
+    row = table["MSE at C_d = 10, TLC = 100, N = 30"]
+    assert row["printed"] == pytest.approx(row["paper"], rel=0.15)
+    assert row["against_fft"] == pytest.approx(row["paper"], rel=0.15)
+    assert row["corrected"] > 1.5 * row["paper"]
+
+
+def test_peak_errors_are_of_the_size_of_the_papers(table):
+    row = table["peak error of the slice"]
+    assert row["printed"] == pytest.approx(row["paper"], rel=0.15)
+    assert row["closest"]["printed"]["value"] == pytest.approx(row["paper"], rel=0.01)
+
+
+def test_the_tangent_line_centre_lowers_the_error_as_printed_and_raises_it_when_corrected(table):
+    near, far = (table[f"MSE of strong defocus at TLC = {t}"] for t in (100, 200))
+    assert near["printed"] == pytest.approx(near["paper"], rel=0.35)
+    assert far["printed"] == pytest.approx(far["paper"], rel=0.15)
+    assert near["printed"] > 6.0 * far["printed"]
+    assert near["corrected"] < far["corrected"]
+
+
+def test_five_quadratics_reach_the_papers_error_without_a_constant_and_a_tenth_of_it_with(table):
+    row = table["MSE of 5 quadratic exponentials"]
+    assert row["printed"] <= 1.4e-4
+    assert row["corrected"] <= 1.5e-5
+    assert row["closest"]["printed"]["value"] == pytest.approx(row["paper"], rel=0.02)
+
+
+def test_where_the_search_says_a_number_is_closest_the_image_has_that_number(table):
+    row = table["MSE of strong defocus at TLC = 100"]
+    for variant in VARIANTS:
+        closest = row["closest"][variant]
+        setting = Setting(**closest["at"])
+        exact = setting.image(lm.Hankel())
+        assert lm.mse(setting.image(setting.closed_form(variant)), exact) == pytest.approx(closest["value"], rel=0.03)
+
+
+def test_every_row_states_its_settings_and_what_was_searched(table):
+    assert len(table) == 5
+    for row in table.values():
+        assert "not in the paper" in row["settings"]
+        assert row["searched"]
+        assert row["remark"]
+        assert set(row["closest"]) == set(VARIANTS)
+
+
+def test_the_mean_over_a_square_of_one_is_one_and_of_v_squared_two_thirds_of_the_window_squared():
+    v = (np.arange(20_000) + 0.5) * 0.01
+    assert numbers.mean_over_window((v, np.ones_like(v)), 100.0) == pytest.approx(1.0)
+    assert numbers.mean_over_window((v, v**2), 100.0) == pytest.approx(2.0e4 / 3.0, rel=1e-4)
+
+
+def test_errors_of_the_comparison_are_those_of_its_images():
+    data = comparison.compute(SMALL)
+    exact = lm.psf(lm.Pupil(lm.Wavefront(10.0)), 96, SMALL.pixel, method=lm.Hankel(), normalize="strehl")
+    np.testing.assert_allclose(data.arrays["exact"], exact.values / exact.values.max(), atol=1e-6)
+    for variant in VARIANTS:
+        error = data.arrays[variant] - data.arrays["exact"]
+        assert data.facts[variant]["mse"] == pytest.approx(np.mean(error**2), rel=1e-3)
+        assert data.facts[variant]["peak_error"] == pytest.approx(np.abs(error).max(), rel=1e-3)
+    assert data.facts["fft"]["mse"] < 0.1 * data.facts["printed"]["mse"]
+
+
+def test_rings_at_the_edge_fade_as_the_series_of_erf_gets_longer():
+    data = families.by_terms(SMALL)
+    for variant in VARIANTS:
+        rims = [data.arrays[f"{variant}_{n}"][0].mean() for n in families.TERMS]
+        assert all(later < earlier for earlier, later in pairwise(rims))
+        errors = [panel[variant]["mse"] for panel in data.facts["panels"]]
+        assert errors == sorted(errors, reverse=True)
+
+
+def test_strong_defocus_is_worse_as_printed():
+    panels = families.by_defocus(SMALL).facts["panels"]
+    errors = [panel["printed"]["mse"] for panel in panels if panel["defocus"] >= 10]
+    assert errors == sorted(errors)
+
+
+def test_the_tangent_line_figure_has_the_settings_of_the_table():
+    data = families.by_tangent(SMALL)
+    assert (data.facts["defocus"], data.facts["window"]) == (numbers.SECOND.defocus, numbers.SECOND.window)
+    errors = {panel["tangent"]: panel["printed"]["mse"] for panel in data.facts["panels"]}
+    assert errors[200.0] < 0.2 * errors[100.0]
+
+
+def test_forms_of_j0_agree_where_each_is_meant_to_hold():
+    c = bessel_forms.compute(samples=301).columns
+    assert np.abs(c["error of series"][c["a"] <= 1.0]).max() < 5e-4
+    assert np.abs(c["error of asymptotic"][c["a"] > 50.0]).max() < 5e-4
+    beyond = c["a"] > 1.0
+    ratio = c["corrected"][beyond] / c["printed"][beyond]
+    np.testing.assert_allclose(ratio, math.sqrt(2.0 / math.pi))
+
+
+def test_costs_are_ratios_to_one_fft_and_a_method_over_its_budget_is_left_out():
+    data = methods_cost.compute(sizes=(16, 32), budget=0.0)
+    names = list(data.arrays["methods"])
+    assert np.all(data.arrays["ratio"][:, 0] > 0)
+    assert np.all(np.isnan(data.arrays["ratio"][:, 1]))
+    errors = dict(zip(names, data.arrays["peak_error"][:, 0], strict=True))
+    assert errors["Hankel"] < 1e-8
+    assert errors["NijboerZernike"] < 1e-6
+    assert 0.01 < errors["CFIS, Eq. (14), N = 30"] < 0.6
+    assert errors["Huygens, every pixel"] == pytest.approx(errors["Huygens, every radius"], rel=1e-3)
+
+
+def test_pieces_of_the_quartic_phase_are_worse_by_their_mse_only():
+    data = spherical.compute(samples=4000, most=5)
+    for kind in ("printed", "corrected"):
+        mean = np.mean(data.columns[f"{kind} error"] ** 2)
+        assert data.facts[kind]["mse"] == pytest.approx(mean, rel=1e-2)
+    assert not np.any(data.arrays["printed_gamma"])
+    assert data.arrays["mse_linear_printed"][4] == pytest.approx(data.facts["printed"]["mse"])
+
+
+@pytest.mark.parametrize(
+    ("data", "draw", "panels"),
+    [
+        (lambda: methods_cost.compute(sizes=(16,), budget=0.0), methods_cost.draw, 2),
+        (lambda: bessel_forms.compute(samples=51), bessel_forms.draw, 2),
+        (lambda: comparison.compute(SMALL), comparison.draw, 7),
+        (lambda: families.compute("terms", (10, 30), SMALL), families.draw_intensity, 5),
+        (lambda: families.compute("defocus", (5.0, 20.0), SMALL), families.draw_error, 5),
+        (lambda: spherical.compute(samples=50, most=5), spherical.draw, 3),
+    ],
+    ids=["cost", "bessel", "comparison", "intensity", "error", "spherical"],
+)
+def test_every_figure_is_drawn_and_its_data_read_back(data, draw, panels):
+    made = data()
+    figure = draw(made)
+    figure.canvas.draw()
+    assert len(figure.axes) == panels
+    assert all(axes.get_xlabel() or axes.images or axes.get_ylabel() for axes in figure.axes)
+    with np.load(io.BytesIO(write.archive(made)), allow_pickle=False) as file:
+        assert set(file.files) == {*made.arrays, "description"}
+        assert json.loads(str(file["description"]))["title"] == made.title
+    rows = list(csv.reader(io.StringIO(write.spreadsheet(made).decode())))
+    assert rows[0] == list(made.columns)
+    for k, values in enumerate(made.columns.values()):
+        read = [math.nan if row[k] == "" else float(row[k]) for row in rows[1:]]
+        np.testing.assert_allclose(read, values, rtol=1e-8)
+
+
+def test_pictures_compared_with_each_other_share_their_scale():
+    figure = families.draw_error(families.compute("terms", (10, 30), SMALL))
+    limits = {(image.norm.vmin, image.norm.vmax) for axes in figure.axes for image in axes.images}
+    assert len(limits) == 1
+
+
+@pytest.mark.parametrize("extra", [(), ("--json",)])
+def test_figures_are_written_as_picture_data_and_table(run_lommel, tmp_path, extra):
+    result = run_lommel("paper", "new/out", "--figure", 2, "--figure", 17, *extra, folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    files = sorted(path.name for path in (tmp_path / "new" / "out").iterdir())
+    assert files == sorted([*write.names(2), *write.names(17)])
+    assert (tmp_path / "new/out/figure-2.png").read_bytes().startswith(b"\x89PNG")
+    if extra:
+        facts = json.loads(result.stdout)
+        assert list(facts["figures"]) == ["2", "17"]
+        assert facts["table"] is None
+        assert len(facts["files"]) == 6
+    else:
+        assert "wrote new/out/figure-17.csv" in result.stdout
+
+
+def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp_path, monkeypatch):
+    tiny = dict.fromkeys(write.FIGURES, write._Plan("tiny", lambda: bessel_forms.compute(51), bessel_forms.draw))
+    monkeypatch.setattr(write, "FIGURES", tiny)
+    monkeypatch.setattr(numbers, "WINDOWS", np.array([145.0, 150.0]))
+    monkeypatch.setattr(numbers, "DEFOCI", np.array([22.0]))
+    monkeypatch.setattr(numbers, "SPHERICALS", np.array([10.0]))
+    result = call_lommel("paper", "out", folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    wanted = {name for number in tiny for name in write.names(number)} | set(write.TABLE)
+    assert {path.name for path in (tmp_path / "out").iterdir()} == wanted
+    rows = json.loads((tmp_path / "out/table.json").read_text(encoding="utf-8"))["rows"]
+    text = (tmp_path / "out/table.md").read_text(encoding="utf-8")
+    for row in rows:
+        assert row["quantity"] in text
+        assert row["quantity"] in result.stdout
+        assert numbers.number(row["printed"]) in text
+
+
+def test_the_choices_of_the_command_line_are_the_figures_there_are(call_lommel, tmp_path):
+    result = call_lommel("paper", "out", "--figure", 9, folder=tmp_path)
+    assert result.returncode == 2
+    for number in write.FIGURES:
+        assert f"'{number}'" in result.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_figure_that_does_not_exist_is_refused_before_a_folder_is_made(tmp_path):
+    with pytest.raises(ValueError, match="there is no figure 9; there are 1, 2, 3, 4, 5, 6, 7, 17"):
+        write.reproduce(tmp_path / "out", [9])
+    assert not list(tmp_path.iterdir())
+
+
+def in_a_file(folder):
+    (folder / "file").write_text("mine", encoding="utf-8")
+    return "file/out"
+
+
+def a_file(folder):
+    (folder / "file").write_text("mine", encoding="utf-8")
+    return "file"
+
+
+def a_folder_in_the_way(folder):
+    (folder / "out" / "figure-2.png").mkdir(parents=True)
+    return "out"
+
+
+@pytest.mark.parametrize(
+    ("prepare", "message"),
+    [
+        (in_a_file, "Error: file/out: Not a directory\n"),
+        (a_file, "Error: file: Not a directory\n"),
+        (a_folder_in_the_way, "Error: out/figure-2.png: Is a directory\n"),
+    ],
+)
+def test_a_folder_that_cannot_be_written_is_one_line_and_leaves_nothing(call_lommel, tmp_path, prepare, message):
+    target = prepare(tmp_path)
+    before = sorted(tmp_path.rglob("*"))
+    result = call_lommel("paper", target, "--figure", 2, folder=tmp_path)
+    assert (result.returncode, result.stdout, result.stderr) == (2, "", message)
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_a_folder_made_in_vain_is_taken_away_again(call_lommel, tmp_path, monkeypatch):
+    def full(*, dir):  # noqa: A002
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(write.tempfile, "TemporaryFile", full)
+    result = call_lommel("paper", "new/out", "--figure", 2, folder=tmp_path)
+    assert result.returncode == 2
+    assert result.stderr == "Error: new/out: No space left on device\n"
+    assert not list(tmp_path.iterdir())

@@ -28,13 +28,13 @@ pictures are written by `.venv/bin/python docs/make_paper.py`.
 
 **Settings.** 512 x 512 pixels, C_d = 10, tangent-line centre TLC = 100, N = 30 terms of Eq. (14), unless a figure
 varies them. Lengths on the sensor are `v = pi r / (lambda N)` with the working f-number N; this is `2 pi k R_max` of
-the paper. The paper does not give the window; here v reaches 145 at the edge of the image on the axis, where its first
-MSE comes out (185 for Fig. 7). MSE is the mean over the image of the squared error, over the squared peak of the exact
-PSF.
+the paper. The paper does not give the window; here v reaches 145 at the edge of the image on the axis, where its
+first MSE comes out (185 for Fig. 7). MSE is the mean over the image of the squared error, over the squared peak of
+the exact PSF.
 
 **Reference.** Errors are taken from the exact PSF: `NijboerZernike(tol=1e-9)`, whose error bound is proven. The FFT
-beside it is what the paper most likely compares with: one transform as large as the image, without more padding, which
-samples the pupil with a radius of 145 / pi = 46 samples.
+beside it is what the paper most likely compares with: one transform as large as the image, without more padding,
+which samples the pupil with a radius of 145 / pi = 46 samples.
 
 **Variants.** "Printed" is Eq. (12) as printed, without the factor sqrt(2/pi) of Eq. (7); the paper's figures and
 numbers come from it. "Corrected" has the factor. Everything else that is misprinted is corrected in both, see
@@ -73,11 +73,14 @@ NOTES = {
 }
 
 
-def small(picture: bytes) -> bytes:
-    """Return a PNG in 128 colours, a quarter of the size."""
+def small(picture: bytes, number: int) -> bytes:
+    """Return a PNG of fewer bytes; few colours suffice where there are no curves."""
     buffer = io.BytesIO()
     with Image.open(io.BytesIO(picture)) as image:
-        image.convert("RGB").quantize(128, dither=Image.Dither.NONE).save(buffer, format="png", optimize=True)
+        plain = image.convert("RGB")
+        if number in (4, 5, 6, 7):
+            plain = plain.quantize(256, dither=Image.Dither.NONE)
+        plain.save(buffer, format="png", optimize=True)
     return buffer.getvalue()
 
 
@@ -107,16 +110,15 @@ def main() -> None:
         made = reproduce(Path(folder), started=print, dpi=85)
         for number in FIGURES:
             picture = (Path(folder) / f"figure-{number}.png").read_bytes()
-            write_atomically(HERE / "paper" / f"figure-{number}.png", small(picture))
+            write_atomically(HERE / "paper" / f"figure-{number}.png", small(picture, number))
     parts.append(numbers.markdown(made["table"]))
     for number, plan in FIGURES.items():
         name = "Eq. 17" if number == 17 else f"Fig. {number}"
-        parts.append(
-            f"\n## {name}. {plan.caption}\n\n![{plan.caption}](paper/figure-{number}.png)\n\n{NOTES[number]}\n"
-        )
+        shown = f"![{plan.caption}](paper/figure-{number}.png)"
+        parts.append(f"\n## {name}. {plan.caption}\n\n{shown}\n\n{textwrap.fill(NOTES[number], 118)}\n")
     parts.append(
-        "\n## Errata\n\nFound by integrating what stands under each integral of the appendix by quadrature; equations "
-        "(18) to (20) are correct as printed.\n\n" + errata()
+        "\n## Errata\n\nFound by integrating what stands under each integral of the appendix by quadrature; "
+        "equations (18) to (20) are correct as printed.\n\n" + errata()
     )
     write_atomically(HERE / "paper.md", "".join(parts).encode())
 

@@ -118,7 +118,7 @@ def main() -> None:
         parts.append(f"\n## {name}. {plan.caption}\n\n{shown}\n\n{textwrap.fill(NOTES[number], 118)}\n")
     parts.append(
         "\n## Errata\n\nFound by integrating what stands under each integral of the appendix by quadrature; "
-        "equations (18) to (20) are correct as printed.\n\n" + errata()
+        "equations\n(18) to (20) are correct as printed.\n\n" + errata()
     )
     write_atomically(HERE / "paper.md", "".join(parts).encode())
 

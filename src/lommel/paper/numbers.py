@@ -97,9 +97,9 @@ def _tangent_rows(setting: Setting) -> list[dict[str, Any]]:
     apart = [_apart(value, paper) for value, paper in zip(best["printed"]["values"], PAPER_TANGENT, strict=True)]
     remark = (
         "The two do not come out together: no C_d and window of the range gives both within 10 %. Closest, as "
-        f"printed, the one for TLC = {TANGENTS[0]:g} is {apart[0]} and the one for {TANGENTS[1]:g} {apart[1]}. That the "
-        "error falls so much does come out. With the factor restored it rises, unless the window is so large that the "
-        "rings of Eq. (14) make up the error, as they do where that variant is closest."
+        f"printed, the one for TLC = {TANGENTS[0]:g} is {apart[0]} and the one for {TANGENTS[1]:g} {apart[1]}. "
+        "That the error falls so much does come out. With the factor restored it rises, unless the window is so "
+        "large that the rings of Eq. (14) make up the error, as they do where that variant is closest."
     )
     return [
         {

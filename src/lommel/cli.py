@@ -32,6 +32,7 @@ METHOD_NAMES = (
     "huygens-fresnel",
     "fraunhofer",
     "closed-form",
+    "tuned-closed-form",
     "geometric",
 )
 

@@ -220,3 +220,27 @@ def test_no_bound_is_claimed() -> None:
     answer = lm.psf(Pupil(Wavefront(3.0)), 5, 0.5, method=ClosedForm())
     assert answer.error_bound is None
     assert np.all(np.isfinite(answer.values))
+
+
+@pytest.mark.parametrize("variant", ["printed", "corrected"])
+@pytest.mark.parametrize(
+    ("wavefront", "pixel"), [(Wavefront(10.0), 0.3), (Wavefront(40.0), 1.0), (Wavefront(5.0, 9.0), 0.5)]
+)
+def test_the_best_form_of_a_window_is_better_than_any_other_centre(
+    wavefront: Wavefront, pixel: float, variant: str
+) -> None:
+    pupil = Pupil(wavefront)
+    best = ClosedForm.best(pupil, 61, pixel, variant=variant)
+    exact = lm.psf(pupil, 61, pixel)
+    least = lm.mse(lm.psf(pupil, 61, pixel, method=best), exact)
+    for tangent in (2.0, 10.0, 30.0, 100.0, 0.9 * best.tangent, 1.1 * best.tangent):
+        other = ClosedForm(tangent=tangent, variant=variant)
+        assert least <= 1.03 * lm.mse(lm.psf(pupil, 61, pixel, method=other), exact)
+    assert isinstance(best.erf, AbramowitzErf | FresnelErf)
+
+
+def test_the_best_form_of_what_is_no_single_window_is_refused() -> None:
+    with pytest.raises(ValueError, match="pupil must be a single one"):
+        ClosedForm.best(Pupil(Wavefront([1.0, 2.0])), 9, 0.5)
+    with pytest.raises(TypeError, match="tangent and erf"):
+        ClosedForm.best(Pupil(Wavefront(1.0)), 9, 0.5, tangent=3.0)

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lommel/bessel.hpp"
+#include "lommel/closed_form.hpp"
 #include "lommel/huygens.hpp"
 #include "lommel/images.hpp"
 #include "lommel/legendre.hpp"
@@ -235,6 +236,50 @@ Out<complex, 1> huygens_sum(In<double, 1> x, In<double, 1> y, In<complex, 1> amp
     return out;
 }
 
+Out<complex, 1> closed_form_field(In<double, 1> edges, In<double, 1> alpha, In<double, 1> beta, In<double, 1> gamma,
+                                  double transition, double ratio, std::size_t terms, In<double, 1> v) {
+    const std::size_t pieces = alpha.shape(0);
+    require(pieces > 0 && edges.shape(0) == pieces + 1 && beta.shape(0) == pieces && gamma.shape(0) == pieces,
+            "alpha, beta and gamma must have one value a piece, edges one more");
+    require(transition > 0.0 && ratio > 1.0 && ratio < 10.0, "transition must be positive, ratio from 1 to 10");
+    require(terms >= 1 && terms <= 40, "terms must be from 1 to 40");
+    double reach = 0.0;
+    for (std::size_t i = 0; i < v.shape(0); ++i) {
+        require(v.data()[i] >= 0.0 && v.data()[i] < 1e9, "v must be from 0 to below 1e9");
+        reach = std::max(reach, v.data()[i]);
+    }
+    auto out = new_array<complex, 1>({v.shape(0)});
+    nb::gil_scoped_release nogil;
+    const lommel::HankelPieces hankel(transition, ratio, reach, terms);
+    const lommel::ClosedFormField field({edges.data(), alpha.data(), beta.data(), gamma.data(), pieces}, hankel);
+    for (std::size_t i = 0; i < v.shape(0); ++i) {
+        out.data()[i] = field(v.data()[i]);
+    }
+    return out;
+}
+
+Out<complex, 1> fresnel_auxiliary(In<double, 1> s) {
+    auto out = new_array<complex, 1>({s.shape(0)});
+    nb::gil_scoped_release nogil;
+    for (std::size_t i = 0; i < s.shape(0); ++i) {
+        require(s.data()[i] >= 0.0, "s must be at least 0");
+        out.data()[i] = lommel::FresnelAuxiliary::at(s.data()[i]);
+    }
+    return out;
+}
+
+Out<double, 1> chebyshev_intensity(In<complex, 2> pieces, double width, In<double, 1> v) {
+    require(pieces.shape(0) > 0 && pieces.shape(1) == 16, "pieces must have the shape (pieces, 16)");
+    require(width > 0.0, "width must be positive");
+    for (std::size_t i = 0; i < v.shape(0); ++i) {
+        require(v.data()[i] >= 0.0, "v must be at least 0");
+    }
+    auto out = new_array<double, 1>({v.shape(0)});
+    nb::gil_scoped_release nogil;
+    lommel::chebyshev_intensity(pieces.data(), pieces.shape(0), width, v.data(), v.shape(0), out.data());
+    return out;
+}
+
 void limit_instructions(const std::string& level) {
     if (level == "portable") {
         lommel::level_limit() = lommel::Level::portable;
@@ -293,6 +338,12 @@ NB_MODULE(_core, m) {
           "I at rising v, bounds on its error over the peak, negative where tol cannot be met, and the peaks.");
     m.def("huygens_sum", &huygens_sum, "x"_a, "y"_a, "amplitude"_a, "sx"_a, "sy"_a, "distance"_a, "wavenumber"_a,
           "Sum of spherical wavelets from sources (x, y, 0) at sensor points (sx, sy, distance).");
+    m.def("closed_form_field", &closed_form_field, "edges"_a, "alpha"_a, "beta"_a, "gamma"_a, "transition"_a, "ratio"_a,
+          "terms"_a, "v"_a,
+          "U of the phase alpha R^2 + beta R + gamma on pieces, by Hankel's expansion on pieces that grow by ratio.");
+    m.def("fresnel_auxiliary", &fresnel_auxiliary, "s"_a, "exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0.");
+    m.def("chebyshev_intensity", &chebyshev_intensity, "pieces"_a, "width"_a, "v"_a,
+          "|U|^2 at v from the Chebyshev coefficients of U on pieces.");
     m.def("instructions", &instructions, "The widest instructions in use: portable, avx2 or avx512.");
     m.def("limit_instructions", &limit_instructions, "level"_a, "Use no wider instructions than these.");
 }

@@ -85,3 +85,9 @@ def test_a_grid_cannot_be_changed_and_can_be_a_key():
 def test_writing_into_the_radii_of_one_grid_spares_the_next():
     lm.Grid((6, 6), 1.0).radii[:] = 99.0
     assert lm.Grid((6, 6), 1.0).radii[0] == 0.0
+
+
+@given(grids)
+def test_the_multiplicity_counts_the_pixels_at_each_radius(grid):
+    counted = np.unique(np.round(distances(grid) / grid.pixel, 9), return_counts=True)[1]
+    assert np.array_equal(grid.multiplicity, counted)

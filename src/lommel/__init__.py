@@ -23,6 +23,7 @@ if TYPE_CHECKING:
         NijboerZernike,
         Polychromatic,
         ToleranceError,
+        TunedClosedForm,
     )
     from lommel.metrics import best_focus, mse, peak_error
     from lommel.pupil import Pupil
@@ -48,6 +49,7 @@ _HOME = {
     "LommelSeries": "methods.lommel_series",
     "Method": "methods.method",
     "ToleranceError": "methods.method",
+    "TunedClosedForm": "methods.tuned_closed_form",
     "Polychromatic": "methods.polychromatic",
     "NijboerZernike": "methods.nijboer_zernike",
     "Pupil": "pupil",
@@ -74,6 +76,7 @@ __all__ = [
     "Pupil",
     "TableErf",
     "ToleranceError",
+    "TunedClosedForm",
     "Wavefront",
     "best_focus",
     "load_instrument",

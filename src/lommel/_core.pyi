@@ -70,6 +70,17 @@ def huygens_sum(x: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='
     Sum of spherical wavelets from sources (x, y, 0) at sensor points (sx, sy, distance).
     """
 
+def closed_form_field(edges: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], alpha: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], beta: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gamma: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], transition: float, ratio: float, terms: int, v: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.complex128], dict(shape=(None,), order='C', device='cpu')]:
+    """
+    U of the phase alpha R^2 + beta R + gamma on pieces, by Hankel's expansion on pieces that grow by ratio.
+    """
+
+def fresnel_auxiliary(s: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.complex128], dict(shape=(None,), order='C', device='cpu')]:
+    """exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0."""
+
+def chebyshev_intensity(pieces: Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu', writable=False)], width: float, v: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]:
+    """|U|^2 at v from the Chebyshev coefficients of U on pieces."""
+
 def instructions() -> str:
     """The widest instructions in use: portable, avx2 or avx512."""
 

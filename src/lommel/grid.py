@@ -78,6 +78,12 @@ class Grid:
         """Distinct distances of pixel centres from a centred axis, rising, in the unit of `pixel`."""
         return np.sqrt(_quadrant(*self.shape)[0]) * self.pixel
 
+    @property
+    def multiplicity(self) -> NDArray[np.int64]:
+        """How many pixels there are at each of the distinct :attr:`radii`."""
+        ranks = self.unfold(_quadrant(*self.shape)[1])
+        return np.bincount(ranks.ravel())
+
     def step(self, pupil: Pupil) -> float:
         """Return the pixel pitch in v, ``pi pixel / (lambda N)``."""
         return math.pi * self.pixel / pupil.scale
@@ -86,7 +92,7 @@ class Grid:
         """Return the optical coordinate of the distinct :attr:`radii`."""
         return pupil.v(self.radii)
 
-    def unfold(self, quadrant: NDArray[np.float64]) -> NDArray[np.float64]:
+    def unfold(self, quadrant: NDArray[Any]) -> NDArray[Any]:
         """Return images from their quadrants, ``(..., height // 2 + 1, width // 2 + 1)`` from the axis outwards."""
         rows = np.abs(np.arange(self.height) - self.height // 2)
         columns = np.abs(np.arange(self.width) - self.width // 2)

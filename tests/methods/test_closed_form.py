@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -12,6 +13,9 @@ from numpy.typing import NDArray
 
 import lommel as lm
 from lommel import AbramowitzErf, ClosedForm, FresnelErf, Hankel, Pupil, TableErf, Wavefront
+from lommel.special.bessel import j0_series, tangent_line
+from lommel.special.legendre import gauss_legendre
+from lommel.special.piecewise import fit_quadratics
 
 DEFOCUS = [0.0, 1e-6, 1e-3, 0.049, 0.051, 0.1, 1.0, 10.0, 50.0, -50.0, 200.0]
 V = np.array([1e-8, 1e-3, 0.5, 1.0, 1.0001, 2.9, 7.9, 8.1, 20.0, 57.3, 145.0, 333.3, 569.0, 800.0])
@@ -147,10 +151,47 @@ def test_as_printed_the_error_falls_with_the_tangent_as_in_the_paper(tangent: fl
     assert lm.mse(answer, exact) == pytest.approx(reported, rel=0.03)
 
 
-@pytest.mark.parametrize("wavefront", [Wavefront(1.0, 1e-9), Wavefront(1.0, 0.0, [2.0])])
-def test_anything_but_defocus_is_refused(wavefront: Wavefront) -> None:
-    with pytest.raises(ValueError, match="ClosedForm supports defocus only"):
-        lm.psf(Pupil(wavefront), 5, 0.5, method=ClosedForm())
+@pytest.mark.parametrize("piston", [True, False])
+@pytest.mark.parametrize("split", ["linear", "sqrt", "log", "optimal"])
+@pytest.mark.parametrize("wavefront", [Wavefront(0.0, 10.0), Wavefront(-20.0, 20.0), Wavefront(50.0, -100.0)])
+def test_piecewise_phases_are_integrated_exactly(wavefront: Wavefront, split: str, piston: bool) -> None:
+    """Against quadrature of the surrogate of J0 with the same pieces, inflection points included."""
+    method = ClosedForm(segments=7, split=split, piston=piston, tangent=60.0, transition=2.0, terms=6)
+    c = wavefront.coefficients
+    pieces = fit_quadratics(c.tolist(), 7, split=split, piston=piston)
+    v = np.array([0.0, 0.3, 1.9999, 2.5, 17.0, 90.0, 250.0])
+    a, b = tangent_line(60.0)
+    for at, value in zip(v, method.field(Pupil(wavefront), v), strict=True):
+        transition = min(1.0, 2.0 / at) if at else 1.0
+        breaks = np.unique(np.concatenate([pieces.edges, [transition]]))
+        total = 0.0j
+        for low, high in itertools.pairwise(breaks):
+            x, w = gauss_legendre(260, low, high)
+            phase = pieces.phase(x)
+            if high <= transition:
+                kernel = j0_series(at * x, 6)
+            else:
+                amplitude = a * at * x + b + 1.0 / (at * x)
+                kernel = math.sqrt(2 / math.pi) * amplitude * np.cos(at * x - math.pi / 4)
+            total += 2 * np.sum(w * x * kernel * np.exp(1j * phase))
+        assert abs(value - total) <= 1e-10
+
+
+@pytest.mark.parametrize(("defocus", "spherical"), [(0.0, 20.0), (-30.0, 60.0), (10.0, -200.0), (200.0, 200.0)])
+def test_more_segments_bring_it_to_what_it_makes_of_the_exact_phase(defocus: float, spherical: float) -> None:
+    """The error falls as 1/S^3, by the bound of the fit, down to that of the surrogate of J0."""
+    v = np.linspace(0.0, 120.0, 61)
+    pupil = Pupil(Wavefront(defocus, spherical))
+
+    def field(segments: int) -> NDArray[np.complex128]:
+        return ClosedForm(segments=segments, transition=8.0, terms=28, tangent=40.0).field(pupil, v)
+
+    exact = field(400)
+    for segments in (8, 32):
+        bound = fit_quadratics(pupil.wavefront.coefficients.tolist(), segments).bound
+        assert bound is not None
+        # |J0's surrogate| is below 1.6 here, and 2 int R dR = 1.
+        assert np.abs(field(segments) - exact).max() <= 1.6 * bound
 
 
 @pytest.mark.parametrize(
@@ -179,3 +220,27 @@ def test_no_bound_is_claimed() -> None:
     answer = lm.psf(Pupil(Wavefront(3.0)), 5, 0.5, method=ClosedForm())
     assert answer.error_bound is None
     assert np.all(np.isfinite(answer.values))
+
+
+@pytest.mark.parametrize("variant", ["printed", "corrected"])
+@pytest.mark.parametrize(
+    ("wavefront", "pixel"), [(Wavefront(10.0), 0.3), (Wavefront(40.0), 1.0), (Wavefront(5.0, 9.0), 0.5)]
+)
+def test_the_best_form_of_a_window_is_better_than_any_other_centre(
+    wavefront: Wavefront, pixel: float, variant: str
+) -> None:
+    pupil = Pupil(wavefront)
+    best = ClosedForm.best(pupil, 61, pixel, variant=variant)
+    exact = lm.psf(pupil, 61, pixel)
+    least = lm.mse(lm.psf(pupil, 61, pixel, method=best), exact)
+    for tangent in (2.0, 10.0, 30.0, 100.0, 0.9 * best.tangent, 1.1 * best.tangent):
+        other = ClosedForm(tangent=tangent, variant=variant)
+        assert least <= 1.03 * lm.mse(lm.psf(pupil, 61, pixel, method=other), exact)
+    assert isinstance(best.erf, AbramowitzErf | FresnelErf)
+
+
+def test_the_best_form_of_what_is_no_single_window_is_refused() -> None:
+    with pytest.raises(ValueError, match="pupil must be a single one"):
+        ClosedForm.best(Pupil(Wavefront([1.0, 2.0])), 9, 0.5)
+    with pytest.raises(TypeError, match="tangent and erf"):
+        ClosedForm.best(Pupil(Wavefront(1.0)), 9, 0.5, tangent=3.0)

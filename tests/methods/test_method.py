@@ -105,7 +105,8 @@ def test_what_each_method_supports() -> None:
         "lommel-series": [True, False, True],
         "huygens-fresnel": [False, False, True],
         "fraunhofer": [True, True, True],
-        "closed-form": [True, False, True],
+        "closed-form": [True, True, True],
+        "tuned-closed-form": [True, True, True],
         "geometric": [True, True, True],
     }
 

@@ -13,6 +13,7 @@ from lommel.methods.lommel_series import LommelSeries
 from lommel.methods.method import FieldMethod, Method, RadialMethod, ToleranceError
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
+from lommel.methods.tuned_closed_form import TunedClosedForm
 from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
 
 METHODS: dict[str, type[Method]] = {
@@ -22,6 +23,7 @@ METHODS: dict[str, type[Method]] = {
     "huygens-fresnel": HuygensFresnel,
     "fraunhofer": Fraunhofer,
     "closed-form": ClosedForm,
+    "tuned-closed-form": TunedClosedForm,
     "geometric": Geometric,
 }
 """Every method by the name the command line uses."""
@@ -63,5 +65,6 @@ __all__ = [
     "Polychromatic",
     "RadialMethod",
     "ToleranceError",
+    "TunedClosedForm",
     "method_from_dict",
 ]

@@ -16,7 +16,7 @@ SPLITS = ("linear", "sqrt", "log", "optimal")
 FITS = ("interpolation", "least-squares", "sweep")
 
 _SAMPLES = 96  # of each segment, where an error is averaged over it
-_SWEEP, _LEVELS = 61, 4  # values of each coefficient in a sweep, and sweeps, each around the best of the last
+_SWEEP, _LEVELS, _TOPS = 31, 3, 24  # values of each coefficient in a finer sweep, finer sweeps, and how many places
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,13 +54,15 @@ class PiecewiseQuadratic:
 def split_edges(segments: int, split: str = "optimal") -> NDArray[np.float64]:
     r"""Return the edges of `segments` segments of [0, 1].
 
-    "linear": ``i/S``. "sqrt": ``sqrt(i/S)``. "log": ``log(1 + (e-1) i/S)``. "optimal": ``(i/S)^(3/4)``, which
-    makes the errors of a quartic phase equal, ``|phi'''| h^3 / 192`` with ``phi''' = 24 C_s rho``.
+    "linear": ``i/S``. "sqrt": ``sqrt(i/S)``. "log": ``log(1 + (e-1) i/S)``. "optimal":
+    ``((i - 0.123) / (S - 0.123))^(3/4)`` for i > 0, which makes the errors of a quartic phase equal: they go like
+    ``rho h^3`` but in the first segment, where they go like ``0.625 h^4``; hence the shift.
     """
     count = validation.integer("segments", segments, least=1, most=4096)
     validation.choice("split", split, SPLITS)
     x = np.linspace(0.0, 1.0, count + 1)
-    forms = {"linear": x, "sqrt": np.sqrt(x), "log": np.log1p((math.e - 1.0) * x), "optimal": x**0.75}
+    even = np.maximum(count * x - 0.123, 0.0) / (count - 0.123)
+    forms = {"linear": x, "sqrt": np.sqrt(x), "log": np.log1p((math.e - 1.0) * x), "optimal": even**0.75}
     edges = forms[split]
     edges[-1] = 1.0
     return edges
@@ -86,7 +88,7 @@ def fit_quadratics(
     split : {"optimal", "linear", "sqrt", "log"}
         See :func:`split_edges`.
     fit : {"interpolation", "least-squares", "sweep"}
-        "interpolation": at the Chebyshev points of each segment, with the proven bound ``max|phi'''| h^3 / 192``
+        "interpolation": at the Chebyshev points of each segment, with a proven bound, about ``max|phi'''| h^3 / 192``
         (without piston, where that is impossible: through value, up to whole turns, and slope in the middle, without
         a bound). "least-squares": of ``exp(i phase)``, from there. "sweep": the paper's search over alpha and beta,
         here repeated around the best with finer steps.
@@ -118,9 +120,7 @@ def fit_quadratics(
     alpha, beta, gamma = np.array(rows).T
     bound = None
     if piston and fit == "interpolation":
-        # |phi'''| is largest at the outer end of a segment if all terms have one sign, and at most the sum otherwise.
-        third = _derivative(np.abs(c), edges[1:], 3)
-        bound = float((third * np.diff(edges) ** 3).max() / 192.0)
+        bound = float(_interpolation_error(np.abs(c), edges).max())
     return PiecewiseQuadratic(edges, alpha, beta, gamma, bound)
 
 
@@ -131,6 +131,19 @@ def _derivative(
     polynomial = np.zeros(2 * len(coefficients) + 1)
     polynomial[2::2] = coefficients
     return np.asarray(np.polynomial.Polynomial(polynomial).deriv(order)(np.asarray(rho)))
+
+
+def _interpolation_error(c: NDArray[np.float64], edges: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Bound the error on each segment: at most h^3 / 32 times the third divided difference of the phase.
+
+    That of rho^4 is the sum of its four points, 1.5 (low + high) of them the nodes; that of rho^(2k) at most its
+    value with all points at the outer end.
+    """
+    low, high = edges[:-1], edges[1:]
+    difference = np.zeros(low.size)
+    for k, size in enumerate(c[1:], 2):
+        difference += size * (1.5 * (low + high) + high if k == 2 else math.comb(2 * k, 3) * high ** (2 * k - 3))
+    return np.asarray((high - low) ** 3 / 32.0 * difference)
 
 
 def _interpolated(c: NDArray[np.float64], low: float, high: float) -> NDArray[np.float64]:
@@ -180,6 +193,8 @@ def _least_squares(
 def _swept(
     c: NDArray[np.float64], low: float, high: float, piston: bool, ranges: tuple[float, float] | None
 ) -> NDArray[np.float64]:
+    from scipy.ndimage import maximum_filter
+
     rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     wave = np.exp(1j * _derivative(c, rho, 0))
     if ranges is None:
@@ -194,15 +209,32 @@ def _swept(
     reach = high - low if piston else high
     counts = [min(1201, max(_SWEEP, math.ceil(4.0 * size) | 1)) for size in (alpha * reach**2, beta * reach)]
     a, b = np.linspace(-alpha, alpha, counts[0]), np.linspace(-beta, beta, counts[1])
-    for level in range(_LEVELS):
+
+    def scores(a: NDArray[np.float64], b: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         overlap = np.exp(-1j * np.outer(a, rho**2)) * wave @ np.exp(-1j * np.outer(rho, b)) / _SAMPLES
-        score = np.abs(overlap) if piston else overlap.real
-        i, j = np.unravel_index(int(score.argmax()), score.shape)
-        if level == 0 and (i in (0, a.size - 1) or j in (0, b.size - 1)):
-            raise ValueError(
-                f"sweep range excludes the optimum on [{low:.3g}, {high:.3g}]: the best of |alpha| <= {alpha:.3g}, "
-                f"|beta| <= {beta:.3g} lies on its border"
+        return (np.abs(overlap) if piston else overlap.real), np.angle(overlap)
+
+    score, _ = scores(a, b)
+    i, j = np.unravel_index(int(score.argmax()), score.shape)
+    if i in (0, a.size - 1) or j in (0, b.size - 1):
+        raise ValueError(
+            f"sweep range excludes the optimum on [{low:.3g}, {high:.3g}]: the best of |alpha| <= {alpha:.3g}, "
+            f"|beta| <= {beta:.3g} lies on its border"
+        )
+    # The best of a coarse sweep need not lie nearest to the best there is: its highest tops are all climbed.
+    tops = np.argwhere((score == maximum_filter(score, size=3)) & (score > 0.5 * score.max()))
+    tops = tops[np.argsort(-score[tuple(tops.T)])][:_TOPS]
+    best, highest = np.zeros(3), -math.inf
+    for i, j in tops:
+        x, y = a, b
+        for _ in range(_LEVELS):
+            x, y = (
+                values[k] + 3.0 * (values[1] - values[0]) * np.linspace(-1.0, 1.0, _SWEEP)
+                for values, k in ((x, i), (y, j))
             )
-        best = np.array([a[i], b[j], np.angle(overlap[i, j]) if piston else 0.0])
-        a, b = (x[k] + 3.0 * (x[1] - x[0]) * np.linspace(-1.0, 1.0, _SWEEP) for x, k in ((a, i), (b, j)))
+            score, angle = scores(x, y)
+            i, j = np.unravel_index(int(score.argmax()), score.shape)
+        if score[i, j] > highest:
+            highest = float(score[i, j])
+            best = np.array([x[i], y[j], angle[i, j] if piston else 0.0])
     return best

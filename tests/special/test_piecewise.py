@@ -1,0 +1,115 @@
+"""Piecewise quadratic phases (Eq. 17): bounds hold, fits reach what they can, bad input is named."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from lommel.special.piecewise import FITS, SPLITS, fit_quadratics, split_edges
+
+RHO = np.linspace(0.0, 1.0, 4001)
+amounts = st.floats(-200, 200)
+
+
+def phase(coefficients) -> np.ndarray:
+    return sum(c * RHO ** (2 * k + 2) for k, c in enumerate(coefficients))
+
+
+@pytest.mark.parametrize("split", SPLITS)
+@pytest.mark.parametrize("segments", [1, 2, 5, 64])
+def test_the_edges_rise_from_the_middle_to_the_rim(segments, split):
+    edges = split_edges(segments, split)
+    assert edges[0] == 0.0
+    assert edges[-1] == 1.0
+    assert edges.size == segments + 1
+    assert np.all(np.diff(edges) > 0)
+
+
+@given(st.lists(amounts, min_size=1, max_size=4), st.integers(1, 60), st.sampled_from(SPLITS))
+def test_the_error_of_interpolation_stays_below_its_bound(coefficients, segments, split):
+    fit = fit_quadratics(coefficients, segments, split=split)
+    error = np.abs(fit.phase(RHO) - phase(coefficients)).max()
+    assert error <= fit.bound * (1 + 1e-9) + 1e-11 * (1 + sum(map(abs, coefficients)))
+
+
+@given(amounts, st.integers(1, 9), st.sampled_from(SPLITS))
+def test_pure_defocus_needs_no_pieces(defocus, segments, split):
+    fit = fit_quadratics((2 * defocus,), segments, split=split)
+    assert fit.bound == 0.0
+    assert np.abs(fit.phase(RHO) - 2 * defocus * RHO**2).max() <= 1e-11
+
+
+def test_the_optimal_split_needs_the_fewest_segments_and_makes_the_errors_equal():
+    coefficients = (0.0, 100.0)
+    bounds = {split: fit_quadratics(coefficients, 24, split=split).bound for split in SPLITS}
+    assert bounds["optimal"] == min(bounds.values())
+    fit = fit_quadratics(coefficients, 24)
+    errors = np.abs(fit.phase(RHO) - phase(coefficients))
+    largest = [errors[(low <= RHO) & (high >= RHO)].max() for low, high in itertools.pairwise(fit.edges)]
+    assert max(largest) / min(largest) < 1.2
+
+
+def test_the_error_falls_with_the_cube_of_the_number_of_segments():
+    for few in (8, 16, 32):
+        coarse, fine = (fit_quadratics((30.0, 80.0), s).bound for s in (few, 2 * few))
+        assert coarse / fine == pytest.approx(8.0, rel=0.05)
+
+
+@pytest.mark.parametrize("spherical", [5.0, 8.0, 10.0])
+def test_five_pieces_without_a_piston_reach_what_the_paper_reports(spherical):
+    # The paper: 0.000137.
+    for fit in ("least-squares", "sweep"):
+        pieces = fit_quadratics((0.0, spherical), 5, split="linear", fit=fit, piston=False)
+        assert np.all(pieces.gamma == 0.0)
+        assert pieces.mse((0.0, spherical)) <= 1.4e-4
+
+
+def test_with_a_piston_five_pieces_do_ten_times_better():
+    for fit, limit in (("interpolation", 1.5e-5), ("least-squares", 1.0e-5), ("sweep", 1.5e-5)):
+        assert fit_quadratics((0.0, 10.0), 5, fit=fit).mse((0.0, 10.0)) <= limit
+
+
+@pytest.mark.parametrize("coefficients", [(20.0, 10.0), (-20.0, 20.0)])
+def test_least_squares_is_no_worse_than_where_it_starts_from(coefficients):
+    for piston in (True, False):
+        start = fit_quadratics(coefficients, 6, piston=piston).mse(coefficients)
+        best = fit_quadratics(coefficients, 6, fit="least-squares", piston=piston).mse(coefficients)
+        assert best <= start * (1 + 1e-9)
+
+
+def test_the_mse_is_that_of_the_complex_exponentials():
+    pieces = fit_quadratics((0.0, 10.0), 3)
+    direct = np.mean(np.abs(np.exp(1j * pieces.phase(RHO)) - np.exp(1j * phase((0.0, 10.0)))) ** 2)
+    assert pieces.mse((0.0, 10.0)) == pytest.approx(direct, rel=1e-2)
+
+
+def test_a_sweep_that_excludes_the_optimum_says_so():
+    with pytest.raises(ValueError, match="sweep range excludes the optimum on"):
+        fit_quadratics((0.0, 50.0), 5, fit="sweep", sweep=(1.0, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"segments": 0}, ValueError, "segments must be from 1 to 4096, got 0"),
+        ({"segments": 2.5}, TypeError, "segments must be an integer"),
+        ({"split": "cubic"}, ValueError, "split must be one of"),
+        ({"fit": "guess"}, ValueError, "fit must be one of"),
+        ({"piston": 1}, TypeError, "piston must be True or False"),
+        ({"coefficients": ()}, (ValueError, TypeError), "coefficients"),
+        ({"coefficients": 3.0}, ValueError, "coefficients"),
+        ({"coefficients": (np.nan,)}, ValueError, "coefficients"),
+        ({"fit": "sweep", "sweep": (0.0, 1.0)}, ValueError, "sweep must be > 0"),
+    ],
+)
+def test_what_cannot_be_fitted_is_refused(arguments, error, message):
+    with pytest.raises(error, match=message):
+        fit_quadratics(**({"coefficients": (1.0, 2.0)} | arguments))
+
+
+def test_every_fit_has_a_name():
+    assert set(FITS) == {"interpolation", "least-squares", "sweep"}

@@ -69,7 +69,7 @@ NOTES = {
     "the centre grows, up to about 200, and the inner rings get worse, as the paper says; corrected, it "
     "rises.",
     17: "Five pieces of exp(i C_s rho^4), without a constant as Eq. (17) is printed, and with one on optimal "
-    "segments, edges (i/S)^(3/4). MSE is the mean of the squared error over the radius.",
+    "segments, on which errors are equal. MSE is the mean of the squared error over the radius.",
 }
 
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical, write
+from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical, validity, write
 from lommel.paper.setting import VARIANTS, Setting
 
 SMALL = Setting(shape=96)
@@ -228,7 +228,7 @@ def test_the_choices_of_the_command_line_are_the_figures_there_are(call_lommel, 
 
 
 def test_a_figure_that_does_not_exist_is_refused_before_a_folder_is_made(tmp_path):
-    with pytest.raises(ValueError, match="there is no figure 9; there are 1, 2, 3, 4, 5, 6, 7, 17"):
+    with pytest.raises(ValueError, match="there is no figure 9; there are 1, 2, 3, 4, 5, 6, 7, 17, 100"):
         write.reproduce(tmp_path / "out", [9])
     assert not list(tmp_path.iterdir())
 
@@ -273,3 +273,14 @@ def test_a_folder_made_in_vain_is_taken_away_again(call_lommel, tmp_path, monkey
     assert result.returncode == 2
     assert result.stderr == "Error: new/out: No space left on device\n"
     assert not list(tmp_path.iterdir())
+
+
+def test_the_tuned_form_holds_everywhere_on_the_map_and_the_paper_s_nowhere_near():
+    made = validity.compute(5, 31)
+    largest = made.facts["largest"]
+    assert largest["tuned to 1e-4"] <= 1e-4
+    assert min(largest[name] for name in ("printed", "corrected", "corrected, exact erf")) > 0.1
+    assert made.arrays["printed"].shape == (5, 31)
+    figure = validity.draw(made)
+    figure.canvas.draw()
+    assert len(figure.axes) == 5

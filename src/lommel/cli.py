@@ -257,8 +257,8 @@ def compare(
 
 @main.command()
 @click.argument("outdir", type=click.Path(path_type=Path))
-@click.option("--figure", "figures", multiple=True, type=click.Choice(("1", "2", "3", "4", "5", "6", "7", "17")),
-              help="One, without the table; may be repeated. 17 is the piecewise fit of Eq. (17).")  # fmt: skip
+@click.option("--figure", "figures", multiple=True, type=click.Choice([*"1234567", "17", "100"]),
+              help="One, without the table; may be repeated. 17: Eq. (17); 100: where the forms hold.")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print settings, errors and the table as JSON.")
 @_one_line_errors
 def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from lommel.files import write_atomically
-from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical
+from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical, validity
 from lommel.paper.setting import FigureData
 
 if TYPE_CHECKING:
@@ -39,8 +39,9 @@ FIGURES = {
         "Error of the CFIS PSF for varying tangent-line centres (TLC)", families.by_tangent, families.draw_error
     ),
     17: _Plan("The piecewise quadratic phase of Eq. (17)", spherical.compute, spherical.draw),
+    100: _Plan("Where the closed forms hold, over C_d and v", validity.compute, validity.draw),
 }
-"""Every figure by its number in the paper; 17 is the equation."""
+"""Every figure by its number in the paper; 17 is the equation, 100 goes beyond the paper."""
 
 TABLE = ("table.md", "table.json")
 

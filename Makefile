@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf test sanitize lint types format lock wheel clean FORCE
+.PHONY: help env build psf test sanitize bench peers lint types format lock wheel clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -147,6 +147,16 @@ lint: env ## check the style and the format
 types: env ## check the types
 	@.venv/bin/mypy
 
+bench: build ## measure against the FFT, NumPy and what peers there are; write docs/benchmarks.md
+	@.venv/bin/python benchmarks/run.py --write
+
+# Beside .venv, which stays as requirements.lock has it. GROUP=peers-all also brings torch: gigabytes.
+GROUP ?= peers
+peers: build ## fetch other packages for make bench to compare with, into .tools/peers
+	@$(find_uv)
+	rm -rf .tools/peers
+	"$$uv" pip install --quiet --python .venv/bin/python --target .tools/peers --constraint requirements.lock --group $(GROUP)
+
 format: env ## rewrite the Python files in the project's format
 	@.venv/bin/ruff check --fix-only
 	.venv/bin/ruff format
@@ -168,7 +178,7 @@ clean: ## remove all that make made
 	@rm -rf .venv .tools build dist requirements.lock.new
 	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png
-	find src tests examples -type d -name __pycache__ -prune -exec rm -rf {} +
+	find src tests examples benchmarks -type d -name __pycache__ -prune -exec rm -rf {} +
 	if [ -d out ]; then rmdir out 2>/dev/null || echo "out holds other files; kept"; fi
 
 FORCE:

@@ -1,0 +1,98 @@
+"""The command line: which tables, how thoroughly, and where the results go."""
+
+from __future__ import annotations
+
+import argparse
+import datetime as dt
+import json
+import time
+from collections.abc import Callable
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from benchmarks import features, fresh, peers, sizes, sweeps, verdicts
+from benchmarks.machine import ROOT, clean, describe
+from benchmarks.report import Table, show
+from benchmarks.settings import Settings
+
+TABLES: dict[str, Callable[[Settings], Table]] = {
+    "targets": verdicts.run,
+    "sizes": sizes.run,
+    "aberrations": sweeps.aberrations,
+    "tolerances": sweeps.tolerances,
+    "accuracy": sweeps.accuracy,
+    "numpy": sweeps.numpy,
+    "stacks": sweeps.stacks,
+    "features": features.features,
+    "threads": sweeps.threads,
+    "cold": fresh.cold,
+    "peers": peers.images,
+    "peers-stack": peers.stacks,
+}
+
+
+def main() -> int:
+    """Run what is asked for; return 1 if a target is missed."""
+    parser = argparse.ArgumentParser(prog="benchmarks/run.py", description="Measure lommel beside other ways.")
+    parser.add_argument("--quick", action="store_true", help="fewer cases, sizes and rounds: under a minute")
+    parser.add_argument("--only", action="append", choices=TABLES, metavar="NAME", help="one table; may be repeated")
+    parser.add_argument("--list", action="store_true", help="name the tables and end")
+    parser.add_argument("--write", action="store_true", help="write benchmarks/results.json and docs/benchmarks.*")
+    options = parser.parse_args()
+    if options.list:
+        print("\n".join(TABLES))
+        return 0
+    if options.write and (options.quick or options.only):
+        parser.error("--write needs the whole run: neither --quick nor --only")
+    chosen = [name for name in TABLES if not options.only or name in options.only]
+    console, start = Console(), time.monotonic()
+    done = _run(chosen, quick=options.quick, console=console)
+    console.print(f"{time.monotonic() - start:.0f} s")
+    if options.write:
+        _write(done)
+        console.print(
+            "Written: benchmarks/results.json, docs/benchmarks.md, docs/benchmarks.png, and the table in README.md",
+            highlight=False,
+        )
+    missed = [row for table in done if table.key == "targets" for row in verdicts.missed(table)]
+    for row in missed:
+        console.print(f"[bold red]MISSED[/] {row}", highlight=False)
+    return 1 if missed else 0
+
+
+def _run(chosen: list[str], *, quick: bool, console: Console) -> list[Table]:
+    done = []
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("", total=len(chosen))
+        for name in chosen:
+
+            def tick(now: str, name: str = name) -> None:
+                progress.update(task, description=f"{name}: {now}"[:70].ljust(70))
+
+            table = TABLES[name](Settings(quick=quick, tick=tick))
+            show(console, table)
+            done.append(table)
+            progress.advance(task)
+    return done
+
+
+def _write(done: list[Table]) -> None:
+    from benchmarks import figure, page
+
+    plain = {
+        "date": dt.datetime.now(tz=dt.UTC).date().isoformat(),
+        "machine": describe(),
+        "tables": [table.to_dict() for table in done],
+    }
+    text = clean(json.dumps(plain, indent=1, ensure_ascii=False)) + "\n"
+    results = json.loads(text)
+    docs = ROOT / "docs"
+    docs.mkdir(exist_ok=True)
+    (ROOT / "benchmarks" / "results.json").write_text(text, encoding="utf-8")
+    (docs / "benchmarks.md").write_text(page.write(results, "benchmarks.png"), encoding="utf-8")
+    readme = ROOT / "README.md"
+    screen = page.first_screen(readme.read_text(encoding="utf-8"), results, "docs/benchmarks.png")
+    readme.write_text(screen, encoding="utf-8")
+    figure.draw(next(t for t in results["tables"] if t["key"] == "sizes"), docs / "benchmarks.png")

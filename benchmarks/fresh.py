@@ -1,0 +1,123 @@
+"""Measured in fresh processes: peak memory, and the cold start."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from benchmarks.report import Table
+from benchmarks.settings import Settings
+from benchmarks.timing import Contender, race
+
+# Peak resident memory, in KiB, as the kernel counts it (VmHWM), hence with all that compiled code allocates.
+# Writing 5 to clear_refs sets the peak back to what is resident now; where that is refused, the peak of the
+# imports can only make the answer larger.
+_MEMORY = """
+import ctypes, gc, json, re, sys
+import numpy as np
+import lommel as lm
+
+def status(name):
+    with open("/proc/self/status") as lines:
+        return int(re.search(name + r":\\s+(\\d+) kB", lines.read())[1])
+
+n, defocus, spherical, threads = map(float, sys.argv[1:])
+out = np.ones((int(n), int(n)), np.float32)
+pupil = lm.Pupil(lm.Wavefront(defocus, spherical))
+method = lm.NijboerZernike()
+gc.collect()
+try:  # memory that was freed but is resident still would hide what is allocated now
+    ctypes.CDLL(None).malloc_trim(0)
+except (AttributeError, OSError):
+    pass
+try:
+    with open("/proc/self/clear_refs", "w") as peak:
+        peak.write("5")
+except OSError:
+    pass
+before = status("VmRSS")
+peaks = []
+for repeat in range(3):
+    lm.psf(pupil, int(n), 0.5, method=method, out=out, threads=int(threads))
+    peaks.append((status("VmHWM") - before) / 1024)
+print(json.dumps({"peak": peaks[-1], "kept": (status("VmRSS") - before) / 1024}))
+"""
+
+
+def memory(n: int, defocus: float, spherical: float, threads: int = 1) -> dict[str, float] | None:
+    """Return MiB above the output at the peak, and kept after three calls; None where Linux does not tell."""
+    if not Path("/proc/self/clear_refs").exists():
+        return None
+    arguments = [str(x) for x in (n, defocus, spherical, threads)]
+    answer: dict[str, float] = json.loads(_run(_MEMORY, *arguments))
+    return answer
+
+
+def _process(code: str, _: object) -> None:
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def _run(code: str, *arguments: str) -> str:
+    done = subprocess.run([sys.executable, "-c", code, *arguments], check=True, capture_output=True, text=True)
+    return done.stdout
+
+
+_FIRST = "lm.psf(lm.Pupil(lm.Wavefront(10.0, 3.0)), {n}, 0.5)"
+_COLD = {
+    "import numpy": ("import numpy", "the interpreter starts, NumPy is imported"),
+    "the interpreter": ("pass", "starts and ends"),
+    "import lommel": ("import lommel", "NumPy with it"),
+    "first PSF of 33²": ("import lommel as lm; " + _FIRST.format(n=33), "import, tables and all"),
+    "first PSF of 512²": ("import lommel as lm; " + _FIRST.format(n=512), "import, tables and all"),
+    "first PSF of 512², scipy.fft": (
+        "import numpy as np; from scipy.fft import fft2; x = np.linspace(-2, 2, 1024, endpoint=False); "
+        "t = x[:, None] ** 2 + x ** 2; u = fft2(np.where(t < 1, np.exp(1j * (20 + 3 * t) * t), 0)); "
+        "i = u.real ** 2 + u.imag ** 2",
+        "pupil, FFT of 1024² complex128, intensity",
+    ),
+}
+
+
+def cold(settings: Settings) -> Table:
+    """Time whole processes, from the start of the interpreter to its end."""
+    table = Table(
+        "cold",
+        "Cold start",
+        "Whole processes, from the start of the interpreter to its end, the files warm in the page cache. "
+        "The unit is a process that imports NumPy and ends.",
+        {"process": "text", "does": "text", "over `import numpy`": "spread"},
+    )
+    contenders = [Contender(name, partial(_process, code), does) for name, (code, does) in _COLD.items()]
+    settings.tick("cold start")
+    result = race(contenders, settings.rounds, budget=2.5 if settings.quick else 25.0, keep=False)
+    for one in contenders[1:]:
+        table.add(one.name, one.config, result.ratio(one.name, contenders[0].name))
+    first = [_first_call(settings) for _ in range(3 if settings.quick else 9)]
+    table.notes.append(
+        f"In a process that has imported lommel, the first call of 512² took {np.median(first):.1f} times as long as "
+        "a warm one: it loads what is loaded late, and builds the table."
+    )
+    return table
+
+
+_ONCE = """
+from time import perf_counter as now
+import lommel as lm
+pupils = [lm.Pupil(lm.Wavefront(10.0 + k, 3.0)) for k in range(41)]
+times = []
+for pupil in pupils:
+    start = now()
+    lm.psf(pupil, 512, 0.5, threads=1)
+    times.append(now() - start)
+print(times[0] / sorted(times[1:])[20])
+"""
+
+
+def _first_call(settings: Settings) -> float:
+    settings.tick("first call")
+    return float(_run(_ONCE))

@@ -51,10 +51,8 @@ def main() -> int:
     console.print(f"{time.monotonic() - start:.0f} s")
     if options.write:
         _write(done)
-        console.print(
-            "Written: benchmarks/results.json, docs/benchmarks.md, docs/benchmarks.png, and the table in README.md",
-            highlight=False,
-        )
+        written = "benchmarks/results.json, docs/benchmarks.md, docs/benchmarks.png, the table in README.md"
+        console.print(f"Written: {written}", highlight=False)
     missed = [row for table in done if table.key == "targets" for row in verdicts.missed(table)]
     for row in missed:
         console.print(f"[bold red]MISSED[/] {row}", highlight=False)

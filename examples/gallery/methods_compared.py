@@ -68,7 +68,7 @@ axes.set_ylim(3e-17, 3)
 axes.set_xlabel("time (ms), one thread")
 axes.set_ylabel("largest error over the peak")
 axes.grid(alpha=0.3)
-axes.legend(fontsize=9)
+axes.legend(loc="lower right", fontsize=9)
 plt.show()
 
 # %%

@@ -80,11 +80,14 @@ html_theme_options = {
 # What a script warns of is an error here as in the tests.
 warnings.filterwarnings("error", module=r"lommel(\.|$)")
 
-# The page of conventions names the tests that hold them: they must be there.
+# The page of conventions names the tests that hold them, the reference every public name: both must be true.
 _named = set(re.findall(r"`(test_\w+)`", (HERE / "conventions.md").read_text(encoding="utf-8")))
 _there = re.findall(r"def (test_\w+)", (HERE.parent / "tests" / "test_conventions.py").read_text(encoding="utf-8"))
 if _named - set(_there):
     raise ValueError(f"conventions.md names tests that do not exist: {', '.join(sorted(_named - set(_there)))}")
+_listed = set((HERE / "api.md").read_text(encoding="utf-8").split())
+if set(lommel.__all__) - _listed:
+    raise ValueError(f"api.md lacks {', '.join(sorted(set(lommel.__all__) - _listed))}")
 
 
 def leave_out(_app: Any, docname: str, source: list[str]) -> None:

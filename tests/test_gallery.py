@@ -1,4 +1,4 @@
-"""The gallery: every script runs without a warning and draws something."""
+"""The gallery and the first page of the documentation: their code runs without a warning."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pytest
 
-GALLERY = sorted((Path(__file__).resolve().parent.parent / "examples" / "gallery").glob("*.py"))
+ROOT = Path(__file__).resolve().parent.parent
+GALLERY = sorted((ROOT / "examples" / "gallery").glob("*.py"))
 SCRIPT = pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
 
 
@@ -42,3 +43,12 @@ def test_a_script_of_the_gallery_begins_with_an_underlined_title_and_ends_by_sho
     assert first in ('"""', 'r"""')
     assert rule == "=" * len(title)
     assert "plt.show()" in text
+
+
+def test_the_code_of_the_first_page_runs_from_top_to_bottom(monkeypatch, tmp_path):
+    text = (ROOT / "docs" / "start.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
+    assert len(blocks) >= 5
+    monkeypatch.chdir(tmp_path)
+    exec(compile("".join(blocks), "start.md", "exec"), {})
+    assert [path.name for path in tmp_path.iterdir()] == ["psf.tif"]

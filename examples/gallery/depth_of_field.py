@@ -30,7 +30,7 @@ def blur_of_rays(pupils: lm.Pupil) -> np.ndarray:
 # %%
 # A 50 mm lens focused at 2 m. The dotted line is a blur of one pixel of 4 µm, in radius.
 
-figure, (curves, choice) = plt.subplots(1, 2, figsize=(10.5, 4.4), layout="constrained")
+figure, curves = plt.subplots(figsize=(8, 4.6), layout="constrained")
 for k, stop in enumerate((2.8, 5.6, 11.0, 22.0)):
     lens = lm.Lens(focal_length=50e-3, f_number=stop, focus_distance=2.0, wavelength=550e-9)
     pupils = lens.pupil(distance)
@@ -48,6 +48,7 @@ curves.legend(title="solid: waves\ndashed: rays")
 # would have the smallest stop win always.
 
 stops = np.geomspace(2.0, 45.0, 60)
+figure, choice = plt.subplots(figsize=(8, 4.6), layout="constrained")
 for k, s in enumerate((1.9, 1.8, 1.6)):
     pair = []
     for stop in stops:
@@ -65,5 +66,6 @@ choice.minorticks_off()
 choice.set_yticks([1, 2, 5, 10, 20, 50, 100], ["1", "2", "5", "10", "20", "50", "100"])
 choice.set_ylim(0.8, 120)
 choice.set_xlabel("f-number")
-choice.legend(title="object at")
+choice.set_ylabel(f"radius of {share:.0%} of the light (µm)")
+choice.legend(title="solid: waves\ndashed: rays\nobject at")
 plt.show()

@@ -98,6 +98,12 @@ def leave_out(_app: Any, docname: str, source: list[str]) -> None:
                 source[0] = source[0].replace(f"\n{page}\n", "\n")
 
 
+def index_again(*_: Any) -> list[str]:
+    """Have the index read each time, since it depends on which pages there are."""
+    return ["index"]
+
+
 def setup(app: Any) -> None:
     """Connect to Sphinx."""
+    app.connect("env-get-outdated", index_again)
     app.connect("source-read", leave_out)

@@ -69,7 +69,7 @@ html_theme_options = {
     "navbar_align": "left",
     "navbar_end": ["theme-switcher"],
     "navigation_with_keys": False,
-    "header_links_before_dropdown": 8,
+    "header_links_before_dropdown": 10,
     "footer_start": ["copyright"],
     "footer_end": [],
     "secondary_sidebar_items": ["page-toc"],
@@ -95,7 +95,7 @@ def leave_out(_app: Any, docname: str, source: list[str]) -> None:
     if docname == "index":
         for page in ("paper", "benchmarks"):
             if not (HERE / f"{page}.md").exists():
-                source[0] = source[0].replace(f"\n{page}\n", "\n")
+                source[0] = source[0].replace(f"{page.title()} <{page}>\n", "")
 
 
 def index_again(*_: Any) -> list[str]:

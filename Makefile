@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf test sanitize bench peers lint types format lock wheel clean FORCE
+.PHONY: help env build psf test sanitize bench peers docs lint types format lock wheel clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -140,6 +140,16 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 		build/exercise
 	done
 
+# What Sphinx needs comes on top of what is in .venv, and only when the pages are asked for.
+.venv/docs.stamp: .venv/env.stamp docs/requirements.lock
+	@$(find_uv)
+	"$$uv" pip install --quiet --python .venv/bin/python --require-hashes --requirement docs/requirements.lock
+	touch $@
+
+docs: build .venv/docs.stamp ## write the documentation to docs/_build/html, running the gallery
+	@MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
+	echo "docs/_build/html/index.html"
+
 lint: env ## check the style and the format
 	@.venv/bin/ruff check
 	.venv/bin/ruff format --check
@@ -162,20 +172,28 @@ format: env ## rewrite the Python files in the project's format
 	.venv/bin/ruff format
 
 # Pins that still do are kept; make lock LOCKFLAGS=--upgrade moves them all.
-lock: ## pin anew, in requirements.lock, what pyproject.toml asks for
+lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 	@$(find_uv)
-	if [ -f requirements.lock ]; then cp requirements.lock requirements.lock.new; fi
-	"$$uv" pip compile --quiet --universal --python-version 3.11 --generate-hashes \
-		--no-annotate --custom-compile-command "make lock" --all-extras --group dev $(LOCKFLAGS) \
-		--output-file requirements.lock.new pyproject.toml
-	if cmp -s requirements.lock.new requirements.lock; then rm requirements.lock.new; else mv requirements.lock.new requirements.lock; fi
+	# Sets the lock file $$1 to what the remaining arguments ask for.
+	compile() {
+		file=$$1
+		shift
+		if [ -f "$$file" ]; then cp "$$file" "$$file.new"; fi
+		"$$uv" pip compile --quiet --universal --python-version 3.11 --generate-hashes \
+			--no-annotate --custom-compile-command "make lock" --all-extras "$$@" $(LOCKFLAGS) \
+			--output-file "$$file.new" pyproject.toml
+		if cmp -s "$$file.new" "$$file"; then rm "$$file.new"; else mv "$$file.new" "$$file"; fi
+	}
+	compile requirements.lock --group dev
+	compile docs/requirements.lock --group docs --constraints requirements.lock
 
 wheel: env ## build a wheel in dist
 	@$(find_uv)
 	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --wheel --no-build-isolation --python .venv/bin/python --out-dir dist
 
 clean: ## remove all that make made
-	@rm -rf .venv .tools build dist requirements.lock.new
+	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new
+	rm -rf docs/_build docs/api docs/gallery docs/sg_execution_times.rst
 	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png
 	find src tests examples benchmarks -type d -name __pycache__ -prune -exec rm -rf {} +

@@ -64,7 +64,7 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
 
 
 def load(path: str | PathLike[str]) -> PSF:
-    """Read a PSF that :func:`save` wrote, with its pupil and method, so that everything a PSF can do works again.
+    """Read a PSF that :func:`lommel.files.save` wrote, with pupil and method, so that all it can do works again.
 
     Raises
     ------

@@ -67,7 +67,7 @@ def psf(
         Average the intensity over the area of each pixel instead of sampling it at the centre.
     derivatives : sequence of str, default ()
         Any of "defocus", "spherical", "rho^6", "rho^8": the derivatives of the values with respect to these
-        coefficients of the wavefront (per radian), in :attr:`PSF.derivatives`. Only of `NijboerZernike`, and not of
+        coefficients of the wavefront (per radian), in ``PSF.derivatives``. Only of `NijboerZernike`, and not of
         values normalised to their own peak.
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         A C-contiguous, writable array to put the values in.

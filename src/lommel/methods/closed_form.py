@@ -60,15 +60,15 @@ class ClosedForm(FieldMethod):
     =============  ===========================================  ====================================
     equation       printed                                      correct
     =============  ===========================================  ====================================
-    (8) to (12)    sqrt(2/pi) of (7) dropped in the outer       outer integral carries sqrt(2/pi)
+    Eq. 8 to 12    sqrt(2/pi) of (7) dropped in the outer       outer integral carries sqrt(2/pi)
                    integral
-    (13)           (1/2) sqrt(2/a)                              (1/2) sqrt(pi/a)
-    (15) to (17)   exp[...] called a phase; i, j mixed;         Phi_s = C_s rho^4; the piston only
+    Eq. 13         (1/2) sqrt(2/a)                              (1/2) sqrt(pi/a)
+    Eq. 15 to 17   exp[...] called a phase; i, j mixed;         Phi_s = C_s rho^4; the piston only
                    piston -C_d inside the exponential           turns U
-    (21)           signs of the last end-point term of each     those terms with the opposite sign,
+    Eq. 21         signs of the last end-point term of each     those terms with the opposite sign,
                    bracket, and of the whole                    then the whole negated
-    (22)           prefactor beta/2                             prefactor B_tl/2
-    (23)           exp(-pi/4), exp(+pi/4)                       exp(-i pi/4), exp(+i pi/4)
+    Eq. 22         prefactor beta/2                             prefactor B_tl/2
+    Eq. 23         exp(-pi/4), exp(+pi/4)                       exp(-i pi/4), exp(+i pi/4)
     =============  ===========================================  ====================================
 
     All of (21)-(23) reduce to the chirp moments of :func:`lommel.special.chirp.chirp_moments`, whose error

@@ -11,7 +11,7 @@ from lommel import _core
 
 
 def bessel_sequence(v: ArrayLike, count: int) -> NDArray[np.float64]:
-    """Return ``J_0(v) .. J_{count-1}(v)`` for finite ``v >= 0``, shape ``(len(v), count)``.
+    """Return ``J_0(v), ..., J_{count-1}(v)`` for finite ``v >= 0``, shape ``(len(v), count)``.
 
     Miller's backward recurrence (DLMF 3.6(vi)); absolute error a few units of 2^-53.
     """

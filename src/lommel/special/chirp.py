@@ -83,7 +83,7 @@ def _by_quadrature(
 
 
 def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.complex128]:
-    r"""Return ``int_0^T R^(2m+1) exp(i alpha R^2) dR`` for m = 0 .. count-1, shape ``(count,) + T.shape``.
+    r"""Return ``int_0^T R^(2m+1) exp(i alpha R^2) dR`` for m = 0, ..., count-1, shape ``(count,) + T.shape``.
 
     The paper's Eq. (18)-(20) and their continuation: ``T^(2m+2)`` times :func:`unit_moments` of ``alpha T^2``.
     """
@@ -93,7 +93,7 @@ def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.compl
 
 
 def unit_moments(phase: NDArray[np.float64], count: int) -> NDArray[np.complex128]:
-    r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0 .. count-1, shape ``(count,) + phase.shape``.
+    r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0, ..., count-1, shape ``(count,) + phase.shape``.
 
     With u = x^2, ``int_0^1 u^m e^{i phase u} du / 2``. By parts, ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``,
     where the phase exceeds the number of moments; by Gauss-Legendre quadrature below, where that recurrence cancels.

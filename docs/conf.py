@@ -1,0 +1,109 @@
+"""How Sphinx makes these pages; see `make docs`."""
+
+from __future__ import annotations
+
+import re
+import warnings
+from pathlib import Path
+from typing import Any
+
+import lommel
+
+HERE = Path(__file__).resolve().parent
+
+project = "lommel"
+author = "the lommel authors"
+copyright = author  # noqa: A001
+version = release = lommel.__version__
+
+extensions = [
+    "myst_parser",
+    "numpydoc",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "sphinx_gallery.gen_gallery",
+    "sphinx-mathjax-offline",
+]
+source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
+exclude_patterns = ["_build", "gallery/**/*.ipynb", "gallery/**/*.py", "gallery/**/*.md5", "sg_execution_times.rst"]
+templates_path = ["_templates"]
+myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath"]
+myst_heading_anchors = 3
+
+# A name in single backquotes is code; no reference is guessed from it.
+default_role = "code"
+nitpicky = True
+autosummary_generate = True
+# On file systems without case, psf would overwrite PSF.
+autosummary_filename_map = {"lommel.psf": "lommel.psf-function"}
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+numpydoc_show_class_members = False
+
+sphinx_gallery_conf = {
+    "examples_dirs": "../examples/gallery",
+    "gallery_dirs": "gallery",
+    "filename_pattern": r"\.py$",
+    "within_subsection_order": "FileNameSortKey",
+    "backreferences_dir": "gallery/uses",
+    "doc_module": ("lommel",),
+    "image_srcset": ["2x"],
+    "capture_repr": (),
+    "abort_on_example_error": True,
+    "download_all_examples": False,
+    "show_memory": False,
+    "show_signature": False,
+    "write_computation_times": False,
+}
+
+html_theme = "pydata_sphinx_theme"
+html_title = f"lommel {release}"
+html_static_path = ["_static"]
+html_css_files = ["lommel.css"]
+html_show_sourcelink = False
+# Pages without pages below them need no list of these.
+_ALONE = ("index", "start", "choose", "conventions", "theory", "certificate", "paper", "benchmarks", "changelog")
+html_sidebars: dict[str, list[str]] = {page: [] for page in _ALONE}
+html_copy_source = False
+html_theme_options = {
+    "navbar_align": "left",
+    "navbar_end": ["theme-switcher"],
+    "navigation_with_keys": False,
+    "header_links_before_dropdown": 10,
+    "footer_start": ["copyright"],
+    "footer_end": [],
+    "secondary_sidebar_items": ["page-toc"],
+    "show_prev_next": False,
+    "pygments_light_style": "tango",
+}
+
+# What a script warns of is an error here as in the tests.
+warnings.filterwarnings("error", module=r"lommel(\.|$)")
+
+# The page of conventions names the tests that hold them, the reference every public name: both must be true.
+_named = set(re.findall(r"`(test_\w+)`", (HERE / "conventions.md").read_text(encoding="utf-8")))
+_there = re.findall(r"def (test_\w+)", (HERE.parent / "tests" / "test_conventions.py").read_text(encoding="utf-8"))
+if _named - set(_there):
+    raise ValueError(f"conventions.md names tests that do not exist: {', '.join(sorted(_named - set(_there)))}")
+_listed = set((HERE / "api.md").read_text(encoding="utf-8").split())
+if set(lommel.__all__) - _listed:
+    raise ValueError(f"api.md lacks {', '.join(sorted(set(lommel.__all__) - _listed))}")
+
+
+def leave_out(_app: Any, docname: str, source: list[str]) -> None:
+    """Take pages that other targets write off the table of contents where they are not there."""
+    if docname == "index":
+        for page in ("paper", "benchmarks"):
+            if not (HERE / f"{page}.md").exists():
+                source[0] = source[0].replace(f"{page.title()} <{page}>\n", "")
+
+
+def index_again(*_: Any) -> list[str]:
+    """Have the index read each time, since it depends on which pages there are."""
+    return ["index"]
+
+
+def setup(app: Any) -> None:
+    """Connect to Sphinx."""
+    app.connect("env-get-outdated", index_again)
+    app.connect("source-read", leave_out)

@@ -62,13 +62,12 @@ def first_screen(readme: str, results: dict[str, Any], figure: str) -> str:
     if not mark:
         raise ValueError(f"README.md must have the marks {_FIRST!r} and {_LAST!r}")
     names = list(targets.columns)
-    shown = [i for i, name in enumerate(names) if name != "verdict"]
     lines = [names, ["---"] * len(names), *(c for c in targets.cells() if c[names.index("must")] != "–")]
-    table = "\n".join("| " + " | ".join(line[i] for i in shown) + " |" for line in lines)
+    table = "\n".join("| " + " | ".join(line) + " |" for line in lines)
     text = (
         "One thread unless the row says otherwise, through the public Python call; medians of ratios taken in one "
-        "process, in\nbrackets the extremes; the worst of all cases of a row. "
-        "[How, and much more](docs/benchmarks.md).\n"
+        "process, in\nbrackets the extremes; the worst of all cases of a row. 'Must' and 'aim' are what was asked "
+        "of it.\n[How, and much more](docs/benchmarks.md).\n"
     )
     picture = f"![Cost of one PSF against the side of the window, for each way to compute it]({figure})"
     return f"{head}{_FIRST}\n{picture}\n\n{text}\n{table}\n{_LAST}{tail}"

@@ -115,6 +115,7 @@ void huygens_sum_of_one_source() {
 }  // namespace
 
 int main() {
+    lommel::work_per_thread() = 1e-3;
     bessel_functions_agree_with_the_standard_library();
     pixels_off_the_grid_read_nothing_beyond_the_profile();
     huygens_sum_of_one_source();

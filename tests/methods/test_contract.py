@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import threading
 
 import numpy as np
@@ -146,6 +147,25 @@ def test_the_edge_identity_holds_between_the_derivatives():
     left = 4 * intensity + v * slope + 2 * c * by_defocus + 4 * s * by_spherical
     right = 4 * np.real(np.conj(field) * np.exp(1j * (2 * c + s))) * j0(v)
     assert np.abs(left - right).max() < 1e-9
+
+
+def test_a_long_stack_can_be_interrupted_and_leaves_nothing_broken():
+    """As the keyboard would, by a signal: its handler runs between the blocks of the stack."""
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    pupil = lm.Pupil(lm.Wavefront(np.linspace(10.0, 30.0, 40_000)))
+    before = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, 0.1)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            lm.psf(pupil, (1, 1001), 3.0, threads=1)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
+    after = lm.psf(pupil[3], 33, 0.5, dtype=np.float64)
+    assert lm.peak_error(after, lm.psf(pupil[3], 33, 0.5, method=lm.Hankel())) <= after.error_bound
 
 
 def test_phases_beyond_all_measure_are_refused_with_the_limit():

@@ -38,6 +38,13 @@ struct Answer {
     double* derivative_bounds;  // [derivative][pupil], over the peak of the intensity
 };
 
+// Microseconds of work that are worth a thread: it takes some 20 to start, and more where the other processors are busy.
+// Lowered by tests, to have threads at all.
+inline double& work_per_thread() {
+    static double microseconds = 200.0;
+    return microseconds;
+}
+
 // The largest of values >= 0, in eight chains that compilers vectorise.
 LOMMEL_INLINE double largest(const double* values, std::size_t count) {
     double top[8] = {};
@@ -69,6 +76,10 @@ class Renderer {
           answer_(answer) {}
 
     void run() {
+        // Roughly what the stack takes, in microseconds.
+        const double work = static_cast<double>(stack_.count) * (0.3 + 0.35e-3 * static_cast<double>(pixels()));
+        const int worthwhile = static_cast<int>(std::min(1024.0, std::max(1.0, work / work_per_thread())));
+        threads_ = std::min(threads_ > 0 ? threads_ : worthwhile, worthwhile);
         if (answer_.derivatives == 0 && stack_.count >= 4 && stack_.obscuration == 0.0 && prefer_batch()) {
             run_batch();
         } else if (stack_.count > 1) {

@@ -13,7 +13,7 @@ from lommel.grid import Grid
 from lommel.methods.method import FieldMethod, FieldValues, Images, Intensities, Slopes, ToleranceError
 from lommel.pupil import Pupil
 
-_BLOCK = 2**24  # values between two looks at the keyboard
+_BLOCK = 2**22  # values between two looks at the keyboard
 
 
 @dataclass(frozen=True)

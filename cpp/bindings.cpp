@@ -49,10 +49,11 @@ void require(bool condition, const char* message) {
     }
 }
 
-lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration) {
+lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration, double gaussian) {
     require(coefficients.shape(0) > 0 && coefficients.shape(1) > 0, "coefficients must not be empty");
     require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
-    return {coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration};
+    require(gaussian >= 0.0 && gaussian <= 100.0, "gaussian must be from 0 to 100");
+    return {coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration, gaussian};
 }
 
 Out<double, 2> bessel_sequence(In<double, 1> v, std::size_t count) {
@@ -77,7 +78,7 @@ Out<double, 2> legendre_transforms(In<double, 1> v, std::size_t terms) {
 std::tuple<std::size_t, double, std::size_t, double> series_bounds(In<double, 1> coefficients, std::size_t power,
                                                                    double reach, double error) {
     require(coefficients.shape(0) > 0 && error > 0.0 && reach >= 0.0, "coefficients, reach and error must be given");
-    const lommel::Ellipses ellipses(coefficients.data(), coefficients.shape(0), power);
+    const lommel::Ellipses ellipses(coefficients.data(), coefficients.shape(0), 0.0, power);
     const lommel::Expansion plan(ellipses, reach, error);
     return {plan.terms, plan.truncation, 2 * plan.rule->half, plan.quadrature};
 }
@@ -174,17 +175,17 @@ double rendered(const lommel::Stack& stack, double step, double tol, int threads
 
 // Returns 0, or the bound on the error where the tolerance cannot be met.
 template <class T>
-double render(In<double, 2> coefficients, double obscuration, double step, double tol, int threads, Out<T, 3> images,
+double render(In<double, 2> coefficients, double obscuration, double gaussian, double step, double tol, int threads, Out<T, 3> images,
               Out<double, 1> scales, Out<double, 1> bounds) {
-    return rendered<T>(stack_of(coefficients, obscuration), step, tol, threads, images, scales, bounds, {}, nullptr,
+    return rendered<T>(stack_of(coefficients, obscuration, gaussian), step, tol, threads, images, scales, bounds, {}, nullptr,
                        nullptr);
 }
 
 template <class T>
-double differentiate(In<double, 2> coefficients, double obscuration, double step, double tol, int threads,
+double differentiate(In<double, 2> coefficients, double obscuration, double gaussian, double step, double tol, int threads,
                      Out<T, 3> images, Out<double, 1> scales, Out<double, 1> bounds, In<std::int64_t, 1> powers,
                      Out<T, 4> derivative_images, Out<double, 2> derivative_bounds) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration);
+    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
     const std::size_t k = powers.shape(0);
     require(derivative_images.shape(0) == k && derivative_bounds.shape(0) == k, "one derivative a power");
     require(derivative_images.shape(1) == stack.count && derivative_images.shape(2) == images.shape(1) &&
@@ -199,9 +200,9 @@ double differentiate(In<double, 2> coefficients, double obscuration, double step
                        derivative_bounds.data());
 }
 
-std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration, In<double, 1> v,
-                                                 double tol) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration);
+std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration,
+                                                 double gaussian, In<double, 1> v, double tol) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
     auto out = new_array<complex, 2>({stack.count, v.shape(0)});
     auto bounds = new_array<double, 1>({stack.count});
     {
@@ -213,8 +214,8 @@ std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, dou
 
 // Bounds are negative where the tolerance cannot be met.
 std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2> coefficients, double obscuration,
-                                                                   In<double, 1> v, double tol) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration);
+                                                                   double gaussian, In<double, 1> v, double tol) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
     auto out = new_array<double, 2>({stack.count, v.shape(0)});
     auto peaks = new_array<double, 1>({stack.count});
     auto bounds = new_array<double, 1>({stack.count});
@@ -318,23 +319,23 @@ NB_MODULE(_core, m) {
     m.def("scatter", &scatter<float>, "profiles"_a, "scales"_a, "index"_a, "out"_a.noconvert(),
           "Profiles at the distinct radii, times a scale each, onto a stack of images.");
     m.def("scatter", &scatter<double>, "profiles"_a, "scales"_a, "index"_a, "out"_a.noconvert());
-    m.def("render", &render<float>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
+    m.def("render", &render<float>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(),
           "Images of a stack of pupils by the spectral engine; returns 0, or the bound where tol cannot be met.");
-    m.def("render", &render<double>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
+    m.def("render", &render<double>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert());
-    m.def("differentiate", &differentiate<float>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
+    m.def("differentiate", &differentiate<float>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
           "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert(),
           "render(), and the derivatives by the coefficients of t^power.");
-    m.def("differentiate", &differentiate<double>, "coefficients"_a, "obscuration"_a, "step"_a, "tol"_a, "threads"_a,
+    m.def("differentiate", &differentiate<double>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
           "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert());
     m.def("paint_subpixel", &paint_subpixel, "samples"_a, "per_step"_a, "center_y"_a, "center_x"_a, "nodes"_a,
           "weights"_a, "threads"_a, "out"_a.noconvert(),
           "Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.");
-    m.def("field", &field, "coefficients"_a, "obscuration"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
-    m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "v"_a, "tol"_a,
+    m.def("field", &field, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
+    m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a,
           "I at rising v, bounds on its error over the peak, negative where tol cannot be met, and the peaks.");
     m.def("huygens_sum", &huygens_sum, "x"_a, "y"_a, "amplitude"_a, "sx"_a, "sy"_a, "distance"_a, "wavenumber"_a,
           "Sum of spherical wavelets from sources (x, y, 0) at sensor points (sx, sy, distance).");

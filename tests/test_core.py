@@ -81,6 +81,7 @@ def _render(**changes: Any) -> float:
     arguments: dict[str, Any] = {
         "coefficients": np.ones((n, 2)),
         "obscuration": 0.1,
+        "gaussian": 0.2,
         "step": 0.5,
         "tol": 1e-6,
         "threads": 1,
@@ -103,6 +104,8 @@ def test_rendering_refuses_what_does_not_fit() -> None:
         ({"scales": np.ones(1)}, "one image, scale and bound a pupil"),
         ({"obscuration": 1.0}, "obscuration"),
         ({"obscuration": float("nan")}, "obscuration"),
+        ({"gaussian": -1.0}, "gaussian"),
+        ({"gaussian": float("nan")}, "gaussian"),
         ({"step": 0.0}, "must be positive"),
         ({"tol": float("nan")}, "must be positive"),
         ({"powers": np.ones(2, np.int64)}, "one derivative a power"),
@@ -207,7 +210,7 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
     def render() -> NDArray[np.float32]:
         n = len(pupils)
         out = np.empty((n, 300, 301), np.float32)
-        _core.render(pupils, 0.0, 1.0, 1e-6, 2, out, np.ones(n), np.empty(n))
+        _core.render(pupils, 0.0, 0.0, 1.0, 1e-6, 2, out, np.ones(n), np.empty(n))
         return out
 
     def paint() -> NDArray[np.float64]:
@@ -222,8 +225,8 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
         "distinct_radii": lambda: _core.distinct_radii(4000 // scale, 4000 // scale)[1],
         "scatter": scatter,
         "render": render,
-        "field": lambda: _core.field(pupils, 0.3, far, 1e-6)[0][0],
-        "profile": lambda: _core.profile(pupils, 0.3, far, 1e-6)[0][0],
+        "field": lambda: _core.field(pupils, 0.3, 0.5, far, 1e-6)[0][0],
+        "profile": lambda: _core.profile(pupils, 0.3, 0.5, far, 1e-6)[0][0],
         "paint_subpixel": paint,
         "huygens_sum": lambda: _core.huygens_sum(sources, sources, np.exp(1e4j * sources), points, points, 0.1, 1e7),
     }

@@ -49,7 +49,8 @@ void images_keep_their_bounds(std::mt19937& random, std::size_t height, std::siz
     const std::vector<std::size_t> powers = {1, 2};
     std::vector<T> images(count * height * width), slopes(powers.size() * images.size());
     std::vector<double> slope_bounds(powers.size() * count);
-    const lommel::Stack stack{coefficients.data(), count, 2, obscuration};
+    const double gaussian = count == 2 ? 1.5 : 0.0;
+    const lommel::Stack stack{coefficients.data(), count, 2, obscuration, gaussian};
     const bool with_slopes = count < 4;
     lommel::Renderer<T>(stack, height, width, step, tol, threads,
                         {images.data(), scales.data(), bounds.data(), powers.data(), with_slopes ? powers.size() : 0,
@@ -63,7 +64,7 @@ void images_keep_their_bounds(std::mt19937& random, std::size_t height, std::siz
             const double v = step * std::hypot(x, y);
             std::complex<double> u;
             double bound;
-            const lommel::Stack one{coefficients.data() + 2 * pupil, 1, 2, obscuration};
+            const lommel::Stack one{coefficients.data() + 2 * pupil, 1, 2, obscuration, gaussian};
             lommel::fields(one, &v, 1, 1e-12, &u, &bound);
             const double peak = normalize ? 1.0 : static_cast<double>(*std::max_element(
                 images.begin() + static_cast<std::ptrdiff_t>(pupil * height * width),

@@ -70,7 +70,7 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
         counts.append(x.size)
     intensity = method.profile(pupil, np.concatenate(nodes)).values
     light = np.cumsum(intensity * np.concatenate(weights), axis=1)
-    within = light[:, np.cumsum(counts)[where]] / (2.0 * pupil.area)
+    within = light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission)
     result: Numbers = within.reshape(pupil.shape + at.shape)[()]
     return result
 
@@ -94,7 +94,7 @@ def window_energy(answer: PSF) -> Numbers:
     v, w = np.concatenate(nodes), np.concatenate(weights)
     order = np.argsort(v)
     intensity = answer.method.profile(pupil, v[order]).values
-    total: Numbers = (intensity @ w[order] / (4.0 * math.pi * pupil.area)).reshape(pupil.shape)[()]
+    total: Numbers = (intensity @ w[order] / (4.0 * math.pi * pupil.transmission)).reshape(pupil.shape)[()]
     return total
 
 
@@ -114,7 +114,7 @@ def _quadrant_rule(a: float, b: float) -> tuple[NDArray[np.float64], NDArray[np.
 
 
 def _energy_per_pixel(answer: PSF) -> NDArray[np.float64]:
-    factor = answer.grid.step(answer.pupil) ** 2 / (4.0 * math.pi * answer.pupil.area)
+    factor = answer.grid.step(answer.pupil) ** 2 / (4.0 * math.pi * answer.pupil.transmission)
     return np.asarray(answer.values * (factor / answer.scale)[..., None, None], dtype=np.float64)
 
 

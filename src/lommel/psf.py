@@ -166,7 +166,7 @@ class Plan:
         powers = _powers(derivatives)
         if powers and normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
-        per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.area)
+        per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
         scale = per_pixel if normalize == "energy" else 1.0 / method.unaberrated_peak(pupil)
         made = method.images(
             pupil,

@@ -60,6 +60,9 @@ class Pupil:
         units of lambda*N.
     f_number : float, optional
         Working f-number N: sensor distance over aperture diameter.
+    apodization : float, default 0
+        g >= 0 of a Gaussian amplitude ``exp(-g rho^2)``, at most 100: a laser beam whose amplitude falls to 1/e at w
+        is clipped at the radius a with ``g = (a / w)^2``. Of `NijboerZernike`, `Hankel` and `Polychromatic` only.
     geometry : Geometry, optional
         Physical distances, filled in by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
 
@@ -73,6 +76,7 @@ class Pupil:
     obscuration: float = field(default=0.0, kw_only=True)
     wavelength: float | None = field(default=None, kw_only=True)
     f_number: float | None = field(default=None, kw_only=True)
+    apodization: float = field(default=0.0, kw_only=True)
     geometry: Geometry | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
@@ -82,6 +86,8 @@ class Pupil:
             raise TypeError(f"geometry must be a Geometry, as Lens.pupil makes, got {self.geometry!r}")
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
         object.__setattr__(self, "obscuration", eps)
+        fall = validation.real("apodization", self.apodization, least=0.0, below=100.0 + 1e-9)
+        object.__setattr__(self, "apodization", fall)
         if (self.wavelength is None) != (self.f_number is None):
             raise ValueError(
                 "wavelength and f_number must be given together (sensor in metres) or not at all "
@@ -114,6 +120,21 @@ class Pupil:
         return 1.0 - self.obscuration**2
 
     @property
+    def amplitude(self) -> float:
+        """Field at the peak without aberration, ``int exp(-g t) dt`` over the clear t = rho^2; the area if g = 0."""
+        return self._integral(self.apodization)
+
+    @property
+    def transmission(self) -> float:
+        """Light that passes, ``int exp(-2 g t) dt`` over the clear t = rho^2; the area if g = 0."""
+        return self._integral(2.0 * self.apodization)
+
+    def _integral(self, g: float) -> float:
+        if g < 1e-12:
+            return self.area
+        return math.exp(-g * self.obscuration**2) * -math.expm1(-g * self.area) / g
+
+    @property
     def airy_radius(self) -> float:
         """Radius of the first dark ring of the unobscured, unaberrated lens: 1.2197 lambda*N."""
         return 3.8317059702075123 / math.pi * self.scale
@@ -140,6 +161,7 @@ class Pupil:
             obscuration=self.obscuration,
             wavelength=self.wavelength,
             f_number=self.f_number,
+            apodization=self.apodization,
         )
 
     def __getitem__(self, index: Any) -> Pupil:
@@ -158,6 +180,7 @@ class Pupil:
             "obscuration": self.obscuration,
             "wavelength": self.wavelength,
             "f_number": self.f_number,
+            "apodization": self.apodization,
             "geometry": None if self.geometry is None else self.geometry.to_dict(),
         }
 

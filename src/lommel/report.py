@@ -61,7 +61,7 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
 
 def on_axis(pupil: Pupil) -> float:
     """Return the Strehl ratio: intensity on the axis over that without aberration."""
-    return float(abs(Hankel().field(pupil, 0.0)) ** 2 / pupil.area**2)
+    return float(abs(Hankel().field(pupil, 0.0)) ** 2 / pupil.amplitude**2)
 
 
 def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:

@@ -17,17 +17,21 @@ class Ellipses {
    public:
     static constexpr std::size_t count = 40;
 
-    // Of t^power exp(i Phi), with the coefficients of t, t^2, ... in radians.
-    Ellipses(const double* phase, std::size_t terms, std::size_t power) {
+    // Of t^power exp(i Phi - gaussian t), with the coefficients of t, t^2, ... in radians; gaussian >= 0.
+    Ellipses(const double* phase, std::size_t terms, double gaussian, std::size_t power) {
         const Grid& grid = the_grid();
         measure(phase, terms);
+        for (std::size_t i = 0; i < count; ++i) {
+            // Re t >= (1 - cosh eta) / 2
+            g_[i] += 0.5 * gaussian * (grid.cosh[i] - 1.0);
+        }
         for (std::size_t i = 0; i < count && power > 0; ++i) {
             g_[i] += static_cast<double>(power) * std::log(0.5 * (1.0 + grid.cosh[i]));
         }
     }
 
     // Of every pupil between two, coefficient by coefficient: g is convex, so the corners of their box bound it.
-    Ellipses(const std::vector<double>& least, const std::vector<double>& most) {
+    Ellipses(const std::vector<double>& least, const std::vector<double>& most, double gaussian) {
         const std::size_t terms = least.size();
         std::vector<double> corner(terms);
         g_.fill(0.0);
@@ -35,7 +39,7 @@ class Ellipses {
             for (std::size_t k = 0; k < terms; ++k) {
                 corner[k] = (which >> k) % 2 == 0 ? least[k] : most[k];
             }
-            const Ellipses one(corner.data(), terms, 0);
+            const Ellipses one(corner.data(), terms, gaussian, 0);
             for (std::size_t i = 0; i < count; ++i) {
                 g_[i] = std::max(g_[i], one.g_[i]);
             }

@@ -26,14 +26,15 @@ struct PhaseTooLarge : std::domain_error {
     using std::domain_error::domain_error;
 };
 
-// Coefficients of t, t^2, ... in radians.
+// The pupil function exp(i Phi - gaussian t): coefficients of t, t^2, ... of the phase, in radians.
 struct Phase {
     const double* coefficients;
     std::size_t terms;
+    double gaussian = 0.0;
 
     double size() const { return weighted(0.0, 1.0); }
     // What relative roundings of t and of the steps of Horner's rule do to the phase, in units of roundoff.
-    double sensitivity() const { return weighted(3.0, 4.0); }
+    double sensitivity() const { return weighted(3.0, 4.0) + 4.0 * gaussian; }
 
    private:
     double weighted(double slope, double start) const {
@@ -93,14 +94,14 @@ struct Disk {
     // Expands to `error` in U at every v up to `reach`; returns the bound that was reached, rounding included.
     double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch) {
         check_size(phase);
-        const Expansion plan(Ellipses(phase.coefficients, phase.terms, power), reach, error);
+        const Expansion plan(Ellipses(phase.coefficients, phase.terms, phase.gaussian, power), reach, error);
         terms = plan.terms;
         if (re.size() < plan.room()) {
             re.resize(plan.room());
             im.resize(plan.room());
         }
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, power, terms, re.data(), im.data(),
+            legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, phase.gaussian, power, terms, re.data(), im.data(),
                                   scratch);
         });
         return plan.error(phase);
@@ -131,7 +132,7 @@ class Field {
             for (std::size_t k = 0; k < power; ++k) {
                 weight_ *= area;
             }
-            const Phase inner{inner_phase_.data(), phase.terms};
+            const Phase inner{inner_phase_.data(), phase.terms, area * phase.gaussian};
             bound += weight_ * inner_.expand(inner, power, obscuration_ * reach, 0.5 * error, scratch_);
         }
         const std::size_t terms = std::max(outer_.terms, area > 0.0 ? inner_.terms : 0);
@@ -259,7 +260,10 @@ inline double normalized_error(double relative) { return relative < 1.0 ? 2.0 * 
 
 // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
 inline double likely_peak(const Phase& phase, double obscuration) {
-    return (1.0 - obscuration * obscuration) / (2.0 * phase.size() + 1.0);
+    const double area = 1.0 - obscuration * obscuration, g = phase.gaussian;
+    // int exp(-g t) dt over the annulus, the peak without aberration.
+    const double bright = g > 1e-6 ? std::exp(-g * obscuration * obscuration) * -std::expm1(-g * area) / g : area;
+    return bright / (2.0 * phase.size() + 1.0);
 }
 
 inline double first_error(const Phase& phase, double obscuration, double tol) {

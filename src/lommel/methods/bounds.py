@@ -25,8 +25,8 @@ _COSH, _SINH = np.cosh(_ETA)[:, None], np.sinh(_ETA)[:, None]
 UNIT_ROUNDOFF = 2.0**-53
 
 
-def growth(coefficients: NDArray[np.float64], low: float, v: float) -> NDArray[np.float64]:
-    """Bound ``log|exp(i Phi) J0(v sqrt t)|`` on each ellipse around ``[low, 1]``, for a whole stack.
+def growth(coefficients: NDArray[np.float64], low: float, v: float, gaussian: float = 0.0) -> NDArray[np.float64]:
+    """Bound ``log|exp(i Phi - gaussian t) J0(v sqrt t)|`` on each ellipse around ``[low, 1]``, for a whole stack.
 
     The box around the coefficients bounds the stack. The maximum over theta is taken on a grid and raised by
     ``1 / cos(degree step / 2)``, which bounds a trigonometric polynomial between grid points (Ehlich and Zeller,
@@ -45,7 +45,9 @@ def growth(coefficients: NDArray[np.float64], low: float, v: float) -> NDArray[n
         sides += s * np.abs(power.imag)
     exponent = np.abs(phase) + sides
     exponent += v * np.abs(np.sqrt(t).imag)
-    return np.asarray(exponent.max(axis=1) / math.cos(0.5 * degree * math.pi / _STEPS))
+    phase_and_kernel = np.asarray(exponent.max(axis=1) / math.cos(0.5 * degree * math.pi / _STEPS))
+    # Re t is at least c - h cosh eta.
+    return np.asarray(phase_and_kernel + gaussian * (half * _COSH[:, 0] - 0.5 * (1.0 + low)))
 
 
 def quadrature_error(g: NDArray[np.float64], n: int, low: float = 0.0) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +37,7 @@ class Hankel(FieldMethod):
     Theorem 19.3 of Trefethen, *Approximation Theory and Approximation Practice* (2013).
     """
 
+    apodized: ClassVar[bool] = True
     tol: float = 1e-14
 
     def __post_init__(self) -> None:
@@ -52,7 +54,7 @@ class Hankel(FieldMethod):
         low = pupil.obscuration**2
         coefficients = pupil.coefficients()
         reach = float(v[-1]) if v.size else 0.0
-        g = bounds.growth(coefficients, low, reach)
+        g = bounds.growth(coefficients, low, reach, pupil.apodization)
         n = bounds.quadrature_nodes(g, self.tol * (1.0 - low), low)
         if n > _MAX_NODES:
             raise ValueError(
@@ -61,7 +63,7 @@ class Hankel(FieldMethod):
             )
         t, weights = gauss_legendre(n, low, 1.0)
         powers = t ** np.arange(1, 1 + coefficients.shape[1])[:, None]
-        integrand = weights * np.exp(1j * (coefficients @ powers))
+        integrand = weights * np.exp(1j * (coefficients @ powers) - pupil.apodization * t)
         values = np.empty((coefficients.shape[0], v.size), dtype=np.complex128)
         root = np.sqrt(t)[:, None]
         rows = max(1, _BLOCK // n)

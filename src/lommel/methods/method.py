@@ -95,6 +95,9 @@ class Method(ABC):
     sampling: ClassVar[str] = "center"
     """``"center"``: values sample the pixel centres; ``"pixel"``: they are averages over pixels."""
 
+    apodized: ClassVar[bool] = False
+    """Whether pupils with an apodization are supported."""
+
     tol: float = 1e-6
 
     @abstractmethod
@@ -110,7 +113,7 @@ class Method(ABC):
 
     def unaberrated_peak(self, pupil: Pupil) -> float:
         """Return the peak of the same aperture without aberration, to which "strehl" relates."""
-        return pupil.area**2
+        return pupil.amplitude**2
 
     def tightened(self) -> Self:
         """Return the same method with half the tolerance, if it has one."""
@@ -162,6 +165,8 @@ class Method(ABC):
         if not isinstance(pupil, Pupil):
             raise TypeError(f"pupil must be a Pupil, got {pupil!r}")
         reason = self.unsupported(pupil)
+        if reason is None and pupil.apodization and not self.apodized:
+            reason = "supports uniform illumination only; this pupil is apodized"
         if reason is not None:
             raise ValueError(f"{type(self).__name__} {reason}")
 

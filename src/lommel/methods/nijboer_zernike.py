@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
@@ -44,6 +44,7 @@ class NijboerZernike(FieldMethod):
     doi:10.2971/jeos.2013.13044.
     """
 
+    apodized: ClassVar[bool] = True
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
@@ -55,11 +56,11 @@ class NijboerZernike(FieldMethod):
 
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v with its error bound, small enough for an intensity within `tol` of the peak."""
-        return FieldValues(*_core.field(pupil.coefficients(), pupil.obscuration, v, self.tol))
+        return FieldValues(*_core.field(pupil.coefficients(), pupil.obscuration, pupil.apodization, v, self.tol))
 
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
-        values, bounds, peaks = _core.profile(pupil.coefficients(), pupil.obscuration, v, self.tol)
+        values, bounds, peaks = _core.profile(pupil.coefficients(), pupil.obscuration, pupil.apodization, v, self.tol)
         if bounds.min() < 0:
             raise self._not_met(-bounds.min())
         return Intensities(values, bounds, peaks)
@@ -95,7 +96,7 @@ class NijboerZernike(FieldMethod):
         block = max(1, _BLOCK // (shape[0] * shape[1]))
         for first in range(0, n, block):
             part = slice(first, first + block)
-            arguments = (coefficients[part], pupil.obscuration, step, self.tol, threads)
+            arguments = (coefficients[part], pupil.obscuration, pupil.apodization, step, self.tol, threads)
             places = (values[part], scales[part], bounds[part])
             if slopes is None:
                 unmet = _core.render(*arguments, *places)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +37,7 @@ class Polychromatic(RadialMethod):
     ``normalize="strehl"`` is relative to the same spectrum without aberration.
     """
 
+    apodized: ClassVar[bool] = True
     wavelengths: tuple[float, ...]
     weights: tuple[float, ...]
     method: RadialMethod = field(default_factory=NijboerZernike)
@@ -69,11 +71,13 @@ class Polychromatic(RadialMethod):
         """Return the reason where the reference wavelength is unknown, or where the method gives one."""
         if pupil.wavelength is None:
             return "needs a pupil with a wavelength, to which the others are related"
+        if pupil.apodization and not self.method.apodized:
+            return f"sums {type(self.method).__name__}, which supports uniform illumination only"
         return self.method.unsupported(pupil)
 
     def unaberrated_peak(self, pupil: Pupil) -> float:
         """Return the peak of the same spectrum without aberration."""
-        return pupil.area**2 * sum(w * s**2 for w, s in zip(self.weights, self._scales(pupil), strict=True))
+        return pupil.amplitude**2 * sum(w * s**2 for w, s in zip(self.weights, self._scales(pupil), strict=True))
 
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return the weighted sum of I at rising v (of the reference wavelength)."""

@@ -87,7 +87,7 @@ def test_a_bad_wavefront_is_refused(name, value, shown):
     [(([0.0, 1.0], [0.0, 1.0, 2.0]), ["(2,)", "(3,)"]), ((np.ones((2, 3)), 0.0, [np.ones(2)]), ["(2, 3)", "(2,)"])],
 )
 def test_coefficients_that_do_not_broadcast_are_refused_with_their_shapes(coefficients, shapes):
-    with pytest.raises(ValueError, match="defocus, spherical and higher must broadcast") as caught:
+    with pytest.raises(ValueError, match="defocus, spherical, higher and nonradial must broadcast") as caught:
         lm.Wavefront(*coefficients)
     assert all(shape in str(caught.value) for shape in shapes)
 

@@ -148,11 +148,53 @@ class Pupil:
         c = self.wavefront.coefficients
         return c.reshape(-1, c.shape[-1])
 
+    @property
+    def radial(self) -> bool:
+        """Whether phase and transmission depend on the distance from the axis only."""
+        return self.wavefront.radial
+
+    def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
+        """Return the pupil function at pupil coordinates, ``exp(-g rho^2 + i phase)`` where light passes, else 0.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Over the radius of the aperture; x rises with the columns of the image, y with the rows.
+
+        Returns
+        -------
+        ndarray, shape ``(n, ...)``
+            The flattened stack, at the points that x and y broadcast to.
+        """
+        across, down = np.broadcast_arrays(validation.real_array("x", x), validation.real_array("y", y))
+        rho = np.hypot(across, down)
+        clear = (rho <= 1.0) & (rho >= self.obscuration)
+        out = np.zeros((math.prod(self.shape), *rho.shape), dtype=np.complex128)
+        inside = rho[clear]
+        phase = self.wavefront.phase(inside, np.arctan2(down[clear], across[clear])).reshape(len(out), -1)
+        out[:, clear] = np.exp(-self.apodization * inside**2 + 1j * phase)
+        return out
+
     def geometric_radius(self) -> NDArray[np.float64]:
-        """Return the radius of the geometric blur, ``max |dPhi/drho|`` as a length on the sensor."""
+        """Return how far from the axis rays meet the sensor at most, ``max |grad Phi|`` as a length there."""
         rho = np.linspace(self.obscuration, 1.0, 2049)
-        blur = np.abs(ray_height(self.coefficients(), rho)).max(axis=1)
+        if self.radial:
+            blur = np.abs(ray_height(self.coefficients(), rho)).max(axis=1)
+        else:
+            blur = self._longest_gradient(rho[:: 2048 // 64])
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
+
+    def _longest_gradient(self, rho: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return ``max |grad Phi|`` on a polar raster, shape (n,), by differences of the phase."""
+        theta = np.linspace(0.0, 2.0 * math.pi, 128, endpoint=False)
+        x, y = np.outer(rho, np.cos(theta)), np.outer(rho, np.sin(theta))
+        h = 1e-6
+
+        def phase(dx: float, dy: float) -> NDArray[np.float64]:
+            return self.wavefront.phase(np.hypot(x + dx, y + dy), np.arctan2(y + dy, x + dx)).reshape(-1, x.size)
+
+        slopes = np.hypot(phase(h, 0.0) - phase(-h, 0.0), phase(0.0, h) - phase(0.0, -h)) / (2.0 * h)
+        return np.asarray(slopes.max(axis=1))
 
     def unaberrated(self) -> Pupil:
         """Return the same aperture, in focus and without aberration."""
@@ -190,7 +232,7 @@ class Pupil:
         parts = dict(description)
         geometry = parts.pop("geometry")
         return cls(
-            Wavefront(**parts.pop("wavefront")),
+            Wavefront.from_dict(parts.pop("wavefront")),
             geometry=None if geometry is None else Geometry.from_dict(geometry),
             **parts,
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +43,7 @@ class Fraunhofer(Method):
     window that way, the call is refused.
     """
 
+    nonradial: ClassVar[bool] = True
     samples: int = 256
     padding: float = 4.0
     edge: str = "binary"
@@ -68,7 +70,7 @@ class Fraunhofer(Method):
         stride, side, spacing = self._layout(pupil, grid)
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
-        rho2 = x[:, None] ** 2 + x**2
+        rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
         mask = self._mask(x, pupil.obscuration)
         # An axis off the default place is a tilt of the pupil.
         away = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.center)
@@ -76,12 +78,10 @@ class Fraunhofer(Method):
         place = np.arange(-count, count + 1) % side
         rows = stride * (np.arange(grid.height) - grid.height // 2) % side
         columns = stride * (np.arange(grid.width) - grid.width // 2) % side
-        coefficients = pupil.coefficients()
-        out = np.empty((coefficients.shape[0], *grid.shape))
-        for image, terms in zip(out, coefficients, strict=True):
-            phase = np.zeros_like(rho2)
-            for c in terms[::-1]:
-                phase = (phase + c) * rho2
+        wavefronts = pupil.wavefront.flattened()
+        out = np.empty((wavefronts.shape[0], *grid.shape))
+        for i, image in enumerate(out):
+            phase = wavefronts[i].phase(rho, theta)
             padded = np.zeros((side, side), dtype=np.complex128)
             # Added, not assigned: without padding the first and the last samples share a place.
             np.add.at(padded, np.ix_(place, place), mask * np.exp(1j * phase) * tilt)

@@ -98,6 +98,9 @@ class Method(ABC):
     apodized: ClassVar[bool] = False
     """Whether pupils with an apodization are supported."""
 
+    nonradial: ClassVar[bool] = False
+    """Whether pupils whose phase or transmission depends on the direction are supported."""
+
     tol: float = 1e-6
 
     @abstractmethod
@@ -165,6 +168,8 @@ class Method(ABC):
         if not isinstance(pupil, Pupil):
             raise TypeError(f"pupil must be a Pupil, got {pupil!r}")
         reason = self.unsupported(pupil)
+        if reason is None and not (pupil.radial or self.nonradial):
+            reason = "supports radially symmetric pupils only; this one has terms that depend on the direction"
         if reason is None and pupil.apodization and not self.apodized:
             reason = "supports uniform illumination only; this pupil is apodized"
         if reason is not None:

@@ -1,0 +1,161 @@
+"""Zernike circle polynomials and their three ways of counting."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel import validation
+
+ORDERS = ("nm", "noll", "ansi", "fringe")
+MAX_DEGREE = 60
+"""Highest degree n of a term."""
+
+
+def check_term(n: Any, m: Any) -> tuple[int, int]:
+    """Return (n, m) if there is such a polynomial; ValueError names the term otherwise."""
+    try:
+        degree = validation.integer("n", n, least=0, most=MAX_DEGREE)
+        order = validation.integer("m", m, least=-MAX_DEGREE, most=MAX_DEGREE)
+    except ValueError as error:
+        raise ValueError(f"there is no Zernike term (n, m) = ({n}, {m}): {error}") from None
+    if abs(order) > degree or (degree - order) % 2:
+        raise ValueError(f"there is no Zernike term (n, m) = ({n}, {m}): abs(m) must be at most n, and n - m even")
+    return degree, order
+
+
+def term(index: Any, order: str) -> tuple[int, int]:
+    """Return (n, m) of an index: a pair for "nm", else an integer.
+
+    Noll counts from 1, ANSI (OSA) from 0, Fringe from 1 to 37. m > 0 is the cosine, m < 0 the sine.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If there is no such term.
+
+    References
+    ----------
+    R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207; ANSI Z80.28; J. C. Wyant and
+    K. Creath, "Basic wavefront aberration theory", Applied Optics and Optical Engineering XI (1992), Table III.
+    """
+    validation.choice("order", order, ORDERS)
+    if order == "nm":
+        if not isinstance(index, tuple | list) or len(index) != 2:
+            raise TypeError(f'a term in the order "nm" must be a pair (n, m), got {index!r}')
+        return check_term(*index)
+    first = 0 if order == "ansi" else 1
+    most = 37 if order == "fringe" else first + (MAX_DEGREE + 1) * (MAX_DEGREE + 2) // 2 - 1
+    if isinstance(index, tuple | list):
+        raise TypeError(f'a term in the order "{order}" must be an integer, got {index!r}')
+    j = validation.integer(f"a Zernike index in the order {order!r}", index, least=first, most=most)
+    if order == "ansi":
+        n = (math.isqrt(8 * j + 1) - 1) // 2
+        return n, 2 * j - n * (n + 2)
+    if order == "noll":
+        n = (math.isqrt(8 * j - 7) - 1) // 2
+        place = j - n * (n + 1) // 2  # 1 .. n + 1 within the degree, abs(m) rising
+        m = 2 * (place // 2) if n % 2 == 0 else 2 * ((place - 1) // 2) + 1
+        return n, m if j % 2 == 0 else -m
+    return _FRINGE[j]
+
+
+def index_of(n: int, m: int, order: str) -> Any:
+    """Return the index of (n, m) in an order; the inverse of :func:`term`."""
+    n, m = check_term(n, m)
+    validation.choice("order", order, ORDERS)
+    if order == "nm":
+        return n, m
+    if order == "ansi":
+        return (n * (n + 2) + m) // 2
+    if order == "noll":
+        low = n * (n + 1) // 2 + abs(m)
+        # Even indices are cosines, odd ones sines.
+        return low + (1 if (m == 0 or (m > 0) == (low % 2 == 1)) else 0)
+    for j, known in _FRINGE.items():
+        if known == (n, m):
+            return j
+    raise ValueError(f'the order "fringe" ends with 37 terms and has no (n, m) = ({n}, {m})')
+
+
+def _fringe() -> dict[int, tuple[int, int]]:
+    """Group g = (n + abs(m)) / 2 holds the (g + 1)^2 - g^2 terms of falling abs(m), cosine before sine."""
+    terms: list[tuple[int, int]] = []
+    for g in range(6):
+        for m in range(g, -1, -1):
+            n = 2 * g - m
+            terms += [(n, m), (n, -m)] if m else [(n, 0)]
+    return dict(enumerate([*terms, (12, 0)], 1))
+
+
+_FRINGE = _fringe()
+
+
+def rms_factor(n: int, m: int) -> float:
+    """Return what a coefficient normalised to its rms is multiplied by to have the value 1 at the edge.
+
+    ``Z = sqrt((2 - delta_m0) (n + 1)) R(rho) cos(m theta)`` has unit variance (Noll, Eq. 1).
+    """
+    return math.sqrt((n + 1) * (1 if m == 0 else 2))
+
+
+def radial(n: int, m: int, rho: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return ``R_n^|m|(rho)``, 1 at rho = 1: ``rho^|m| P_k^(0,|m|)(2 rho^2 - 1)`` with ``k = (n - |m|) / 2``."""
+    a = float(abs(m))
+    x = 2.0 * rho * rho - 1.0
+    before, here = np.zeros_like(x), np.ones_like(x)
+    # Jacobi's recurrence for alpha = 0, beta = a (DLMF 18.9.1-2).
+    for k in range((n - abs(m)) // 2):
+        s = 2 * k + a
+        if k == 0:
+            before, here = here, 0.5 * ((a + 2.0) * x - a)
+            continue
+        scale = 2.0 * (k + 1) * (k + 1 + a) * s
+        slope = (s + 1) * (s + 2) * s
+        shift = -(s + 1) * a * a
+        back = 2.0 * k * (k + a) * (s + 2)
+        before, here = here, ((slope * x + shift) * here - back * before) / scale
+    return np.asarray(rho ** abs(m) * here)
+
+
+def polynomial(n: int, m: int, rho: NDArray[np.float64], theta: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return ``R_n^|m|(rho)`` times ``cos(m theta)``, or ``sin(|m| theta)`` for m < 0; at most 1."""
+    azimuth = np.cos(m * theta) if m >= 0 else np.sin(-m * theta)
+    return np.asarray(radial(n, m, rho) * azimuth)
+
+
+@lru_cache(maxsize=32)
+def powers_to_legendre(terms: int) -> NDArray[np.float64]:
+    """Return the matrix, shape ``(terms + 1, terms)``, from coefficients of t, t^2, ... to those of R_0^0, R_2^0, ...
+
+    With t = rho^2: ``t^k = sum_j (2 j + 1) k!^2 / ((k - j)! (k + j + 1)!) R_2j^0``. The first row is the constant.
+    """
+    f = math.factorial
+    made = np.array(
+        [
+            [(2 * j + 1) * f(k) ** 2 / (f(k - j) * f(k + j + 1)) if j <= k else 0.0 for k in range(1, terms + 1)]
+            for j in range(terms + 1)
+        ]
+    )
+    made.flags.writeable = False
+    return made
+
+
+@lru_cache(maxsize=32)
+def legendre_to_powers(terms: int) -> NDArray[np.float64]:
+    """Return the matrix, shape ``(terms, terms)``, from coefficients of R_2^0, R_4^0, ... to those of t, t^2, ..."""
+    made = np.array(
+        [
+            [
+                (-1.0) ** (j + k) * math.comb(j, k) * math.comb(j + k, k) if k <= j else 0.0
+                for j in range(1, terms + 1)
+            ]
+            for k in range(1, terms + 1)
+        ]
+    )
+    made.flags.writeable = False
+    return made

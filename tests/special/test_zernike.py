@@ -1,0 +1,89 @@
+"""The circle polynomials and their orders."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from lommel.special import zernike
+
+# R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), Table I.
+NOLL = [(0, 0), (1, 1), (1, -1), (2, 0), (2, -2), (2, 2), (3, -1), (3, 1), (3, -3), (3, 3), (4, 0), (4, 2), (4, -2)]
+# ANSI Z80.28, Table 1.
+ANSI = [(0, 0), (1, -1), (1, 1), (2, -2), (2, 0), (2, 2), (3, -3), (3, -1), (3, 1), (3, 3), (4, -4), (4, -2), (4, 0)]
+# University of Arizona.
+FRINGE = [(0, 0), (1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (3, -1), (4, 0), (3, 3), (3, -3), (4, 2), (4, -2)]
+
+
+def test_the_first_terms_are_those_of_the_published_tables():
+    assert [zernike.term(j, "noll") for j in range(1, 14)] == NOLL
+    assert [zernike.term(j, "ansi") for j in range(13)] == ANSI
+    assert [zernike.term(j, "fringe") for j in range(1, 14)] == FRINGE
+    assert zernike.term(37, "fringe") == (12, 0)
+
+
+@pytest.mark.parametrize(("order", "first", "last"), [("noll", 1, 1891), ("ansi", 0, 1890), ("fringe", 1, 37)])
+def test_every_index_leads_to_a_term_and_back(order, first, last):
+    terms = [zernike.term(j, order) for j in range(first, last + 1)]
+    assert len(set(terms)) == len(terms)
+    assert [zernike.index_of(n, m, order) for n, m in terms] == list(range(first, last + 1))
+
+
+@pytest.mark.parametrize("m", [0, 1, 2, 7, 20])
+def test_radial_polynomials_are_orthogonal_and_one_at_the_edge(m):
+    x, w = np.polynomial.legendre.leggauss(64)
+    t, w = 0.5 * (x + 1.0), 0.5 * w
+    degrees = range(m, m + 30, 2)
+    rows = np.array([zernike.radial(n, m, np.sqrt(t)) for n in degrees])
+    # int R_n R_k rho d rho = delta / (2 (n + 1))
+    assert np.abs(0.5 * (rows * w) @ rows.T - np.diag([0.5 / (n + 1) for n in degrees])).max() < 1e-13
+    assert all(zernike.radial(n, m, np.ones(1))[0] == pytest.approx(1.0, abs=1e-12) for n in degrees)
+
+
+def test_the_first_polynomials_are_the_familiar_ones():
+    rho, theta = np.linspace(0, 1, 11), np.linspace(-3, 3, 11)
+    assert zernike.polynomial(2, 0, rho, theta) == pytest.approx(2 * rho**2 - 1)
+    assert zernike.polynomial(3, 1, rho, theta) == pytest.approx((3 * rho**3 - 2 * rho) * np.cos(theta))
+    assert zernike.polynomial(2, -2, rho, theta) == pytest.approx(rho**2 * np.sin(2 * theta))
+    assert zernike.polynomial(4, 0, rho, theta) == pytest.approx(6 * rho**4 - 6 * rho**2 + 1)
+
+
+def test_powers_of_rho_squared_become_legendre_terms_and_come_back():
+    both = zernike.powers_to_legendre(10)[1:] @ zernike.legendre_to_powers(10)
+    assert np.abs(both - np.eye(10)).max() < 1e-9
+    t, c = np.linspace(0, 1, 9), np.arange(1.0, 5.0)
+    legendre = zernike.powers_to_legendre(4) @ c
+    total = sum(b * zernike.radial(2 * k, 0, np.sqrt(t)) for k, b in enumerate(legendre))
+    assert total == pytest.approx(sum(a * t ** (k + 1) for k, a in enumerate(c)))
+
+
+@pytest.mark.parametrize(
+    ("index", "order", "message"),
+    [
+        ((3, 2), "nm", r"\(n, m\) = \(3, 2\)"),
+        ((2, 4), "nm", r"\(n, m\) = \(2, 4\)"),
+        ((-1, 1), "nm", r"\(n, m\) = \(-1, 1\)"),
+        ((61, 1), "nm", "from 0 to 60"),
+        (0, "noll", "from 1 to"),
+        (-1, "ansi", "from 0 to"),
+        (38, "fringe", "from 1 to 37"),
+        (0, "fringe", "from 1 to 37"),
+        (1, "zemax", "order must be one of"),
+    ],
+)
+def test_terms_that_do_not_exist_are_named(index, order, message):
+    with pytest.raises(ValueError, match=message):
+        zernike.term(index, order)
+
+
+@pytest.mark.parametrize(
+    ("index", "order"), [(3, "nm"), ((1, 2, 3), "nm"), ((3, 1), "noll"), ("3", "noll"), (2.0, "ansi")]
+)
+def test_an_index_of_the_wrong_kind_is_refused(index, order):
+    with pytest.raises(TypeError):
+        zernike.term(index, order)
+
+
+def test_fringe_has_no_terms_beyond_its_37():
+    with pytest.raises(ValueError, match="ends with 37"):
+        zernike.index_of(8, 8, "fringe")

@@ -20,6 +20,7 @@
 #include "lommel/profiles.hpp"
 #include "lommel/render.hpp"
 #include "lommel/subpixel.hpp"
+#include "lommel/zernike_images.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -200,6 +201,42 @@ double differentiate(In<double, 2> coefficients, double obscuration, double gaus
                        derivative_bounds.data());
 }
 
+// Returns 0, or the bound on the error where the tolerance cannot be met.
+template <class T>
+double render_zernike(In<std::int32_t, 1> n, In<std::int32_t, 1> m, In<double, 2> outer, In<double, 2> inner,
+                      double obscuration, double gaussian, In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, double step,
+                      double tol, int threads, Out<T, 3> images, Out<double, 1> scales, Out<double, 1> bounds) {
+    const std::size_t count = images.shape(0), terms = n.shape(0), height = images.shape(1), width = images.shape(2);
+    require(count > 0 && terms > 0 && m.shape(0) == terms, "n and m must have the same length");
+    require(outer.shape(0) == count && outer.shape(1) == terms && inner.shape(0) == count && inner.shape(1) == terms,
+            "outer and inner must have the shape (images, terms)");
+    require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
+    require(gaussian >= 0.0 && gaussian <= 100.0, "gaussian must be from 0 to 100");
+    require(rows.shape(0) == count && columns.shape(0) == count && scales.shape(0) == count && bounds.shape(0) == count,
+            "one row, column, scale and bound a pupil");
+    require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
+    require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
+    for (std::size_t j = 0; j < terms; ++j) {
+        const std::int32_t degree = n.data()[j], order = std::abs(m.data()[j]);
+        require(degree >= 0 && degree <= 200 && order <= degree && (degree - order) % 2 == 0,
+                "there is no such Zernike term");
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        require(std::abs(rows.data()[i]) <= 2000000 && std::abs(columns.data()[i]) <= 2000000,
+                "the axis must be within 2e6 pixels");
+    }
+    nb::gil_scoped_release nogil;
+    try {
+        const lommel::ZernikeStack stack{n.data(), m.data(), outer.data(), inner.data(), count, terms, obscuration, gaussian};
+        lommel::ZernikeRenderer<T>(stack, height, width, rows.data(), columns.data(), step, tol, threads, images.data(),
+                                   scales.data(), bounds.data())
+            .run();
+    } catch (const lommel::ToleranceNotMet& failure) {
+        return failure.bound;
+    }
+    return 0.0;
+}
+
 std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration,
                                                  double gaussian, In<double, 1> v, double tol) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
@@ -331,6 +368,13 @@ NB_MODULE(_core, m) {
     m.def("differentiate", &differentiate<double>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
           "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert());
+    m.def("render_zernike", &render_zernike<float>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
+          "rows"_a, "columns"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+          "bounds"_a.noconvert(),
+          "Images of pupils with any Zernike terms, each with its axis on a pixel; returns as render() does.");
+    m.def("render_zernike", &render_zernike<double>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
+          "rows"_a, "columns"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+          "bounds"_a.noconvert());
     m.def("paint_subpixel", &paint_subpixel, "samples"_a, "per_step"_a, "center_y"_a, "center_x"_a, "nodes"_a,
           "weights"_a, "threads"_a, "out"_a.noconvert(),
           "Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.");

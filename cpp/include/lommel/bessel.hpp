@@ -59,21 +59,27 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
     }
 }
 
-// 2 (-1)^n J_{2n+1}(v) / v for n = 0 .. terms-1: the transforms of the Legendre polynomials P_n(2t - 1).
+// 2 (-1)^k J_{2k+1+parity}(v) / v for k = 0 .. terms-1: the transforms of the radial Zernike polynomials of degrees
+// 2k + parity, of any azimuthal order; for parity 0, of the Legendre polynomials P_k(2t - 1).
 // `scratch` is reused from call to call.
-inline void legendre_transforms(double v, std::size_t terms, double* out, std::vector<double>& scratch) {
+inline void zernike_transforms(std::size_t parity, double v, std::size_t terms, double* out,
+                               std::vector<double>& scratch) {
     if (v < 1e-150) {
         std::fill(out, out + terms, 0.0);
-        if (terms > 0) {
+        if (terms > 0 && parity == 0) {
             out[0] = 1.0;
         }
         return;
     }
-    scratch.resize(2 * terms);
+    scratch.resize(2 * terms + parity);
     bessel_sequence(v, scratch.size(), scratch.data());
-    for (std::size_t n = 0; n < terms; ++n) {
-        out[n] = (n % 2 == 0 ? 2.0 : -2.0) * (scratch[2 * n + 1] / v);
+    for (std::size_t k = 0; k < terms; ++k) {
+        out[k] = (k % 2 == 0 ? 2.0 : -2.0) * (scratch[2 * k + 1 + parity] / v);
     }
+}
+
+inline void legendre_transforms(double v, std::size_t terms, double* out, std::vector<double>& scratch) {
+    zernike_transforms(0, v, terms, out, scratch);
 }
 
 }  // namespace lommel

@@ -1,5 +1,6 @@
 // The universal table: 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the v axis. It depends on nothing but the
-// width of the pieces, so one table serves every pupil, wavelength and pixel.
+// width of the pieces, so one table serves every pupil, wavelength and pixel. A second one, of 2 (-1)^n J_{2n+2}(v) / v,
+// is for the odd azimuthal orders of pupils that are not radially symmetric.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +31,7 @@ inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16
 // One piece: rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ... Orders that vanish here have no row.
 struct Piece {
     Doubles rows;
-    double magnitude = 0.0;
+    double magnitude = 0.0, azimuthal = 0.0;
     std::size_t terms() const { return rows.size() / degree_count; }
 };
 
@@ -40,8 +41,42 @@ struct PieceTable {
     // max over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2): with sum |beta_n|^2 / (2n+1) <= 1 it bounds the sum of the
     // magnitudes of all that is added up for one value of U, hence the rounding.
     double magnitude = 0.0;
+    // The same for all azimuthal orders together: max of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the degree.
+    double azimuthal = 0.0;
     std::vector<std::shared_ptr<const Piece>> pieces;
 };
+
+inline double chebyshev_point(std::size_t j, std::size_t count) {
+    return std::cos(3.14159265358979323846 * (static_cast<double>(j) + 0.5) / static_cast<double>(count));
+}
+
+// From values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ...: [power][point].
+template <std::size_t Count>
+const std::array<std::array<long double, Count>, Count>& chebyshev_to_monomials() {
+    using Matrix = std::array<std::array<long double, Count>, Count>;
+    static const Matrix matrix = [] {
+        // Monomial coefficients of T_0, T_1, ...
+        Matrix t{}, result{};
+        t[0][0] = 1;
+        t[1][1] = 1;
+        for (std::size_t i = 2; i < Count; ++i) {
+            for (std::size_t k = 0; k < Count; ++k) {
+                t[i][k] = (k > 0 ? 2 * t[i - 1][k - 1] : 0) - t[i - 2][k];
+            }
+        }
+        const long double pi = std::acos(-1.0L);
+        for (std::size_t j = 0; j < Count; ++j) {
+            for (std::size_t i = 0; i < Count; ++i) {
+                const long double c = (i == 0 ? 1.0L : 2.0L) / Count * std::cos(pi * i * (j + 0.5L) / Count);
+                for (std::size_t k = 0; k < Count; ++k) {
+                    result[k][j] += c * t[i][k];
+                }
+            }
+        }
+        return result;
+    }();
+    return matrix;
+}
 
 // What all rows that a piece leaves out can add to U, whatever the pupil.
 constexpr double left_out = 1e-19;
@@ -49,9 +84,11 @@ constexpr double left_out = 1e-19;
 class PieceTables {
    public:
     // A table with at least this many pieces and rows. Built where it is missing, shared by all threads; it is kept
-    // until all tables together outgrow 128 MiB.
-    static std::shared_ptr<const PieceTable> get(std::size_t width_index, std::size_t pieces, std::size_t terms) {
-        static PieceTables tables;
+    // until all tables of its parity outgrow 128 MiB.
+    static std::shared_ptr<const PieceTable> get(std::size_t width_index, std::size_t pieces, std::size_t terms,
+                                                 std::size_t parity = 0) {
+        static PieceTables both[2] = {PieceTables(0), PieceTables(1)};
+        PieceTables& tables = both[parity];
         const std::lock_guard<std::mutex> lock(tables.mutex_);
         std::shared_ptr<const PieceTable>& held = tables.tables_[width_index];
         if (held && held->pieces.size() >= pieces && held->terms >= terms) {
@@ -66,6 +103,8 @@ class PieceTables {
     }
 
    private:
+    explicit PieceTables(std::size_t parity) : parity_(parity) {}
+
     std::size_t bytes() const {
         std::size_t sum = 0;
         for (const auto& table : tables_) {
@@ -92,6 +131,7 @@ class PieceTables {
                 table->pieces[s] = made(width, s, rows);
             }
             table->magnitude = std::max(table->magnitude, table->pieces[s]->magnitude);
+            table->azimuthal = std::max(table->azimuthal, table->pieces[s]->azimuthal);
         }
         return table;
     }
@@ -103,71 +143,50 @@ class PieceTables {
         piece->rows.resize(terms * m);
         std::vector<double> values(m * terms);
         for (std::size_t j = 0; j < m; ++j) {
-            const double x = std::cos(3.14159265358979323846 * (static_cast<double>(j) + 0.5) / m);
+            const double x = chebyshev_point(j, m);
             const double v = width * (static_cast<double>(s) + 0.5 * (1.0 + x));
-            legendre_transforms(v, terms, &values[j * terms], scratch_);
+            zernike_transforms(parity_, v, terms, &values[j * terms], scratch_);
         }
         for (std::size_t n = 0; n < terms; ++n) {
             for (std::size_t k = 0; k < m; ++k) {
                 long double sum = 0;
                 for (std::size_t j = 0; j < m; ++j) {
-                    sum += to_monomials()[k][j] * static_cast<long double>(values[j * terms + n]);
+                    sum += chebyshev_to_monomials<m>()[k][j] * static_cast<long double>(values[j * terms + n]);
                 }
                 piece->rows[n * m + k] = static_cast<double>(sum);
             }
         }
         for (std::size_t k = 0; k < m; ++k) {
-            double sum = 0.0;
+            double sum = 0.0, all = 0.0;
             for (std::size_t n = 0; n < terms; ++n) {
-                sum += (2.0 * static_cast<double>(n) + 1.0) * piece->rows[n * m + k] * piece->rows[n * m + k];
+                const double square = piece->rows[n * m + k] * piece->rows[n * m + k];
+                const double orders = static_cast<double>(2 * n + parity_ + 1);
+                sum += (2.0 * static_cast<double>(n) + 1.0) * square;
+                all += orders * orders * square;
             }
             piece->magnitude += std::sqrt(sum);
+            piece->azimuthal += std::sqrt(all);
         }
         return piece;
     }
 
-    using Matrix = std::array<std::array<long double, degree_count>, degree_count>;
-    static const Matrix& to_monomials() {
-        static const Matrix matrix = [] {
-            constexpr std::size_t m = degree_count;
-            // Monomial coefficients of T_0 .. T_15.
-            Matrix t{}, result{};
-            t[0][0] = 1;
-            t[1][1] = 1;
-            for (std::size_t i = 2; i < m; ++i) {
-                for (std::size_t k = 0; k < m; ++k) {
-                    t[i][k] = (k > 0 ? 2 * t[i - 1][k - 1] : 0) - t[i - 2][k];
-                }
-            }
-            const long double pi = std::acos(-1.0L);
-            for (std::size_t j = 0; j < m; ++j) {
-                for (std::size_t i = 0; i < m; ++i) {
-                    const long double c = (i == 0 ? 1.0L : 2.0L) / m * std::cos(pi * i * (j + 0.5L) / m);
-                    for (std::size_t k = 0; k < m; ++k) {
-                        result[k][j] += c * t[i][k];
-                    }
-                }
-            }
-            return result;
-        }();
-        return matrix;
-    }
-
+    std::size_t parity_;
     std::mutex mutex_;
     std::vector<double> scratch_;
     std::array<std::shared_ptr<const PieceTable>, widths.size()> tables_;
 };
 
-// The 16 complex coefficients of U on one piece: sum over n of beta_n times row n. Bound by reading the table once.
+// The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Bound by reading the
+// table once.
 template <class I>
 LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im,
-                           double* re, double* im) {
+                           double* re, double* im, std::size_t first = 0) {
     using V = typename I::pack;
     constexpr std::size_t at_once = 2 * I::lanes < degree_count ? 2 * I::lanes : degree_count;
     constexpr std::size_t packs = at_once / I::lanes;
-    terms = std::min(terms, piece.terms());
+    terms = std::min(terms, piece.terms() - std::min(first, piece.terms()));
     for (std::size_t k = 0; k < degree_count; k += at_once) {
-        const double* column = piece.rows.data() + k;
+        const double* column = piece.rows.data() + first * degree_count + k;
         V a[2][packs], b[2][packs];  // two rows at once, for their chains of multiply-adds to overlap
         for (std::size_t j = 0; j < 2; ++j) {
             for (std::size_t p = 0; p < packs; ++p) {

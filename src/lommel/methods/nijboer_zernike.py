@@ -10,7 +10,16 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel import _core, validation
 from lommel.grid import Grid
-from lommel.methods.method import FieldMethod, FieldValues, Images, Intensities, Slopes, ToleranceError
+from lommel.methods import azimuthal
+from lommel.methods.method import (
+    FieldMethod,
+    FieldValues,
+    Images,
+    Intensities,
+    Slopes,
+    ToleranceError,
+    normalized_error,
+)
 from lommel.pupil import Pupil
 
 _BLOCK = 2**22  # values between two looks at the keyboard
@@ -20,7 +29,8 @@ _BLOCK = 2**22  # values between two looks at the keyboard
 class NijboerZernike(FieldMethod):
     r"""Series of Bessel functions, exact to a tolerance: the default.
 
-    Supports every pupil, up to about 5000 radians of phase.
+    Supports every circular aperture, obscured or not, and every wavefront, up to about 5000 radians of phase if it is
+    radially symmetric and some hundred if not.
 
     Parameters
     ----------
@@ -37,14 +47,21 @@ class NijboerZernike(FieldMethod):
     are tabulated once as polynomials of degree 15 on pieces of the v axis, U being of exponential type 1. An
     obscured aperture is the difference of two disks.
 
+    With any Zernike terms, ``P = sum beta_n^m R_n^|m| exp(i m theta)`` and
+    ``U(v, psi) = 2 sum_n (-i)^n sum_m beta_n^m J_{n+1}(v)/v exp(i m psi)``: the same radial functions serve every
+    azimuthal order; the orders are summed while rendering, for eight pixels at once.
+
     References
     ----------
     A. J. E. M. Janssen, J. Opt. Soc. Am. A 19, 849 (2002), doi:10.1364/JOSAA.19.000849.
     S. van Haver and A. J. E. M. Janssen, J. Eur. Opt. Soc. Rapid Publ. 8, 13044 (2013),
     doi:10.2971/jeos.2013.13044.
+    J. J. M. Braat, P. Dirksen, A. J. E. M. Janssen and A. S. van de Nes, J. Opt. Soc. Am. A 20, 2281 (2003),
+    doi:10.1364/JOSAA.20.002281.
     """
 
     apodized: ClassVar[bool] = True
+    nonradial: ClassVar[bool] = True
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
@@ -56,10 +73,12 @@ class NijboerZernike(FieldMethod):
 
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v with its error bound, small enough for an intensity within `tol` of the peak."""
+        _require_radial(pupil)
         return FieldValues(*_core.field(pupil.coefficients(), pupil.obscuration, pupil.apodization, v, self.tol))
 
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
+        _require_radial(pupil)
         values, bounds, peaks = _core.profile(pupil.coefficients(), pupil.obscuration, pupil.apodization, v, self.tol)
         if bounds.min() < 0:
             raise self._not_met(-bounds.min())
@@ -68,6 +87,13 @@ class NijboerZernike(FieldMethod):
     def tightened(self) -> NijboerZernike:
         """Return the same method with half the tolerance."""
         return NijboerZernike(0.5 * self.tol)
+
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
+        if pupil.radial:
+            return super().intensity(pupil, grid, threads)
+        made = self.images(pupil, grid, 1.0, np.float64, threads=threads)
+        return Intensities(made.values, made.error)
 
     def images(
         self,
@@ -81,6 +107,8 @@ class NijboerZernike(FieldMethod):
         threads: int = 0,
     ) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
+        if not pupil.radial:
+            return self._nonradial_images(pupil, grid, scale, dtype, out, powers, threads)
         if not grid.symmetric:
             if powers:
                 raise ValueError("derivatives are available of samples on the centred grid only")
@@ -110,8 +138,42 @@ class NijboerZernike(FieldMethod):
                 raise self._not_met(unmet)
         return Images(values, scales, bounds, slopes)
 
+    def _nonradial_images(
+        self,
+        pupil: Pupil,
+        grid: Grid,
+        scale: float | None,
+        dtype: DTypeLike,
+        out: NDArray[Any] | None,
+        powers: tuple[int, ...],
+        threads: int,
+    ) -> Images:
+        if powers:
+            raise ValueError("derivatives are available of radially symmetric pupils only")
+        if not grid.integrate:
+            values, scales, bounds, unmet = azimuthal.render(
+                pupil, grid, scale, dtype, self.tol, out=out, threads=threads
+            )
+            if unmet:
+                raise self._not_met(unmet)
+            return Images(values, scales, bounds)
+        averages, bounds, unmet = azimuthal.averaged(pupil, grid, self.tol, threads)
+        if unmet:
+            raise self._not_met(unmet)
+        scales = 1.0 / averages.max(axis=(1, 2)) if scale is None else np.full(len(averages), scale)
+        values = np.empty(averages.shape, dtype) if out is None else out
+        np.multiply(averages, scales[:, None, None], out=values, casting="same_kind")
+        return Images(values, scales, normalized_error(bounds) if scale is None else bounds)
+
     def _not_met(self, bound: float) -> ToleranceError:
         return ToleranceError(
             f"tol={self.tol:g} cannot be met in double precision: the error, bounded by {bound:.2g} of the peak, "
             "is not proven to be smaller"
+        )
+
+
+def _require_radial(pupil: Pupil) -> None:
+    if not pupil.radial:
+        raise ValueError(
+            "a pupil that is not radially symmetric has no radial profile; ask for its image with lommel.psf"
         )

@@ -67,7 +67,7 @@ def _one(
     for _ in range(8):
         budget = 0.1 * method.tol * bright / ceiling
         spacing = (16.0 / 3.0 * budget) ** 0.25
-        nodes = _pixel_nodes(step, budget) if integrate else 1
+        nodes = pixel_nodes(step, budget) if integrate else 1
         x, w = gauss_legendre(nodes, -0.5, 0.5) if integrate else (np.zeros(1), np.ones(1))
         count = math.ceil(far * step / spacing) + 6
         work = shape[0] * shape[1] * nodes**2
@@ -95,7 +95,7 @@ def _one(
         # Cubic interpolation magnifies the errors of the samples by 1.25 at most.
         given = float(profile.error[0]) * top * (1.25 if tabulated else 1.0)
         added = 3.0 / 16.0 * spacing**4 * ceiling if tabulated else 0.0
-        added += 2.0 * _pixel_error(step, nodes) * ceiling if integrate else 0.0
+        added += 2.0 * pixel_error(step, nodes) * ceiling if integrate else 0.0
         bound = (given + added) / float(image.max())
         # A method whose tolerance is no contract on the intensity is carried on without loss.
         if bound <= method.tol or (finer == method and added <= given):
@@ -105,7 +105,7 @@ def _one(
     raise ToleranceError(f"tol={method.tol:g} cannot be met: the bound on the error stays at {bound:.2g} of the peak")
 
 
-def _pixel_error(width: float, nodes: int) -> float:
+def pixel_error(width: float, nodes: int) -> float:
     """Bound the error of the q-point average over a pixel of `width` in v, along one axis, over sup|U|^2."""
     q = nodes
     logarithm = (
@@ -118,8 +118,9 @@ def _pixel_error(width: float, nodes: int) -> float:
     return math.exp(min(logarithm, 700.0))
 
 
-def _pixel_nodes(width: float, error: float) -> int:
+def pixel_nodes(width: float, error: float) -> int:
+    """Return the fewest nodes along an axis for which :func:`pixel_error` is at most `error`."""
     nodes = 1
-    while _pixel_error(width, nodes) > error:
+    while pixel_error(width, nodes) > error:
         nodes += 1
     return nodes

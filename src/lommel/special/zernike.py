@@ -128,6 +128,26 @@ def polynomial(n: int, m: int, rho: NDArray[np.float64], theta: NDArray[np.float
     return np.asarray(radial(n, m, rho) * azimuth)
 
 
+def scaled(
+    terms: dict[tuple[int, int], NDArray[np.float64]], radius: float
+) -> dict[tuple[int, int], NDArray[np.float64]]:
+    """Return the coefficients of the same function over a concentric disk of another `radius`, the constant included.
+
+    ``R_n^m(a rho) = sum_k (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
+
+    References
+    ----------
+    A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006), doi:10.1117/1.2345672.
+    """
+    at = np.array(radius)
+    found: dict[tuple[int, int], NDArray[np.float64]] = {}
+    for (n, m), c in terms.items():
+        values = [float(radial(n, k, at)) for k in range(abs(m), n + 1, 2)] + [0.0]
+        for i, k in enumerate(range(abs(m), n + 1, 2)):
+            found[k, m] = found.get((k, m), np.zeros(())) + (values[i] - values[i + 1]) * c
+    return found
+
+
 @lru_cache(maxsize=32)
 def powers_to_legendre(terms: int) -> NDArray[np.float64]:
     """Return the matrix, shape ``(terms + 1, terms)``, from coefficients of t, t^2, ... to those of R_0^0, R_2^0, ...

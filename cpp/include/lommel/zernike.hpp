@@ -1,0 +1,353 @@
+// Zernike coefficients of the pupil function: P = sum over n, m of R_n^m(rho) (c cos(m theta) + s sin(m theta)).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "lommel/disk_bounds.hpp"
+#include "lommel/legendre.hpp"
+#include "lommel/simd.hpp"
+#include "lommel/sincos.hpp"
+
+namespace lommel {
+
+// Phase of one pupil: coefficients, radians at the edge, of R_n^|m| cos(m theta), or sin(|m| theta) for m < 0; and the
+// exponent of its Gaussian amplitude exp(-gaussian rho^2).
+struct ZernikePhase {
+    const std::int32_t *n, *m;
+    const double* coefficients;
+    std::size_t terms;
+    double gaussian;
+
+    // Calls f(amplitude, n) for every (n, |m|), cosine and sine together.
+    template <class F>
+    void amplitudes(const F& f) const {
+        for (std::size_t j = 0; j < terms; ++j) {
+            double square = coefficients[j] * coefficients[j];
+            bool seen = false;
+            for (std::size_t i = 0; i < terms; ++i) {
+                if (i != j && n[i] == n[j] && m[i] == -m[j]) {
+                    seen = i < j;
+                    square += coefficients[i] * coefficients[i];
+                }
+            }
+            if (!seen && square > 0.0) {
+                f(std::sqrt(square), static_cast<std::size_t>(n[j]));
+            }
+        }
+    }
+
+    double size() const {
+        double sum = 0.0;
+        amplitudes([&](double amplitude, std::size_t) { sum += amplitude; });
+        return sum;
+    }
+
+    // What roundings of rho and of the recurrences do to the phase, in units of roundoff.
+    double sensitivity() const {
+        double sum = 0.0;
+        amplitudes([&](double a, std::size_t degree) { sum += a * (3.0 * static_cast<double>(degree) + 6.0); });
+        return sum + 4.0 * gaussian;
+    }
+
+    DiskBounds bounds() const {
+        DiskBounds bounds;
+        amplitudes([&](double amplitude, std::size_t degree) { bounds.add(amplitude, degree); });
+        bounds.add_gaussian(gaussian);
+        return bounds;
+    }
+};
+
+// R_m^m, R_{m+2}^m, ... follow Jacobi's recurrence for P_k^(0,m)(x), x = 2 rho^2 - 1 (DLMF 18.9.1): the next is
+// (slope x + shift) here - back before. These are the coefficients of the step from degree m + 2k.
+inline void radial_step(std::size_t k, double m, double& slope, double& shift, double& back) {
+    if (k == 0) {
+        slope = 0.5 * (m + 2.0);
+        shift = -0.5 * m;
+        back = 0.0;
+        return;
+    }
+    const double i = static_cast<double>(k), s = 2.0 * i + m, scale = 2.0 * (i + 1.0) * (i + 1.0 + m) * s;
+    slope = (s + 1.0) * (s + 2.0) * s / scale;
+    shift = -(s + 1.0) * m * m / scale;
+    back = 2.0 * i * (i + m) * (s + 2.0) / scale;
+}
+
+// A product rule on the disk, exact for polynomials up to a degree: Gauss nodes in t = rho^2, equal angles off the axes, so that
+// one quadrant of angles serves all four. Shared by all calls.
+struct DiskRule {
+    std::size_t degree;   // up to which it is exact
+    std::size_t rings;    // a multiple of 8
+    std::size_t quarter;  // angles in a quadrant, a multiple of 8
+    std::size_t orders;   // azimuthal orders there are tables for
+    Doubles t, rho, weights;
+    // cos and sin of m theta: [m / 2][angle] of even m, of odd m.
+    Doubles cosines[2], sines[2];
+
+    DiskRule(std::size_t exact, std::size_t order_count)
+        : degree(exact), rings((exact / 4 + 1 + 7) / 8 * 8), quarter((exact / 4 + 1 + 7) / 8 * 8),
+          orders((order_count + 15) / 16 * 16), t(rings), rho(rings), weights(rings) {
+        std::vector<double> x(rings), w(rings);
+        gauss_legendre(rings, x.data(), w.data());
+        for (std::size_t k = 0; k < rings; ++k) {
+            t[k] = 0.5 * (1.0 + x[k]);
+            rho[k] = std::sqrt(t[k]);
+            weights[k] = 0.5 * w[k];
+        }
+        for (std::size_t parity = 0; parity < 2; ++parity) {
+            cosines[parity].resize(orders / 2 * quarter);
+            sines[parity].resize(orders / 2 * quarter);
+        }
+        const double unit = 3.14159265358979323846 / static_cast<double>(4 * quarter);
+        for (std::size_t m = 0; m < orders; ++m) {
+            for (std::size_t i = 0; i < quarter; ++i) {
+                // m theta modulo a turn, exactly.
+                const double angle = unit * static_cast<double>(m * (2 * i + 1) % (8 * quarter));
+                cosines[m % 2][m / 2 * quarter + i] = std::cos(angle);
+                sines[m % 2][m / 2 * quarter + i] = std::sin(angle);
+            }
+        }
+    }
+
+    std::size_t bytes() const { return sizeof(double) * (2 * orders * quarter + 3 * rings); }
+
+    // The most recent ones, up to 64 MiB.
+    static std::shared_ptr<const DiskRule> get(std::size_t degree, std::size_t orders) {
+        static std::mutex mutex;
+        static std::list<std::shared_ptr<const DiskRule>> recent;
+        // Rounded up, so that a little more aberration does not mean new tables.
+        degree = (degree + 31) / 32 * 32;
+        const std::lock_guard<std::mutex> lock(mutex);
+        for (auto at = recent.begin(); at != recent.end(); ++at) {
+            if ((*at)->degree == degree && (*at)->orders >= orders) {
+                recent.splice(recent.begin(), recent, at);
+                return recent.front();
+            }
+        }
+        recent.push_front(std::make_shared<const DiskRule>(degree, orders));
+        const std::shared_ptr<const DiskRule> made = recent.front();
+        std::size_t bytes = 0;
+        for (auto at = recent.begin(); at != recent.end();) {
+            bytes += (*at)->bytes();
+            at = bytes > (std::size_t{64} << 20) ? recent.erase(at) : std::next(at);
+        }
+        return made;
+    }
+};
+
+// Coefficients of all degrees n < degrees, those of one azimuthal order m together: n = m, m + 2, ...
+struct ZernikeSeries {
+    std::size_t degrees = 0;
+    std::vector<std::size_t> start;  // of each order
+    Doubles cos_re, cos_im, sin_re, sin_im;
+
+    std::size_t count(std::size_t m) const { return (degrees - 1 - m) / 2 + 1; }
+
+    void resize(std::size_t n) {
+        degrees = n;
+        start.resize(n + 1);
+        std::size_t total = 0;
+        for (std::size_t m = 0; m < n; ++m) {
+            start[m] = total;
+            total += count(m);
+        }
+        start[n] = total;
+        for (Doubles* part : {&cos_re, &cos_im, &sin_re, &sin_im}) {
+            part->resize(total);
+        }
+    }
+};
+
+class ZernikeAnalysis {
+   public:
+    // Fills `series` with the coefficients times (-1)^(n/2) (-i)^n, what zernike_transforms() leaves to them.
+    template <class I>
+    LOMMEL_INLINE void run(I isa, const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, ZernikeSeries& series) {
+        series.resize(degrees);
+        evaluate(isa, rule, phase);
+        transform(isa, rule, degrees);
+        project(isa, rule, degrees, series);
+    }
+
+   private:
+    // The pupil function folded over the four quadrants: [ring][cos even, sin even, cos odd, sin odd][re, im][angle].
+    template <class I>
+    LOMMEL_INLINE void evaluate(I isa, const DiskRule& rule, const ZernikePhase& phase) {
+        using V = typename I::pack;
+        const std::size_t q = rule.quarter, rings = rule.rings;
+        folded_.resize(rings * 8 * q);
+        orders_.clear();
+        for (std::size_t j = 0; j < phase.terms; ++j) {
+            const std::int32_t m = std::abs(phase.m[j]);
+            if (std::find(orders_.begin(), orders_.end(), m) == orders_.end()) {
+                orders_.push_back(m);
+            }
+        }
+        radial_.assign(2 * orders_.size() * rings, 0.0);
+        for (std::size_t j = 0; j < phase.terms; ++j) {
+            const std::int32_t m = std::abs(phase.m[j]);
+            const std::size_t at = static_cast<std::size_t>(std::find(orders_.begin(), orders_.end(), m) - orders_.begin());
+            double* to = &radial_[(2 * at + (phase.m[j] < 0 ? 1 : 0)) * rings];
+            const V c = splat<V>(phase.coefficients[j]);
+            for (std::size_t k = 0; k < rings; k += I::lanes) {
+                const V t = load<V>(&rule.t[k]), x = t + t - splat<V>(1.0);
+                V here = power(isa, rule, k, static_cast<std::size_t>(m)), before = here;
+                for (std::int32_t i = 0; i < (phase.n[j] - m) / 2; ++i) {
+                    double slope, shift, back;
+                    radial_step(static_cast<std::size_t>(i), m, slope, shift, back);
+                    const V after = (splat<V>(slope) * x + splat<V>(shift)) * here - splat<V>(back) * before;
+                    before = here;
+                    here = after;
+                }
+                store(to + k, load<V>(to + k) + c * here);
+            }
+        }
+        for (std::size_t k = 0; k < rings; ++k) {
+            double* out = &folded_[k * 8 * q];
+            // Each angle stands for four, and the mean over all is wanted.
+            const double size = std::exp(-phase.gaussian * rule.t[k]) * 0.25 / static_cast<double>(q);
+            for (std::size_t i = 0; i < q; i += I::lanes) {
+                V even_cos = splat<V>(0.0), odd_cos = even_cos, even_sin = even_cos, odd_sin = even_cos;
+                for (std::size_t g = 0; g < orders_.size(); ++g) {
+                    const std::size_t m = static_cast<std::size_t>(orders_[g]);
+                    const V c = load<V>(&rule.cosines[m % 2][m / 2 * q + i]) * splat<V>(radial_[2 * g * rings + k]);
+                    const V s = load<V>(&rule.sines[m % 2][m / 2 * q + i]) * splat<V>(radial_[(2 * g + 1) * rings + k]);
+                    if (m % 2 == 0) {
+                        even_cos = even_cos + c;
+                        even_sin = even_sin + s;
+                    } else {
+                        odd_cos = odd_cos + c;
+                        odd_sin = odd_sin + s;
+                    }
+                }
+                // theta, -theta, pi - theta, pi + theta
+                const V angle[4] = {even_cos + odd_cos + even_sin + odd_sin, even_cos + odd_cos - even_sin - odd_sin,
+                                    even_cos - odd_cos - even_sin + odd_sin, even_cos - odd_cos + even_sin - odd_sin};
+                V part[2][4];
+                for (std::size_t j = 0; j < 4; ++j) {
+                    sincos(isa, angle[j], part[1][j], part[0][j]);
+                }
+                for (std::size_t c = 0; c < 2; ++c) {
+                    const V *p = part[c], s = splat<V>(size);
+                    const V near = p[0] + p[1], far = p[2] + p[3], near_odd = p[0] - p[1], far_odd = p[3] - p[2];
+                    store(out + (0 + c) * q + i, (near + far) * s);
+                    store(out + (2 + c) * q + i, (near_odd + far_odd) * s);
+                    store(out + (4 + c) * q + i, (near - far) * s);
+                    store(out + (6 + c) * q + i, (near_odd - far_odd) * s);
+                }
+            }
+        }
+    }
+
+    // Azimuthal Fourier coefficients of every ring, [m][cos re, cos im, sin re, sin im][ring], times the ring's weight.
+    template <class I>
+    LOMMEL_INLINE void transform(I, const DiskRule& rule, std::size_t degrees) {
+        using V = typename I::pack;
+        const std::size_t q = rule.quarter, rings = rule.rings;
+        rings_.resize(degrees * 4 * rings);
+        for (std::size_t k = 0; k < rings; ++k) {
+            const double* in = &folded_[k * 8 * q];
+            for (std::size_t m = 0; m < degrees; ++m) {
+                const double *c = &rule.cosines[m % 2][m / 2 * q], *s = &rule.sines[m % 2][m / 2 * q];
+                const double* from = in + (m % 2) * 4 * q;
+                V sums[4] = {splat<V>(0.0), splat<V>(0.0), splat<V>(0.0), splat<V>(0.0)};
+                for (std::size_t i = 0; i < q; i += I::lanes) {
+                    const V a = load<V>(c + i), b = load<V>(s + i);
+                    sums[0] = sums[0] + a * load<V>(from + i);
+                    sums[1] = sums[1] + a * load<V>(from + q + i);
+                    sums[2] = sums[2] + b * load<V>(from + 2 * q + i);
+                    sums[3] = sums[3] + b * load<V>(from + 3 * q + i);
+                }
+                const double weight = (m == 0 ? 1.0 : 2.0) * rule.weights[k];
+                for (std::size_t j = 0; j < 4; ++j) {
+                    double total = 0.0;
+                    for (std::size_t i = 0; i < I::lanes; ++i) {
+                        total += sums[j][i];
+                    }
+                    rings_[(m * 4 + j) * rings + k] = weight * total;
+                }
+            }
+        }
+    }
+
+    template <class I>
+    LOMMEL_INLINE void project(I isa, const DiskRule& rule, std::size_t degrees, ZernikeSeries& series) {
+        using V = typename I::pack;
+        const std::size_t rings = rule.rings;
+        constexpr std::size_t most = 64;  // vectors of rings whose recurrences are kept
+        for (std::size_t m = 0; m < degrees; ++m) {
+            const double* in = &rings_[m * 4 * rings];
+            const std::size_t count = series.count(m), to = series.start[m];
+            for (std::size_t j = 0; j < count; ++j) {
+                series.cos_re[to + j] = series.cos_im[to + j] = series.sin_re[to + j] = series.sin_im[to + j] = 0.0;
+            }
+            for (std::size_t first = 0; first < rings; first += most * I::lanes) {
+                const std::size_t packs = std::min(most, (rings - first) / I::lanes);
+                V x[most], before[most], here[most];
+                for (std::size_t p = 0; p < packs; ++p) {
+                    const V t = load<V>(&rule.t[first + p * I::lanes]);
+                    x[p] = t + t - splat<V>(1.0);
+                    before[p] = here[p] = power(isa, rule, first + p * I::lanes, m);
+                }
+                for (std::size_t j = 0; j < count; ++j) {
+                    V sums[4] = {splat<V>(0.0), splat<V>(0.0), splat<V>(0.0), splat<V>(0.0)};
+                    double slope, shift, back;
+                    radial_step(j, static_cast<double>(m), slope, shift, back);
+                    for (std::size_t p = 0; p < packs; ++p) {
+                        for (std::size_t c = 0; c < 4; ++c) {
+                            sums[c] = sums[c] + here[p] * load<V>(in + c * rings + first + p * I::lanes);
+                        }
+                        const V after = (splat<V>(slope) * x[p] + splat<V>(shift)) * here[p] - splat<V>(back) * before[p];
+                        before[p] = here[p];
+                        here[p] = after;
+                    }
+                    double total[4];
+                    for (std::size_t c = 0; c < 4; ++c) {
+                        total[c] = 0.0;
+                        for (std::size_t i = 0; i < I::lanes; ++i) {
+                            total[c] += sums[c][i];
+                        }
+                    }
+                    const double norm = static_cast<double>(m + 2 * j + 1);
+                    if (m % 2 == 0) {
+                        series.cos_re[to + j] += norm * total[0];
+                        series.cos_im[to + j] += norm * total[1];
+                        series.sin_re[to + j] += norm * total[2];
+                        series.sin_im[to + j] += norm * total[3];
+                    } else {
+                        // times -i
+                        series.cos_re[to + j] += norm * total[1];
+                        series.cos_im[to + j] -= norm * total[0];
+                        series.sin_re[to + j] += norm * total[3];
+                        series.sin_im[to + j] -= norm * total[2];
+                    }
+                }
+            }
+        }
+    }
+
+    // rho^m at a vector of rings.
+    template <class I>
+    static LOMMEL_INLINE typename I::pack power(I, const DiskRule& rule, std::size_t k, std::size_t m) {
+        using V = typename I::pack;
+        V result = splat<V>(1.0), square = load<V>(&rule.rho[k]);
+        for (; m > 0; m /= 2) {
+            if (m % 2 == 1) {
+                result = result * square;
+            }
+            square = square * square;
+        }
+        return result;
+    }
+
+    Doubles folded_, radial_, rings_;
+    std::vector<std::int32_t> orders_;
+};
+
+}  // namespace lommel

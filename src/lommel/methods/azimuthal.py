@@ -1,0 +1,137 @@
+"""Pupils that are not radially symmetric, for the spectral engine: their terms, their axis, their images."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from lommel import _core
+from lommel.grid import Grid
+from lommel.methods.subpixel import pixel_error, pixel_nodes
+from lommel.pupil import Pupil
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
+
+_BLOCK = 2**20  # values between two looks at the keyboard
+
+
+class Terms(NamedTuple):
+    """Zernike terms of a stack of phases on the aperture and, over its own radius, on the obscuration.
+
+    Attributes
+    ----------
+    n, m : ndarray of int32, shape (terms,)
+    outer, inner : ndarray, shape (n, terms)
+        Coefficients in radians at the edge, the constant among them, which the two disks must share.
+    rows, columns : ndarray of int64, shape (n,)
+        The pixel on which the axis of each lies: whole pixels of tilt move the image instead.
+    """
+
+    n: NDArray[np.int32]
+    m: NDArray[np.int32]
+    outer: NDArray[np.float64]
+    inner: NDArray[np.float64]
+    rows: NDArray[np.int64]
+    columns: NDArray[np.int64]
+
+
+def expand(pupil: Pupil, grid: Grid, shift: tuple[float, float] = (0.0, 0.0)) -> Terms:
+    """Return the terms of a stack, its axis moved by `shift` (rows, columns) of a pixel."""
+    wavefront = pupil.wavefront.flattened()
+    powers = wavefront.coefficients
+    piston = powers @ zernike.powers_to_legendre(powers.shape[-1])[0]
+    found = {(0, 0): piston} | {term: c for term, c in wavefront.edge_terms().items() if np.any(c)}
+    step, flat = grid.step(pupil), (len(powers),)
+    axes = []
+    for axis, term in ((0, (1, -1)), (1, (1, 1))):
+        # A tilt of `step` radians moves the image by a pixel.
+        at = grid.center[axis] + shift[axis] + np.broadcast_to(found.get(term, np.zeros(())), flat) / step
+        axes.append(np.rint(at).astype(np.int64))
+        rest = (at - axes[-1]) * step
+        found.pop(term, None)
+        if np.any(rest):
+            found[term] = rest
+    outer = {term: np.broadcast_to(c, flat) for term, c in found.items()}
+    inner = zernike.scaled(outer, pupil.obscuration) if pupil.obscuration else outer
+    terms = list(inner)
+    zero = np.zeros(flat)
+    n, m = (np.array([term[i] for term in terms], dtype=np.int32) for i in (0, 1))
+    together = [np.ascontiguousarray(np.stack([c.get(t, zero) for t in terms], axis=-1)) for c in (outer, inner)]
+    return Terms(n, m, *together, *axes)
+
+
+def render(
+    pupil: Pupil,
+    grid: Grid,
+    scale: float | None,
+    dtype: DTypeLike,
+    tol: float,
+    out: NDArray[Any] | None = None,
+    shift: tuple[float, float] = (0.0, 0.0),
+    threads: int = 0,
+) -> tuple[NDArray[Any], NDArray[np.float64], NDArray[np.float64], float]:
+    """Return images at the pixel centres, their scales and bounds, and 0 or the bound where `tol` cannot be met."""
+    terms = expand(pupil, grid, shift)
+    count = len(terms.rows)
+    values = np.empty((count, *grid.shape), dtype) if out is None else out
+    # The compiled core takes 0 for "divide by the largest value".
+    scales, bounds = np.full(count, 0.0 if scale is None else scale), np.empty(count)
+    block = max(1, _BLOCK // (grid.height * grid.width))
+    for first in range(0, count, block):
+        part = slice(first, first + block)
+        unmet = _core.render_zernike(
+            terms.n,
+            terms.m,
+            terms.outer[part],
+            terms.inner[part],
+            pupil.obscuration,
+            pupil.apodization,
+            terms.rows[part],
+            terms.columns[part],
+            grid.step(pupil),
+            tol,
+            threads,
+            values[part],
+            scales[part],
+            bounds[part],
+        )
+        if unmet:
+            return values, scales, bounds, unmet
+    return values, scales, bounds, 0.0
+
+
+def averaged(
+    pupil: Pupil, grid: Grid, tol: float, threads: int = 0
+) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
+    """Return the intensity averaged over each pixel, its bounds, and 0 or the bound where `tol` cannot be met.
+
+    Gauss-Legendre sums over the pixel; I is of exponential type 2 along any line, which bounds their error as in
+    :func:`lommel.methods.subpixel.subpixel_intensity`.
+    """
+    step, ceiling = grid.step(pupil), pupil.area**2
+    values, _, bounds, unmet = render(pupil, grid, 1.0, np.float64, 0.5 * tol, threads=threads)
+    if unmet:
+        return values, bounds, unmet
+    peaks = values.max(axis=(1, 2))
+    for _ in range(4):
+        # The average of a pixel is below its largest value, and for pixels of many lambda*N far below.
+        budget = 0.2 * tol * float(peaks.min()) / ceiling
+        nodes = pixel_nodes(step, budget)
+        x, w = gauss_legendre(nodes, -0.5, 0.5)
+        total, given = np.zeros_like(values), np.zeros(len(values))
+        for i in range(nodes):
+            for j in range(nodes):
+                part, _, bound, unmet = render(
+                    pupil, grid, 1.0, np.float64, 0.25 * tol, shift=(-x[i], -x[j]), threads=threads
+                )
+                if unmet:
+                    return total, bounds, unmet
+                total += w[i] * w[j] * part
+                given += w[i] * w[j] * bound * part.max(axis=(1, 2))
+        peaks = total.max(axis=(1, 2))
+        bounds = (given + 2.0 * pixel_error(step, nodes) * ceiling) / peaks
+        if bounds.max() <= tol:
+            return total, bounds, 0.0
+    return total, bounds, float(bounds.max())

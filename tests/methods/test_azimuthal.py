@@ -1,0 +1,210 @@
+"""The spectral engine on pupils that are not radially symmetric, against direct quadrature over the aperture."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+import lommel as lm
+from lommel import _core
+from lommel.special import zernike
+
+TERMS = [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2)]
+
+
+def exact_field(pupil: lm.Pupil, vx: np.ndarray, vy: np.ndarray, rings: int = 120, angles: int = 480) -> np.ndarray:
+    """Direct sum over a polar rule, shape (points,): Gauss nodes in rho^2 and equal angles, not the engine's."""
+    x, w = np.polynomial.legendre.leggauss(rings)
+    inside = pupil.obscuration**2
+    t = inside + (1.0 - inside) * 0.5 * (1.0 + x)
+    theta = 2.0 * np.pi * (np.arange(angles) + 0.2) / angles
+    rho = np.sqrt(t)[:, None]
+    px, py = (rho * np.cos(theta)).ravel(), (rho * np.sin(theta)).ravel()
+    phase = pupil.wavefront.phase(np.broadcast_to(rho, (rings, angles)).ravel(), np.tile(theta, rings))
+    weights = np.repeat(0.5 * (1.0 - inside) * w, angles) / angles
+    source = weights * np.exp(-pupil.apodization * (px**2 + py**2) + 1j * phase)
+    return np.exp(-1j * (np.multiply.outer(vx, px) + np.multiply.outer(vy, py))) @ source
+
+
+def exact_intensity(pupil: lm.Pupil, answer: lm.PSF, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    step = answer.grid.step(pupil)
+    field = exact_field(pupil, step * (columns - answer.grid.center[1]), step * (rows - answer.grid.center[0]))
+    return float(answer.scale) * np.abs(field) ** 2
+
+
+def assert_within_bound(pupil: lm.Pupil, answer: lm.PSF, count: int = 12, seed: int = 0) -> None:
+    """Compare random pixels, the brightest and the corners."""
+    rng = np.random.default_rng(seed)
+    height, width = answer.shape
+    brightest = np.unravel_index(answer.values.argmax(), answer.shape)
+    rows = np.array([*rng.integers(0, height, count), brightest[0], 0, height - 1])
+    columns = np.array([*rng.integers(0, width, count), brightest[1], 0, width - 1])
+    error = np.abs(answer.values[rows, columns] - exact_intensity(pupil, answer, rows, columns)).max()
+    assert answer.error_bound is not None
+    assert error / answer.values.max() <= answer.error_bound <= answer.method.tol + 2.0**-24
+
+
+@pytest.mark.parametrize(
+    "term", [(1, 1), (1, -1), (2, 2), (2, -2), (3, 1), (3, -1), (3, 3), (4, -4), (7, 5), (8, -8)]
+)
+@pytest.mark.parametrize("shape", [(17, 17), (16, 21)])
+def test_a_single_term_of_either_sign_is_what_quadrature_says(term, shape):
+    pupil = lm.Pupil(lm.Wavefront(nonradial={term: 2.5}))
+    assert_within_bound(pupil, lm.psf(pupil, shape, 0.4, method=lm.NijboerZernike(1e-9)))
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_two_hundred_random_sets_of_terms_up_to_degree_8_keep_the_contract(seed):
+    rng = np.random.default_rng(seed)
+    chosen = [TERMS[i] for i in rng.permutation(len(TERMS))[: rng.integers(1, 16)]]
+    strength = rng.choice([0.2, 1.0, 3.0]) / np.sqrt(len(chosen))
+    wavefront = lm.Wavefront.zernike({term: strength * rng.normal() for term in chosen}) + lm.Wavefront(
+        rng.choice([0.0, 4.0]) * rng.normal()
+    )
+    pupil = lm.Pupil(
+        wavefront,
+        obscuration=float(rng.choice([0.0, 0.0, 0.3, 0.7])),
+        apodization=float(rng.choice([0.0, 0.0, 1.5])),
+    )
+    tol = 10.0 ** -rng.uniform(3, 9)
+    shape = (int(rng.integers(5, 60)), int(rng.integers(5, 60)))
+    center = None if seed % 3 else (shape[0] * rng.random(), shape[1] * rng.random())
+    answer = lm.psf(
+        pupil, shape, float(rng.uniform(0.1, 1.0)), method=lm.NijboerZernike(tol), dtype=np.float64, center=center
+    )
+    assert_within_bound(pupil, answer, seed=seed)
+
+
+@pytest.mark.parametrize("digits", np.arange(3.0, 10.01, 0.125))
+def test_the_tolerance_is_a_contract(digits):
+    pupil = lm.Pupil(lm.Wavefront(3.0, 2.0, nonradial={(3, 1): 4.0, (2, -2): 3.0, (3, 3): 2.0}), obscuration=0.2)
+    answer = lm.psf(pupil, 33, 0.5, method=lm.NijboerZernike(10.0**-digits), dtype=np.float64)
+    assert_within_bound(pupil, answer)
+
+
+@given(st.floats(-60, 60), st.floats(-40, 40), st.sampled_from([0.0, 0.35, 0.8]), st.floats(0.1, 1.5))
+@example(50.0, 0.0, 0.0, 0.5)
+def test_a_term_too_small_to_matter_gives_what_the_radial_engine_gives(defocus, spherical, obscuration, pixel):
+    radial = lm.Pupil(lm.Wavefront(defocus, spherical), obscuration=obscuration)
+    general = lm.Pupil(lm.Wavefront(defocus, spherical, nonradial={(2, 2): 1e-14}), obscuration=obscuration)
+    a = lm.psf(radial, (30, 41), pixel, dtype=np.float64)
+    b = lm.psf(general, (30, 41), pixel, dtype=np.float64)
+    assert lm.peak_error(b, a) <= a.error_bound + b.error_bound
+
+
+def test_the_coefficients_of_a_large_image_agree_with_those_of_a_small_one():
+    # The large one is divided into rings, the small one is not.
+    pupil = lm.Pupil(lm.Wavefront(10.0, nonradial={(3, 1): 6.0, (3, -1): 8.0, (2, -2): 10.0, (3, 3): -10.0}))
+    large, small = lm.psf(pupil, 257, 0.5), lm.psf(pupil, 65, 0.5)
+    assert np.abs(large.values[96:161, 96:161] - small.values).max() <= 2e-7 * small.values.max()
+    assert_within_bound(pupil, large)
+
+
+def test_wavefronts_that_are_even_or_odd_in_y_take_half_the_work_and_give_the_same():
+    # With sines only after a turn by 90 degrees, with cosines only before.
+    upright = lm.psf(lm.Pupil(lm.Wavefront(2.0, nonradial={(3, 1): 3.0, (2, 2): 1.0})), 41, 0.4)
+    turned = lm.psf(lm.Pupil(lm.Wavefront(2.0, nonradial={(3, -1): 3.0, (2, 2): -1.0})), 41, 0.4)
+    assert np.abs(upright.values.T - turned.values).max() <= 2e-7 * upright.values.max()
+    assert np.abs(upright.values - upright.values[::-1]).max() <= 2e-7 * upright.values.max()
+
+
+def test_a_tilt_by_whole_pixels_moves_the_image_by_so_many():
+    aberrations = lm.Wavefront(1.0, nonradial={(3, -1): 2.0})
+    step = np.pi * 0.5
+    still = lm.psf(lm.Pupil(aberrations), 65, 0.5)
+    moved = lm.psf(lm.Pupil(aberrations + lm.Wavefront(nonradial={(1, 1): 7 * step, (1, -1): -4 * step})), 65, 0.5)
+    assert np.abs(moved.values[10:50, 20:60] - still.values[14:54, 13:53]).max() <= 2e-7 * still.values.max()
+
+
+def test_a_tilt_of_a_fraction_of_a_pixel_is_a_shift_of_the_axis():
+    aberrations = lm.Wavefront(1.0, nonradial={(3, -1): 2.0})
+    tilt = lm.Wavefront(nonradial={(1, 1): 0.4 * np.pi * 0.5})
+    moved = lm.psf(lm.Pupil(aberrations + tilt), 33, 0.5)
+    shifted = lm.psf(lm.Pupil(aberrations), 33, 0.5, center=(16.0, 16.4))
+    assert np.abs(moved.values - shifted.values).max() <= 2e-7 * moved.values.max()
+
+
+def test_a_window_far_from_the_light_is_dark_and_certified():
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2.0}))
+    away = lm.psf(pupil, 9, 0.5, center=(4.0, -150.0), normalize="strehl", dtype=np.float64)
+    exact = exact_intensity(pupil, away, *np.mgrid[0:9, 0:9].reshape(2, -1)).reshape(9, 9)
+    peak = lm.psf(pupil, 33, 0.5, normalize="strehl").values.max()
+    assert np.abs(away.values - exact).max() <= away.error_bound * peak
+    assert away.values.max() < 1e-5 * peak
+
+
+def test_all_light_is_counted():
+    pupil = lm.Pupil(lm.Wavefront(2.0, nonradial={(3, 1): 3.0}), obscuration=0.3)
+    assert lm.psf(pupil, 801, 0.5).values.sum(dtype=np.float64) == pytest.approx(1.0, abs=3e-3)
+
+
+def test_a_stack_is_what_its_members_are():
+    coefficients = np.linspace(-3, 3, 7)
+    stack = lm.Pupil(lm.Wavefront(np.linspace(0, 2, 7), nonradial={(3, 1): coefficients, (2, -2): 1.0}))
+    together = lm.psf(stack, (20, 31), 0.4)
+    for i in (0, 3, 6):
+        assert together.values[i].tobytes() == lm.psf(stack[i], (20, 31), 0.4).values.tobytes()
+
+
+def test_threads_do_not_change_a_bit():
+    pupil = lm.Pupil(lm.Wavefront(5.0, nonradial={(3, 1): 6.0, (2, -2): 4.0}))
+    assert lm.psf(pupil, 200, 0.4, threads=1).values.tobytes() == lm.psf(pupil, 200, 0.4, threads=4).values.tobytes()
+
+
+@pytest.mark.parametrize("level", ["portable", "avx2"])
+def test_other_instructions_give_the_same_to_rounding(level):
+    pupil = lm.Pupil(lm.Wavefront(5.0, nonradial={(3, 1): 6.0, (2, -2): 4.0}), obscuration=0.3)
+    widest = lm.psf(pupil, 120, 0.4, dtype=np.float64)
+    _core.limit_instructions(level)
+    try:
+        other = lm.psf(pupil, 120, 0.4, dtype=np.float64)
+    finally:
+        _core.limit_instructions("avx512")
+    assert lm.peak_error(other, widest) < 1e-10
+
+
+@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
+def test_pixels_average_over_their_area_when_asked_to(normalize):
+    pupil = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 3.0, (2, -2): 2.0}))
+    answer = lm.psf(pupil, (9, 12), 1.0, integrate=True, normalize=normalize, dtype=np.float64)
+    x, w = np.polynomial.legendre.leggauss(10)
+    rows, columns = np.mgrid[0:9, 0:12]
+    mean = np.zeros((9, 12))
+    for dy, wy in zip(0.5 * x, 0.5 * w, strict=True):
+        for dx, wx in zip(0.5 * x, 0.5 * w, strict=True):
+            points = (np.pi * (columns + dx - 6).ravel(), np.pi * (rows + dy - 4).ravel())
+            mean += wx * wy * np.abs(exact_field(pupil, *points, rings=40, angles=160)).reshape(9, 12) ** 2
+    mean *= answer.scale
+    assert np.abs(answer.values - mean).max() / answer.values.max() <= answer.error_bound <= 1e-6 + 1e-15
+
+
+def test_there_is_no_profile_and_there_are_no_derivatives_of_such_pupils():
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
+    with pytest.raises(ValueError, match="no radial profile"):
+        lm.NijboerZernike().field(pupil, [0.0, 1.0])
+    with pytest.raises(ValueError, match="no radial profile"):
+        lm.NijboerZernike().profile(pupil, np.array([0.0, 1.0]))
+    with pytest.raises(ValueError, match="radially symmetric"):
+        lm.psf(pupil, 9, 0.5, derivatives=("defocus",))
+
+
+def test_aberrations_beyond_the_limit_are_refused_with_a_reason():
+    with pytest.raises(ValueError, match="Zernike series of degree"):
+        lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2000.0})), 2048, 1.0)
+    with pytest.raises(ValueError, match="1e6 rad"):
+        lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2e6})), 9, 0.5)
+
+
+def test_a_tolerance_below_rounding_is_refused():
+    with pytest.raises(lm.ToleranceError, match="cannot be met"):
+        lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 30.0})), 65, 0.5, method=lm.NijboerZernike(1e-12))
+
+
+@given(st.sampled_from(TERMS), st.floats(0.05, 1.0))
+def test_terms_scale_to_smaller_disks_without_loss(term, radius):
+    rho, theta = np.linspace(0, 1, 7), np.linspace(-3, 3, 7)
+    parts = zernike.scaled({term: np.array(1.0)}, radius)
+    total = sum(c * zernike.polynomial(*t, rho, theta) for t, c in parts.items())
+    assert total == pytest.approx(zernike.polynomial(*term, radius * rho, theta), abs=1e-13)

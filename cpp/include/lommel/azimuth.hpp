@@ -4,6 +4,7 @@
 // cos(m psi) and sin(m psi) up to sign, by m modulo 4. Bound by multiply-adds: 4 Degree + 10 for eight pixels and an order.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -27,6 +28,14 @@ struct ActiveOrders {
         std::vector<Order>& list = of[m % 4];
         list.push_back({m, (m - (list.empty() ? m % 4 : list.back().m)) / 4});
     }
+
+    std::size_t highest() const {
+        std::size_t top = 0;
+        for (const auto& list : of) {
+            top = list.empty() ? top : std::max(top, list.back().m);
+        }
+        return top;
+    }
 };
 
 // Coefficients of one ring: for each order, in the sequence of ActiveOrders, the parts re A, im A, and re B, im B if there
@@ -34,30 +43,28 @@ struct ActiveOrders {
 //
 // Intensities of Unroll vectors of groups at x (-1 to 1 across the ring), with cos(psi) and sin(psi), psi in the first
 // octant: out[j][u] belongs to the direction (a, b), (a, -b), (-a, b), (-a, -b), (b, a), (b, -a), (-b, a), (-b, -a).
-template <std::size_t Degree, bool Sines, std::size_t Unroll, class I>
-LOMMEL_INLINE void sum_orders(I, const ActiveOrders& orders, const double* coefficients,
-                              const typename I::pack* x, const typename I::pack* cosine, const typename I::pack* sine,
-                              typename I::pack (*out)[Unroll]) {
-    using V = typename I::pack;
+template <std::size_t Degree, bool Sines, std::size_t Unroll, class V, class Real>
+LOMMEL_INLINE void sum_orders(const ActiveOrders& orders, const Real* coefficients, const V* x, const V* cosine,
+                              const V* sine, V (*out)[Unroll]) {
     constexpr std::size_t parts = Sines ? 4 : 2;
     // [remainder][A cos, A sin, B cos, B sin][re, im]
     V sums[4][4][2][Unroll];
     V turn_c[Unroll], turn_s[Unroll], start_c[Unroll], start_s[Unroll];
     for (std::size_t u = 0; u < Unroll; ++u) {
-        const V c2 = cosine[u] * cosine[u] - sine[u] * sine[u], s2 = splat<V>(2.0) * cosine[u] * sine[u];
+        const V c2 = cosine[u] * cosine[u] - sine[u] * sine[u], s2 = splat<V>(Real(2)) * cosine[u] * sine[u];
         turn_c[u] = c2 * c2 - s2 * s2;
-        turn_s[u] = splat<V>(2.0) * c2 * s2;
-        start_c[u] = splat<V>(1.0);
-        start_s[u] = splat<V>(0.0);
+        turn_s[u] = splat<V>(Real(2)) * c2 * s2;
+        start_c[u] = splat<V>(Real(1));
+        start_s[u] = splat<V>(Real(0));
     }
-    const double* from = coefficients;
+    const Real* from = coefficients;
     for (std::size_t remainder = 0; remainder < 4; ++remainder) {
         V c[Unroll], s[Unroll], total[4][2][Unroll];
         for (std::size_t u = 0; u < Unroll; ++u) {
             c[u] = start_c[u];
             s[u] = start_s[u];
             for (std::size_t j = 0; j < 4; ++j) {
-                total[j][0][u] = total[j][1][u] = splat<V>(0.0);
+                total[j][0][u] = total[j][1][u] = splat<V>(Real(0));
             }
         }
         for (const ActiveOrders::Order& order : orders.of[remainder]) {

@@ -23,13 +23,15 @@ class DiskBounds {
         for (std::size_t i = 0; i < count; ++i) {
             b_[i] = 2e-3 * std::pow(2000.0, static_cast<double>(i) / (count - 1));
             log_m_[i] = std::log1p(std::exp(-2.0 * b_[i]));
+            log_turn_[i] = 0.0;
         }
     }
 
-    // A term of degree n whose value is at most `amplitude`: cosine and sine of one order are one term.
-    void add(double amplitude, std::size_t n) {
+    // A term of degree n and azimuthal order m whose value is at most `amplitude`: cosine and sine are one term.
+    void add(double amplitude, std::size_t n, std::size_t m) {
         for (std::size_t i = 0; i < count; ++i) {
             log_m_[i] += amplitude * std::sinh(std::min(600.0, static_cast<double>(n) * b_[i]));
+            log_turn_[i] += amplitude * std::sinh(std::min(600.0, static_cast<double>(m) * b_[i]));
         }
     }
 
@@ -49,6 +51,16 @@ class DiskBounds {
         return std::exp(std::min(best, 690.0));
     }
 
+    // Bound on what the azimuthal orders from m on add to U: on a ring the pupil function is analytic in theta, so its Fourier
+    // coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
+    double orders_tail(std::size_t m) const {
+        double best = 1e300;
+        for (std::size_t i = 0; i < count; ++i) {
+            best = std::min(best, log_turn_[i] - static_cast<double>(m) * b_[i] - std::log(-std::expm1(-b_[i])));
+        }
+        return 2.0 * std::exp(std::min(best, 690.0));
+    }
+
     // Bound on the distance of the pupil function from a polynomial of degree d, everywhere on the disk: component n is
     // a mean of U_n(x . xi) b_n, at most (n+1)^(3/2) times its Chebyshev coefficient.
     double distance(std::size_t d) const {
@@ -63,9 +75,12 @@ class DiskBounds {
         return std::exp(std::min(best, 690.0));
     }
 
-    // Fewest degrees for which tail() is at most `error`, and least degree for which distance() is.
+    // Fewest degrees and orders for which their tails are at most `error`, and least degree for which distance() is.
     std::size_t degrees(double error) const {
         return least([&](std::size_t n) { return tail(n) <= error; });
+    }
+    std::size_t orders(double error) const {
+        return least([&](std::size_t m) { return orders_tail(m) <= error; });
     }
     std::size_t degree(double error) const {
         return least([&](std::size_t d) { return distance(d) <= error; });
@@ -89,7 +104,7 @@ class DiskBounds {
     }
 
     static constexpr std::size_t count = 48;
-    std::array<double, count> b_, log_m_;
+    std::array<double, count> b_, log_m_, log_turn_;
 };
 
 // Bound on sum_{n >= degrees} 2 (n+1) |J_{n+1}(v) / v| for all v <= reach: what those degrees can add to U whatever the

@@ -30,6 +30,7 @@ template <std::size_t Lanes>
 struct Vector {
     typedef double pack __attribute__((vector_size(8 * Lanes)));
     typedef std::int64_t bits __attribute__((vector_size(8 * Lanes)));
+    typedef float floats __attribute__((vector_size(8 * Lanes)));  // twice as many
 };
 
 // x - 0 is x, and compilers know it; a list of x's they would insert one by one.
@@ -47,6 +48,17 @@ LOMMEL_INLINE V splat(double x) {
     return x - V{};
 }
 template <class V>
+LOMMEL_INLINE V splat(float x) {
+#if defined(LOMMEL_X86) && !defined(__clang__)
+    if constexpr (sizeof(V) == 64) {
+        V v;
+        asm("vbroadcastss %1, %0" : "=v"(v) : "vm"(x));
+        return v;
+    }
+#endif
+    return x - V{};
+}
+template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
     return a > b ? a : b;
 }
@@ -58,22 +70,26 @@ LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
 
 #else
 
+template <class Real, std::size_t Lanes>
+struct Pack {
+    Real v[Lanes];
+    friend Pack operator+(Pack a, Pack b) { return each(a, b, [](Real x, Real y) { return x + y; }); }
+    friend Pack operator-(Pack a, Pack b) { return each(a, b, [](Real x, Real y) { return x - y; }); }
+    friend Pack operator*(Pack a, Pack b) { return each(a, b, [](Real x, Real y) { return x * y; }); }
+    Real operator[](std::size_t i) const { return v[i]; }
+    template <class F>
+    static Pack each(Pack a, Pack b, F f) {
+        for (std::size_t i = 0; i < Lanes; ++i) {
+            a.v[i] = f(a.v[i], b.v[i]);
+        }
+        return a;
+    }
+};
+
 template <std::size_t Lanes>
 struct Vector {
-    struct pack {
-        double v[Lanes];
-        friend pack operator+(pack a, pack b) { return each(a, b, [](double x, double y) { return x + y; }); }
-        friend pack operator-(pack a, pack b) { return each(a, b, [](double x, double y) { return x - y; }); }
-        friend pack operator*(pack a, pack b) { return each(a, b, [](double x, double y) { return x * y; }); }
-        double operator[](std::size_t i) const { return v[i]; }
-        template <class F>
-        static pack each(pack a, pack b, F f) {
-            for (std::size_t i = 0; i < Lanes; ++i) {
-                a.v[i] = f(a.v[i], b.v[i]);
-            }
-            return a;
-        }
-    };
+    using pack = Pack<double, Lanes>;
+    using floats = Pack<float, 2 * Lanes>;
     struct bits {
         std::int64_t v[Lanes];
         friend bits operator+(bits a, std::int64_t b) {
@@ -85,10 +101,10 @@ struct Vector {
     };
 };
 
-template <class V>
-LOMMEL_INLINE V splat(double x) {
+template <class V, class Real>
+LOMMEL_INLINE V splat(Real x) {
     V p;
-    for (double& lane : p.v) {
+    for (auto& lane : p.v) {
         lane = x;
     }
     return p;
@@ -107,14 +123,14 @@ LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
 
 #endif
 
-template <class V>
-LOMMEL_INLINE V load(const double* from) {
+template <class V, class Real>
+LOMMEL_INLINE V load(const Real* from) {
     V p;
     std::memcpy(&p, from, sizeof p);
     return p;
 }
-template <class V>
-LOMMEL_INLINE void store(double* to, V p) {
+template <class V, class Real>
+LOMMEL_INLINE void store(Real* to, V p) {
     std::memcpy(to, &p, sizeof p);
 }
 
@@ -123,6 +139,7 @@ template <std::size_t Lanes, std::size_t Unroll>
 struct Isa {
     using pack = typename Vector<Lanes>::pack;
     using bits = typename Vector<Lanes>::bits;
+    using floats = typename Vector<Lanes>::floats;
     static constexpr std::size_t lanes = Lanes, unroll = Unroll;
 };
 using Avx512 = Isa<8, 4>;
@@ -197,5 +214,6 @@ struct AlignedAllocator {
     bool operator!=(const AlignedAllocator<U>&) const { return false; }
 };
 using Doubles = std::vector<double, AlignedAllocator<double>>;
+using Floats = std::vector<float, AlignedAllocator<float>>;
 
 }  // namespace lommel

@@ -25,7 +25,7 @@ struct ZernikePhase {
     std::size_t terms;
     double gaussian;
 
-    // Calls f(amplitude, n) for every (n, |m|), cosine and sine together.
+    // Calls f(amplitude, n, |m|) for every pair of cosine and sine.
     template <class F>
     void amplitudes(const F& f) const {
         for (std::size_t j = 0; j < terms; ++j) {
@@ -38,27 +38,27 @@ struct ZernikePhase {
                 }
             }
             if (!seen && square > 0.0) {
-                f(std::sqrt(square), static_cast<std::size_t>(n[j]));
+                f(std::sqrt(square), static_cast<std::size_t>(n[j]), static_cast<std::size_t>(std::abs(m[j])));
             }
         }
     }
 
     double size() const {
         double sum = 0.0;
-        amplitudes([&](double amplitude, std::size_t) { sum += amplitude; });
+        amplitudes([&](double amplitude, std::size_t, std::size_t) { sum += amplitude; });
         return sum;
     }
 
     // What roundings of rho and of the recurrences do to the phase, in units of roundoff.
     double sensitivity() const {
         double sum = 0.0;
-        amplitudes([&](double a, std::size_t degree) { sum += a * (3.0 * static_cast<double>(degree) + 6.0); });
+        amplitudes([&](double a, std::size_t degree, std::size_t) { sum += a * (3.0 * static_cast<double>(degree) + 6.0); });
         return sum + 4.0 * gaussian;
     }
 
     DiskBounds bounds() const {
         DiskBounds bounds;
-        amplitudes([&](double amplitude, std::size_t degree) { bounds.add(amplitude, degree); });
+        amplitudes([&](double amplitude, std::size_t degree, std::size_t order) { bounds.add(amplitude, degree, order); });
         bounds.add_gaussian(gaussian);
         return bounds;
     }
@@ -87,12 +87,12 @@ struct DiskRule {
     std::size_t quarter;  // angles in a quadrant, a multiple of 8
     std::size_t orders;   // azimuthal orders there are tables for
     Doubles t, rho, weights;
-    // cos and sin of m theta: [m / 2][angle] of even m, of odd m.
+    // cos and sin of m theta, of even m and of odd m: [angle][m / 2], as the transform reads them.
     Doubles cosines[2], sines[2];
 
     DiskRule(std::size_t exact, std::size_t order_count)
         : degree(exact), rings((exact / 4 + 1 + 7) / 8 * 8), quarter((exact / 4 + 1 + 7) / 8 * 8),
-          orders((order_count + 15) / 16 * 16), t(rings), rho(rings), weights(rings) {
+          orders((order_count + 31) / 32 * 32), t(rings), rho(rings), weights(rings) {
         std::vector<double> x(rings), w(rings);
         gauss_legendre(rings, x.data(), w.data());
         for (std::size_t k = 0; k < rings; ++k) {
@@ -109,8 +109,8 @@ struct DiskRule {
             for (std::size_t i = 0; i < quarter; ++i) {
                 // m theta modulo a turn, exactly.
                 const double angle = unit * static_cast<double>(m * (2 * i + 1) % (8 * quarter));
-                cosines[m % 2][m / 2 * quarter + i] = std::cos(angle);
-                sines[m % 2][m / 2 * quarter + i] = std::sin(angle);
+                cosines[m % 2][i * (orders / 2) + m / 2] = std::cos(angle);
+                sines[m % 2][i * (orders / 2) + m / 2] = std::sin(angle);
             }
         }
     }
@@ -141,23 +141,26 @@ struct DiskRule {
     }
 };
 
-// Coefficients of all degrees n < degrees, those of one azimuthal order m together: n = m, m + 2, ...
+// Coefficients of all degrees n < degrees of the azimuthal orders m < orders, those of one order together: n = m, m + 2, ...
 struct ZernikeSeries {
-    std::size_t degrees = 0;
+    std::size_t degrees = 0, orders = 0;
     std::vector<std::size_t> start;  // of each order
+    std::vector<std::size_t> used;   // how many of its coefficients matter
     Doubles cos_re, cos_im, sin_re, sin_im;
 
     std::size_t count(std::size_t m) const { return (degrees - 1 - m) / 2 + 1; }
 
-    void resize(std::size_t n) {
+    void resize(std::size_t n, std::size_t order_count) {
         degrees = n;
-        start.resize(n + 1);
+        orders = order_count;
+        start.resize(orders);
+        used.resize(orders);
         std::size_t total = 0;
-        for (std::size_t m = 0; m < n; ++m) {
+        for (std::size_t m = 0; m < orders; ++m) {
             start[m] = total;
+            used[m] = count(m);
             total += count(m);
         }
-        start[n] = total;
         for (Doubles* part : {&cos_re, &cos_im, &sin_re, &sin_im}) {
             part->resize(total);
         }
@@ -168,15 +171,17 @@ class ZernikeAnalysis {
    public:
     // Fills `series` with the coefficients times (-1)^(n/2) (-i)^n, what zernike_transforms() leaves to them.
     template <class I>
-    LOMMEL_INLINE void run(I isa, const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, ZernikeSeries& series) {
-        series.resize(degrees);
+    LOMMEL_INLINE void run(I isa, const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders,
+                           ZernikeSeries& series) {
+        series.resize(degrees, orders);
         evaluate(isa, rule, phase);
-        transform(isa, rule, degrees);
-        project(isa, rule, degrees, series);
+        transform(isa, rule, orders);
+        project(isa, rule, series);
     }
 
    private:
-    // The pupil function folded over the four quadrants: [ring][cos even, sin even, cos odd, sin odd][re, im][angle].
+    // The pupil function folded over the four quadrants: [ring][cos even, sin even, cos odd, sin odd][re, im][angle], times
+    // the ring's weight.
     template <class I>
     LOMMEL_INLINE void evaluate(I isa, const DiskRule& rule, const ZernikePhase& phase) {
         using V = typename I::pack;
@@ -187,6 +192,15 @@ class ZernikeAnalysis {
             const std::int32_t m = std::abs(phase.m[j]);
             if (std::find(orders_.begin(), orders_.end(), m) == orders_.end()) {
                 orders_.push_back(m);
+            }
+        }
+        turns_.resize(2 * orders_.size() * q);
+        for (std::size_t g = 0; g < orders_.size(); ++g) {
+            const double unit = 3.14159265358979323846 / static_cast<double>(4 * q);
+            for (std::size_t i = 0; i < q; ++i) {
+                const double angle = unit * static_cast<double>(static_cast<std::size_t>(orders_[g]) * (2 * i + 1) % (8 * q));
+                turns_[2 * g * q + i] = std::cos(angle);
+                turns_[(2 * g + 1) * q + i] = std::sin(angle);
             }
         }
         radial_.assign(2 * orders_.size() * rings, 0.0);
@@ -211,14 +225,13 @@ class ZernikeAnalysis {
         for (std::size_t k = 0; k < rings; ++k) {
             double* out = &folded_[k * 8 * q];
             // Each angle stands for four, and the mean over all is wanted.
-            const double size = std::exp(-phase.gaussian * rule.t[k]) * 0.25 / static_cast<double>(q);
+            const double size = std::exp(-phase.gaussian * rule.t[k]) * rule.weights[k] * 0.25 / static_cast<double>(q);
             for (std::size_t i = 0; i < q; i += I::lanes) {
                 V even_cos = splat<V>(0.0), odd_cos = even_cos, even_sin = even_cos, odd_sin = even_cos;
                 for (std::size_t g = 0; g < orders_.size(); ++g) {
-                    const std::size_t m = static_cast<std::size_t>(orders_[g]);
-                    const V c = load<V>(&rule.cosines[m % 2][m / 2 * q + i]) * splat<V>(radial_[2 * g * rings + k]);
-                    const V s = load<V>(&rule.sines[m % 2][m / 2 * q + i]) * splat<V>(radial_[(2 * g + 1) * rings + k]);
-                    if (m % 2 == 0) {
+                    const V c = load<V>(&turns_[2 * g * q + i]) * splat<V>(radial_[2 * g * rings + k]);
+                    const V s = load<V>(&turns_[(2 * g + 1) * q + i]) * splat<V>(radial_[(2 * g + 1) * rings + k]);
+                    if (orders_[g] % 2 == 0) {
                         even_cos = even_cos + c;
                         even_sin = even_sin + s;
                     } else {
@@ -245,43 +258,55 @@ class ZernikeAnalysis {
         }
     }
 
-    // Azimuthal Fourier coefficients of every ring, [m][cos re, cos im, sin re, sin im][ring], times the ring's weight.
+    // Azimuthal Fourier coefficients of every ring, [m][cos re, cos im, sin re, sin im][ring]. Four rings and a vector of orders
+    // at a time: sixteen chains of multiply-adds, bound by these.
     template <class I>
-    LOMMEL_INLINE void transform(I, const DiskRule& rule, std::size_t degrees) {
+    LOMMEL_INLINE void transform(I, const DiskRule& rule, std::size_t orders) {
         using V = typename I::pack;
-        const std::size_t q = rule.quarter, rings = rule.rings;
-        rings_.resize(degrees * 4 * rings);
-        for (std::size_t k = 0; k < rings; ++k) {
-            const double* in = &folded_[k * 8 * q];
-            for (std::size_t m = 0; m < degrees; ++m) {
-                const double *c = &rule.cosines[m % 2][m / 2 * q], *s = &rule.sines[m % 2][m / 2 * q];
-                const double* from = in + (m % 2) * 4 * q;
-                V sums[4] = {splat<V>(0.0), splat<V>(0.0), splat<V>(0.0), splat<V>(0.0)};
-                for (std::size_t i = 0; i < q; i += I::lanes) {
-                    const V a = load<V>(c + i), b = load<V>(s + i);
-                    sums[0] = sums[0] + a * load<V>(from + i);
-                    sums[1] = sums[1] + a * load<V>(from + q + i);
-                    sums[2] = sums[2] + b * load<V>(from + 2 * q + i);
-                    sums[3] = sums[3] + b * load<V>(from + 3 * q + i);
-                }
-                const double weight = (m == 0 ? 1.0 : 2.0) * rule.weights[k];
-                for (std::size_t j = 0; j < 4; ++j) {
-                    double total = 0.0;
-                    for (std::size_t i = 0; i < I::lanes; ++i) {
-                        total += sums[j][i];
+        constexpr std::size_t together = 4;
+        const std::size_t q = rule.quarter, rings = rule.rings, stride = rule.orders / 2;
+        rings_.resize((orders + 2 * I::lanes) * 4 * rings);
+        for (std::size_t parity = 0; parity < 2; ++parity) {
+            for (std::size_t k = 0; k < rings; k += together) {
+                const double* in = &folded_[k * 8 * q + parity * 4 * q];
+                for (std::size_t first = 0; 2 * first + parity < orders; first += I::lanes) {
+                    const double *c = &rule.cosines[parity][first], *s = &rule.sines[parity][first];
+                    V sums[together][4];
+                    for (std::size_t r = 0; r < together; ++r) {
+                        for (V& sum : sums[r]) {
+                            sum = splat<V>(0.0);
+                        }
                     }
-                    rings_[(m * 4 + j) * rings + k] = weight * total;
+                    for (std::size_t i = 0; i < q; ++i) {
+                        const V a = load<V>(c + i * stride), b = load<V>(s + i * stride);
+                        for (std::size_t r = 0; r < together; ++r) {
+                            const double* from = in + r * 8 * q + i;
+                            sums[r][0] = sums[r][0] + a * splat<V>(from[0]);
+                            sums[r][1] = sums[r][1] + a * splat<V>(from[q]);
+                            sums[r][2] = sums[r][2] + b * splat<V>(from[2 * q]);
+                            sums[r][3] = sums[r][3] + b * splat<V>(from[3 * q]);
+                        }
+                    }
+                    for (std::size_t lane = 0; lane < I::lanes; ++lane) {
+                        const std::size_t m = 2 * (first + lane) + parity;
+                        const double twice = m == 0 ? 1.0 : 2.0;
+                        for (std::size_t r = 0; r < together; ++r) {
+                            for (std::size_t j = 0; j < 4; ++j) {
+                                rings_[(m * 4 + j) * rings + k + r] = twice * sums[r][j][lane];
+                            }
+                        }
+                    }
                 }
             }
         }
     }
 
     template <class I>
-    LOMMEL_INLINE void project(I isa, const DiskRule& rule, std::size_t degrees, ZernikeSeries& series) {
+    LOMMEL_INLINE void project(I isa, const DiskRule& rule, ZernikeSeries& series) {
         using V = typename I::pack;
         const std::size_t rings = rule.rings;
         constexpr std::size_t most = 64;  // vectors of rings whose recurrences are kept
-        for (std::size_t m = 0; m < degrees; ++m) {
+        for (std::size_t m = 0; m < series.orders; ++m) {
             const double* in = &rings_[m * 4 * rings];
             const std::size_t count = series.count(m), to = series.start[m];
             for (std::size_t j = 0; j < count; ++j) {
@@ -346,7 +371,7 @@ class ZernikeAnalysis {
         return result;
     }
 
-    Doubles folded_, radial_, rings_;
+    Doubles folded_, radial_, turns_, rings_;
     std::vector<std::int32_t> orders_;
 };
 

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "lommel/azimuth.hpp"
 #include "lommel/engine.hpp"
+#include "lommel/parallel.hpp"
 #include "lommel/pieces.hpp"
 #include "lommel/zernike.hpp"
 
@@ -23,100 +25,187 @@ constexpr std::size_t ring_degree = 8;  // coefficients of a ring, a part of a p
 // Bound on the error of interpolation at 8 Chebyshev points on a ring, relative to sup|U|, as piece_error().
 inline double ring_error(double width) { return 2.0 * std::pow(0.25 * width, ring_degree) / 40320.0; }
 
+// How one piece is evaluated: which orders take part, and how many rings it is divided into (0: none).
+struct PiecePlan {
+    ActiveOrders orders;
+    std::vector<std::size_t> rows;  // where the coefficients of each order are
+    std::size_t rings = 1;
+    double error = 0.0;  // bound on the error of U
+};
+
 class ZernikeField {
    public:
-    // Makes ready for v up to `reach`; returns the bound on the error of U. `inner` is the phase within the obscuration, as a
-    // function of the radius over that of the obscuration.
-    double prepare(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error) {
+    // Expands the pupil, to `error` in U for v up to `reach`. `inner` is the phase within the obscuration, as a function of the
+    // radius over that of the obscuration.
+    void expand(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error) {
+        // An obscuration that takes less light than the rounding is none.
         obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
-        const double area = obscuration_ * obscuration_, weight = 1.0 + area;
-        double bound = expand(outer, reach, 0.3 * error, outer_);
-        if (area > 0.0) {
-            bound += area * expand(inner, obscuration_ * reach, 0.3 * error, inner_);
-        }
-        bound += choose_orders(0.1 * error);
+        const double area = obscuration_ * obscuration_;
+        reach_ = reach;
+        weight_ = 1.0 + area;
         // Radii in units of a ring are off by three roundings, and |U'| < 1.
-        bound += 3.0 * unit_roundoff * reach;
+        base_ = expand(outer, reach, 0.5 * error, outer_) + 3.0 * unit_roundoff * reach;
+        inner_.degrees = inner_.orders = 0;
+        if (area > 0.0) {
+            base_ += area * expand(inner, obscuration_ * reach, 0.5 * error, inner_);
+        }
+        base_ += trim(outer_, 1.0, 0.1 * error) + trim(inner_, area, 0.1 * error);
+    }
+
+    // The largest I at some directions at the distance v, by the Bessel functions themselves.
+    double look(double v) const {
+        thread_local std::vector<double> orders;  // re A, im A, re B, im B
+        const std::size_t count = std::max(outer_.orders, inner_.orders);
+        orders.assign(4 * count, 0.0);
+        add_orders(outer_, v, 1.0, orders.data());
+        if (obscured()) {
+            add_orders(inner_, obscuration_ * v, -obscuration_ * obscuration_, orders.data());
+        }
+        double top = 0.0;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using I = decltype(isa);
+            using V = typename I::pack;
+            for (std::size_t first = 0; first < angles; first += I::lanes) {
+                const V turn_c = load<V>(directions().cosine.data() + first), turn_s = load<V>(directions().sine.data() + first);
+                V c = splat<V>(1.0), s = splat<V>(0.0), re = s, im = s;
+                for (std::size_t m = 0; m < count; ++m) {
+                    const double* order = &orders[4 * m];
+                    re = re + c * splat<V>(order[0]) + s * splat<V>(order[2]);
+                    im = im + c * splat<V>(order[1]) + s * splat<V>(order[3]);
+                    const V next = c * turn_c - s * turn_s;
+                    s = s * turn_c + c * turn_s;
+                    c = next;
+                }
+                const V square = re * re + im * im;
+                for (std::size_t i = 0; i < I::lanes; ++i) {
+                    top = std::max(top, square[i]);
+                }
+            }
+        });
+        return top;
+    }
+
+    // Makes ready for evaluation; what it leaves out adds no more than about `error` to U. base() is then the error that
+    // every piece has.
+    void prepare(double error, int threads) {
+        measure_orders();
+        base_ += trim(outer_, 1.0, 0.1 * error) + trim(inner_, weight_ - 1.0, 0.1 * error);
+        base_ += choose_orders(0.1 * error);
         std::size_t width = 0;
         // Interpolation at 8 points magnifies the errors of the piece by 2.1 at most (its Lebesgue constant).
-        while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight > 0.1 * error) {
+        while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > 0.1 * error) {
             ++width;
         }
         width_ = widths[width];
-        rings_ = 1;
-        while (rings_ < 256 && ring_error(width_ / static_cast<double>(rings_)) * weight > 0.1 * error) {
-            ++rings_;
-        }
-        bound += weight * (3.1 * piece_error(width_) + ring_error(width_ / static_cast<double>(rings_)));
-        pieces_ = static_cast<std::size_t>(reach / width_) + 1;
+        base_ += weight_ * 3.1 * piece_error(width_);
+        const std::size_t pieces = static_cast<std::size_t>(reach_ / width_) + 1;
+        const std::size_t inner_pieces = static_cast<std::size_t>(obscuration_ * reach_ / width_) + 1;
+        Tables tables, inner_tables;
         double magnitude = 0.0;
         for (std::size_t parity = 0; parity < 2; ++parity) {
-            table_[parity] = PieceTables::get(width, pieces_, (outer_.degrees + 2) / 2, parity);
-            magnitude += table_[parity]->azimuthal;
-            if (area > 0.0) {
-                inner_table_[parity] =
-                    PieceTables::get(width, inner_pieces(reach), (inner_.degrees + 2) / 2, parity);
+            tables[parity] = PieceTables::get(width, pieces, (outer_.degrees + 2) / 2, parity);
+            magnitude += tables[parity]->azimuthal;
+            if (obscured()) {
+                inner_tables[parity] = PieceTables::get(width, inner_pieces, (inner_.degrees + 2) / 2, parity);
             }
         }
         // By Cauchy and Parseval, sum |beta| |2 J_{n+1} / v| over all n and m is at most 1; cosines and sines double it.
         const double terms = static_cast<double>(std::max(outer_.degrees, inner_.degrees));
-        bound += 2.0 * weight * unit_roundoff * (magnitude * (0.5 * terms + 60.0) + 6.0 * terms);
-        if (area > 0.0) {
-            combine_inner(inner_pieces(reach));
+        base_ += 2.0 * weight_ * unit_roundoff * (magnitude * (0.5 * terms + 60.0) + 6.0 * terms);
+        combine_all(outer_, tables, pieces, rows_, threads);
+        if (obscured()) {
+            combine_all(inner_, inner_tables, inner_pieces, inner_rows_, threads);
         }
-        return bound;
     }
 
-    std::size_t pieces() const { return pieces_; }
-    std::size_t rings() const { return rings_; }  // a piece is divided into
-    double width() const { return width_; }       // of a piece
+    std::size_t pieces() const { return rows_.size(); }
+    double width() const { return width_; }  // of a piece
+    double base() const { return base_; }
     bool obscured() const { return obscuration_ > 0.0; }
-    const ActiveOrders& orders() const { return orders_; }
-    std::size_t parts() const { return orders_.sines ? 4 : 2; }
 
-    // The coefficients of piece s: [order][part][power], 16 powers rising.
-    template <class I>
-    LOMMEL_INLINE void combine_piece(I isa, std::size_t s, Doubles& out) const {
-        combine_orders(isa, outer_, table_, s, out);
+    // A plan for piece s, which has so many groups of pixels, with an error in U of no more than `error` if base() is
+    // well below that.
+    PiecePlan plan(std::size_t s, double error, std::size_t groups) const {
+        PiecePlan made;
+        const double spare = std::max(0.0, error - base_);
+        made.error = base_ + select(s, 0.3 * spare, made);
+        std::size_t rings = 1;
+        while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > 0.3 * spare) {
+            ++rings;
+        }
+        // Rings are worth while where they hold vectors full of pixels.
+        if (obscured() || groups > 20 * rings) {
+            made.rings = rings;
+            made.error += ring_error(width_ / static_cast<double>(rings)) * weight_;
+        } else {
+            made.rings = 0;
+        }
+        return made;
     }
 
-    // The coefficients of ring r of piece s from those of the piece, for sum_orders<Degree>: [order][part][power], the highest
-    // first.
-    template <std::size_t Degree, class I>
-    LOMMEL_INLINE void ring(I isa, const Doubles& piece, std::size_t s, std::size_t r, std::size_t rings, Doubles& out) const {
-        const std::size_t rows = orders_.count() * parts();
-        out.resize(rows * Degree);
-        alignas(64) double onto[degree_count * Degree];
-        resample<Degree>(onto, [&](double x, double* powers) {
-            fill_powers((2.0 * static_cast<double>(r) + 1.0 + x) / static_cast<double>(rings) - 1.0, powers);
-        });
-        multiply<Degree, false>(isa, onto, piece.data(), rows, 1.0, out.data());
-        if (obscuration_ == 0.0) {
+    // Coefficients for sum_orders<16> across the whole of piece s, of pupils that are not obscured.
+    void whole(const PiecePlan& plan, std::size_t s, Doubles& out) const {
+        const std::size_t parts = plan.orders.sines ? 4 : 2;
+        out.resize(plan.rows.size() * parts * degree_count);
+        double* to = out.data();
+        for (const std::size_t row : plan.rows) {
+            const double* from = &rows_[s][row * 4 * degree_count];
+            for (std::size_t p = 0; p < parts; ++p, to += degree_count, from += degree_count) {
+                std::reverse_copy(from, from + degree_count, to);
+            }
+        }
+    }
+
+    // Coefficients for sum_orders<8> across ring r of piece s.
+    template <class I>
+    LOMMEL_INLINE void ring(I isa, const PiecePlan& plan, std::size_t s, std::size_t r, Doubles& out) const {
+        const std::size_t parts = plan.orders.sines ? 4 : 2;
+        out.resize(plan.rows.size() * parts * ring_degree);
+        const double rings = static_cast<double>(plan.rings), start = static_cast<double>(r);
+        alignas(64) double onto[degree_count * ring_degree];
+        resample(onto, [&](double x, double* powers) { fill_powers((2.0 * start + 1.0 + x) / rings - 1.0, powers); });
+        multiply<false>(isa, onto, rows_[s].data(), plan.rows, parts, 1.0, out.data());
+        if (!obscured()) {
             return;
         }
         // The inner disk has its own pieces, in v times the obscuration; a ring may lie on two of them.
         const auto at = [&](double x) {
-            const double v = width_ * (static_cast<double>(s) +
-                                       (static_cast<double>(r) + 0.5 * (1.0 + x)) / static_cast<double>(rings));
-            return obscuration_ * v / width_;
+            return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings);
         };
-        const std::size_t low = std::min(inner_rows_.size() - 1, static_cast<std::size_t>(at(-1.0)));
-        const std::size_t high = std::min(inner_rows_.size() - 1, static_cast<std::size_t>(at(1.0)));
-        for (std::size_t p = low; p <= high; ++p) {
-            resample<Degree>(onto, [&](double x, double* powers) {
-                const std::size_t mine = std::min(inner_rows_.size() - 1, static_cast<std::size_t>(at(x)));
-                if (mine == p) {
+        const auto piece_at = [&](double x) {
+            return std::min(inner_rows_.size() - 1, static_cast<std::size_t>(at(x)));
+        };
+        for (std::size_t p = piece_at(-1.0); p <= piece_at(1.0); ++p) {
+            resample(onto, [&](double x, double* powers) {
+                if (piece_at(x) == p) {
                     fill_powers(2.0 * (at(x) - static_cast<double>(p)) - 1.0, powers);
                 } else {
                     std::fill(powers, powers + degree_count, 0.0);
                 }
             });
-            multiply<Degree, true>(isa, onto, inner_rows_[p].data(), rows, -obscuration_ * obscuration_, out.data());
+            multiply<true>(isa, onto, inner_rows_[p].data(), plan.rows, parts, -obscuration_ * obscuration_, out.data());
         }
     }
 
    private:
-    std::size_t inner_pieces(double reach) const { return static_cast<std::size_t>(obscuration_ * reach / width_) + 1; }
+    using Tables = std::array<std::shared_ptr<const PieceTable>, 2>;
+
+    static constexpr std::size_t angles = 32;
+    struct Directions {
+        std::array<double, angles> cosine, sine;
+    };
+    static const Directions& directions() {
+        static const Directions made = [] {
+            Directions d;
+            for (std::size_t i = 0; i < angles; ++i) {
+                const double psi = 6.283185307179586 * (static_cast<double>(i) + 0.37) / angles;
+                d.cosine[i] = std::cos(psi);
+                d.sine[i] = std::sin(psi);
+            }
+            return d;
+        }();
+        return made;
+    }
 
     double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
         const double size = phase.size();
@@ -133,9 +222,11 @@ class ZernikeField {
                                 " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
                                 std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
         }
-        const auto rule = DiskRule::get(exact, degrees);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *rule, phase, degrees, series); });
-        const double truncation = by_phase <= by_window ? bounds.tail(degrees) : disk_window_tail(degrees, reach);
+        const std::size_t orders = std::min(degrees, bounds.orders(0.05 * error));
+        const auto rule = DiskRule::get(exact, orders);
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *rule, phase, degrees, orders, series); });
+        const double truncation = (by_phase <= by_window ? bounds.tail(degrees) : disk_window_tail(degrees, reach)) +
+                                  (orders < degrees ? bounds.orders_tail(orders) : 0.0);
         // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
         // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
         const double sums = static_cast<double>(rule->quarter + rule->rings + 4 * degrees);
@@ -143,87 +234,165 @@ class ZernikeField {
         return truncation + 2.0 * bounds.distance(rule->degree - degrees) + unit_roundoff * rounding;
     }
 
-    // Leaves out orders that add up to no more than `error`; returns what they do add up to.
-    double choose_orders(double error) {
-        struct Size {
-            double sum;
-            std::size_t order;
-            bool sine;
-        };
-        std::vector<Size> sizes;
-        const std::size_t degrees = std::max(outer_.degrees, obscuration_ > 0.0 ? inner_.degrees : 0);
-        const double area = obscuration_ * obscuration_;
-        for (std::size_t m = 0; m < degrees; ++m) {
-            double cosine = size(outer_, m, outer_.cos_re, outer_.cos_im), sine = size(outer_, m, outer_.sin_re, outer_.sin_im);
-            if (area > 0.0) {
-                cosine += area * size(inner_, m, inner_.cos_re, inner_.cos_im);
-                sine += area * size(inner_, m, inner_.sin_re, inner_.sin_im);
-            }
-            sizes.push_back({cosine, m, false});
-            sizes.push_back({sine, m, true});
+    // Adds weight times A_m(v) and B_m(v).
+    static void add_orders(const ZernikeSeries& series, double v, double weight, double* orders) {
+        thread_local std::vector<double> bessel, transforms[2];
+        // Orders far above v vanish.
+        const std::size_t reached = std::min(series.degrees, static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 12.0));
+        for (std::size_t parity = 0; parity < 2; ++parity) {
+            transforms[parity].assign((series.degrees + 2) / 2, 0.0);
+            zernike_transforms(parity, v, (reached + 2) / 2, transforms[parity].data(), bessel);
         }
-        std::sort(sizes.begin(), sizes.end(), [](const Size& a, const Size& b) { return a.sum < b.sum; });
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using I = decltype(isa);
+            using V = typename I::pack;
+            const double* parts[4] = {series.cos_re.data(), series.cos_im.data(), series.sin_re.data(), series.sin_im.data()};
+            for (std::size_t m = 0; m < std::min(reached, series.orders); ++m) {
+                const double* row = transforms[m % 2].data() + m / 2;
+                const std::size_t count = std::min(series.used[m], (reached - m) / 2 + 1), at = series.start[m];
+                V sums[4] = {splat<V>(0.0), splat<V>(0.0), splat<V>(0.0), splat<V>(0.0)};
+                std::size_t j = 0;
+                for (; j + I::lanes <= count; j += I::lanes) {
+                    const V t = load<V>(row + j);
+                    for (std::size_t p = 0; p < 4; ++p) {
+                        sums[p] = sums[p] + t * load<V>(parts[p] + at + j);
+                    }
+                }
+                for (std::size_t p = 0; p < 4; ++p) {
+                    double total = 0.0;
+                    for (std::size_t i = 0; i < I::lanes; ++i) {
+                        total += sums[p][i];
+                    }
+                    for (std::size_t i = j; i < count; ++i) {
+                        total += row[i] * parts[p][at + i];
+                    }
+                    orders[4 * m + p] += weight * total;
+                }
+            }
+        });
+    }
+
+    // Shortens the series of each order by what adds no more than `error` to U in all; returns what it does add.
+    static double trim(ZernikeSeries& series, double weight, double error) {
         double left = 0.0;
-        std::vector<bool> active(degrees, false);
-        orders_ = ActiveOrders();
-        for (const Size& s : sizes) {
-            if (left + s.sum <= error) {
-                left += s.sum;
-            } else {
-                active[s.order] = true;
-                orders_.sines = orders_.sines || s.sine;
-                error = -1.0;  // the rest are larger
+        const double share = error / static_cast<double>(series.orders + 1);
+        for (std::size_t m = 0; m < series.orders; ++m) {
+            double sum = 0.0;
+            std::size_t& count = series.used[m];
+            for (; count > 0; --count) {
+                const std::size_t at = series.start[m] + count - 1;
+                const double size = std::sqrt(series.cos_re[at] * series.cos_re[at] + series.cos_im[at] * series.cos_im[at]) +
+                                    std::sqrt(series.sin_re[at] * series.sin_re[at] + series.sin_im[at] * series.sin_im[at]);
+                const double next = sum + weight * size / static_cast<double>(m + 2 * count - 1);
+                if (next > share) {
+                    break;
+                }
+                sum = next;
             }
+            left += sum;
         }
-        for (std::size_t m = 0; m < degrees; ++m) {
-            if (active[m]) {
-                orders_.add(m);
+        return left;
+    }
+
+    // What an order can add to U: |2 (n+1) J_{n+1}(v) / v| <= 1, and |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
+    struct OrderSize {
+        double near = 0.0, far = 0.0;
+        double at(double v) const { return v > 0.0 ? std::min(near, far * 1.572 / (v * std::cbrt(v))) : near; }
+    };
+
+    void measure_orders() {
+        const double area = obscuration_ * obscuration_;
+        sizes_.assign(2 * std::max(outer_.orders, inner_.orders), OrderSize());
+        const auto add = [&](const ZernikeSeries& series, const Doubles& re, const Doubles& im, std::size_t sine,
+                             double weight, double stretch) {
+            for (std::size_t m = 0; m < series.orders; ++m) {
+                for (std::size_t j = 0; j < series.used[m]; ++j) {
+                    const std::size_t at = series.start[m] + j;
+                    const double size = weight * std::sqrt(re[at] * re[at] + im[at] * im[at]);
+                    sizes_[2 * m + sine].near += size / static_cast<double>(m + 2 * j + 1);
+                    sizes_[2 * m + sine].far += size * stretch;
+                }
+            }
+        };
+        add(outer_, outer_.cos_re, outer_.cos_im, 0, 1.0, 1.0);
+        add(outer_, outer_.sin_re, outer_.sin_im, 1, 1.0, 1.0);
+        if (area > 0.0) {
+            const double stretch = 1.0 / (obscuration_ * std::cbrt(obscuration_));
+            add(inner_, inner_.cos_re, inner_.cos_im, 0, area, stretch);
+            add(inner_, inner_.sin_re, inner_.sin_im, 1, area, stretch);
+        }
+    }
+
+    // Leaves out the orders that matter least, as long as they add up to no more than `error` anywhere; returns what they do
+    // add up to.
+    double choose_orders(double error) {
+        std::vector<std::size_t> rising(sizes_.size() / 2);
+        const auto size = [&](std::size_t m) { return sizes_[2 * m].near + sizes_[2 * m + 1].near; };
+        std::iota(rising.begin(), rising.end(), std::size_t{0});
+        std::sort(rising.begin(), rising.end(), [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
+        double left = 0.0;
+        std::size_t out = 0;
+        for (; out < rising.size() && left + size(rising[out]) <= error; ++out) {
+            left += size(rising[out]);
+        }
+        kept_.assign(rising.begin() + static_cast<std::ptrdiff_t>(out), rising.end());
+        std::sort(kept_.begin(), kept_.end(), [](std::size_t a, std::size_t b) {
+            return a % 4 != b % 4 ? a % 4 < b % 4 : a < b;
+        });
+        return left;
+    }
+
+    // Of the orders kept, all up to one that take part in piece s, with all their sines or none; returns what the rest can add.
+    double select(std::size_t s, double error, PiecePlan& plan) const {
+        const double v = width_ * static_cast<double>(s);
+        double left = 0.0;
+        for (const std::size_t m : kept_) {
+            left += sizes_[2 * m + 1].at(v);
+        }
+        plan.orders.sines = left > 0.3 * error;
+        left = plan.orders.sines ? 0.0 : left;
+        const auto size = [&](std::size_t m) {
+            return sizes_[2 * m].at(v) + (plan.orders.sines ? sizes_[2 * m + 1].at(v) : 0.0);
+        };
+        thread_local std::vector<double> by_order;
+        by_order.assign(sizes_.size() / 2, 0.0);
+        for (const std::size_t m : kept_) {
+            by_order[m] = size(m);
+        }
+        std::size_t end = by_order.size();
+        while (end > 0 && left + by_order[end - 1] <= error) {
+            left += by_order[--end];
+        }
+        for (std::size_t i = 0; i < kept_.size(); ++i) {
+            if (kept_[i] < end) {
+                plan.orders.add(kept_[i]);
+                plan.rows.push_back(i);
             }
         }
         return left;
     }
 
-    // What an order can add to U: |2 (n+1) J_{n+1}(v) / v| <= 1.
-    static double size(const ZernikeSeries& series, std::size_t m, const Doubles& re, const Doubles& im) {
-        double sum = 0.0;
-        for (std::size_t j = 0; m < series.degrees && j < series.count(m); ++j) {
-            const std::size_t at = series.start[m] + j;
-            sum += std::hypot(re[at], im[at]) / static_cast<double>(m + 2 * j + 1);
-        }
-        return sum;
-    }
-
-    using Tables = std::array<std::shared_ptr<const PieceTable>, 2>;
-
-    template <class I>
-    LOMMEL_INLINE void combine_orders(I isa, const ZernikeSeries& series, const Tables& tables, std::size_t s, Doubles& out) const {
-        out.resize(orders_.count() * parts() * degree_count);
-        double* to = out.data();
-        for (const auto& list : orders_.of) {
-            for (const ActiveOrders::Order& order : list) {
-                const std::size_t m = order.m;
-                if (m >= series.degrees) {
-                    std::fill(to, to + parts() * degree_count, 0.0);
-                } else {
-                    const Piece& piece = *tables[m % 2]->pieces[s];
-                    const std::size_t at = series.start[m], count = series.count(m);
-                    combine(isa, piece, count, &series.cos_re[at], &series.cos_im[at], to, to + degree_count, m / 2);
-                    if (orders_.sines) {
-                        combine(isa, piece, count, &series.sin_re[at], &series.sin_im[at], to + 2 * degree_count,
-                                to + 3 * degree_count, m / 2);
+    // The coefficients of every piece: [order kept][re A, im A, re B, im B][power, rising].
+    void combine_all(const ZernikeSeries& series, const Tables& tables, std::size_t pieces, std::vector<Doubles>& rows,
+                     int threads) const {
+        rows.resize(pieces);
+        parallel_for(pieces, threads, [&](std::size_t, std::size_t s) {
+            rows[s].resize(kept_.size() * 4 * degree_count);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                double* to = rows[s].data();
+                for (std::size_t i = 0; i < kept_.size(); ++i, to += 4 * degree_count) {
+                    const std::size_t m = kept_[i];
+                    if (m >= series.orders) {
+                        std::fill(to, to + 4 * degree_count, 0.0);
+                        continue;
                     }
+                    const Piece& piece = *tables[m % 2]->pieces[s];
+                    const std::size_t at = series.start[m], count = series.used[m];
+                    combine(isa, piece, count, &series.cos_re[at], &series.cos_im[at], to, to + degree_count, m / 2);
+                    combine(isa, piece, count, &series.sin_re[at], &series.sin_im[at], to + 2 * degree_count,
+                            to + 3 * degree_count, m / 2);
                 }
-                to += parts() * degree_count;
-            }
-        }
-    }
-
-    void combine_inner(std::size_t pieces) {
-        inner_rows_.resize(pieces);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t p = 0; p < inner_rows_.size(); ++p) {
-                combine_orders(isa, inner_, inner_table_, p, inner_rows_[p]);
-            }
+            });
         });
     }
 
@@ -235,64 +404,67 @@ class ZernikeField {
         }
     }
 
-    // The matrix from 16 coefficients of a piece to those of its interpolant at Degree points: [power][highest first].
-    template <std::size_t Degree, class Powers>
+    // The matrix from 16 coefficients of a piece to those of its interpolant at 8 points: [power][highest first].
+    template <class Powers>
     static void resample(double* onto, const Powers& powers_at) {
         static const auto matrix = [] {
-            std::array<std::array<double, Degree>, Degree> m;
-            for (std::size_t k = 0; k < Degree; ++k) {
-                for (std::size_t j = 0; j < Degree; ++j) {
-                    m[k][j] = static_cast<double>(chebyshev_to_monomials<Degree>()[k][j]);
+            std::array<std::array<double, ring_degree>, ring_degree> m;
+            for (std::size_t k = 0; k < ring_degree; ++k) {
+                for (std::size_t j = 0; j < ring_degree; ++j) {
+                    m[k][j] = static_cast<double>(chebyshev_to_monomials<ring_degree>()[k][j]);
                 }
             }
             return m;
         }();
-        std::fill(onto, onto + degree_count * Degree, 0.0);
+        std::fill(onto, onto + degree_count * ring_degree, 0.0);
         double powers[degree_count];
-        for (std::size_t j = 0; j < Degree; ++j) {
-            powers_at(chebyshev_point(j, Degree), powers);
+        for (std::size_t j = 0; j < ring_degree; ++j) {
+            powers_at(chebyshev_point(j, ring_degree), powers);
             for (std::size_t l = 0; l < degree_count; ++l) {
-                for (std::size_t k = 0; k < Degree; ++k) {
-                    onto[l * Degree + Degree - 1 - k] += powers[l] * matrix[k][j];
+                for (std::size_t k = 0; k < ring_degree; ++k) {
+                    onto[l * ring_degree + ring_degree - 1 - k] += powers[l] * matrix[k][j];
                 }
             }
         }
     }
 
-    template <std::size_t Degree, bool Add, class I>
-    static LOMMEL_INLINE void multiply(I, const double* onto, const double* rows, std::size_t count, double weight, double* out) {
+    template <bool Add, class I>
+    static LOMMEL_INLINE void multiply(I, const double* onto, const double* rows, const std::vector<std::size_t>& which,
+                                       std::size_t parts, double weight, double* out) {
         using V = typename I::pack;
-        constexpr std::size_t packs = Degree / I::lanes;
-        for (std::size_t i = 0; i < count; ++i, rows += degree_count, out += Degree) {
-            V sums[2][packs];
-            for (std::size_t p = 0; p < packs; ++p) {
-                sums[0][p] = sums[1][p] = splat<V>(0.0);
-            }
-            for (std::size_t l = 0; l < degree_count; l += 2) {
-                for (std::size_t j = 0; j < 2; ++j) {
-                    const V c = splat<V>(rows[l + j]);
-                    for (std::size_t p = 0; p < packs; ++p) {
-                        sums[j][p] = sums[j][p] + c * load<V>(onto + (l + j) * Degree + p * I::lanes);
+        constexpr std::size_t packs = ring_degree / I::lanes;
+        for (const std::size_t row : which) {
+            const double* from = rows + row * 4 * degree_count;
+            for (std::size_t part = 0; part < parts; ++part, from += degree_count, out += ring_degree) {
+                V sums[2][packs];
+                for (std::size_t p = 0; p < packs; ++p) {
+                    sums[0][p] = sums[1][p] = splat<V>(0.0);
+                }
+                for (std::size_t l = 0; l < degree_count; l += 2) {
+                    for (std::size_t j = 0; j < 2; ++j) {
+                        const V c = splat<V>(from[l + j]);
+                        for (std::size_t p = 0; p < packs; ++p) {
+                            sums[j][p] = sums[j][p] + c * load<V>(onto + (l + j) * ring_degree + p * I::lanes);
+                        }
                     }
                 }
-            }
-            for (std::size_t p = 0; p < packs; ++p) {
-                V total = sums[0][p] + sums[1][p];
-                if constexpr (Add) {
-                    total = load<V>(out + p * I::lanes) + splat<V>(weight) * total;
+                for (std::size_t p = 0; p < packs; ++p) {
+                    V total = sums[0][p] + sums[1][p];
+                    if constexpr (Add) {
+                        total = load<V>(out + p * I::lanes) + splat<V>(weight) * total;
+                    }
+                    store(out + p * I::lanes, total);
                 }
-                store(out + p * I::lanes, total);
             }
         }
     }
 
     ZernikeSeries outer_, inner_;
     ZernikeAnalysis analysis_;
-    ActiveOrders orders_;
-    Tables table_, inner_table_;
-    std::vector<Doubles> inner_rows_;
-    double obscuration_ = 0.0, width_ = 1.0;
-    std::size_t pieces_ = 0, rings_ = 1;
+    std::vector<OrderSize> sizes_;   // [2 m + sine]
+    std::vector<std::size_t> kept_;  // orders that are not negligible everywhere, by m modulo 4
+    std::vector<Doubles> rows_, inner_rows_;
+    double obscuration_ = 0.0, reach_ = 0.0, weight_ = 1.0, width_ = 1.0, base_ = 0.0;
 };
 
 }  // namespace lommel

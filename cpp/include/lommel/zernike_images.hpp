@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "lommel/images.hpp"
@@ -27,10 +30,251 @@ struct ZernikeStack {
     }
 };
 
+// An image in the making: its pixels by pieces of v, and how well each piece is done.
+//
+// An error of U matters less where the PSF is dark: |I - I_exact| <= e (2 |U| + e). Every piece is given an error of its own
+// from a look at some of its points, and judged by the values that it turned out to have.
+class ZernikeImage {
+   public:
+    // Of the pixels of `octants`, `step` in v apart. What is used for one image is kept for the next.
+    void begin(std::shared_ptr<const Octants> octants, double step, int threads) {
+        octants_ = std::move(octants);
+        step_ = step;
+        threads_ = threads;
+    }
+
+    // Expands the pupil to `error` in U, looks where it is bright, and gives every piece what error the tolerance allows there.
+    void prepare(const ZernikePhase& phase, const ZernikePhase& inner, double obscuration, double error, double tol) {
+        const double reach = step_ * std::sqrt(static_cast<double>(octants_->groups.back().square()));
+        const double near = step_ * std::sqrt(static_cast<double>(octants_->groups.front().square()));
+        field_.expand(phase, inner, obscuration, reach, error);
+        std::array<double, looks> v, bright;
+        parallel_for(looks, threads_, [&](std::size_t, std::size_t i) {
+            // Closer together near the axis, where most light is.
+            const double x = (static_cast<double>(i) + 0.5) / looks;
+            v[i] = near + (reach - near) * x * std::sqrt(x);
+            bright[i] = field_.look(v[i]);
+        });
+        const double all = 0.5 * tol * *std::max_element(bright.begin(), bright.end());
+        const auto allowed = [&](double intensity) {
+            const double u = 2.0 * std::sqrt(intensity);
+            return all / (u + std::sqrt(u * u + all));
+        };
+        field_.prepare(allowed(2.0 * all / tol), threads_);
+        parts_.assign(field_.pieces(), Part());
+        std::size_t first = 0;
+        for (std::size_t s = 0; s < parts_.size(); ++s) {
+            parts_[s].first = first;
+            first = s + 1 == parts_.size() ? octants_->groups.size() : boundary(s, 1, 1, first, octants_->groups.size());
+            parts_[s].last = first;
+            // The looks in the piece and one on either side.
+            const double low = field_.width() * static_cast<double>(s), high = low + field_.width();
+            double seen = 0.0;
+            for (std::size_t i = 0; i < looks; ++i) {
+                if ((i + 1 == looks || v[i + 1] >= low) && (i == 0 || v[i - 1] <= high)) {
+                    seen = std::max(seen, bright[i]);
+                }
+            }
+            parts_[s].allowed = allowed(seen);
+        }
+    }
+
+    // Gives those pieces less whose error of I is above `most`; returns false if the expansion is the reason.
+    bool tighten(double most) {
+        bool any = false;
+        for (Part& part : parts_) {
+            if (part.wrong() > most) {
+                if (part.error < 3.0 * field_.base()) {
+                    return false;
+                }
+                part.allowed = 0.2 * std::min(part.allowed, part.error);
+                part.done = false;
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    double peak() const { return brightest().top; }
+    double error_at_peak() const { return brightest().error; }  // of U
+    double wrong() const {                                      // proven error of I
+        double sum = 0.0;
+        for (const Part& part : parts_) {
+            sum = std::max(sum, part.wrong());
+        }
+        return sum;
+    }
+
+    // Computes the pieces that are not done, writing I times `scale`.
+    template <class T>
+    void paint(double scale, T* image) {
+        parallel_for(parts_.size(), threads_, [&](std::size_t, std::size_t s) {
+            if (!parts_[s].done) {
+                paint(s, scale, image);
+            }
+        });
+    }
+
+   private:
+    static constexpr std::size_t looks = 32;
+
+    struct Part {
+        std::size_t first = 0, last = 0;       // groups of pixels
+        double allowed = 0.0, error = 1e300;  // of U: asked for, proven
+        double top = 0.0;                     // largest I
+        bool done = false;
+        double wrong() const { return first < last ? error * (2.0 * std::sqrt(top) + error) : 0.0; }
+    };
+
+    const Part& brightest() const {
+        return *std::max_element(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.top < b.top; });
+    }
+
+    // The first group beyond ring r - 1 of `rings` in piece s.
+    std::size_t boundary(std::size_t s, std::size_t r, std::size_t rings, std::size_t least, std::size_t most) const {
+        const double v = field_.width() * (static_cast<double>(s) + static_cast<double>(r) / static_cast<double>(rings));
+        return std::clamp(octants_->first_at(v / step_), least, most);
+    }
+
+    template <class T>
+    void paint(std::size_t s, double scale, T* image) {
+        Part& part = parts_[s];
+        part.done = true;
+        part.top = 0.0;
+        if (part.first == part.last) {
+            return;
+        }
+        thread_local Doubles coefficients;
+        thread_local Floats singles;
+        const PiecePlan plan = field_.plan(s, part.allowed, part.last - part.first);
+        part.error = plan.error;
+        const double per_pixel = step_ / field_.width();
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using I = decltype(isa);
+            constexpr std::size_t unroll = I::lanes == 8 ? 2 : 1;
+            if (plan.rings == 0) {
+                field_.whole(plan, s, coefficients);
+                part.top = pixels<degree_count, unroll, typename I::pack>(
+                    plan, part.first, part.last, 2.0 * per_pixel, -(2.0 * static_cast<double>(s) + 1.0), coefficients.data(), scale,
+                    image);
+                return;
+            }
+            std::size_t from = part.first;
+            for (std::size_t r = 0; r < plan.rings; ++r) {
+                const std::size_t to = r + 1 == plan.rings ? part.last : boundary(s, r + 1, plan.rings, from, part.last);
+                if (from == to) {
+                    continue;
+                }
+                field_.ring(isa, plan, s, r, coefficients);
+                const double slope = 2.0 * static_cast<double>(plan.rings) * per_pixel;
+                const double offset = -(2.0 * static_cast<double>(s * plan.rings + r) + 1.0);
+                const double rounding = single_rounding(plan, coefficients);
+                double top = 0.0;
+                if (plan.error + rounding <= part.allowed) {
+                    part.error = std::max(part.error, plan.error + rounding);
+                    singles.assign(coefficients.begin(), coefficients.end());
+                    top = pixels<ring_degree, unroll, typename I::floats>(plan, from, to, slope, offset, singles.data(), scale, image);
+                } else {
+                    top = pixels<ring_degree, unroll, typename I::pack>(plan, from, to, slope, offset, coefficients.data(), scale,
+                                                                        image);
+                }
+                part.top = std::max(part.top, top);
+                from = to;
+            }
+        });
+    }
+
+    // Bound on what single precision does to U: roundings of coefficients, of x (whose powers have a slope of up to 7), of
+    // Horner's rule, of cos(m psi) and sin(m psi), m times those of psi, and of the sum.
+    static double single_rounding(const PiecePlan& plan, const Doubles& coefficients) {
+        double sum = 0.0;
+        for (const double c : coefficients) {
+            sum += std::abs(c);
+        }
+        const double steps = 4.0 * ring_degree + 3.0 * static_cast<double>(plan.orders.highest()) +
+                             static_cast<double>(plan.rows.size()) + 24.0;
+        return 5.97e-8 * steps * sum;
+    }
+
+    template <std::size_t Degree, std::size_t Unroll, class V, class Real>
+    static LOMMEL_INLINE void sum(const ActiveOrders& orders, const Real* coefficients, const V* x, const V* c, const V* s,
+                                  V (*out)[Unroll]) {
+        if (orders.sines) {
+            sum_orders<Degree, true, Unroll>(orders, coefficients, x, c, s, out);
+        } else {
+            sum_orders<Degree, false, Unroll>(orders, coefficients, x, c, s, out);
+        }
+    }
+
+    // Writes the pixels of groups [first, last), x = slope r + offset; returns the largest I.
+    template <std::size_t Degree, std::size_t Unroll, class V, class Real, class T>
+    LOMMEL_INLINE double pixels(const PiecePlan& plan, std::size_t first, std::size_t last, double slope, double offset,
+                                const Real* coefficients, double scale, T* image) const {
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Real), at_once = Unroll * lanes;
+        const std::int64_t width = octants_->width, center = octants_->row * width + octants_->column;
+        const std::int64_t inner = std::min(std::min(octants_->row, octants_->height - 1 - octants_->row),
+                                            std::min(octants_->column, width - 1 - octants_->column));
+        Real peak = 0;
+        for (std::size_t g = first; g < last; g += at_once) {
+            alignas(64) Real x[at_once], c[at_once], s[at_once], values[at_once * 8];
+            const std::size_t here = std::min(at_once, last - g);
+            alignas(64) double a[at_once], b[at_once];
+            for (std::size_t i = 0; i < at_once; ++i) {
+                const Octants::Group group = octants_->groups[g + std::min(i, here - 1)];
+                // At the axis any direction will do.
+                a[i] = group.a == 0 ? 1e-150 : group.a;
+                b[i] = group.b;
+            }
+            for (std::size_t i = 0; i < at_once; ++i) {
+                const double r = std::sqrt(a[i] * a[i] + b[i] * b[i]), over = 1.0 / r;
+                x[i] = static_cast<Real>(r * slope + offset);
+                c[i] = static_cast<Real>(a[i] * over);
+                s[i] = static_cast<Real>(b[i] * over);
+            }
+            V vx[Unroll], vc[Unroll], vs[Unroll], out[8][Unroll];
+            for (std::size_t u = 0; u < Unroll; ++u) {
+                vx[u] = load<V>(x + u * lanes);
+                vc[u] = load<V>(c + u * lanes);
+                vs[u] = load<V>(s + u * lanes);
+            }
+            sum<Degree, Unroll>(plan.orders, coefficients, vx, vc, vs, out);
+            for (std::size_t j = 0; j < 8; ++j) {
+                for (std::size_t u = 0; u < Unroll; ++u) {
+                    store(values + j * at_once + u * lanes, out[j][u]);
+                }
+            }
+            for (std::size_t i = 0; i < here; ++i) {
+                const Octants::Group group = octants_->groups[g + i];
+                const std::int64_t a = group.a, b = group.b;
+                const std::int64_t right[8] = {a, a, -a, -a, b, b, -b, -b}, down[8] = {b, -b, b, -b, a, -a, a, -a};
+                for (std::size_t j = 0; j < 8; ++j) {
+                    if (a > inner) {
+                        const std::int64_t px = octants_->column + right[j], py = octants_->row + down[j];
+                        if (px < 0 || px >= width || py < 0 || py >= octants_->height) {
+                            continue;
+                        }
+                    }
+                    const Real value = values[j * at_once + i];
+                    image[center + down[j] * width + right[j]] = static_cast<T>(scale * static_cast<double>(value));
+                    peak = value > peak ? value : peak;
+                }
+            }
+        }
+        return static_cast<double>(peak);
+    }
+
+    std::shared_ptr<const Octants> octants_;
+    double step_ = 1.0;
+    int threads_ = 1;
+    ZernikeField field_;
+    std::vector<Part> parts_;
+};
+
 template <class T>
 class ZernikeRenderer {
    public:
-    // The axis of pupil i is in the middle of pixel (rows[i], columns[i]), which may be outside of the image.
+    // The axis of pupil i is in the middle of pixel (rows[i], columns[i]), which may be outside of the image. Scales are 0
+    // on entry where values are to be divided by their largest one, and receive what the intensity was multiplied by.
     ZernikeRenderer(const ZernikeStack& stack, std::size_t height, std::size_t width, const std::int64_t* rows,
                     const std::int64_t* columns, double step, double tol, int threads, T* images, double* scales, double* bounds)
         : stack_(stack), height_(height), width_(width), rows_(rows), columns_(columns), step_(step), tol_(tol),
@@ -46,140 +290,72 @@ class ZernikeRenderer {
 
    private:
     void render(std::size_t pupil, int threads) {
-        thread_local ZernikeField field;
-        const ZernikePhase phase = stack_.phase(pupil), inner = stack_.inner_phase(pupil);
         const auto octants = Octants::get(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_), rows_[pupil],
                                           columns_[pupil]);
-        const double reach = step_ * std::sqrt(static_cast<double>(octants->groups.back().square()));
         const bool normalize = scales_[pupil] == 0.0;
-        T* image = images_ + pupil * height_ * width_;
+        // Values divided by their own largest one are off by twice as much.
+        const double tol = normalize ? 0.4 * tol_ : tol_, scale = normalize ? 1.0 : scales_[pupil];
+        T* values = images_ + pupil * height_ * width_;
+        thread_local ZernikeImage image;
+        image.begin(octants, step_, threads);
+        double relative = 1e300;
+        for (double error = first_guess(pupil, tol); error > unit_roundoff; error *= 0.1) {
+            image.prepare(stack_.phase(pupil), stack_.inner_phase(pupil), stack_.obscuration, error, tol);
+            for (;;) {
+                image.paint(scale, values);
+                double peak = image.peak(), off = image.error_at_peak();
+                relative = over_peak(image.wrong(), peak, off);
+                if (!normalize && relative > tol) {
+                    scan(pupil, error, peak, off);
+                    relative = over_peak(image.wrong(), peak, off);
+                }
+                if (relative <= tol) {
+                    return finish(pupil, values, image.peak(), relative);
+                }
+                if (!image.tighten(0.7 * tol * peak)) {
+                    break;
+                }
+            }
+        }
+        throw ToleranceNotMet(relative);
+    }
+
+    double first_guess(std::size_t pupil, double tol) const {
         const double area = 1.0 - stack_.obscuration * stack_.obscuration, g = stack_.gaussian;
         const double bright = g > 1e-6 ? std::exp(-g * (1.0 - area)) * -std::expm1(-g * area) / g : area;
-        for (double error = 0.4 * tol_ * bright / (2.0 * phase.size() + 1.0);; error *= 0.1) {
-            const double bound = field.prepare(phase, inner, stack_.obscuration, reach, error);
-            const double top = paint(field, *octants, step_, normalize ? 1.0 : scales_[pupil], threads, image);
-            double relative = relative_error(top, bound);
-            if (normalize) {
-                relative = normalized_error(relative);
-            } else if (relative > tol_) {
-                relative = relative_error(std::max(top, scanned_peak(phase, inner, error)), bound);
-            }
-            if (relative <= tol_) {
-                bounds_[pupil] = relative;
-                if (normalize) {
-                    scales_[pupil] = 1.0 / top;
-                    for (std::size_t i = 0; i < height_ * width_; ++i) {
-                        image[i] = static_cast<T>(static_cast<double>(image[i]) / top);
-                    }
-                }
-                return;
-            }
-            if (error < 8.0 * unit_roundoff) {
-                throw ToleranceNotMet(relative);
+        return 0.1 * tol * bright / (stack_.phase(pupil).size() + 1.0);
+    }
+
+    static double over_peak(double wrong, double peak, double off) {
+        const double exact = std::sqrt(peak) - off;
+        return exact > 1e-150 ? wrong / (exact * exact) : 1e300;
+    }
+
+    void finish(std::size_t pupil, T* values, double peak, double relative) {
+        bounds_[pupil] = relative;
+        if (scales_[pupil] == 0.0) {
+            bounds_[pupil] = normalized_error(relative);
+            scales_[pupil] = 1.0 / peak;
+            for (std::size_t i = 0; i < height_ * width_; ++i) {
+                values[i] = static_cast<T>(static_cast<double>(values[i]) / peak);
             }
         }
     }
 
-    // Scaled intensities of one image; returns the largest unscaled one.
-    template <class Value>
-    static double paint(const ZernikeField& field, const Octants& octants, double step, double scale, int threads, Value* image) {
-        std::vector<double> peaks(field.pieces(), 0.0);
-        parallel_for(field.pieces(), threads, [&](std::size_t, std::size_t s) {
-            thread_local Doubles piece, ring;
-            const double per_pixel = step / field.width();
-            const std::size_t first = octants.first_at(static_cast<double>(s) / per_pixel);
-            const std::size_t last = s + 1 == field.pieces() ? octants.groups.size()
-                                                             : octants.first_at(static_cast<double>(s + 1) / per_pixel);
-            if (first == last) {
-                return;
-            }
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                field.combine_piece(isa, s, piece);
-                // Rings are worth while where they hold vectors full of pixels.
-                const std::size_t rings = field.rings();
-                if (field.obscured() || last - first > 20 * rings) {
-                    std::size_t from = first;
-                    for (std::size_t r = 0; r < rings; ++r) {
-                        const double outer = static_cast<double>(s) + static_cast<double>(r + 1) / static_cast<double>(rings);
-                        const std::size_t to = r + 1 == rings ? last : std::clamp(octants.first_at(outer / per_pixel), from, last);
-                        if (from == to) {
-                            continue;
-                        }
-                        field.template ring<ring_degree>(isa, piece, s, r, rings, ring);
-                        const double slope = 2.0 * static_cast<double>(rings) * per_pixel;
-                        const double offset = -(2.0 * (static_cast<double>(s * rings + r)) + 1.0);
-                        peaks[s] = std::max(peaks[s], pixels<ring_degree>(isa, field, octants, from, to, slope, offset,
-                                                                          ring.data(), scale, image));
-                        from = to;
-                    }
-                } else {
-                    field.template ring<degree_count>(isa, piece, s, 0, 1, ring);
-                    peaks[s] = pixels<degree_count>(isa, field, octants, first, last, 2.0 * per_pixel,
-                                                    -(2.0 * static_cast<double>(s) + 1.0), ring.data(), scale, image);
-                }
-            });
-        });
-        return *std::max_element(peaks.begin(), peaks.end());
-    }
-
-    template <std::size_t Degree, class I, class Value>
-    static LOMMEL_INLINE double pixels(I isa, const ZernikeField& field, const Octants& octants, std::size_t first, std::size_t last,
-                                       double slope, double offset, const double* ring, double scale, Value* image) {
-        using V = typename I::pack;
-        constexpr std::size_t unroll = I::lanes == 8 ? 2 : 1, at_once = unroll * I::lanes;
-        double peak = 0.0;
-        for (std::size_t g = first; g < last; g += at_once) {
-            alignas(64) double x[at_once], c[at_once], s[at_once], values[8][at_once];
-            for (std::size_t i = 0; i < at_once; ++i) {
-                const Octants::Group group = octants.groups[std::min(g + i, last - 1)];
-                const double a = group.a, b = group.b, r = std::sqrt(a * a + b * b);
-                x[i] = r * slope + offset;
-                c[i] = r > 0.0 ? a / r : 1.0;
-                s[i] = r > 0.0 ? b / r : 0.0;
-            }
-            V vx[unroll], vc[unroll], vs[unroll], out[8][unroll];
-            for (std::size_t u = 0; u < unroll; ++u) {
-                vx[u] = load<V>(x + u * I::lanes);
-                vc[u] = load<V>(c + u * I::lanes);
-                vs[u] = load<V>(s + u * I::lanes);
-            }
-            if (field.orders().sines) {
-                sum_orders<Degree, true, unroll>(isa, field.orders(), ring, vx, vc, vs, out);
-            } else {
-                sum_orders<Degree, false, unroll>(isa, field.orders(), ring, vx, vc, vs, out);
-            }
-            for (std::size_t j = 0; j < 8; ++j) {
-                for (std::size_t u = 0; u < unroll; ++u) {
-                    store(values[j] + u * I::lanes, out[j][u]);
-                }
-            }
-            for (std::size_t i = 0; i < std::min(at_once, last - g); ++i) {
-                const Octants::Group group = octants.groups[g + i];
-                for (std::size_t j = 0; j < 8; ++j) {
-                    const std::int64_t along = j < 4 ? group.a : group.b, across = j < 4 ? group.b : group.a;
-                    const std::int64_t px = octants.column + (j % 4 < 2 ? along : -along);
-                    const std::int64_t py = octants.row + (j % 2 == 0 ? across : -across);
-                    if (px >= 0 && px < octants.width && py >= 0 && py < octants.height) {
-                        image[py * octants.width + px] = static_cast<Value>(scale * values[j][i]);
-                        peak = std::max(peak, values[j][i]);
-                    }
-                }
-            }
-        }
-        return peak;
-    }
-
-    // The largest I on a coarse grid that rays reach: a window may miss the peak.
-    double scanned_peak(const ZernikePhase& phase, const ZernikePhase& inner, double error) const {
+    // The window may miss the peak: looks for a larger one where rays go.
+    void scan(std::size_t pupil, double error, double& peak, double& off) const {
         double blur = 4.0;
-        phase.amplitudes([&](double amplitude, std::size_t n) { blur += amplitude * static_cast<double>(n * n); });
-        const std::int64_t side = 65;
-        const double step = std::min(blur, 400.0) / 32.0;
-        const Octants octants(side, side, side / 2, side / 2);
-        std::vector<double> image(static_cast<std::size_t>(side * side));
-        ZernikeField field;
-        field.prepare(phase, inner, stack_.obscuration, step * std::sqrt(static_cast<double>(octants.groups.back().square())), error);
-        return paint(field, octants, step, 1.0, 1, image.data());
+        stack_.phase(pupil).amplitudes([&](double amplitude, std::size_t n, std::size_t) { blur += amplitude * static_cast<double>(n * n); });
+        constexpr std::int64_t side = 65;
+        std::vector<double> values(static_cast<std::size_t>(side * side));
+        ZernikeImage image;
+        image.begin(Octants::get(side, side, side / 2, side / 2), std::min(blur, 400.0) / 32.0, 1);
+        image.prepare(stack_.phase(pupil), stack_.inner_phase(pupil), stack_.obscuration, error, tol_);
+        image.paint(1.0, values.data());
+        if (image.peak() > peak) {
+            peak = image.peak();
+            off = image.error_at_peak();
+        }
     }
 
     ZernikeStack stack_;

@@ -226,6 +226,8 @@ def test_wavefronts_share_no_memory_with_the_arrays_they_were_made_from():
         stack.defocus[0] = 99.0
     with pytest.raises(AttributeError):
         stack.defocus = defocus
+    with pytest.raises(TypeError, match="does not support item assignment"):
+        stack.nonradial[3, 1] = defocus
 
 
 @pytest.mark.parametrize("other", [Wavefront(1.0, 0.1), Wavefront([1.0]), Wavefront(1.0, 0.0, [1e-300]), 1.0, "W"])

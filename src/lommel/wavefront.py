@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any, Self
 
 import numpy as np
@@ -85,7 +86,7 @@ class Wavefront(Descriptions):
         rest = tuple(validation.real_array(f"higher[{i}]", c) for i, c in enumerate(higher))
         object.__setattr__(self, "higher", rest)
         others = _nonradial(nonradial) if nonradial else {}
-        object.__setattr__(self, "nonradial", others)
+        object.__setattr__(self, "nonradial", MappingProxyType(others))
         terms = (2.0 * self.defocus, self.spherical, *rest)
         try:
             together = np.broadcast_arrays(*terms, *others.values())
@@ -289,6 +290,10 @@ class Wavefront(Descriptions):
             return False
         difference = self - other
         return not np.any(difference.coefficients) and not any(np.any(c) for c in difference.nonradial.values())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # The read-only view of `nonradial` cannot be pickled.
+        return Wavefront, (self.defocus, self.spherical, self.higher, dict(self.nonradial))
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -44,7 +44,7 @@ class ZernikeTable:
     unit : str
         "radians", "waves", or that of a path length: "metres", "nm", "um", ...
     normalization : {"rms", "edge"}
-        As in :meth:`Wavefront.zernike`.
+        As in :meth:`lommel.Wavefront.zernike`.
     wavelength : float, optional
         Metres; that at which the waves or radians were measured.
 
@@ -312,7 +312,7 @@ def _read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
             elif colon:
                 settings[key], lines[key] = value.strip(), number
             continue
-        cells = [cell.strip() for cell in next(csv.reader(io.StringIO(line)), [])]
+        cells = _cells(line)
         if not any(cells):
             continue
         if columns is None:
@@ -331,6 +331,13 @@ def _read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
 
     table, more = build(settings, terms, where)
     return (None if found else table), [*found, *more]
+
+
+def _cells(line: str) -> list[str]:
+    try:
+        return [cell.strip() for cell in next(csv.reader(io.StringIO(line)), [])]
+    except csv.Error:  # of an endless cell
+        return [line]
 
 
 def _number(text: str) -> Any:
@@ -353,5 +360,5 @@ def _index(text: str, order: str) -> _Index:
 
 
 def _unit(unit: str) -> tuple[str, float]:
-    """Return a unit of :meth:`Wavefront.zernike`, and how many of it one `unit` is."""
+    """Return a unit of :meth:`lommel.Wavefront.zernike`, and how many of it one `unit` is."""
     return ("metres", _LENGTHS.get(unit, 1.0)) if unit not in ("radians", "waves") else (unit, 1.0)

@@ -80,6 +80,19 @@ def test_an_obscured_pupil_is_masked_and_fitted_all_the_same():
     assert fit.condition > lm.fit_opd(opd, unit="waves").condition >= 1.0
 
 
+@pytest.mark.parametrize(("degree", "eps", "condition"), [(8, 0.5, 20), (8, 0.8, 2500), (10, 0.7, 1500)])
+def test_terms_that_samples_determine_badly_come_back_all_the_same(degree, eps, condition):
+    rng = np.random.default_rng(4)
+    terms = [(n, m) for n in range(1, degree + 1) for m in range(-n, n + 1, 2)]
+    wavefront = lm.Wavefront.zernike({term: rng.normal() for term in terms})
+    opd = lm.opd_map(wavefront, 96, unit="waves")
+    x = (np.arange(96) - 47.5) / 48
+    opd[np.hypot(x[:, None], x) < eps] = np.nan
+    fit = lm.fit_opd(opd, unit="waves", degree=degree)
+    assert fit.condition > condition
+    assert largest_difference(fit.wavefront, wavefront) < 1e-10
+
+
 def test_a_stack_of_maps_is_a_stack_of_wavefronts_even_where_their_masks_differ():
     wavefronts = lm.Wavefront.zernike({(2, 0): np.arange(6.0).reshape(2, 3), (3, 1): np.array([1.0, 2.0, 3.0])})
     opd = lm.opd_map(wavefronts, 32, unit="radians")

@@ -163,10 +163,10 @@ def test_a_fault_is_told_with_its_key_and_line(load, line, instead, told):
 
 
 def test_every_fault_is_told_at_once(load):
-    text = TOML.replace('"nm"', '"kg"').replace("7 = 31", "0 = 31\n7 = inf").replace("wavelength", "lambda")
+    text = TOML.replace('"nm"', '"kg"').replace("7 = 31", "0 = nan\n7 = inf").replace("wavelength", "lambda")
     found = faults(load, ".toml", text)
     assert [fault.split(":")[0] for fault in found] == [
-        "lambda (line 4)", "unit (line 2)", "terms.0 (line 8)", "terms.7 (line 9)",
+        "lambda (line 4)", "unit (line 2)", "terms.0 (line 8)", "terms.0 (line 8)", "terms.7 (line 9)",
     ]  # fmt: skip
 
 

@@ -128,7 +128,7 @@ class Wavefront(Descriptions):
     @property
     def radial(self) -> bool:
         """Whether the phase depends on rho only: no other term, or none but zeros."""
-        return not any(np.any(c) for c in self.nonradial.values())
+        return not self.nonradial or not any(np.any(c) for c in self.nonradial.values())
 
     @property
     def waves(self) -> dict[str, NDArray[np.float64]]:

@@ -239,8 +239,12 @@ def build(
     for text, value, at in terms:
         try:
             number = validation.real("the coefficient", value)
-            if known is None:
-                continue
+        except (ValueError, TypeError) as error:
+            found.append(f"{at}: {error}")
+            number = 0.0
+        if known is None:
+            continue  # What an index means is not known.
+        try:
             index = _index(text, known)
             term = zernike.term(index, known)
             if term in places:

@@ -82,7 +82,8 @@ warnings.filterwarnings("error", module=r"lommel(\.|$)")
 
 # The page of conventions names the tests that hold them, the reference every public name: both must be true.
 _named = set(re.findall(r"`(test_\w+)`", (HERE / "conventions.md").read_text(encoding="utf-8")))
-_there = re.findall(r"def (test_\w+)", (HERE.parent / "tests" / "test_conventions.py").read_text(encoding="utf-8"))
+_tests = [HERE.parent / "tests" / f"test_{kind}.py" for kind in ("conventions", "zernike_conventions", "wavefront")]
+_there = re.findall(r"def (test_\w+)", "".join(path.read_text(encoding="utf-8") for path in _tests))
 if _named - set(_there):
     raise ValueError(f"conventions.md names tests that do not exist: {', '.join(sorted(_named - set(_there)))}")
 _listed = set((HERE / "api.md").read_text(encoding="utf-8").split())

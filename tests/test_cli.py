@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 
 import numpy as np
@@ -233,3 +234,34 @@ def test_every_command_has_help(run_lommel, tmp_path):
 def test_the_version_is_that_of_the_package(run_lommel, tmp_path):
     result = run_lommel("--version", folder=tmp_path)
     assert result.stdout == f"lommel, version {lm.__version__}\n"
+
+
+def test_zernike_terms_are_shown_by_name_in_waves_rms(call_lommel, lenses, tmp_path):
+    lens = lenses["newtonian-off-axis"]
+    shown = call_lommel("info", lens, folder=tmp_path)
+    assert shown.returncode == 0
+    rows = {tuple(line.rsplit(maxsplit=3)) for line in shown.stdout.splitlines()}
+    facts = json.loads(call_lommel("info", lens, "--json", folder=tmp_path).stdout)
+    terms = {term["name"]: term for term in facts["zernike"]}
+    # 3.099 waves of Seidel coma at the edge, six tenths of it along x: W131 / 3 / sqrt(8) waves rms.
+    assert terms["coma x"]["waves_rms"] == pytest.approx(0.6 * 3.099 / 3 / math.sqrt(8))
+    assert terms["trefoil y"]["waves_rms"] == pytest.approx(30 / 550)
+    for name, term in terms.items():
+        n, m = term["n"], term["m"]
+        assert (name, f"({n},", f"{m})", f"{term['waves_rms']:+.4g}") in rows
+    # No encircled energy without an image: shown as absent, not as a number.
+    assert {row["fraction"] for row in facts["encircled_energy"]} == {None}
+    assert ("1 arcsec               3.879", "um", "-", "83.3%") in rows
+
+
+def test_the_strehl_ratio_of_a_comatic_lens_is_that_of_its_image(call_lommel, lenses, tmp_path):
+    lens = lenses["newtonian-off-axis"]
+    arguments = (lens, "-m", "fraunhofer", "--set", "samples=512", "--set", "edge=grey", "--normalize", "strehl")
+    facts = json.loads(call_lommel("psf", *arguments, "--shape", 1, "-o", "a.npy", "--json", folder=tmp_path).stdout)
+    # The one pixel of this window is on the axis.
+    assert facts["psf"]["peak"] == pytest.approx(facts["strehl"], rel=2e-3)
+
+
+def test_a_lens_without_such_terms_has_no_table_of_them(call_lommel, lenses, tmp_path):
+    shown = call_lommel("info", lenses["hubble-1990"], folder=tmp_path).stdout
+    assert "Zernike" not in shown

@@ -6,9 +6,32 @@ import subprocess
 
 import pytest
 
+NOLL = """\
+name = "a"
+[lens]
+focal_length = 0.1
+f_number = 4
+wavelength = "500 nm"
+[sensor]
+pixel = "1 um"
+shape = 16
+[aberrations.zernike]
+order = "noll"
+unit = "waves"
+normalization = "rms"
+[aberrations.zernike.terms]
+8 = 0.1
+"""
 LENS_FILES = {
     "garbage.toml": "this is no lens",
     "faulty.toml": 'name = "a"\nsource = "b"\n[lens]\nfocal_lenght = 1\nwavelength = 550\n[sensor]\npixel = "1 kg"\n',
+    "nothing.toml": NOLL.replace("8 = 0.1", ""),
+    "twice.toml": NOLL.replace("8 = 0.1", "8 = 0.1\n08 = 0.2"),
+    "unit.toml": NOLL.replace('unit = "waves"\n', ""),
+    "index.toml": NOLL.replace("8 = 0.1", "0 = 0.1"),
+    "infinite.toml": NOLL.replace("8 = 0.1", "8 = inf"),
+    "absent.toml": NOLL.partition("order")[0] + 'file = "nowhere.csv"\n',
+    "coma.toml": NOLL,
 }
 NAME = "50mm [fast] f/1.8 [red] [/b] :smile: \\\\"
 
@@ -21,6 +44,13 @@ BAD = [
     ("psf nowhere.toml", "nowhere.toml: No such file or directory"),
     ("info folder.tif", "'folder.tif' is a directory"),
     ("info garbage.toml", "garbage.toml: not valid TOML: Expected '='"),
+    ("info nothing.toml", "aberrations.zernike.terms (line 13): is missing or empty"),
+    ("info twice.toml", "terms.08 (line 15): the term 08 was given before, aberrations.zernike.terms.8 (line 14)"),
+    ("psf unit.toml", "aberrations.zernike.unit (line 9): is missing; it is one of radians, waves"),
+    ("psf index.toml", "aberrations.zernike.terms.0 (line 14): a Zernike index in the order 'noll' must be from 1"),
+    ("psf infinite.toml", "aberrations.zernike.terms.8 (line 14): the coefficient must be finite, got inf"),
+    ("info absent.toml", "nowhere.csv: No such file or directory"),
+    ("psf coma.toml -m hankel -o a.tif", "Hankel supports radially symmetric pupils only"),
     ("psf {phone} --shape 0", "shape must be from 1 to 16384, got 0"),
     ("psf {phone} --shape 64by64", "'64by64' is not a size; write 65 or 64x128"),
     ("psf {phone} --shape 5x5x5", "shape must be an integer or (height, width), got (5, 5, 5)"),

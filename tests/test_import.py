@@ -19,7 +19,10 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 ORDER = [
     {"validation", "units", "_core"},
     {"special"},
+    {"descriptions"},
     {"wavefront"},
+    {"fitting", "faults"},
+    {"zernikefile"},
     {"pupil"},
     {"lens"},
     {"lensfile"},

@@ -272,3 +272,113 @@ def test_an_empty_file_lacks_everything_which_is_a_value_error(load):
     assert issubclass(LensFileError, ValueError)
     missing = fault(load, text="").split("\n  ")[1:]
     assert missing == ["name: is missing", "lens: is missing", "sensor: is missing"]
+
+
+ZERNIKE = """\
+[aberrations.zernike]
+order = "noll"
+unit = "nm"
+normalization = "rms"
+
+[aberrations.zernike.terms]
+7 = 55.0
+11 = -11.0
+"""
+TABLE = "# order: noll\n# unit: waves\n# normalization: rms\n# wavelength: 1100 nm\nindex,value\n7,0.05\n11,-0.01\n"
+
+
+def same(one: lm.Wavefront, two: lm.Wavefront) -> bool:
+    return all(np.all(np.abs(c) < 1e-12) for c in (one - two).to_zernike().values())
+
+
+def test_zernike_terms_are_those_of_the_wavelength_of_the_lens(load):
+    expected = lm.Wavefront.zernike({7: 0.1, 11: -0.02}, order="noll", unit="waves")
+    assert same(load(text=PLAIN + ZERNIKE).lens.aberrations, expected)
+    in_waves = ZERNIKE.replace('"nm"', '"waves"').replace("55.0", "0.1").replace("-11.0", "-0.02")
+    assert same(load(text=PLAIN + in_waves).lens.aberrations, expected)
+    elsewhere = in_waves.replace("\n\n", '\nwavelength = "1100 nm"\n\n')
+    assert same(load(text=PLAIN + elsewhere).lens.aberrations, 2.0 * expected)
+
+
+def test_zernike_terms_may_stand_in_a_table_beside_the_lens_file(load, tmp_path):
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "a.csv").write_text(TABLE, encoding="utf-8")
+    text = PLAIN + '[aberrations]\nW040 = 0.5\n[aberrations.zernike]\nfile = "tables/a.csv"\n'
+    expected = lm.Wavefront.zernike({7: 0.1, 11: -0.02}, order="noll", unit="waves")
+    assert same(load(text=text).lens.aberrations, expected + lm.Wavefront.from_seidel(W040=0.5))
+
+
+def test_seidel_terms_have_a_field(load):
+    text = PLAIN + "[aberrations]\nW131 = 0.5\nW222 = 0.25\nW220 = 1\nW311 = -2.0\nfield = [0.6, -0.3]\n"
+    expected = lm.Wavefront.from_seidel(W131=0.5, W222=0.25, W220=1, W311=-2.0, field=(0.6, -0.3))
+    assert same(load(text=text).lens.aberrations, expected)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('order = "noll"\n', "", "aberrations.zernike.order (line 16): is missing; it is one of nm, noll"),
+        ('unit = "nm"\n', "", "aberrations.zernike.unit (line 16): is missing; it is one of radians, waves"),
+        ('"nm"', '"kg"', "aberrations.zernike.unit (line 18): must be one of radians, waves"),
+        ("unit", "units", "aberrations.zernike.units (line 18): unknown key; did you mean unit?"),
+        ("7 = 55.0", "0 = 1.0", "aberrations.zernike.terms.0 (line 22): a Zernike index in the order 'noll'"),
+        ("11 = -11.0", "07 = 1.0", "aberrations.zernike.terms.07 (line 23): the term 07 was given before"),
+        ("7 = 55.0", "7 = nan", "aberrations.zernike.terms.7 (line 22): the coefficient must be finite, got nan"),
+        (ZERNIKE, "[aberrations]\nzernike = 5\n", "aberrations.zernike (line 17): must be a section"),
+        (
+            ZERNIKE,
+            '[aberrations.zernike]\nfile = "a.csv"\nunit = "nm"\n',
+            "aberrations.zernike.file (line 17): the file states everything; leave out unit",
+        ),
+        (
+            ZERNIKE,
+            "[aberrations.zernike]\nfile = 5\n",
+            "aberrations.zernike.file (line 17): must be the path of a table, got 5",
+        ),
+    ],
+)
+def test_a_fault_among_zernike_terms_is_told_with_its_key_and_line(load, old, new, told):
+    text = PLAIN + ZERNIKE
+    assert old in text
+    message = fault(load, text=text.replace(old, new))
+    assert any(line.strip().startswith(told) for line in message.split("\n")), message
+
+
+@pytest.mark.parametrize(
+    ("change", "where"),
+    [
+        ("W131 = nan", "aberrations.W131 (line 17)"),
+        ('W222 = "1"', "aberrations.W222 (line 17)"),
+        ("field = [1.0]", "aberrations.field (line 17)"),
+        ("field = 0.5", "aberrations.field (line 17)"),
+        ("field = [0.0, inf]", "aberrations.field (line 17)"),
+        ("W313 = 1.0", "aberrations.W313 (line 17): unknown key; did you mean W311?"),
+    ],
+)
+def test_a_bad_seidel_term_is_told_with_its_key_and_line(load, change, where):
+    message = fault(load, text=f"{PLAIN}[aberrations]\n{change}\n")
+    assert message.startswith(where)
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize(
+    ("table", "told"),
+    [
+        (None, "No such file or directory"),
+        (TABLE.replace("7,0.05", "7,x"), "a.csv: line 6: the coefficient must be a real number, got 'x'"),
+        (TABLE.replace("# wavelength: 1100 nm\n", ""), "a.csv: must state the wavelength of its waves"),
+    ],
+)
+def test_a_fault_of_a_table_is_told_with_its_name_and_that_of_the_lens_file(load, tmp_path, table, told):
+    if table is not None:
+        (tmp_path / "a.csv").write_text(table, encoding="utf-8")
+    message = fault(load, text=PLAIN + '[aberrations.zernike]\nfile = "a.csv"\n')
+    assert message.startswith("aberrations.zernike.file (line 17): ")
+    assert "a.csv" in message
+    assert told in message
+
+
+def test_faults_among_zernike_terms_are_told_with_all_others(load):
+    text = PLAIN.replace("wavelength = ", "wave = ") + ZERNIKE.replace('"nm"', '"kg"')
+    told = [line.strip().split(":")[0] for line in fault(load, text=text).strip("\n").split("\n")]
+    assert sorted(told) == ["aberrations.zernike.unit (line 18)", "lens.wave (line 8)", "lens.wavelength"]

@@ -15,7 +15,15 @@ from hypothesis import strategies as st
 from lommel import Wavefront
 
 radians = st.floats(-1e3, 1e3)
-wavefronts = st.builds(Wavefront, radians, radians, st.lists(radians, max_size=3).map(tuple))
+NONRADIAL = [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2) if m]
+wavefronts = st.builds(
+    Wavefront,
+    radians,
+    radians,
+    st.lists(radians, max_size=3).map(tuple),
+    st.dictionaries(st.sampled_from(NONRADIAL), radians, max_size=4),
+)
+angles = st.floats(-7.0, 7.0)
 RHO = np.linspace(0.0, 1.0, 11)
 
 
@@ -51,6 +59,105 @@ def test_wavefronts_add_and_scale_as_their_phases_do(one, two, factor):
         (-one, -one.phase(RHO)),
     ]:
         np.testing.assert_allclose(combined.phase(RHO), expected, rtol=0, atol=1e-12 * size)
+
+
+def size_of(wavefront: Wavefront) -> float:
+    return 1.0 + sum(float(np.abs(c).sum()) for c in (wavefront.coefficients, *wavefront.nonradial.values()))
+
+
+def at(wavefront: Wavefront, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    return wavefront.phase(np.hypot(x, y), np.arctan2(y, x))
+
+
+@given(wavefronts, angles, angles)
+def test_a_rotated_wavefront_has_the_phase_of_points_turned_back(wavefront, angle, theta):
+    turned = wavefront.rotated(angle).phase(RHO, theta)
+    np.testing.assert_allclose(turned, wavefront.phase(RHO, theta - angle), rtol=0, atol=1e-12 * size_of(wavefront))
+
+
+@given(wavefronts, angles, angles)
+def test_rotations_add(wavefront, one, two):
+    difference = wavefront.rotated(one).rotated(two) - wavefront.rotated(one + two)
+    assert size_of(difference) - 1.0 < 1e-12 * size_of(wavefront)
+
+
+@given(wavefronts, angles)
+def test_a_mirrored_wavefront_has_the_phase_of_mirrored_points(wavefront, theta):
+    x, y = RHO * math.cos(theta), RHO * math.sin(theta)
+    atol = 1e-12 * size_of(wavefront)
+    np.testing.assert_allclose(at(wavefront.flipped("x"), x, y), at(wavefront, -x, y), rtol=0, atol=atol)
+    np.testing.assert_allclose(at(wavefront.flipped("y"), x, y), at(wavefront, x, -y), rtol=0, atol=atol)
+
+
+@given(wavefronts, st.sampled_from(["x", "y"]))
+def test_a_mirror_twice_is_nothing_and_both_mirrors_are_half_a_turn(wavefront, axis):
+    assert wavefront.flipped(axis).flipped(axis) == wavefront
+    half_turn = wavefront.flipped("x").flipped("y") - wavefront.rotated(math.pi)
+    assert size_of(half_turn) - 1.0 < 1e-12 * size_of(wavefront)
+
+
+@given(wavefronts, st.floats(0.05, 1.0), angles)
+def test_a_smaller_pupil_sees_the_middle_of_the_wavefront(wavefront, radius, theta):
+    small = wavefront.scaled(radius).phase(RHO, theta)
+    np.testing.assert_allclose(small, wavefront.phase(radius * RHO, theta), rtol=0, atol=1e-12 * size_of(wavefront))
+
+
+def test_rotation_and_scaling_broadcast_with_stacks():
+    stack = Wavefront(np.arange(3.0), nonradial={(3, 1): 1.0, (4, -2): np.arange(3.0)})
+    assert stack.rotated(np.zeros((2, 1))).shape == (2, 3)
+    assert Wavefront(1.0).rotated(np.zeros(4)).shape == (4,)
+    assert stack.scaled(np.array([[0.5], [1.0]])).shape == (2, 3)
+    np.testing.assert_allclose(stack.scaled(np.array([[0.5], [1.0]]))[1].phase(RHO, 0.3), stack.phase(RHO, 0.3))
+    for call in (stack.rotated, stack.scaled):
+        with pytest.raises(ValueError, match=r"must broadcast with the stack, got \(2,\) and \(3,\)"):
+            call(np.array([0.5, 0.6]))
+
+
+@pytest.mark.parametrize("radius", [0.0, -0.5, 1.5, [0.5, 2.0], math.nan])
+def test_a_pupil_is_scaled_by_a_ratio_up_to_one(radius):
+    with pytest.raises(ValueError, match="radius must be"):
+        Wavefront(1.0).scaled(radius)
+
+
+@pytest.mark.parametrize("axis", ["z", "", None, 0])
+def test_a_mirror_has_the_axis_x_or_y(axis):
+    with pytest.raises(ValueError, match="axis must be one of 'x', 'y'"):
+        Wavefront(1.0).flipped(axis)
+
+
+@pytest.mark.parametrize("angle", ["1", None, math.nan, math.inf])
+def test_an_angle_is_a_finite_number(angle):
+    with pytest.raises((TypeError, ValueError), match="angle must"):
+        Wavefront(1.0).rotated(angle)
+
+
+def test_a_wavefront_is_radial_where_no_other_term_is_left():
+    comatic = Wavefront(1.0, nonradial={(3, 1): 2.0})
+    assert not comatic.radial
+    assert (comatic - comatic).radial
+    assert Wavefront(1.0).radial
+
+
+def test_a_description_with_a_term_twice_is_refused():
+    description = Wavefront(1.0, nonradial={(3, 1): 2.0}).to_dict()
+    description["nonradial"] *= 2
+    with pytest.raises(ValueError, match=r"\(3, 1\) twice"):
+        Wavefront.from_dict(description)
+
+
+@pytest.mark.parametrize(
+    ("terms", "message"),
+    [
+        ({(2, 0): 1.0}, r"m != 0, got \(2, 0\)"),
+        ({(3, 2): 1.0}, r"no Zernike term \(n, m\) = \(3, 2\)"),
+        ({(3, 1): math.nan}, r"nonradial\[3, 1\] must be finite, got nan"),
+        ({3: 1.0}, "must be a pair"),
+        ([(3, 1)], "must map"),
+    ],
+)
+def test_bad_terms_that_depend_on_the_direction_are_named(terms, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        Wavefront(nonradial=terms)
 
 
 @given(wavefronts, wavefronts)
@@ -119,6 +226,8 @@ def test_wavefronts_share_no_memory_with_the_arrays_they_were_made_from():
         stack.defocus[0] = 99.0
     with pytest.raises(AttributeError):
         stack.defocus = defocus
+    with pytest.raises(TypeError, match="does not support item assignment"):
+        stack.nonradial[3, 1] = defocus
 
 
 @pytest.mark.parametrize("other", [Wavefront(1.0, 0.1), Wavefront([1.0]), Wavefront(1.0, 0.0, [1e-300]), 1.0, "W"])
@@ -147,7 +256,7 @@ def test_the_repr_of_a_stack_says_its_shape_and_range():
 
 @given(wavefronts)
 def test_a_wavefront_survives_json_pickling_and_copying(wavefront):
-    assert Wavefront(**json.loads(json.dumps(wavefront.to_dict()))) == wavefront
+    assert Wavefront.from_dict(json.loads(json.dumps(wavefront.to_dict()))) == wavefront
     assert pickle.loads(pickle.dumps(wavefront)) == wavefront
     assert copy.deepcopy(wavefront) == wavefront
 

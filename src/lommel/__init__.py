@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
+    from lommel.fitting import WavefrontFit, fit_opd, fit_radial, opd_map
     from lommel.grid import Grid
     from lommel.lens import Lens
     from lommel.lensfile import Instrument, load_instrument
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from lommel.pupil import Pupil
     from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
     from lommel.wavefront import Wavefront
+    from lommel.zernikefile import ZernikeTable, load_zernike, save_zernike
 
 _HOME = {
     "Grid": "grid",
@@ -54,6 +56,13 @@ _HOME = {
     "NijboerZernike": "methods.nijboer_zernike",
     "Pupil": "pupil",
     "Wavefront": "wavefront",
+    "WavefrontFit": "fitting",
+    "fit_opd": "fitting",
+    "fit_radial": "fitting",
+    "opd_map": "fitting",
+    "ZernikeTable": "zernikefile",
+    "load_zernike": "zernikefile",
+    "save_zernike": "zernikefile",
 }
 
 __all__ = [
@@ -78,11 +87,18 @@ __all__ = [
     "ToleranceError",
     "TunedClosedForm",
     "Wavefront",
+    "WavefrontFit",
+    "ZernikeTable",
     "best_focus",
+    "fit_opd",
+    "fit_radial",
     "load_instrument",
+    "load_zernike",
     "mse",
+    "opd_map",
     "peak_error",
     "psf",
+    "save_zernike",
 ]
 
 

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-import difflib
 import math
-import re
 import tomllib
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
-from lommel import validation
+from lommel import faults, validation, zernikefile
 from lommel.lens import Lens
 from lommel.pupil import Pupil
 from lommel.units import parse_length, parse_radius
 from lommel.wavefront import Wavefront
+from lommel.zernikefile import ZernikeTable
 
 
 class LensFileError(ValueError):
@@ -113,6 +113,12 @@ class _Aberrations(_Section):
     W060: Number = 0.0
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
+    W131: Number = 0.0
+    W222: Number = 0.0
+    W220: Number = 0.0
+    W311: Number = 0.0
+    field: tuple[Number, Number] = (1.0, 0.0)
+    zernike: dict[str, Any] | None = None  # told by zernikefile what it may hold
 
 
 class _Object(_Section):
@@ -144,9 +150,14 @@ def load_instrument(path: str | PathLike[str]) -> Instrument:
     Lengths are texts with a unit (``"50 mm"``, ``"inf"``) or numbers of metres. Sections and keys:
     ``name``, ``source``; ``[lens]`` focal_length, f_number or aperture_diameter, focus_distance or
     sensor_distance, wavelength, obscuration; ``[aberrations]`` defocus and spherical (C_d, C_s, radians),
-    W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus), all
-    of which add; ``[object]`` distance; ``[sensor]`` pixel, shape; ``[report]`` encircled_energy, a list of
-    radii on the sensor or of angles.
+    W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131,
+    W222, W220, W311 (waves at the edge of the field) with field, a pair [x, y] over that edge, and a section
+    ``[aberrations.zernike]``, all of which add; ``[object]`` distance; ``[sensor]`` pixel, shape; ``[report]``
+    encircled_energy, a list of radii on the sensor or of angles.
+
+    ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
+    the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the
+    folder of the lens file. A table in waves or radians must state its wavelength.
 
     Raises
     ------
@@ -161,25 +172,60 @@ def load_instrument(path: str | PathLike[str]) -> Instrument:
         raw = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise LensFileError(f"{source}: not valid TOML: {error}") from None
+    table, found = _zernike(raw, text, source.parent)
     try:
         file = _File.model_validate(raw)
-        return _instrument(file)
+        if not found:
+            return _instrument(file, table)
     except ValidationError as error:
-        faults = [_describe(fault, text) for fault in error.errors(include_url=False)]
+        found = [_describe(fault, text) for fault in error.errors(include_url=False)] + found
     except ValueError as error:
-        faults = [str(error)]
-    raise LensFileError(f"{source}: " + (faults[0] if len(faults) == 1 else "".join(f"\n  {f}" for f in faults)))
+        found.append(str(error))
+    raise LensFileError(faults.together(source, found))
 
 
-def _instrument(file: _File) -> Instrument:
+def _zernike(raw: dict[str, Any], text: str, folder: Path) -> tuple[ZernikeTable | None, list[str]]:
+    """Return the table of [aberrations.zernike], if there is one, and what is wrong with it."""
+    above = raw.get("aberrations")
+    section = above.get("zernike") if isinstance(above, dict) else None
+    if not isinstance(section, dict):
+        return None, []  # absent, or told by pydantic
+
+    def where(keys: Sequence[str]) -> str:
+        return faults.place(text, ["aberrations", "zernike", *keys])
+
+    if "file" not in section:
+        return zernikefile.build_section(section, where)
+    name, others = section["file"], [key for key in section if key != "file"]
+    if others:
+        return None, [f"{where(['file'])}: the file states everything; leave out {', '.join(others)}"]
+    if not isinstance(name, str):
+        return None, [f"{where(['file'])}: must be the path of a table, got {name!r}"]
+    try:
+        table = zernikefile.load_zernike(folder / name)
+    except OSError as error:
+        return None, [f"{where(['file'])}: {folder / name}: {error.strerror or error}"]
+    except ValueError as error:
+        return None, [f"{where(['file'])}: {error}"]
+    if table.wavelength is None and table.unit in ("radians", "waves"):
+        return None, [f"{where(['file'])}: {folder / name}: must state the wavelength of its {table.unit}"]
+    return table, []
+
+
+def _instrument(file: _File, table: ZernikeTable | None) -> Instrument:
     wavelength = file.lens.wavelength
     a = file.aberrations
     rms = 2.0 * math.pi * a.spherical_rms / wavelength
     aberrations = (
         Wavefront(a.defocus, a.spherical)
-        + Wavefront.from_seidel(a.W020, a.W040, a.W060, a.W080)
+        + Wavefront.from_seidel(
+            a.W020, a.W040, a.W060, a.W080, W131=a.W131, W222=a.W222, W220=a.W220, W311=a.W311, field=a.field
+        )
         + Wavefront.balanced_spherical(rms, file.lens.obscuration)
     )
+    if table is not None:
+        own = wavelength if table.wavelength is None else table.wavelength
+        aberrations += replace(table, wavelength=own).wavefront(wavelength)
     lens = Lens(**file.lens.model_dump(), aberrations=aberrations)
     radii = {str(text): parse_radius(text, lens.focal_length) for text in file.report.encircled_energy}
     return Instrument(file.name, file.source, lens, file.object.distance, file.sensor.pixel, file.sensor.shape, radii)
@@ -192,26 +238,10 @@ def _describe(fault: Any, text: str) -> str:
         model: Any = _File
         for part in keys[:-1]:
             model = model.model_fields[part].annotation
-        near = difflib.get_close_matches(keys[-1], model.model_fields, n=1)
-        message = "unknown key" + (
-            f"; did you mean {near[0]}?" if near else f"; known are {', '.join(model.model_fields)}"
-        )
+        message = faults.unknown_key(keys[-1], model.model_fields)
     elif fault["type"] == "missing":
         message = "is missing"
-    elif fault["type"] == "model_type":
+    elif fault["type"] in ("model_type", "dict_type"):
         message = f"must be a section, [{'.'.join(keys)}]"
-    line = _line(text, keys)
+    line = faults.line_of(text, keys)
     return f"{'.'.join(keys)}{f' (line {line})' if line else ''}: {message}"
-
-
-def _line(text: str, keys: list[str]) -> int | None:
-    """Return the number of the line that sets `keys`, where it is written in the plain way."""
-    section: list[str] = []
-    for number, line in enumerate(text.splitlines(), 1):
-        if header := re.match(r"\s*\[\s*([\w.\"-]+)\s*\]", line):
-            section = header[1].replace('"', "").split(".")
-            if section == keys:
-                return number
-        elif (entry := re.match(r"\s*([\w\"-]+)\s*=", line)) and [*section, entry[1].strip('"')] == keys:
-            return number
-    return None

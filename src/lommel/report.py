@@ -11,9 +11,11 @@ import numpy as np
 
 from lommel import metrics
 from lommel.lensfile import Instrument
-from lommel.methods import Hankel, Method, NijboerZernike
+from lommel.methods import Hankel, Method, NijboerZernike, ToleranceError
 from lommel.psf import PSF, psf
 from lommel.pupil import Pupil
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
 from lommel.units import format_length
 
 
@@ -21,7 +23,8 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     """Return what there is to say about a lens and its object without computing an image.
 
     Lengths in metres (None for infinity), phases in radians, energies as fractions of all light. Each encircled
-    energy stands beside that of the same aperture in focus and without aberration.
+    energy stands beside that of the same aperture in focus and without aberration; that of a pupil whose phase
+    depends on the direction is None, since it is a number drawn from an image.
     """
     lens, pupil = instrument.lens, instrument.pupil()
     radii = dict(instrument.radii)
@@ -31,7 +34,8 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         radii.setdefault("geometric blur radius", blur)
     way = NijboerZernike()
     at = list(radii.values())
-    seen, ideal = (np.atleast_1d(metrics.radial_energy(way, p, at)) for p in (pupil, pupil.unaberrated()))
+    ideal = np.atleast_1d(metrics.radial_energy(way, pupil.unaberrated(), at)).tolist()
+    seen = np.atleast_1d(metrics.radial_energy(way, pupil, at)).tolist() if pupil.radial else [None] * len(at)
     return {
         "name": instrument.name,
         "source": instrument.source,
@@ -49,11 +53,15 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "spherical": float(pupil.wavefront.spherical),
         "higher": [float(c) for c in pupil.wavefront.higher],
         "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
+        "zernike": [
+            {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
+            for (n, m), c in sorted(pupil.wavefront.to_zernike(unit="waves").items(), key=_noll)
+        ],
         "airy_radius": airy,
         "geometric_radius": blur,
         "strehl": on_axis(pupil),
         "encircled_energy": [
-            {"within": name, "radius": radius, "fraction": float(a), "unaberrated": float(b)}
+            {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
             for (name, radius), a, b in zip(radii.items(), seen, ideal, strict=True)
         ],
     }
@@ -61,7 +69,22 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
 
 def on_axis(pupil: Pupil) -> float:
     """Return the Strehl ratio: intensity on the axis over that without aberration."""
-    return float(abs(Hankel().field(pupil, 0.0)) ** 2 / pupil.amplitude**2)
+    field = abs(Hankel().field(pupil, 0.0)) if pupil.radial else _mean_over_pupil(pupil)
+    return float(field**2 / pupil.amplitude**2)
+
+
+def _mean_over_pupil(pupil: Pupil) -> float:
+    """Return abs(U(0)) by Gauss-Legendre nodes in rho^2 and even angles, doubled until 1e-9 of it is settled."""
+    before = math.inf
+    for nodes in (64, 128, 256, 512, 1024):
+        t, weights = gauss_legendre(nodes, pupil.obscuration**2, 1.0)
+        theta = 2.0 * math.pi * np.arange(2 * nodes) / (2 * nodes)
+        rho = np.sqrt(t)[:, None]
+        here = abs(complex(weights @ pupil.values(rho * np.cos(theta), rho * np.sin(theta))[0].mean(axis=1)))
+        if abs(here - before) <= 1e-9:
+            return here
+        before = here
+    raise ToleranceError("the phase turns too often across the pupil for a Strehl ratio by quadrature")
 
 
 def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
@@ -129,6 +152,10 @@ def timed(work: Callable[[], PSF]) -> tuple[PSF, float]:
     start = time.perf_counter()
     answer = work()
     return answer, time.perf_counter() - start
+
+
+def _noll(item: tuple[tuple[int, int], Any]) -> int:
+    return int(zernike.index_of(*item[0], "noll"))
 
 
 def _finite(value: float) -> float | None:

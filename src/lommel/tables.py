@@ -61,16 +61,23 @@ def print_lens(facts: dict[str, Any]) -> None:
     table.add_column()
     for row in lines:
         table.add_row(*row)
+    terms = Table(box=None, pad_edge=False, title="Zernike terms", title_justify="left")
+    for name in ("name", "(n, m)", "waves rms"):
+        terms.add_column(name, justify="left" if name == "name" else "right")
+    for term in facts["zernike"]:
+        terms.add_row(term["name"], f"({term['n']}, {term['m']})", f"{term['waves_rms']:+.4g}")
     energies = Table(box=None, pad_edge=False, title="Encircled energy", title_justify="left")
     for name in ("within", "radius", "this lens", "unaberrated"):
         energies.add_column(name, justify="left" if name == "within" else "right")
     for row in facts["encircled_energy"]:
-        energies.add_row(
-            row["within"], format_length(row["radius"]), f"{row['fraction']:.1%}", f"{row['unaberrated']:.1%}"
-        )
+        here = "-" if row["fraction"] is None else f"{row['fraction']:.1%}"
+        energies.add_row(row["within"], format_length(row["radius"]), here, f"{row['unaberrated']:.1%}")
     console = _console()
     console.print(facts["name"], style="bold")
     console.print(table)
+    if any(term["m"] for term in facts["zernike"]):
+        console.print()
+        console.print(terms)
     console.print()
     console.print(energies)
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from types import MappingProxyType
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
+from lommel.descriptions import Descriptions
 from lommel.special import zernike
 
 MAX_HIGHER = 8
@@ -18,7 +20,7 @@ MAX_HIGHER = 8
 
 
 @dataclass(frozen=True, eq=False, init=False)
-class Wavefront:
+class Wavefront(Descriptions):
     r"""The phase across the pupil, radians: ``2 C_d rho^2 + C_s rho^4 + c_6 rho^6 + ...`` and Zernike terms.
 
     rho is the pupil radius over its maximum, 0 to 1; theta the angle from the direction of rising columns (x) to
@@ -84,7 +86,7 @@ class Wavefront:
         rest = tuple(validation.real_array(f"higher[{i}]", c) for i, c in enumerate(higher))
         object.__setattr__(self, "higher", rest)
         others = _nonradial(nonradial) if nonradial else {}
-        object.__setattr__(self, "nonradial", others)
+        object.__setattr__(self, "nonradial", MappingProxyType(others))
         terms = (2.0 * self.defocus, self.spherical, *rest)
         try:
             together = np.broadcast_arrays(*terms, *others.values())
@@ -101,61 +103,8 @@ class Wavefront:
         object.__setattr__(self, "coefficients", coefficients)
 
     @classmethod
-    def zernike(
-        cls,
-        terms: Mapping[Any, ArrayLike] | Iterable[tuple[Any, ArrayLike]],
-        *,
-        order: str = "nm",
-        unit: str = "radians",
-        normalization: str = "rms",
-        wavelength: float | None = None,
-    ) -> Wavefront:
-        """Build a wavefront from Zernike coefficients.
-
-        Parameters
-        ----------
-        terms : mapping, or iterable of pairs
-            Coefficients by index: pairs (n, m) for the order "nm", else integers. Arrays describe a stack.
-        order : {"nm", "noll", "ansi", "fringe"}, default "nm"
-            Noll counts from 1, ANSI (OSA) from 0, Fringe (University of Arizona) from 1 to 37. m > 0 is the cosine
-            of m theta, m < 0 the sine.
-        unit : {"radians", "waves", "metres"}, default "radians"
-            Of the coefficients; metres of optical path need `wavelength`.
-        normalization : {"rms", "edge"}, default "rms"
-            "rms": a coefficient is the root mean square of its term over the pupil (Noll, ANSI). "edge": it is the
-            largest value, that at the edge (usual with Fringe).
-        wavelength : float, optional
-            Metres.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If there is no such term or a term comes twice; the message names the term.
-
-        References
-        ----------
-        R. J. Noll, J. Opt. Soc. Am. 66, 207 (1976), doi:10.1364/JOSA.66.000207.
-
-        Examples
-        --------
-        >>> Wavefront.zernike({7: 0.1}, order="noll", unit="waves").nonradial[3, -1]
-        array(1.77715318)
-        """
-        scale = _radians_per(unit, wavelength)
-        validation.choice("normalization", normalization, ("rms", "edge"))
-        pairs = terms.items() if isinstance(terms, Mapping) else terms
-        found: dict[tuple[int, int], NDArray[np.float64]] = {}
-        for index, value in pairs:
-            n, m = zernike.term(index, order)
-            if (n, m) in found:
-                raise ValueError(f"the Zernike term {index!r}, (n, m) = ({n}, {m}), comes twice")
-            factor = scale * (zernike.rms_factor(n, m) if normalization == "rms" else 1.0)
-            found[n, m] = factor * validation.real_array(f"the Zernike coefficient {index!r}", value)
-        return cls._from_edge(found)
-
-    @classmethod
-    def _from_edge(cls, terms: Mapping[tuple[int, int], NDArray[np.float64]]) -> Wavefront:
-        """Build a wavefront from coefficients in radians at the edge, radial terms among them."""
+    def _from_edge(cls, terms: Mapping[tuple[int, int], NDArray[np.float64]]) -> Self:
+        """Build a wavefront from coefficients in radians at the edge, radial terms and the constant among them."""
         radial = {n // 2: c for (n, m), c in terms.items() if m == 0 and n > 0}
         count = max([2, *radial])
         if count > 2 + MAX_HIGHER:
@@ -164,37 +113,11 @@ class Wavefront:
                 "radially symmetric ones"
             )
         matrix = zernike.legendre_to_powers(count)
-        zero = np.zeros(())
+        # Zeros of the common shape, lest a stack whose terms are all constant lose its axes.
+        zero = np.zeros(_common_shape(terms))
         powers = [sum((matrix[k, j - 1] * c for j, c in radial.items()), zero) for k in range(count)]
         others = {term: c for term, c in terms.items() if term[1] != 0}
         return cls(0.5 * powers[0], powers[1], powers[2:], others)
-
-    def to_zernike(
-        self,
-        *,
-        order: str = "nm",
-        unit: str = "radians",
-        normalization: str = "rms",
-        wavelength: float | None = None,
-    ) -> dict[Any, NDArray[np.float64]]:
-        """Return the Zernike coefficients, by index; the inverse of :meth:`zernike`.
-
-        Exact but for rounding; without the constant term (piston), which a wavefront does not hold. Terms that are
-        zero throughout a stack are left out.
-
-        Raises
-        ------
-        ValueError
-            If a term has no index in `order` (Fringe ends with 37).
-        """
-        scale = _radians_per(unit, wavelength)
-        validation.choice("normalization", normalization, ("rms", "edge"))
-        found = {}
-        for (n, m), c in self.edge_terms().items():
-            if np.any(c):
-                factor = scale * (zernike.rms_factor(n, m) if normalization == "rms" else 1.0)
-                found[zernike.index_of(n, m, order)] = c / factor
-        return found
 
     def edge_terms(self) -> dict[tuple[int, int], NDArray[np.float64]]:
         """Return all Zernike coefficients, radians at the edge, by (n, m), without the constant."""
@@ -204,92 +127,8 @@ class Wavefront:
 
     @property
     def radial(self) -> bool:
-        """Whether the phase depends on rho only."""
-        return not self.nonradial
-
-    @classmethod
-    def from_seidel(
-        cls,
-        W020: ArrayLike = 0.0,
-        W040: ArrayLike = 0.0,
-        W060: ArrayLike = 0.0,
-        W080: ArrayLike = 0.0,
-        *,
-        W131: ArrayLike = 0.0,
-        W222: ArrayLike = 0.0,
-        W220: ArrayLike = 0.0,
-        W311: ArrayLike = 0.0,
-        field: tuple[ArrayLike, ArrayLike] = (1.0, 0.0),
-    ) -> Wavefront:
-        """Build a wavefront from Seidel wavefront coefficients in waves at the edge of the pupil.
-
-        ``W = W020 rho^2 + W040 rho^4 + W131 H rho^3 cos(phi) + W222 H^2 rho^2 cos^2(phi) + W220 H^2 rho^2
-        + W311 H^3 rho cos(phi)``, with H the length of `field` and phi the angle from its direction.
-        ``C_d = pi W020`` and ``C_s = 2 pi W040``: W020 waves of defocus are ``2 pi W020 rho^2`` radians.
-
-        Parameters
-        ----------
-        W020, W040, W060, W080 : array_like
-            Defocus and spherical aberration, waves.
-        W131, W222, W220, W311 : array_like
-            Coma, astigmatism, field curvature and distortion, waves at the edge of the field (H = 1).
-        field : (array_like, array_like), default (1, 0)
-            Position in the field as (x, y), columns and rows, over that of the edge. Arrays describe a stack.
-
-        References
-        ----------
-        W. T. Welford, Aberrations of Optical Systems (1986), doi:10.1201/9780203755327, section 8.2.
-        """
-        waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
-        waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
-        w = {name: 2 * math.pi * validation.real_array(name, value) for name, value in waves.items()}
-        if not isinstance(field, tuple | list) or len(field) != 2:
-            raise TypeError(f"field must be a pair (x, y), got {field!r}")
-        x, y = validation.real_array("field[0]", field[0]), validation.real_array("field[1]", field[1])
-        higher = [w["W060"], w["W080"]]
-        while higher and not np.any(higher[-1]):
-            higher.pop()
-        try:
-            square = x * x + y * y
-            defocus = w["W020"] + (w["W220"] + 0.5 * w["W222"]) * square
-            # rho^3 cos = (R_3^1 cos + 2 rho cos) / 3, and H^2 rho^2 cos^2 = H^2 rho^2 / 2 + H^2 rho^2 cos(2 phi) / 2.
-            tilt = 2.0 / 3.0 * w["W131"] + w["W311"] * square
-            terms = {
-                (1, 1): tilt * x,
-                (1, -1): tilt * y,
-                (3, 1): w["W131"] / 3.0 * x,
-                (3, -1): w["W131"] / 3.0 * y,
-                (2, 2): 0.5 * w["W222"] * (x * x - y * y),
-                (2, -2): w["W222"] * x * y,
-            }
-        except ValueError:
-            raise ValueError(
-                f"the coefficients and field must broadcast, got field of shapes {x.shape} and {y.shape}"
-            ) from None
-        return cls(0.5 * defocus, w["W040"], higher, {term: c for term, c in terms.items() if np.any(c)})
-
-    @classmethod
-    def balanced_spherical(cls, rms: ArrayLike, obscuration: float = 0.0) -> Wavefront:
-        r"""Build primary spherical aberration of a given rms, balanced with the defocus of least variance.
-
-        On the annulus ``eps <= rho <= 1`` this is the annular Zernike term
-        ``C_s (rho^4 - (1 + eps^2) rho^2 + ...)`` with ``C_s = 6 sqrt(5) rms / (1 - eps^2)^2``.
-
-        Parameters
-        ----------
-        rms : array_like
-            Root mean square phase over the annulus, radians; its sign is that of C_s.
-        obscuration : float
-            eps, 0 to below 1.
-
-        References
-        ----------
-        V. N. Mahajan, "Zernike annular polynomials for imaging systems with annular pupils",
-        J. Opt. Soc. Am. 71, 75 (1981), doi:10.1364/JOSA.71.000075.
-        """
-        eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
-        spherical = 6 * math.sqrt(5) * validation.real_array("rms", rms) / (1 - eps**2) ** 2
-        return cls(-0.5 * (1 + eps**2) * spherical, spherical)
+        """Whether the phase depends on rho only: no other term, or none but zeros."""
+        return not self.nonradial or not any(np.any(c) for c in self.nonradial.values())
 
     @property
     def waves(self) -> dict[str, NDArray[np.float64]]:
@@ -338,6 +177,68 @@ class Wavefront:
             weight = np.broadcast_to(c, self.shape).reshape(self.shape + (1,) * t.ndim)
             total += weight * zernike.polynomial(n, m, r, angle)
         return total
+
+    def rotated(self, angle: ArrayLike) -> Wavefront:
+        """Return the wavefront turned by `angle`, radians from x towards y: clockwise in a picture.
+
+        ``phase'(rho, theta) = phase(rho, theta - angle)``, and the image turns by the same angle. Exact but for
+        rounding: each pair of terms (n, m) and (n, -m) turns in its plane by m times the angle. Arrays of angles
+        broadcast with the stack.
+        """
+        turn = validation.real_array("angle", angle)
+        try:
+            shape = np.broadcast_shapes(self.shape, turn.shape)
+        except ValueError:
+            raise ValueError(f"angle must broadcast with the stack, got {turn.shape} and {self.shape}") from None
+        zero = np.zeros(())
+        turned: dict[tuple[int, int], NDArray[np.float64]] = {}
+        for n, m in {(n, abs(m)) for n, m in self.nonradial}:
+            a, b = self.nonradial.get((n, m), zero), self.nonradial.get((n, -m), zero)
+            cosine, sine = np.cos(m * turn), np.sin(m * turn)
+            turned[n, m], turned[n, -m] = a * cosine - b * sine, a * sine + b * cosine
+        return Wavefront(np.broadcast_to(self.defocus, shape), self.spherical, self.higher, turned)
+
+    def flipped(self, axis: str) -> Wavefront:
+        """Return the mirror image: x changes its sign for "x" (left and right), y for "y" (up and down). Exact."""
+        validation.choice("axis", axis, ("x", "y"))
+
+        def sign(m: int) -> float:
+            # theta -> -theta for "y", pi - theta for "x".
+            return (1.0 if m > 0 else -1.0) * (-1.0 if axis == "x" and m % 2 else 1.0)
+
+        terms = {(n, m): sign(m) * c for (n, m), c in self.nonradial.items()}
+        return Wavefront(self.defocus, self.spherical, self.higher, terms)
+
+    def scaled(self, radius: ArrayLike) -> Wavefront:
+        """Return the wavefront across a smaller, concentric pupil: ``phase'(rho, theta) = phase(radius rho, theta)``.
+
+        Exact but for rounding, and but for the constant. Arrays of radii broadcast with the stack.
+
+        Parameters
+        ----------
+        radius : array_like
+            Radius of the smaller pupil over that of this one, above 0 and at most 1.
+
+        References
+        ----------
+        A. J. E. M. Janssen and P. Dirksen, "A concise formula for the Zernike coefficients of scaled pupils",
+        J. Microlith. Microfab. Microsyst. 5, 030501 (2006), doi:10.1117/1.2345672.
+        """
+        eps = validation.real_array("radius", radius)
+        if not np.all((eps > 0.0) & (eps <= 1.0)):
+            bad = eps[~((eps > 0.0) & (eps <= 1.0))].flat[0]
+            raise ValueError(f"radius must be > 0 and <= 1, got {bad:g}")
+        terms: dict[tuple[int, int], Any] = {}
+        try:
+            powers = [c * eps ** (2 * k) for k, c in enumerate((self.defocus, self.spherical, *self.higher), 1)]
+            for (n, m), c in self.nonradial.items():
+                # R_n^m(eps rho) = sum_k (R_n^k(eps) - R_n^(k+2)(eps)) R_k^m(rho), with k = abs(m), ..., n.
+                for k in range(abs(m), n + 1, 2):
+                    weight = zernike.radial(n, k, eps) - (zernike.radial(n, k + 2, eps) if k < n else 0.0)
+                    terms[k, m] = terms.get((k, m), 0.0) + weight * c
+        except ValueError:
+            raise ValueError(f"radius must broadcast with the stack, got {eps.shape} and {self.shape}") from None
+        return Wavefront(powers[0], powers[1], powers[2:], terms)
 
     def __add__(self, other: object) -> Wavefront:
         """Return the sum of two wavefronts."""
@@ -390,6 +291,10 @@ class Wavefront:
         difference = self - other
         return not np.any(difference.coefficients) and not any(np.any(c) for c in difference.nonradial.values())
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # The read-only view of `nonradial` cannot be pickled.
+        return Wavefront, (self.defocus, self.spherical, self.higher, dict(self.nonradial))
+
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
@@ -416,7 +321,11 @@ class Wavefront:
     def from_dict(cls, description: Mapping[str, Any]) -> Wavefront:
         """Rebuild a wavefront from :meth:`to_dict`."""
         parts = dict(description)
-        terms = {(n, m): value for n, m, value in parts.pop("nonradial", [])}
+        terms: dict[tuple[int, int], Any] = {}
+        for n, m, value in parts.pop("nonradial", []):
+            if (n, m) in terms:
+                raise ValueError(f"nonradial holds the term (n, m) = ({n}, {m}) twice")
+            terms[n, m] = value
         return cls(**parts, nonradial=terms)
 
 
@@ -432,13 +341,12 @@ def _nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[tuple[int, int], NDArr
     return dict(sorted(found.items()))
 
 
-def _radians_per(unit: str, wavelength: float | None) -> float:
-    validation.choice("unit", unit, ("radians", "waves", "metres"))
-    if unit != "metres":
-        return 1.0 if unit == "radians" else 2.0 * math.pi
-    if wavelength is None:
-        raise ValueError('unit="metres" needs the wavelength, in metres')
-    return 2.0 * math.pi / validation.wavelength(wavelength)
+def _common_shape(terms: Mapping[tuple[int, int], NDArray[np.float64]]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*(c.shape for c in terms.values()))
+    except ValueError:
+        shapes = {term: c.shape for term, c in terms.items()}
+        raise ValueError(f"the coefficients of the terms (n, m) must broadcast, got shapes {shapes}") from None
 
 
 def _short(value: NDArray[np.float64]) -> str:

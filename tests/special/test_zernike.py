@@ -84,6 +84,21 @@ def test_an_index_of_the_wrong_kind_is_refused(index, order):
         zernike.term(index, order)
 
 
+def test_terms_have_the_names_that_opticians_use():
+    names = {(n, m): zernike.name(n, m) for n in range(16) for m in range(-n, n + 1, 2)}
+    assert len(set(names.values())) == len(names)
+    assert [names[term] for term in NOLL[:11]] == [
+        "piston", "tilt x", "tilt y", "defocus", "astigmatism 45", "astigmatism 0", "coma y", "coma x",
+        "trefoil y", "trefoil x", "spherical",
+    ]  # fmt: skip
+    assert names[4, 2] == "secondary astigmatism 0"
+    assert names[5, -1] == "secondary coma y"
+    assert names[6, 0] == "secondary spherical"
+    assert names[4, -4] == "tetrafoil y"
+    assert names[12, 0] == "5th spherical"
+    assert names[9, 9] == "9-foil x"
+
+
 def test_fringe_has_no_terms_beyond_its_37():
     with pytest.raises(ValueError, match="ends with 37"):
         zernike.index_of(8, 8, "fringe")

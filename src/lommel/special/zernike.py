@@ -103,6 +103,27 @@ def rms_factor(n: int, m: int) -> float:
     return math.sqrt((n + 1) * (1 if m == 0 else 2))
 
 
+def name(n: int, m: int) -> str:
+    """Return what opticians call a term: ``"coma x"``, ``"secondary astigmatism 45"``, ``"spherical"``.
+
+    x and y stand for the cosine and the sine, except with astigmatism, where the axes at 0 and 45 degrees do.
+    """
+    n, m = check_term(n, m)
+    if n <= 2 and m in (0, 1, -1):
+        return {(0, 0): "piston", (1, 1): "tilt x", (1, -1): "tilt y", (2, 0): "defocus"}[n, m]
+    order = abs(m)
+    rank = (n - max(order, {0: 4, 1: 3}.get(order, 0))) // 2
+    kind = ("spherical", "coma", "astigmatism", "trefoil", "tetrafoil", "pentafoil", "hexafoil")
+    noun = kind[order] if order < len(kind) else f"{order}-foil"
+    grade = ("", "secondary ", "tertiary ", "quaternary ")
+    prefix = grade[rank] if rank < len(grade) else f"{rank + 1}th "
+    if m == 0:
+        return prefix + noun
+    if order == 2:
+        return f"{prefix}{noun} {0 if m > 0 else 45}"
+    return f"{prefix}{noun} {'x' if m > 0 else 'y'}"
+
+
 def radial(n: int, m: int, rho: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return ``R_n^|m|(rho)``, 1 at rho = 1: ``rho^|m| P_k^(0,|m|)(2 rho^2 - 1)`` with ``k = (n - |m|) / 2``."""
     a = float(abs(m))

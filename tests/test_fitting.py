@@ -1,0 +1,270 @@
+"""Fits give back what they were made from, say what they leave, and refuse what does not determine them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import lommel as lm
+from lommel.special import zernike
+
+TERMS = [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2)]
+number = st.floats(-5, 5)
+
+
+def largest_difference(one: lm.Wavefront, two: lm.Wavefront) -> float:
+    return max([0.0, *(float(np.abs(c).max()) for c in (one - two).to_zernike().values())])
+
+
+@given(
+    st.dictionaries(st.sampled_from(TERMS), number, max_size=10),
+    st.sampled_from(["radians", "waves", "metres"]),
+    number,
+)
+def test_a_map_gives_back_the_wavefront_it_was_made_from(terms, unit, piston):
+    wavefront = lm.Wavefront.zernike(terms)
+    options = {"unit": unit, "wavelength": 633e-9}
+    opd = lm.opd_map(wavefront, 24, **options)
+    size = 1e-7 if unit == "metres" else 1.0
+    fit = lm.fit_opd(opd + piston * size, **options)
+    assert largest_difference(fit.wavefront, wavefront) < 1e-10
+    assert fit.rms < 1e-11 * size
+    assert fit.peak_to_valley < 1e-10 * size
+    assert fit.samples == np.isfinite(opd).sum()
+    np.testing.assert_array_equal(np.isnan(fit.residual), np.isnan(opd))
+    # The map is zero in the middle, where the terms fitted are not.
+    middle = sum(
+        c * zernike.rms_factor(n, m) * float(zernike.radial(n, m, np.zeros(1))[0]) for (n, m), c in terms.items()
+    )
+    radians = {"radians": 1.0, "waves": 2 * math.pi, "metres": 2 * math.pi / 633e-9}[unit]
+    assert float(fit.piston) == pytest.approx(piston * size - middle / radians, abs=1e-9 * size)
+
+
+def test_the_middle_of_a_map_is_where_center_says_and_its_edge_where_radius_says():
+    wavefront = lm.Wavefront.zernike({(1, 1): 1.0, (3, -1): 0.3, (2, 0): -0.5})
+    place = {"center": (19.3, 25.8), "radius": 16.4}
+    opd = lm.opd_map(wavefront, (40, 50), unit="radians", **place)
+    assert np.isfinite(opd).sum() == pytest.approx(math.pi * 16.4**2, rel=0.02)
+    fit = lm.fit_opd(opd, unit="radians", **place)
+    assert largest_difference(fit.wavefront, wavefront) < 1e-10
+    row, column = np.array([19, 26])
+    x, y = (column - 25.8) / 16.4, (row - 19.3) / 16.4
+    assert opd[row, column] == pytest.approx(float(wavefront.phase(math.hypot(x, y), math.atan2(y, x))))
+
+
+def test_x_rises_with_the_columns_of_a_map_and_y_with_its_rows():
+    tilted = lm.opd_map(lm.Wavefront(nonradial={(1, 1): 1.0}), 9, unit="radians")
+    np.testing.assert_allclose(np.diff(tilted[4]), 1 / 4.5)
+    np.testing.assert_allclose(np.diff(tilted[1:8, 4]), 0.0, atol=1e-15)
+    rows = np.arange(9.0)[:, None] * np.ones(9)
+    found = lm.fit_opd(rows, unit="radians", degree=1).wavefront
+    assert float(found.nonradial[1, -1]) == pytest.approx(4.5)
+    assert float(found.nonradial[1, 1]) == pytest.approx(0.0, abs=1e-12)
+
+
+def test_an_obscured_pupil_is_masked_and_fitted_all_the_same():
+    wavefront = lm.Wavefront.zernike({(4, 0): 0.4, (2, 2): -0.3, (5, 1): 0.1})
+    opd = lm.opd_map(wavefront, 64, unit="waves")
+    x = (np.arange(64) - 31.5) / 32
+    rho = np.hypot(x[:, None], x)
+    mask = (rho >= 0.4) & (rho <= 1.0) & (np.abs(x) > 0.03)
+    fit = lm.fit_opd(np.where(mask, opd, np.nan), unit="waves")
+    same = lm.fit_opd(np.where(mask, opd, 1e6), unit="waves", mask=mask)
+    assert largest_difference(fit.wavefront, wavefront) < 1e-10
+    assert fit.wavefront == same.wavefront
+    assert int(fit.samples) == mask.sum()
+    assert fit.condition > lm.fit_opd(opd, unit="waves").condition >= 1.0
+
+
+@pytest.mark.parametrize(("degree", "eps", "condition"), [(8, 0.5, 20), (8, 0.8, 2500), (10, 0.7, 1500)])
+def test_terms_that_samples_determine_badly_come_back_all_the_same(degree, eps, condition):
+    rng = np.random.default_rng(4)
+    terms = [(n, m) for n in range(1, degree + 1) for m in range(-n, n + 1, 2)]
+    wavefront = lm.Wavefront.zernike({term: rng.normal() for term in terms})
+    opd = lm.opd_map(wavefront, 96, unit="waves")
+    x = (np.arange(96) - 47.5) / 48
+    opd[np.hypot(x[:, None], x) < eps] = np.nan
+    fit = lm.fit_opd(opd, unit="waves", degree=degree)
+    assert fit.condition > condition
+    assert largest_difference(fit.wavefront, wavefront) < 1e-10
+
+
+def test_a_stack_of_maps_is_a_stack_of_wavefronts_even_where_their_masks_differ():
+    wavefronts = lm.Wavefront.zernike({(2, 0): np.arange(6.0).reshape(2, 3), (3, 1): np.array([1.0, 2.0, 3.0])})
+    opd = lm.opd_map(wavefronts, 32, unit="radians")
+    assert opd.shape == (2, 3, 32, 32)
+    opd[0, 1, 16, 16] = np.nan
+    fit = lm.fit_opd(opd, unit="radians")
+    assert fit.wavefront.shape == fit.rms.shape == fit.samples.shape == (2, 3)
+    assert fit.samples[0, 1] == fit.samples[1, 1] - 1
+    assert largest_difference(fit.wavefront, wavefronts) < 1e-10
+    assert fit.residual.shape == opd.shape
+    single = lm.fit_opd(opd[1, 2], unit="radians").wavefront
+    assert largest_difference(fit.wavefront[1, 2], single) < 1e-12
+
+
+def test_what_the_terms_cannot_hold_is_the_residual():
+    rng = np.random.default_rng(2)
+    noise = rng.normal(size=(48, 48))
+    fit = lm.fit_opd(noise, unit="radians", degree=4)
+    left, inside = fit.residual, np.isfinite(fit.residual)
+    assert float(fit.rms) == pytest.approx(math.sqrt(np.mean(left[inside] ** 2)))
+    assert float(fit.peak_to_valley) == pytest.approx(float(np.ptp(left[inside])))
+    model = lm.opd_map(fit.wavefront, 48, unit="radians")
+    # The fitted phase and the residual are the measurement, but for the constants.
+    rest = (noise - left - model)[inside]
+    np.testing.assert_allclose(rest, rest[0], atol=1e-12)
+    # Least squares: nothing that could be fitted is left, by an independent solution.
+    x = (np.arange(48) - 23.5) / 24
+    y, x = np.meshgrid(x, x, indexing="ij")
+    powers = np.array([x[inside] ** i * y[inside] ** j for i in range(5) for j in range(5 - i)])
+    reference = noise[inside] - powers.T @ np.linalg.lstsq(powers.T, noise[inside], rcond=None)[0]
+    np.testing.assert_allclose(left[inside], reference, atol=1e-11)
+
+
+@given(st.lists(number, min_size=1, max_size=8), st.booleans())
+def test_a_radial_function_gives_back_the_polynomial_it_is(powers, sampled):
+    wavefront = lm.Wavefront(0.5 * powers[0], 0.0 if len(powers) < 2 else powers[1], powers[2:])
+    rho = np.linspace(0.0, 1.0, 50)
+    highest = 2 * max(2, len(powers))
+    fit = (
+        lm.fit_radial(wavefront.phase(rho) + 3.0, rho, degree=highest)
+        if sampled
+        else lm.fit_radial(lambda r: wavefront.phase(r) + 3.0, degree=highest)
+    )
+    assert largest_difference(fit.wavefront, wavefront) < 1e-10 * (1 + max(map(abs, powers)))
+    assert fit.wavefront.radial
+    np.testing.assert_allclose(fit.wavefront.phase(rho), wavefront.phase(rho), atol=1e-9)
+    assert fit.rms < 1e-10
+
+
+def test_a_smooth_function_is_fitted_to_rounding_and_a_kink_is_told():
+    axicon = lm.fit_radial(lambda r: 10 * r)
+    assert axicon.rms > 1e-3
+    with pytest.raises(ValueError, match=r"rms of 0.\d+ radians, beyond tol=0.001"):
+        lm.fit_radial(lambda r: 10 * r, tol=1e-3)
+    smooth = lm.fit_radial(lambda r: 5 * np.cos(4 * r), tol=1e-10)
+    r = np.linspace(0, 1, 300)
+    np.testing.assert_allclose(smooth.wavefront.phase(r), 5 * np.cos(4 * r) - 5, atol=1e-9)
+
+
+def test_the_rms_of_the_residual_bounds_the_error_of_the_field():
+    fit = lm.fit_radial(lambda r: 10 * r, degree=6)
+    x, w = np.polynomial.legendre.leggauss(400)
+    rho, w = np.sqrt(0.5 + 0.5 * x), 0.5 * w
+    fitted = fit.wavefront.phase(rho)
+    # What the fit calls constant, less the fitted terms' own value in the middle, is a phase of the whole field.
+    constant = np.mean(10 * rho - fit.residual - fitted)
+    true, found = (w @ np.exp(1j * phase) for phase in (10 * rho, fitted + constant))
+    assert 0 < abs(true - found) <= float(fit.rms)
+    assert float(fit.rms) == pytest.approx(math.sqrt(w @ fit.residual**2))
+
+
+def test_fits_in_waves_and_metres_are_the_same_phase():
+    one = lm.fit_radial(lambda r: r**4, unit="waves").wavefront
+    two = lm.fit_radial(lambda r: 500e-9 * r**4, unit="metres", wavelength=500e-9).wavefront
+    assert largest_difference(one, lm.Wavefront.from_seidel(W040=1.0)) < 1e-9
+    assert largest_difference(one, two) < 1e-9
+
+
+GOOD = np.zeros((16, 16))
+
+
+def holed(*places: tuple[int, int], value: float = math.nan) -> np.ndarray:
+    opd = GOOD.copy()
+    for place in places:
+        opd[place] = value
+    return opd
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"opd": np.zeros(16)}, r"opd must have the shape \(..., height, width\) and not be empty, got \(16,\)"),
+        ({"opd": np.zeros((0, 16))}, r"not be empty, got \(0, 16\)"),
+        ({"opd": [["a"]]}, "opd must hold real numbers"),
+        ({"opd": GOOD * 1j}, "opd must hold real numbers, got an array of complex128"),
+        ({"opd": [[1.0], [1.0, 2.0]]}, "opd must hold real numbers"),
+        ({"opd": GOOD * math.nan}, "opd must leave samples inside the pupil of every map, got none"),
+        ({"opd": np.stack([GOOD, GOOD * math.nan])}, "of every map, got none"),
+        ({"opd": holed((8, 8), value=math.inf)}, r"infinity at 1 pixels: \(8, 8\)"),
+        (
+            {"opd": holed((8, 8), (3, 9), (5, 5), (6, 6)), "mask": np.ones((16, 16), bool)},
+            r"at 4 pixels: \(3, 9\), \(5, 5\), \(6, 6\), \.\.\.",
+        ),
+        ({"mask": np.zeros((16, 16), bool)}, "mask must leave samples"),
+        ({"mask": np.zeros((16, 16))}, "mask must hold booleans, got an array of float64"),
+        ({"mask": np.ones((16, 15), bool)}, r"mask must have the shape \(16, 16\) or that of opd, got \(16, 15\)"),
+        ({"unit": "nm"}, "unit must be one of 'radians', 'waves', 'metres', got 'nm'"),
+        ({"unit": "metres"}, "needs the wavelength"),
+        ({"degree": 0}, "degree must be from 1 to 20, got 0"),
+        ({"degree": 21}, "degree must be from 1 to 20, got 21"),
+        ({"degree": 2.0}, "degree must be an integer, got 2.0"),
+        ({"degree": 20}, "231 terms need at least as many samples, got 208; lower degree"),
+        ({"degree": 18}, r"the 208 samples do not determine 190 terms \(condition"),
+        ({"center": 8}, r"center must be \(row, column\), got 8"),
+        ({"center": (math.nan, 8)}, "center must be finite, got nan"),
+        ({"center": (500, 500)}, "opd must leave samples inside the pupil"),
+        ({"radius": 0}, "radius must be > 0 pixels, got 0"),
+        ({"radius": 400.0}, "do not determine 45 terms"),
+        ({"tol": 0.0}, "tol must be > 0, got 0"),
+        ({"tol": math.nan}, "tol must be finite, got nan"),
+        ({"opd": np.random.default_rng(0).normal(size=(3, 16, 16)), "tol": 0.1}, r"residual of map \d has an rms of"),
+    ],
+)
+def test_a_map_that_cannot_be_fitted_is_refused(arguments, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        lm.fit_opd(**{"opd": GOOD, "unit": "waves"} | arguments)
+
+
+def test_nan_outside_of_the_mask_or_of_the_circle_is_normal():
+    assert lm.fit_opd(holed((0, 0), (15, 15)), unit="waves", mask=np.ones((16, 16), bool)).samples == 208
+    mask = np.ones((16, 16), bool)
+    mask[8, 8] = False
+    assert lm.fit_opd(holed((8, 8)), unit="waves", mask=mask).samples == 207
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options", "message"),
+    [
+        (([0.0, 1.0],), {}, "rho, the pupil radii of the values, must be given"),
+        ((lambda r: r, [0.0, 1.0]), {}, "rho must be left out where phase is a function"),
+        (([0.0, 1.0], [0.0, 1.5]), {}, "rho must be at most 1, got 1.5"),
+        (([0.0, 1.0], [0.0, -0.5]), {}, "rho must be finite and >= 0, got -0.5"),
+        (([0.0, math.nan], [0.0, 1.0]), {}, "phase must be finite, got nan"),
+        ((lambda r: r / 0.0 if r.ndim == 0 else np.full(r.shape, np.inf),), {}, "phase must be finite, got inf"),
+        ((lambda r: 1.0,), {}, r"one value for each rho, got shapes \(\) and \(400,\)"),
+        (([0.0, 1.0, 2.0], [0.0, 1.0]), {}, r"one value for each rho, got shapes \(3,\) and \(2,\)"),
+        ((np.zeros((2, 2)), np.zeros((2, 2))), {}, r"one value for each rho"),
+        ((np.zeros(5), np.linspace(0, 1, 5)), {}, "11 terms need at least as many samples, got 5; lower degree"),
+        ((np.zeros(50), np.full(50, 0.5)), {"degree": 2}, r"the 50 samples do not determine 2 terms \(condition"),
+        ((np.zeros(50), np.linspace(0.98, 1, 50)), {"degree": 8}, "do not determine 5 terms"),
+        ((np.cos,), {"degree": 3}, "degree must be even, since rho comes in even powers, got 3"),
+        ((np.cos,), {"degree": 22}, "degree must be from 2 to 20, got 22"),
+        ((np.cos,), {"unit": "nm"}, "unit must be one of"),
+        ((np.cos,), {"unit": "metres"}, "needs the wavelength"),
+        ((np.cos,), {"tol": -1.0}, "tol must be > 0"),
+    ],
+)
+def test_a_radial_function_that_cannot_be_fitted_is_refused(arguments, options, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        lm.fit_radial(*arguments, **options)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"wavefront": 1.0}, "wavefront must be a Wavefront, got 1.0"),
+        ({"shape": 0}, "shape must be from 1"),
+        ({"unit": "nm"}, "unit must be one of"),
+        ({"unit": "metres"}, "needs the wavelength"),
+        ({"radius": -1.0}, "radius must be > 0 pixels"),
+    ],
+)
+def test_a_map_that_cannot_be_made_is_refused(arguments, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        lm.opd_map(**{"wavefront": lm.Wavefront(1.0), "shape": 8, "unit": "waves"} | arguments)

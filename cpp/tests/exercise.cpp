@@ -11,6 +11,7 @@
 #include "lommel/images.hpp"
 #include "lommel/profiles.hpp"
 #include "lommel/subpixel.hpp"
+#include "lommel/zernike_images.hpp"
 
 namespace {
 
@@ -35,6 +36,42 @@ void bessel_functions_agree_with_the_standard_library() {
             check(worst < 1e-12, "J_n(v)", worst);
         }
     }
+}
+
+// Of defocus alone, whatever the axis and the obscuration, the general engine must say what the radial one says.
+template <class T>
+void general_images_agree_with_radial_ones(double defocus, double obscuration, std::int64_t height, std::int64_t width,
+                                           std::int64_t row, std::int64_t column, int threads) {
+    const std::int32_t n[] = {0, 2, 3, 2}, m[] = {0, 0, -1, 2};
+    // The constant of both disks is that of 2 C rho^2 = C (R_2^0 + 1); the last two terms vanish.
+    const double area = obscuration * obscuration;
+    const double outer[] = {defocus, defocus, 0.0, 1e-300}, inner[] = {defocus * area, defocus * area, 0.0, 0.0};
+    const double step = 0.9, tol = 1e-6;
+    std::vector<T> image(static_cast<std::size_t>(height * width), T(-1));
+    double scale = 1.0, bound = 0.0;
+    const lommel::ZernikeStack stack{n, m, outer, inner, 1, 4, obscuration, 0.0};
+    lommel::ZernikeRenderer<T>(stack, static_cast<std::size_t>(height), static_cast<std::size_t>(width), &row, &column, step, tol,
+                               threads, image.data(), &scale, &bound)
+        .run();
+    check(bound <= tol, "bound of a general image", bound);
+    const double coefficient = 2.0 * defocus;
+    const lommel::Stack radial{&coefficient, 1, 1, obscuration};
+    std::vector<double> v;
+    for (std::int64_t y = 0; y < height; ++y) {
+        for (std::int64_t x = 0; x < width; ++x) {
+            v.push_back(step * std::hypot(static_cast<double>(y - row), static_cast<double>(x - column)));
+        }
+    }
+    std::vector<double> sorted = v;
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<double> values(v.size());
+    double radial_bound = 0.0, peak = 0.0, worst = 0.0;
+    lommel::profiles(radial, sorted.data(), sorted.size(), tol, values.data(), &radial_bound, &peak);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const std::size_t at = static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), v[i]) - sorted.begin());
+        worst = std::max(worst, std::abs(values[at] - static_cast<double>(image[i])));
+    }
+    check(worst <= (bound + std::abs(radial_bound) + 1.2e-7) * peak, "I of the general engine", worst / peak);
 }
 
 template <class T>
@@ -90,6 +127,13 @@ void every_path_of_the_engine(unsigned seed) {
     }
     images_keep_their_bounds<float>(random, 301, 640, 1, 0.0, 1e-6, 2, false);
     images_keep_their_bounds<double>(random, 40, 41, 37, 0.0, 1e-7, 2, true);
+    for (const double defocus : {0.0, 7.0, -40.0}) {
+        for (const double obscuration : {0.0, 0.4}) {
+            general_images_agree_with_radial_ones<double>(defocus, obscuration, 33, 40, 16, 20, 1);
+            general_images_agree_with_radial_ones<float>(defocus, obscuration, 90, 71, 40, 30, 2);
+            general_images_agree_with_radial_ones<float>(defocus, obscuration, 9, 12, -3, 20, 1);
+        }
+    }
 }
 
 void pixels_off_the_grid_read_nothing_beyond_the_profile() {

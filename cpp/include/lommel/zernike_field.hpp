@@ -213,7 +213,8 @@ class ZernikeField {
             throw PhaseTooLarge("phases of " + std::to_string(size) + " rad exceed the limit of 1e6 rad");
         }
         const DiskBounds bounds = phase.bounds();
-        const std::size_t by_phase = bounds.degrees(0.8 * error), by_window = disk_window_degrees(reach, 0.8 * error);
+        // Leaving out orders, too, magnifies what the other degrees left out by the Lebesgue constant of Fourier sums, below 5.
+        const std::size_t by_phase = bounds.degrees(0.16 * error), by_window = disk_window_degrees(reach, 0.16 * error);
         const std::size_t degrees = std::max<std::size_t>(2, std::min(by_phase, by_window));
         const std::size_t distance = bounds.degree(0.05 * error);
         const std::size_t exact = std::max(distance, degrees) + degrees;
@@ -225,8 +226,8 @@ class ZernikeField {
         const std::size_t orders = std::min(degrees, bounds.orders(0.05 * error));
         const auto rule = DiskRule::get(exact, orders);
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *rule, phase, degrees, orders, series); });
-        const double truncation = (by_phase <= by_window ? bounds.tail(degrees) : disk_window_tail(degrees, reach)) +
-                                  (orders < degrees ? bounds.orders_tail(orders) : 0.0);
+        const double tail = by_phase <= by_window ? bounds.tail(degrees) : disk_window_tail(degrees, reach);
+        const double truncation = orders < degrees ? 5.0 * tail + bounds.orders_tail(orders) : tail;
         // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
         // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
         const double sums = static_cast<double>(rule->quarter + rule->rings + 4 * degrees);

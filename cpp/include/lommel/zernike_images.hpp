@@ -191,8 +191,8 @@ class ZernikeImage {
         for (const double c : coefficients) {
             sum += std::abs(c);
         }
-        const double steps = 4.0 * ring_degree + 3.0 * static_cast<double>(plan.orders.highest()) +
-                             static_cast<double>(plan.rows.size()) + 24.0;
+        const double steps = 4.0 * ring_degree + 4.0 * static_cast<double>(plan.orders.highest()) +
+                             static_cast<double>(plan.rows.size()) + 32.0;
         return 5.97e-8 * steps * sum;
     }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lommel/bessel.hpp"
+#include "lommel/chordal.hpp"
 #include "lommel/closed_form.hpp"
 #include "lommel/huygens.hpp"
 #include "lommel/images.hpp"
@@ -200,6 +201,41 @@ double differentiate(In<double, 2> coefficients, double obscuration, double gaus
                        derivative_bounds.data());
 }
 
+// Returns 0, or the bound on the error where the tolerance cannot be met.
+template <class T>
+double chordal(In<std::int64_t, 2> terms, In<double, 2> outer, In<double, 2> inner, double obscuration, double gaussian,
+               double center_y, double center_x, double step, double tol, int threads, Out<T, 3> images,
+               Out<double, 1> scales, Out<double, 1> bounds) {
+    const std::size_t n = outer.shape(0), count = terms.shape(0), height = images.shape(1), width = images.shape(2);
+    require(n > 0 && count > 0 && terms.shape(1) == 2, "terms must have the shape (terms, 2), with one pupil at least");
+    require(outer.shape(1) == count && inner.shape(0) == n && inner.shape(1) == count, "one coefficient a term and pupil");
+    require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
+    require(gaussian >= 0.0 && gaussian <= 100.0, "gaussian must be from 0 to 100");
+    require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n, "one image, scale and bound a pupil");
+    require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
+    require(std::abs(center_y) <= 1e6 && std::abs(center_x) <= 1e6, "the centre must be within 1e6 pixels");
+    require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
+    lommel::ChordalStack stack{{}, outer.data(), inner.data(), n, obscuration, gaussian};
+    for (std::size_t j = 0; j < count; ++j) {
+        const lommel::ZernikeTerm term{terms.data()[2 * j], terms.data()[2 * j + 1]};
+        const std::int64_t order = term.m < 0 ? -term.m : term.m;
+        require(term.n >= 0 && term.n <= 1000 && order <= term.n && (term.n - order) % 2 == 0, "no such Zernike term");
+        for (const lommel::ZernikeTerm& other : stack.terms) {
+            require(!(other == term), "a Zernike term comes twice");
+        }
+        stack.terms.push_back(term);
+    }
+    nb::gil_scoped_release nogil;
+    try {
+        lommel::ChordalRenderer<T>(stack, {height, width, center_y, center_x, step}, tol, threads,
+                                   {images.data(), scales.data(), bounds.data()})
+            .run();
+    } catch (const lommel::ToleranceNotMet& failure) {
+        return failure.bound;
+    }
+    return 0.0;
+}
+
 std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration,
                                                  double gaussian, In<double, 1> v, double tol) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
@@ -331,6 +367,14 @@ NB_MODULE(_core, m) {
     m.def("differentiate", &differentiate<double>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
           "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert());
+    m.def("chordal", &chordal<float>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
+          "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+          "bounds"_a.noconvert(),
+          "Images of a stack of wavefronts in Zernike terms (n, m) by the chordal Gauss rule; returns 0, or the bound "
+          "where tol cannot be met.");
+    m.def("chordal", &chordal<double>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
+          "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+          "bounds"_a.noconvert());
     m.def("paint_subpixel", &paint_subpixel, "samples"_a, "per_step"_a, "center_y"_a, "center_x"_a, "nodes"_a,
           "weights"_a, "threads"_a, "out"_a.noconvert(),
           "Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.");

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from lommel.lens import Lens
     from lommel.lensfile import Instrument, load_instrument
     from lommel.methods import (
+        ChordalGauss,
         ClosedForm,
         Fraunhofer,
         Geometric,
@@ -41,6 +42,7 @@ _HOME = {
     "AbramowitzErf": "special.erf",
     "FresnelErf": "special.erf",
     "TableErf": "special.erf",
+    "ChordalGauss": "methods.chordal_gauss",
     "ClosedForm": "methods.closed_form",
     "Fraunhofer": "methods.fraunhofer",
     "Geometric": "methods.geometric",
@@ -59,6 +61,7 @@ _HOME = {
 __all__ = [
     "PSF",
     "AbramowitzErf",
+    "ChordalGauss",
     "ClosedForm",
     "Fraunhofer",
     "FresnelErf",

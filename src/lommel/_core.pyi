@@ -52,6 +52,15 @@ def differentiate(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(No
 @overload
 def differentiate(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, step: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], powers: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], derivative_images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None, None), order='C', device='cpu')], derivative_bounds: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float: ...
 
+@overload
+def chordal(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, center_y: float, center_x: float, step: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float:
+    """
+    Images of a stack of wavefronts in Zernike terms (n, m) by the chordal Gauss rule; returns 0, or the bound where tol cannot be met.
+    """
+
+@overload
+def chordal(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, center_y: float, center_x: float, step: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float: ...
+
 def paint_subpixel(samples: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], per_step: float, center_y: float, center_x: float, nodes: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> None:
     """
     Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.

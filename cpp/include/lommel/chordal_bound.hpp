@@ -20,10 +20,10 @@ struct ZernikeTerm {
     bool operator==(const ZernikeTerm& other) const { return n == other.n && m == other.m; }
 };
 
-// Numbers of chords in use: few, so that tables are shared, and multiples of four, so that all nodes come in quadruples.
+// Numbers of chords in use: few, so that tables are shared, and even, so that all nodes come in quadruples.
 inline std::size_t rounded_chords(double wanted) {
     const std::size_t n = static_cast<std::size_t>(std::max(8.0, std::ceil(wanted)));
-    const std::size_t step = n <= 96 ? 4 : n <= 192 ? 8 : n <= 384 ? 16 : 32;
+    const std::size_t step = n <= 64 ? 2 : n <= 128 ? 4 : n <= 256 ? 8 : n <= 512 ? 16 : 32;
     return (n + step - 1) / step * step;
 }
 

@@ -40,12 +40,13 @@ class ChordalGauss(Method):
 
     Notes
     -----
-    ``U(v_x, v_y) = (1/pi) int P(x, y) exp(-i (v_x x + v_y y)) dx dy`` over the disk, P the pupil function, by the rule
-    with the nodes ``x_i = cos(i pi / (N+1))``, ``y_ik = sqrt(1 - x_i^2) eta_k``, eta_k those of Gauss and Legendre: its
-    weights ``(1 - x_i^2) w_k / (N+1)`` are positive, and it is exact for polynomials of degree 2N - 1. The integrand
-    is entire, so its components of higher degree fall geometrically; Zernike terms are trigonometric polynomials on
-    every chord, whence the bound, derived on the page about the certificate. A tilt counts as a shift of the window.
-    An obscured aperture is the difference of two disks. On both axes, values and nodes of opposite sign share work.
+    ``U(v_x, v_y) = (1/pi) int P(x, y) exp(-i (v_x x + v_y y)) dx dy`` over the disk, P the pupil function, by the
+    rule with nodes ``x_i = cos(i pi / (N+1))``, ``y_ik = sqrt(1 - x_i^2) eta_k``, eta_k those of Gauss and Legendre.
+    Its weights ``(1 - x_i^2) w_k / (N+1)`` are positive, and it is exact for polynomials of degree 2N - 1. The
+    integrand is entire, so its components of higher degree fall geometrically; Zernike terms are trigonometric
+    polynomials on every chord, whence the bound, derived on the page about the certificate. A tilt counts as a shift
+    of the window. An obscured aperture is the difference of two disks. On both axes, values and nodes of opposite
+    sign share work.
 
     References
     ----------

@@ -43,6 +43,7 @@ class ChordCurves {
         double at = 0.05;
         for (std::size_t k = 0; k < count; ++k, at *= 1.14) {
             b[k] = at;
+            decay[k] = std::exp(-at);
             gaussian[k] = 0.5 * (std::cosh(2.0 * at) - 1.0);
             constant[k] = std::log1p(std::exp(-2.0 * at));
             for (std::size_t n = 0; n < degrees_; ++n) {
@@ -65,7 +66,7 @@ class ChordCurves {
     const std::vector<ZernikeTerm>& terms() const { return terms_; }
     std::size_t partner(std::size_t j) const { return partner_[j]; }
 
-    double b[count], gaussian[count], constant[count];
+    double b[count], decay[count], gaussian[count], constant[count];
 
    private:
     std::vector<ZernikeTerm> terms_;
@@ -116,16 +117,40 @@ class ChordBound {
             }
         }
         reach_ = window.reach(tilt_x, tilt_y);
-        amplitude_[1] = reach_;
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
             const double* growth = curves.growth(k);
-            double sum = gaussian * curves.gaussian[k] + curves.constant[k];
-            for (std::size_t n = 1; n < amplitude_.size(); ++n) {
+            base_[k] = gaussian * curves.gaussian[k] + curves.constant[k] + reach_ * growth[1];
+            double sum = 0.0;
+            for (std::size_t n = 2; n < amplitude_.size(); ++n) {
                 sum += amplitude_[n] * growth[n];
             }
-            log_size_[k] = sum;
+            log_size_[k] = base_[k] + sum;
         }
     }
+
+    // The curve on which a better bound on the phase would serve best, if it were `share` of the sum over terms.
+    std::size_t best_curve(double error, double share) const {
+        const double target = std::log(error);
+        std::size_t best = 0;
+        double least = 1e300;
+        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+            const double chords = (base_[k] + share * (log_size_[k] - base_[k]) - target + 6.0) / curves_->b[k];
+            if (chords < least) {
+                least = chords;
+                best = k;
+            }
+        }
+        return best;
+    }
+
+    // Chords that such a bound would lead to, roughly, at most the limit.
+    std::size_t estimate(std::size_t curve, double error, double share) const {
+        const double sum = base_[curve] + share * (log_size_[curve] - base_[curve]) - std::log(error) + 6.0;
+        return static_cast<std::size_t>(std::min(static_cast<double>(max_chords), 0.5 * sum / curves_->b[curve]));
+    }
+
+    // Takes a bound on the phase on one curve in place of the sum over terms.
+    void sharpen(std::size_t curve, double phase) { log_size_[curve] = std::min(log_size_[curve], base_[curve] + phase); }
 
     double size() const { return size_; }
     double reach() const { return reach_; }
@@ -157,17 +182,16 @@ class ChordBound {
 
     // The error in U of the rule with that many chords, without rounding.
     double bound(std::size_t chords) const {
-        const double first = 2.0 * static_cast<double>(chords) + 1.0;
-        const double ratio = std::pow((first + 1.0) / first, 1.5), start = 1.5 * std::log(first);
-        double least = 1e300;
+        const double first = 2.0 * static_cast<double>(chords) + 1.0, ratio = std::pow((first + 1.0) / first, 1.5);
+        double least = 1e300, sum = 1.0;
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-            const double q = std::exp(-curves_->b[k]) * ratio;
-            if (q < 1.0) {
-                const double exponent = log_size_[k] + start - (first - 1.0) * curves_->b[k] - std::log1p(-q);
-                least = std::min(least, exponent);
+            const double q = curves_->decay[k] * ratio, exponent = log_size_[k] - (first - 1.0) * curves_->b[k];
+            if (q < 1.0 && exponent < least) {
+                least = exponent;
+                sum = first * std::sqrt(first) / (1.0 - q);
             }
         }
-        return std::exp(std::min(least, 600.0));
+        return sum * std::exp(std::min(least, 600.0));
     }
 
     // The rounding of the phase, of the kernel and of two sums.
@@ -185,7 +209,7 @@ class ChordBound {
 
     const ChordCurves* curves_ = nullptr;
     std::vector<double> amplitude_;
-    double log_size_[ChordCurves::count] = {};
+    double base_[ChordCurves::count] = {}, log_size_[ChordCurves::count] = {};  // without and with the phase
     double size_ = 0.0, reach_ = 0.0, variance_ = 0.0;
 };
 

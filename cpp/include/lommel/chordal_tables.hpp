@@ -31,27 +31,31 @@ LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
 
 constexpr std::size_t node_tile = 4, row_tile = 3, column_tile = 6;
 
-// R_n^|m|(rho) cos(m theta) or sin(|m| theta): Jacobi's recurrence for alpha = 0, beta = |m| (DLMF 18.9.1-2).
-inline long double zernike_value(const ZernikeTerm& term, long double x, long double y) {
+// R_n^|m|(rho) cos(m theta) or sin(|m| theta), as a polynomial in x and y: Jacobi's recurrence for alpha = 0,
+// beta = |m| (DLMF 18.9.1-2).
+template <class Number>
+Number zernike_value(const ZernikeTerm& term, Number x, Number y) {
     using real = long double;
     const std::int64_t a = std::abs(term.m);
-    const real order = static_cast<real>(a), z = 2 * (x * x + y * y) - 1;
-    real before = 0, here = 1;
+    const real order = static_cast<real>(a);
+    const Number z = real(2) * (x * x + y * y) - real(1);
+    Number before = real(0), here = real(1);
     for (std::int64_t j = 0; j < (term.n - a) / 2; ++j) {
         const real k = static_cast<real>(j), s = 2 * k + order;
         if (j == 0) {
             before = here;
-            here = ((order + 2) * z - order) / 2;
+            here = ((order + 2) * z - order) / real(2);
             continue;
         }
-        const real next = (((s + 1) * (s + 2) * s * z - (s + 1) * order * order) * here - 2 * k * (k + order) * (s + 2) * before) /
-                          (2 * (k + 1) * (k + 1 + order) * s);
+        const Number next = (((s + 1) * (s + 2) * s * z - (s + 1) * order * order) * here -
+                             2 * k * (k + order) * (s + 2) * before) /
+                            (2 * (k + 1) * (k + 1 + order) * s);
         before = here;
         here = next;
     }
-    real re = 1, im = 0;  // (x + i y)^|m|
+    Number re = real(1), im = real(0);  // the parts of (x + i y)^|m|
     for (std::int64_t j = 0; j < a; ++j) {
-        const real next = re * x - im * y;
+        const Number next = re * x - im * y;
         im = re * y + im * x;
         re = next;
     }

@@ -226,6 +226,20 @@ double chordal_bound(In<std::int64_t, 2> terms, In<double, 1> coefficients, doub
     return bound.bound(chords);
 }
 
+double chordal_growth(In<std::int64_t, 2> terms, In<double, 1> coefficients, double b) {
+    require(coefficients.shape(0) == terms.shape(0), "one coefficient a term");
+    require(b > 0.0 && b < 5.0, "b must be above 0 and below 5");
+    const lommel::SharpTable table(zernike_terms(terms), b);
+    double found[lommel::row_lanes];
+    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t lanes = decltype(isa)::lanes;
+        lommel::Doubles given(2 * table.pairs.size() * lanes), room(2 * table.harmonics * lanes);
+        lommel::sharp_lane(table, coefficients.data(), 0, lanes, given.data());
+        lommel::store(found, lommel::sharp_size(isa, table, given.data(), room.data()));
+    });
+    return found[0];
+}
+
 // Returns 0, or the bound on the error where the tolerance cannot be met.
 template <class T>
 double chordal(In<std::int64_t, 2> terms, In<double, 2> outer, In<double, 2> inner, double obscuration, double gaussian,
@@ -393,6 +407,8 @@ NB_MODULE(_core, m) {
           "bounds"_a.noconvert());
     m.def("chordal_bound", &chordal_bound, "terms"_a, "coefficients"_a, "gaussian"_a, "reach"_a, "chords"_a,
           "Bound on the error in U of the chordal Gauss rule up to v = reach along x, without rounding.");
+    m.def("chordal_growth", &chordal_growth, "terms"_a, "coefficients"_a, "b"_a,
+          "Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.");
     m.def("paint_subpixel", &paint_subpixel, "samples"_a, "per_step"_a, "center_y"_a, "center_x"_a, "nodes"_a,
           "weights"_a, "threads"_a, "out"_a.noconvert(),
           "Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.");

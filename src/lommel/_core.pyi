@@ -66,6 +66,11 @@ def chordal_bound(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None)
     Bound on the error in U of the chordal Gauss rule up to v = reach along x, without rounding.
     """
 
+def chordal_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], b: float) -> float:
+    """
+    Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.
+    """
+
 def paint_subpixel(samples: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], per_step: float, center_y: float, center_x: float, nodes: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> None:
     """
     Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.

@@ -167,13 +167,8 @@ class ChordalRenderer {
             const SharpTable& table = *tables[b];
             given.assign(2 * table.pairs.size() * lanes, 0.0);
             room.resize(2 * table.harmonics * lanes);
-            for (std::size_t k = 0; k < table.pairs.size(); ++k) {
-                const std::size_t places[2] = {table.pairs[k].cosine, table.pairs[k].sine};
-                for (std::size_t part = 0; part < 2; ++part) {
-                    for (std::size_t lane = 0; lane < here && places[part] != SharpTable::none; ++lane) {
-                        given[(2 * k + part) * lanes + lane] = coefficients[pupils[lane] * terms + places[part]];
-                    }
-                }
+            for (std::size_t lane = 0; lane < here; ++lane) {
+                sharp_lane(table, coefficients + pupils[lane] * terms, lane, lanes, given.data());
             }
             double found[row_lanes];
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { store(found, sharp_size(isa, table, given.data(), room.data())); });

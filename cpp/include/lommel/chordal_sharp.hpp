@@ -142,4 +142,13 @@ LOMMEL_INLINE typename I::pack sharp_size(I, const SharpTable& table, const doub
     return top * splat<V>(table.margin);
 }
 
+// Puts the coefficients of one pupil into a lane of those that sharp_size takes.
+inline void sharp_lane(const SharpTable& table, const double* given, std::size_t lane, std::size_t lanes, double* to) {
+    for (std::size_t k = 0; k < table.pairs.size(); ++k) {
+        const SharpTable::Pair& pair = table.pairs[k];
+        to[2 * k * lanes + lane] = pair.cosine == SharpTable::none ? 0.0 : given[pair.cosine];
+        to[(2 * k + 1) * lanes + lane] = pair.sine == SharpTable::none ? 0.0 : given[pair.sine];
+    }
+}
+
 }  // namespace lommel

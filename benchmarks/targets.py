@@ -39,6 +39,7 @@ class Target:
     unit: str
     more: bool
     measure: Callable[[Settings], Measured]
+    tol: float = TOL
 
     def limit(self, value: float | None) -> str | None:
         """Write a limit."""

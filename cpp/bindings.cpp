@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lommel/bessel.hpp"
+#include "lommel/chordal.hpp"
 #include "lommel/closed_form.hpp"
 #include "lommel/huygens.hpp"
 #include "lommel/images.hpp"
@@ -237,6 +238,71 @@ double render_zernike(In<std::int32_t, 1> n, In<std::int32_t, 1> m, In<double, 2
     return 0.0;
 }
 
+std::vector<lommel::ZernikeTerm> zernike_terms(const In<std::int64_t, 2>& given) {
+    require(given.shape(0) > 0 && given.shape(1) == 2, "terms must have the shape (terms, 2), with one term at least");
+    std::vector<lommel::ZernikeTerm> terms;
+    for (std::size_t j = 0; j < given.shape(0); ++j) {
+        const lommel::ZernikeTerm term{given.data()[2 * j], given.data()[2 * j + 1]};
+        const std::int64_t order = term.m < 0 ? -term.m : term.m;
+        require(term.n >= 0 && term.n <= 1000 && order <= term.n && (term.n - order) % 2 == 0, "no such Zernike term");
+        for (const lommel::ZernikeTerm& other : terms) {
+            require(!(other == term), "a Zernike term comes twice");
+        }
+        terms.push_back(term);
+    }
+    return terms;
+}
+
+double chordal_bound(In<std::int64_t, 2> terms, In<double, 1> coefficients, double gaussian, double reach,
+                     std::size_t chords) {
+    const lommel::ChordCurves curves(zernike_terms(terms));
+    require(coefficients.shape(0) == terms.shape(0), "one coefficient a term");
+    require(gaussian >= 0.0 && reach >= 0.0 && chords >= 1, "gaussian, reach and chords must be positive");
+    lommel::ChordBound bound;
+    bound.prepare(curves, coefficients.data(), gaussian, {-reach, reach, 0.0, 0.0});
+    return bound.bound(chords);
+}
+
+double chordal_growth(In<std::int64_t, 2> terms, In<double, 1> coefficients, double b) {
+    require(coefficients.shape(0) == terms.shape(0), "one coefficient a term");
+    require(b > 0.0 && b < 5.0, "b must be above 0 and below 5");
+    const lommel::SharpTable table(zernike_terms(terms), b);
+    double found[lommel::row_lanes];
+    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t lanes = decltype(isa)::lanes;
+        lommel::Doubles given(2 * table.pairs.size() * lanes), room(2 * table.harmonics * lanes);
+        lommel::sharp_lane(table, coefficients.data(), 0, lanes, given.data());
+        lommel::store(found, lommel::sharp_size(isa, table, given.data(), room.data()));
+    });
+    return found[0];
+}
+
+// Returns 0, or the bound on the error where the tolerance cannot be met.
+template <class T>
+double chordal(In<std::int64_t, 2> terms, In<double, 2> outer, In<double, 2> inner, double obscuration, double gaussian,
+               double center_y, double center_x, double step, double tol, int threads, Out<T, 3> images,
+               Out<double, 1> scales, Out<double, 1> bounds) {
+    const std::size_t n = outer.shape(0), count = terms.shape(0), height = images.shape(1), width = images.shape(2);
+    const lommel::ChordalStack stack{zernike_terms(terms), outer.data(), inner.data(), n, obscuration, gaussian};
+    require(n > 0, "there must be a pupil");
+    require(outer.shape(1) == count && inner.shape(0) == n && inner.shape(1) == count, "one coefficient a term and pupil");
+    require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
+    require(gaussian >= 0.0 && gaussian <= 100.0, "gaussian must be from 0 to 100");
+    require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n, "one image, scale and bound a pupil");
+    require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
+    require(std::abs(center_y) <= 1e6 && std::abs(center_x) <= 1e6, "the centre must be within 1e6 pixels");
+    require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
+    nb::gil_scoped_release nogil;
+    try {
+        lommel::ChordalRenderer<T>(stack, {height, width, center_y, center_x, step}, tol, threads,
+                                   {images.data(), scales.data(), bounds.data()})
+            .run();
+    } catch (const lommel::ToleranceNotMet& failure) {
+        return failure.bound;
+    }
+    return 0.0;
+}
+
 std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration,
                                                  double gaussian, In<double, 1> v, double tol) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
@@ -375,6 +441,18 @@ NB_MODULE(_core, m) {
     m.def("render_zernike", &render_zernike<double>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
           "rows"_a, "columns"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert());
+    m.def("chordal", &chordal<float>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
+          "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+          "bounds"_a.noconvert(),
+          "Images of a stack of wavefronts in Zernike terms (n, m) by the chordal Gauss rule; returns 0, or the bound "
+          "where tol cannot be met.");
+    m.def("chordal", &chordal<double>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
+          "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+          "bounds"_a.noconvert());
+    m.def("chordal_bound", &chordal_bound, "terms"_a, "coefficients"_a, "gaussian"_a, "reach"_a, "chords"_a,
+          "Bound on the error in U of the chordal Gauss rule up to v = reach along x, without rounding.");
+    m.def("chordal_growth", &chordal_growth, "terms"_a, "coefficients"_a, "b"_a,
+          "Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.");
     m.def("paint_subpixel", &paint_subpixel, "samples"_a, "per_step"_a, "center_y"_a, "center_x"_a, "nodes"_a,
           "weights"_a, "threads"_a, "out"_a.noconvert(),
           "Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.");

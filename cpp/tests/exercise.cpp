@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lommel/bessel.hpp"
+#include "lommel/chordal.hpp"
 #include "lommel/huygens.hpp"
 #include "lommel/images.hpp"
 #include "lommel/profiles.hpp"
@@ -136,6 +137,69 @@ void every_path_of_the_engine(unsigned seed) {
     }
 }
 
+// Radial wavefronts by the chordal rule against the series; others against themselves, turned by a right angle.
+template <class T>
+void chordal_windows(std::mt19937& random, std::size_t count, std::size_t side, double obscuration, double gaussian,
+                     int threads, bool normalize) {
+    std::uniform_real_distribution<double> phase(-2.0, 2.0);
+    const double tol = sizeof(T) == 4 ? 1e-5 : 1e-8, step = 1.3, area = obscuration * obscuration;
+    const double middle = static_cast<double>(side / 2);
+    std::vector<double> powers(count), outer(3 * count), turned(3 * count), inner(3 * count), turned_inner(3 * count);
+    for (std::size_t p = 0; p < count; ++p) {
+        // c t, t = rho^2, is c R_2^0 / 2 and a constant; on the inner disk as much times its area.
+        powers[p] = 4.0 * phase(random);
+        outer[3 * p] = turned[3 * p] = 0.5 * powers[p];
+        inner[3 * p] = turned_inner[3 * p] = 0.5 * area * powers[p];
+        if (obscuration > 0.0) {
+            // The constants differ: that of the inner disk is not lost.
+            inner[3 * p + 1] = turned_inner[3 * p + 1] = 0.5 * powers[p] * (area - 1.0);
+        } else {
+            outer[3 * p + 2] = phase(random);
+            turned[3 * p + 2] = -outer[3 * p + 2];
+        }
+    }
+    std::vector<lommel::ZernikeTerm> terms = {{2, 0}, {0, 0}, {2, 2}};
+    std::vector<T> images(count * side * side), others(images.size());
+    std::vector<double> scales(count, normalize ? 0.0 : 1.0), bounds(count), other_scales = scales;
+    const lommel::ChordalWindow window{side, side, middle, middle, step};
+    const lommel::ChordalStack stack{terms, outer.data(), inner.data(), count, obscuration, gaussian};
+    const lommel::ChordalStack around{terms, turned.data(), turned_inner.data(), count, obscuration, gaussian};
+    lommel::ChordalRenderer<T>(stack, window, tol, threads, {images.data(), scales.data(), bounds.data()}).run();
+    lommel::ChordalRenderer<T>(around, window, tol, threads, {others.data(), other_scales.data(), bounds.data()}).run();
+    for (std::size_t p = 0; p < count; ++p) {
+        const T* image = images.data() + p * side * side;
+        const double peak = static_cast<double>(*std::max_element(image, image + side * side));
+        const double allowed = (2.0 * tol + (sizeof(T) == 4 ? 2.4e-7 : 1e-13)) * peak;
+        check(bounds[p] <= tol, "bound of the chordal rule", bounds[p]);
+        for (std::size_t y = 0; y < side; ++y) {
+            for (std::size_t x = 0; x < side; ++x) {
+                const double other = static_cast<double>(others[p * side * side + x * side + y]);
+                check(std::abs(static_cast<double>(image[y * side + x]) - other) <= allowed, "turned window", other);
+            }
+        }
+        if (obscuration > 0.0) {
+            const double v = step * middle;
+            std::complex<double> u;
+            double bound;
+            lommel::fields({powers.data() + p, 1, 1, obscuration, gaussian}, &v, 1, 1e-12, &u, &bound);
+            const double found = static_cast<double>(image[(side / 2) * side]);
+            check(std::abs(found - scales[p] * std::norm(u)) <= allowed, "chordal against the series", found);
+        }
+    }
+}
+
+void every_path_of_the_chordal_rule(unsigned seed) {
+    std::mt19937 random(seed);
+    for (const std::size_t side : {std::size_t{1}, std::size_t{2}, std::size_t{7}, std::size_t{12}}) {
+        for (const int threads : {1, 3}) {
+            chordal_windows<float>(random, 1, side, 0.0, 0.0, threads, false);
+            chordal_windows<double>(random, 9, side, 0.4, 0.0, threads, true);
+            chordal_windows<double>(random, 19, side, 0.0, 1.5, threads, false);
+            chordal_windows<float>(random, 5, side, 0.2, 1.5, threads, true);
+        }
+    }
+}
+
 void pixels_off_the_grid_read_nothing_beyond_the_profile() {
     const double h = 0.25;
     std::vector<double> profile;
@@ -167,10 +231,11 @@ int main() {
     for (const lommel::Level level : {lommel::Level::portable, lommel::Level::avx2, lommel::Level::avx512}) {
         lommel::level_limit() = level;
         every_path_of_the_engine(1);
+        every_path_of_the_chordal_rule(1);
     }
     std::vector<std::thread> callers;
     for (unsigned seed = 2; seed < 6; ++seed) {
-        callers.emplace_back(every_path_of_the_engine, seed);
+        callers.emplace_back(seed % 2 == 0 ? every_path_of_the_engine : every_path_of_the_chordal_rule, seed);
     }
     for (std::thread& caller : callers) {
         caller.join();

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from lommel.lens import Lens
     from lommel.lensfile import Instrument, load_instrument
     from lommel.methods import (
+        ChordalGauss,
         ClosedForm,
         Fraunhofer,
         Geometric,
@@ -43,6 +44,7 @@ _HOME = {
     "AbramowitzErf": "special.erf",
     "FresnelErf": "special.erf",
     "TableErf": "special.erf",
+    "ChordalGauss": "methods.chordal_gauss",
     "ClosedForm": "methods.closed_form",
     "Fraunhofer": "methods.fraunhofer",
     "Geometric": "methods.geometric",
@@ -68,6 +70,7 @@ _HOME = {
 __all__ = [
     "PSF",
     "AbramowitzErf",
+    "ChordalGauss",
     "ClosedForm",
     "Fraunhofer",
     "FresnelErf",

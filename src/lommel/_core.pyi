@@ -61,6 +61,25 @@ def render_zernike(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order=
 @overload
 def render_zernike(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, rows: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], columns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], step: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float: ...
 
+@overload
+def chordal(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, center_y: float, center_x: float, step: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float:
+    """
+    Images of a stack of wavefronts in Zernike terms (n, m) by the chordal Gauss rule; returns 0, or the bound where tol cannot be met.
+    """
+
+@overload
+def chordal(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, center_y: float, center_x: float, step: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float: ...
+
+def chordal_bound(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, reach: float, chords: int) -> float:
+    """
+    Bound on the error in U of the chordal Gauss rule up to v = reach along x, without rounding.
+    """
+
+def chordal_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], b: float) -> float:
+    """
+    Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.
+    """
+
 def paint_subpixel(samples: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], per_step: float, center_y: float, center_x: float, nodes: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> None:
     """
     Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.

@@ -34,6 +34,7 @@ METHOD_NAMES = (
     "closed-form",
     "tuned-closed-form",
     "geometric",
+    "chordal-gauss",
 )
 
 

@@ -62,7 +62,8 @@ class Pupil:
         Working f-number N: sensor distance over aperture diameter.
     apodization : float, default 0
         g >= 0 of a Gaussian amplitude ``exp(-g rho^2)``, at most 100: a laser beam whose amplitude falls to 1/e at w
-        is clipped at the radius a with ``g = (a / w)^2``. Of `NijboerZernike`, `Hankel` and `Polychromatic` only.
+        is clipped at the radius a with ``g = (a / w)^2``. Of `NijboerZernike`, `Hankel`,
+        `Polychromatic` and `ChordalGauss` only.
     geometry : Geometry, optional
         Physical distances, filled in by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
 

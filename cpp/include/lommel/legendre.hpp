@@ -8,7 +8,8 @@ namespace lommel {
 
 // Nodes (ascending) and weights of the n-point rule: Newton's method from Tricomi's initial guess, in
 // extended precision, because weights from double-precision eigenvalues lose up to eight digits at the ends.
-inline void gauss_legendre(std::size_t n, double* nodes, double* weights) {
+template <class Number>
+void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     using real = long double;
     const real pi = std::acos(real(-1));
     const real order = static_cast<real>(n);
@@ -32,12 +33,12 @@ inline void gauss_legendre(std::size_t n, double* nodes, double* weights) {
             }
         }
         const real weight = 2 / ((1 - x * x) * slope * slope);
-        nodes[i] = static_cast<double>(-x);
-        nodes[n - 1 - i] = static_cast<double>(x);
-        weights[i] = weights[n - 1 - i] = static_cast<double>(weight);
+        nodes[i] = static_cast<Number>(-x);
+        nodes[n - 1 - i] = static_cast<Number>(x);
+        weights[i] = weights[n - 1 - i] = static_cast<Number>(weight);
     }
     if (n % 2 == 1) {
-        nodes[n / 2] = 0.0;
+        nodes[n / 2] = 0;
     }
 }
 

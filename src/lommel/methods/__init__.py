@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.closed_form import ClosedForm
 from lommel.methods.fraunhofer import Fraunhofer
 from lommel.methods.geometric import Geometric
@@ -25,6 +26,7 @@ METHODS: dict[str, type[Method]] = {
     "closed-form": ClosedForm,
     "tuned-closed-form": TunedClosedForm,
     "geometric": Geometric,
+    "chordal-gauss": ChordalGauss,
 }
 """Every method by the name the command line uses."""
 
@@ -53,6 +55,7 @@ def method_from_dict(description: dict[str, Any]) -> Method:
 __all__ = [
     "ERFS",
     "METHODS",
+    "ChordalGauss",
     "ClosedForm",
     "FieldMethod",
     "Fraunhofer",

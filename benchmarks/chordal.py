@@ -1,0 +1,83 @@
+"""Stacks of small windows of any wavefront: the chordal rule against an FFT of each pupil."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import lommel as lm
+from benchmarks.engine import stack
+from benchmarks.settings import Settings
+from benchmarks.targets import Measured
+from benchmarks.timing import Contender, race
+from benchmarks.truth import stack_error
+from lommel.special.legendre import gauss_legendre
+
+COUNT, SIDE, PIXEL, TOL = 1000, 33, 0.5, 1e-4
+_TERMS = range(2, 17)  # Noll
+_JUDGED = 16  # members of the stack
+
+
+def random_zernikes(each: bool) -> Callable[[int], list[lm.Pupil]]:
+    """Return a maker of stacks of 15 random Zernike terms: of 1 rad rms together, or `each` of them."""
+    c = np.random.default_rng(1934).normal(size=(COUNT, len(_TERMS)))
+    c = np.sign(c) if each else c / np.linalg.norm(c, axis=1, keepdims=True)
+
+    def fresh(times: int) -> list[lm.Pupil]:
+        made = []
+        for k in range(times):
+            terms = {j: (1.0 - 1e-7 * k) * c[:, i] for i, j in enumerate(_TERMS)}
+            made.append(lm.Pupil(lm.Wavefront.zernike(terms, order="noll")))
+        return made
+
+    return fresh
+
+
+def exact(pupils: lm.Pupil) -> NDArray[np.float64]:
+    """Return the intensities of the windows by quadrature in polar coordinates."""
+    r, w = gauss_legendre(64, pupils.obscuration, 1.0)
+    theta = 2.0 * math.pi * np.arange(192) / 192
+    x, y = np.outer(r, np.cos(theta)).ravel(), np.outer(r, np.sin(theta)).ravel()
+    weighted = pupils.values(x, y) * np.repeat(2.0 / 192 * w * r, 192)
+    v = math.pi * PIXEL * (np.arange(SIDE) - SIDE // 2)
+    across, down = np.exp(-1j * np.outer(x, v)), np.exp(-1j * np.outer(v, y))
+    fields = np.stack([(down * one) @ across for one in weighted])
+    return np.asarray(fields.real**2 + fields.imag**2)
+
+
+@lru_cache(maxsize=1)
+def ffts() -> Contender:
+    """SciPy's FFTs alone, of all pupils in one call with one thread, in place."""
+    from scipy.fft import fft2
+
+    phase = np.random.default_rng(1).normal(size=(COUNT, 128, 128))
+    padded = np.exp(1j * phase)
+    config = f"scipy.fft.fft2 of {COUNT} × 128² complex128 in one call, in place, the FFT alone"
+    return Contender(
+        "FFTs 128²",
+        lambda _: fft2(padded, norm="ortho", overwrite_x=True, workers=1),
+        config,
+        values=_no_values,
+    )
+
+
+def _no_values(_: Any) -> NDArray[np.float64]:
+    return np.empty(0)
+
+
+def against_fft(settings: Settings, *, each: bool, threads: int) -> Measured:
+    """Measure 1000 of 33², of any wavefront, against the FFTs."""
+    fresh = random_zernikes(each)
+    mine = stack(fresh, SIDE, PIXEL, method=lm.ChordalGauss(TOL), threads=threads, dtype=np.float32, out=True)
+    result = race([mine, ffts()], settings.rounds)
+    error = stack_error(result.values[mine.name][:_JUDGED], exact(fresh(1)[0][:_JUDGED]))
+    note = (
+        f"15 terms (Noll 2 to 16) of 1 rad rms {'each' if each else 'together'}, pixel {PIXEL} λN: {mine.config}, "
+        f"{1e6 * result.median(mine.name) / COUNT:.1f} µs a PSF; {ffts().config}; error of {_JUDGED} of them"
+    )
+    return Measured(result.ratio(ffts().name, mine.name), error, note)

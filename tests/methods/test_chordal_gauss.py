@@ -1,0 +1,313 @@
+"""The chordal Gauss rule keeps its tolerance for any wavefront, and its bound is never below the true error."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import lommel as lm
+from lommel import _core
+from lommel.methods.chordal_gauss import disk_terms
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
+
+TERMS = [zernike.term(j, "noll") for j in range(2, 46)]  # n from 1 to 8
+
+
+def polar(pupil: lm.Pupil, grid: lm.Grid, radii: int = 90, angles: int = 200) -> np.ndarray:
+    """Return I of a single pupil by Gauss-Legendre in the radius and the trapezoidal rule in the angle."""
+    r, w = gauss_legendre(radii, pupil.obscuration, 1.0)
+    theta = 2.0 * math.pi * (np.arange(angles) + 0.5) / angles
+    x, y = np.outer(r, np.cos(theta)), np.outer(r, np.sin(theta))
+    values = (pupil.values(x, y)[0] * (2.0 / angles * w * r)[:, None]).ravel()
+    across = np.exp(-1j * np.outer(x.ravel(), math.pi / pupil.scale * grid.x))
+    down = np.exp(-1j * np.outer(y.ravel(), math.pi / pupil.scale * grid.y))
+    field = (values[:, None] * down).T @ across
+    return np.asarray(field.real**2 + field.imag**2)
+
+
+def random_wavefront(rng: np.random.Generator, rms: float, terms: list[tuple[int, int]] = TERMS) -> lm.Wavefront:
+    chosen = [terms[i] for i in rng.choice(len(terms), size=min(len(terms), 12), replace=False)]
+    c = rng.normal(size=len(chosen))
+    return lm.Wavefront.zernike(dict(zip(chosen, rms * c / np.linalg.norm(c), strict=True)))
+
+
+def intensity(answer: lm.PSF) -> np.ndarray:
+    return np.asarray(answer.values / answer.scale[..., None, None])
+
+
+def error(answer: lm.PSF, exact: np.ndarray) -> float:
+    return float(np.abs(intensity(answer) - exact).max() / exact.max())
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    seed=st.integers(0, 2**32 - 1),
+    rms=st.floats(0.0, 3.0),
+    obscuration=st.sampled_from([0.0, 0.2, 0.7]),
+    apodization=st.sampled_from([0.0, 1.0, 6.0]),
+    shape=st.tuples(st.integers(1, 14), st.integers(1, 14)),
+    pixel=st.floats(0.1, 1.0),
+    center=st.none() | st.tuples(st.floats(-3.0, 10.0), st.floats(-3.0, 10.0)),
+    tol=st.sampled_from([1e-3, 1e-6, 1e-9]),
+)
+def test_random_wavefronts_agree_with_direct_quadrature(
+    seed, rms, obscuration, apodization, shape, pixel, center, tol
+):
+    wavefront = random_wavefront(np.random.default_rng(seed), rms)
+    pupil = lm.Pupil(wavefront, obscuration=obscuration, apodization=apodization)
+    grid = lm.Grid(shape, pixel, center=center)
+    answer = lm.psf(
+        pupil, shape, pixel, method=lm.ChordalGauss(tol), center=center, normalize="strehl", dtype=np.float64
+    )
+    exact = polar(pupil, grid)
+    assert error(answer, exact) <= answer.error_bound + 1e-12 / exact.max()
+    assert answer.error_bound <= tol + 2.0**-53
+
+
+def test_the_tolerance_is_kept_eight_times_a_decade_and_the_bound_is_never_below_the_error():
+    rng = np.random.default_rng(3)
+    pupil = lm.Pupil(random_wavefront(rng, 1.5), obscuration=0.3)
+    exact = polar(pupil, lm.Grid(13, 0.8), 120, 256)
+    errors = []
+    for tol in 10.0 ** -np.arange(3.0, 10.0 + 1e-9, 0.125):
+        answer = lm.psf(pupil, 13, 0.8, method=lm.ChordalGauss(tol), dtype=np.float64, threads=1)
+        assert error(answer, exact) <= answer.error_bound <= tol + 2.0**-53
+        errors.append(answer.error_bound)
+    # A bound that stays where it is would mean that the tolerance is ignored.
+    assert len(set(errors)) >= 8
+
+
+def test_the_bound_is_above_the_error_even_where_the_error_is_large():
+    # The rule itself at few chords, in NumPy, against many: the bound of the compiled core is asked for the same.
+    terms = [(2, 2), (3, 1), (4, 0)]
+    coefficients = np.array([2.0, -1.5, 1.0])
+    nodes_x, nodes_y, weights = chordal_rule(90)
+    exact = rule_field(terms, coefficients, 6.0, nodes_x, nodes_y, weights)
+    seen = 0
+    for chords in range(8, 40, 4):
+        bound = _core.chordal_bound(np.array(terms, dtype=np.int64), coefficients, 0.0, 6.0, chords)
+        true = abs(rule_field(terms, coefficients, 6.0, *chordal_rule(chords)) - exact)
+        assert true <= bound + 1e-14
+        seen += true > 1e-12
+    assert seen >= 2
+
+
+@pytest.mark.parametrize("degree", [2, 3, 6, 9])
+@pytest.mark.parametrize("b", [0.1, 0.5, 1.3])
+def test_the_sampled_bound_on_a_phase_is_above_its_largest_value_and_not_far_above(degree, b):
+    rng = np.random.default_rng(degree)
+    terms = [(n, m) for n in range(2, degree + 1) for m in range(-n, n + 1, 2)]
+    edge = rng.normal(size=len(terms))
+    bound = _core.chordal_growth(np.array(terms, dtype=np.int64), edge, b)
+    # The same polynomial at complex points of 40 000 random chords, from its powers of x + iy and x - iy.
+    turn, angle = rng.uniform(0, 2 * math.pi, (2, 40_000))
+    eta = np.cos(rng.uniform(0, math.pi, 40_000))
+    across, along = np.cos(angle + 1j * b), eta * np.sin(angle + 1j * b)
+    x, y = across * np.cos(turn) - along * np.sin(turn), across * np.sin(turn) + along * np.cos(turn)
+    total = np.zeros(40_000, dtype=np.complex128)
+    for c, (n, m) in zip(edge, terms, strict=True):
+        square, a = x * x + y * y, abs(m)
+        powers = sum(
+            (-1) ** k
+            * math.factorial(n - k)
+            / (math.factorial(k) * math.factorial((n + a) // 2 - k) * math.factorial((n - a) // 2 - k))
+            * square ** ((n - a) // 2 - k)
+            for k in range((n - a) // 2 + 1)
+        )
+        plus, minus = (x + 1j * y) ** a, (x - 1j * y) ** a
+        total += c * powers * ((plus + minus) / 2 if m >= 0 else (plus - minus) / 2j)
+    largest = np.abs(total.imag).max()
+    assert largest <= bound <= 1.45 * largest
+    by_terms = sum(
+        math.hypot(c, edge[terms.index((n, -m))] if m else 0.0) * math.sinh(n * b)
+        for c, (n, m) in zip(edge, terms, strict=True)
+        if m >= 0
+    )
+    assert largest <= by_terms
+
+
+def chordal_rule(chords: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    angle = math.pi * np.arange(1, chords + 1) / (chords + 1)
+    eta, w = np.polynomial.legendre.leggauss(chords)
+    x = np.repeat(np.cos(angle)[:, None], chords, 1)
+    return x, np.sin(angle)[:, None] * eta, np.sin(angle)[:, None] ** 2 * w / (chords + 1)
+
+
+def rule_field(terms, coefficients, v, x, y, weights) -> complex:
+    rho, theta = np.hypot(x, y), np.arctan2(y, x)
+    phase = sum(c * zernike.polynomial(n, m, rho, theta) for c, (n, m) in zip(coefficients, terms, strict=True))
+    return complex((weights * np.exp(1j * (phase - v * x))).sum())
+
+
+@pytest.mark.parametrize("chords", [8, 20])
+def test_the_rule_integrates_polynomials_up_to_its_degree_and_no_further(chords):
+    x, y, weights = chordal_rule(chords)
+    assert weights.min() > 0
+    for a in range(0, 2 * chords, 2):
+        b = 2 * chords - 2 - a
+        # The mean of x^a y^b over the disk.
+        beta = math.gamma((a + 1) / 2) * math.gamma((b + 1) / 2) / math.gamma((a + b) / 2 + 2) / math.pi
+        assert (weights * x**a * y**b).sum() == pytest.approx(beta, rel=2e-12)
+    b = 2 * chords
+    exact = math.gamma((b + 1) / 2) * math.gamma(0.5) / math.gamma(b / 2 + 2) / math.pi
+    assert abs((weights * y**b).sum() / exact - 1) > 2e-11
+
+
+@pytest.mark.parametrize("obscuration", [0.0, 0.45])
+@pytest.mark.parametrize("apodization", [0.0, 2.5])
+def test_radial_pupils_agree_with_the_hankel_transform(obscuration, apodization):
+    wavefront = lm.Wavefront(np.array([0.0, 4.0, -12.0]), np.array([0.0, -3.0, 8.0]), (np.array([0.0, 1.0, 2.0]),))
+    pupil = lm.Pupil(wavefront, obscuration=obscuration, apodization=apodization)
+    exact = intensity(lm.psf(pupil, (20, 25), 0.4, method=lm.Hankel()))
+    for other in (lm.ChordalGauss(1e-9), lm.NijboerZernike(1e-9)):
+        found = intensity(lm.psf(pupil, (20, 25), 0.4, method=other))
+        assert (np.abs(found - exact).max(axis=(1, 2)) <= 1e-9 * exact.max(axis=(1, 2))).all()
+
+
+def test_a_perfect_lens_gives_the_airy_pattern():
+    answer = lm.psf(lm.Pupil(), 17, 0.5, method=lm.ChordalGauss(1e-10), normalize="strehl")
+    exact = lm.psf(lm.Pupil(), 17, 0.5, method=lm.Hankel(), normalize="strehl")
+    assert answer.values[8, 8] == pytest.approx(1.0, abs=1e-10)
+    assert np.abs(answer.values - exact.values).max() < 1e-10
+
+
+@pytest.mark.parametrize("n", [1, 2, 7, 8, 9, 40])
+def test_a_stack_equals_its_members_within_the_bounds(n):
+    rng = np.random.default_rng(n)
+    coefficients = rng.normal(size=(n, 6)) * rng.uniform(0.1, 2.5, (n, 1))
+    pupil = lm.Pupil(lm.Wavefront.zernike({j + 4: coefficients[:, j] for j in range(6)}, order="noll"))
+    method = lm.ChordalGauss(1e-7)
+    stack = lm.psf(pupil, (9, 11), 0.6, method=method, normalize="strehl", dtype=np.float64)
+    for i in range(n):
+        single = lm.psf(pupil[i], (9, 11), 0.6, method=method, normalize="strehl", dtype=np.float64)
+        bound = (stack.error_bound + single.error_bound) * single.values.max() / (1.0 - 1e-6)
+        assert np.abs(stack.values[i] - single.values).max() <= bound
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 8), (8, 1), (2, 3), (16, 16), (17, 5), (33, 34)])
+@pytest.mark.parametrize("center", [None, "half", (2.25, -1.5), (0.0, 0.0)])
+def test_every_window_shows_the_same_pattern(shape, center):
+    place = ((shape[0] - 1) / 2, (shape[1] - 1) / 2) if center == "half" else center
+    pupil = lm.Pupil(random_wavefront(np.random.default_rng(5), 1.0))
+    grid = lm.Grid(shape, 0.45, center=place)
+    answer = lm.psf(pupil, shape, 0.45, method=lm.ChordalGauss(1e-8), center=place, normalize="strehl")
+    assert error(answer, polar(pupil, grid, 56, 136)) <= 1e-8
+
+
+@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
+def test_precisions_and_given_arrays_hold_the_same_values(normalize):
+    pupil = lm.Pupil(random_wavefront(np.random.default_rng(6), 1.0), obscuration=0.25)
+    method = lm.ChordalGauss(1e-6)
+    fine = lm.psf(pupil, 12, 0.5, method=method, normalize=normalize, dtype=np.float64)
+    coarse = lm.psf(pupil, 12, 0.5, method=method, normalize=normalize)
+    out = np.zeros((12, 12), np.float32)
+    given_back = lm.psf(pupil, 12, 0.5, method=method, normalize=normalize, out=out)
+    assert coarse.values.dtype == np.float32
+    assert given_back.values is out
+    assert np.array_equal(out, coarse.values)
+    assert np.abs(coarse.values - fine.values).max() <= 2.0**-23 * fine.values.max()
+    if normalize == "peak":
+        assert fine.values.max() == 1.0
+        assert fine.error_bound <= 1e-6 + 2.0**-53
+
+
+def test_a_positive_x_tilt_moves_the_image_to_higher_columns_by_whole_pixels():
+    coma = {(3, -1): 0.8, (2, 2): -0.4}
+    step = math.pi * 0.5
+    there = lm.psf(
+        lm.Pupil(lm.Wavefront(nonradial={**coma, (1, 1): 2 * step, (1, -1): step})), 21, 0.5, method=lm.ChordalGauss()
+    )
+    here = lm.psf(lm.Pupil(lm.Wavefront(nonradial=coma)), 21, 0.5, method=lm.ChordalGauss())
+    assert np.abs(there.values[1:, 2:] - here.values[:-1, :-2]).max() < 2e-6 * here.values.max()
+
+
+def test_a_tilt_followed_by_the_window_costs_nothing():
+    # The centre of the window is where the tilt puts the image: the same values, and no more chords than without.
+    step = math.pi * 0.5
+    far = lm.Pupil(lm.Wavefront(3.0, nonradial={(1, 1): 4000 * step}))
+    followed = lm.psf(far, 15, 0.5, method=lm.ChordalGauss(1e-8), center=(7, 7 - 4000))
+    plain = lm.psf(lm.Pupil(lm.Wavefront(3.0)), 15, 0.5, method=lm.ChordalGauss(1e-8))
+    assert np.abs(followed.values - plain.values).max() < 2e-8 * plain.values.max()
+
+
+def test_threads_and_instructions_change_nothing_beyond_the_bound():
+    rng = np.random.default_rng(8)
+    c = rng.normal(size=(30, 4))
+    pupil = lm.Pupil(lm.Wavefront.zernike({j + 5: c[:, j] for j in range(4)}, order="noll"), obscuration=0.2)
+    one = lm.psf(pupil, 10, 0.5, method=lm.ChordalGauss(1e-9), threads=1)
+    for threads in (2, 5):
+        again = lm.psf(pupil, 10, 0.5, method=lm.ChordalGauss(1e-9), threads=threads)
+        assert np.array_equal(again.values, one.values)
+    try:
+        for level in ("avx2", "portable"):
+            _core.limit_instructions(level)
+            other = lm.psf(pupil, 10, 0.5, method=lm.ChordalGauss(1e-9), threads=1)
+            assert np.abs(other.values - one.values).max() <= 2e-9 * one.values.max()
+    finally:
+        _core.limit_instructions("avx512")
+
+
+def test_a_smaller_disk_has_the_same_phase_in_terms_of_its_own():
+    wavefront = random_wavefront(np.random.default_rng(9), 2.0)
+    eps = 0.37
+    terms, outer, inner = disk_terms(lm.Pupil(wavefront, obscuration=eps))
+    rho, theta = np.linspace(0.0, 1.0, 40)[:, None], np.linspace(0.0, 6.0, 30)
+    whole = sum(c * zernike.polynomial(n, m, eps * rho, theta) for (n, m), c in zip(terms, outer[0], strict=True))
+    small = sum(c * zernike.polynomial(n, m, rho, theta) for (n, m), c in zip(terms, inner[0], strict=True))
+    assert np.abs(small - whole).max() < 1e-12
+
+
+def test_the_strongest_pupil_of_a_stack_may_be_far_stronger_than_the_rest():
+    strength = np.array([0.1, 30.0, 0.2, 0.0, 0.3, 0.1, 0.2, 0.1, 0.1, 0.4])
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(2, 2): strength, (3, 3): 0.5}))
+    answer = lm.psf(pupil, 9, 0.7, method=lm.ChordalGauss(1e-7), dtype=np.float64)
+    assert error(answer[1], polar(pupil[1], answer.grid)) <= 1e-7
+    assert error(answer[4], polar(pupil[4], answer.grid)) <= 1e-7
+
+
+def test_what_is_refused_is_named():
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
+    with pytest.raises(ValueError, match=r"tol must be >= 1e-12 and < 0\.1, got 1e-13"):
+        lm.ChordalGauss(1e-13)
+    with pytest.raises(TypeError, match="tol must be a real number"):
+        lm.ChordalGauss("tight")
+    with pytest.raises(ValueError, match="integrate=True is not available from ChordalGauss"):
+        lm.psf(pupil, 9, 0.5, method=lm.ChordalGauss(), integrate=True)
+    with pytest.raises(ValueError, match="derivatives are not available from ChordalGauss"):
+        lm.psf(pupil, 9, 0.5, method=lm.ChordalGauss(), derivatives=("defocus",))
+    with pytest.raises(ValueError, match=r"chords, more than the limit of 1024"):
+        lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2000.0})), 9, 0.5, method=lm.ChordalGauss())
+    with pytest.raises(ValueError, match=r"phases must be at most 1e6 radians"):
+        lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2e6})), 9, 0.5, method=lm.ChordalGauss())
+    with pytest.raises(ValueError, match="tables exceed the limit of 256 MiB"):
+        lm.psf(pupil, (4000, 1), 0.05, method=lm.ChordalGauss())
+    with pytest.raises(lm.ToleranceError, match="cannot be met in double precision"):
+        # Far in the dark.
+        lm.psf(lm.Pupil(apodization=9.0), 1, 0.5, method=lm.ChordalGauss(1e-10), center=(0, 90))
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"terms": np.zeros((0, 2), np.int64)}, "terms must have the shape"),
+        ({"terms": np.array([[2, 1]])}, "no such Zernike term"),
+        ({"terms": np.array([[2, 0], [2, 0]]), "outer": np.zeros((1, 2)), "inner": np.zeros((1, 2))}, "twice"),
+        ({"outer": np.zeros((1, 3))}, "one coefficient a term"),
+        ({"obscuration": 1.0}, "obscuration must be"),
+        ({"step": 0.0}, "step and tol must be positive"),
+        ({"images": np.zeros((2, 3, 3))}, "one image, scale and bound"),
+    ],
+)
+def test_the_compiled_core_refuses_what_does_not_fit(change, message):
+    arguments = {
+        "terms": np.array([[2, 0]]), "outer": np.zeros((1, 1)), "inner": np.zeros((1, 1)), "obscuration": 0.0,
+        "gaussian": 0.0, "center_y": 1.0, "center_x": 1.0, "step": 1.0, "tol": 1e-6, "threads": 1,
+        "images": np.zeros((1, 3, 3)), "scales": np.ones(1), "bounds": np.zeros(1),
+    }  # fmt: skip
+    with pytest.raises(ValueError, match=message):
+        _core.chordal(**(arguments | change))

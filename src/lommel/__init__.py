@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
+    from lommel.fieldmap import FieldMap, PSFGrid
     from lommel.grid import Grid
     from lommel.lens import Lens
     from lommel.lensfile import Instrument, load_instrument
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
     from lommel.wavefront import Wavefront
 
 _HOME = {
+    "FieldMap": "fieldmap",
+    "PSFGrid": "fieldmap",
     "Grid": "grid",
     "Lens": "lens",
     "Instrument": "lensfile",
@@ -60,6 +63,7 @@ __all__ = [
     "PSF",
     "AbramowitzErf",
     "ClosedForm",
+    "FieldMap",
     "Fraunhofer",
     "FresnelErf",
     "Geometric",
@@ -71,6 +75,7 @@ __all__ = [
     "LommelSeries",
     "Method",
     "NijboerZernike",
+    "PSFGrid",
     "Plan",
     "Polychromatic",
     "Pupil",

@@ -26,6 +26,7 @@ ORDER = [
     {"methods"},
     {"psf"},
     {"fieldmap"},
+    {"fieldtable"},
     {"lensfile"},
     {"metrics", "files", "plot"},
     {"fieldfiles"},

@@ -175,7 +175,7 @@ def _field_axes(grid: PSFGrid) -> Axes:
 
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
-    return plt.subplots(figsize=(width, width * ratio + 1.1), layout="constrained")[1]
+    return plt.subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
 
 
 def _axes(ax: Axes | None) -> Axes:

@@ -26,7 +26,7 @@ ORDER = [
     {"methods"},
     {"psf"},
     {"fieldmap"},
-    {"fieldtable"},
+    {"fieldtable", "adapters"},
     {"lensfile"},
     {"metrics", "files", "plot"},
     {"fieldfiles"},

@@ -74,7 +74,7 @@ def save(grid: PSFGrid, path: str | PathLike[str]) -> None:
 
 
 def load(path: str | PathLike[str]) -> PSFGrid:
-    """Read a grid of PSFs that :func:`save` wrote.
+    """Read a grid of PSFs that :func:`lommel.fieldfiles.save` wrote.
 
     Raises
     ------

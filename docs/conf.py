@@ -62,7 +62,8 @@ html_static_path = ["_static"]
 html_css_files = ["lommel.css"]
 html_show_sourcelink = False
 # Pages without pages below them need no list of these.
-_ALONE = ("index", "start", "choose", "conventions", "theory", "certificate", "paper", "benchmarks", "changelog")
+_ALONE = ("index", "start", "choose", "field", "conventions", "theory", "certificate", "paper", "benchmarks")
+_ALONE += ("changelog",)
 html_sidebars: dict[str, list[str]] = {page: [] for page in _ALONE}
 html_copy_source = False
 html_theme_options = {

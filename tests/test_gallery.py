@@ -10,6 +10,8 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import pytest
 
+import lommel as lm
+
 ROOT = Path(__file__).resolve().parent.parent
 GALLERY = sorted((ROOT / "examples" / "gallery").glob("*.py"))
 SCRIPT = pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
@@ -52,3 +54,19 @@ def test_the_code_of_the_first_page_runs_from_top_to_bottom(monkeypatch, tmp_pat
     monkeypatch.chdir(tmp_path)
     exec(compile("".join(blocks), "start.md", "exec"), {})
     assert [path.name for path in tmp_path.iterdir()] == ["psf.tif"]
+
+
+def test_the_code_and_the_lens_file_of_the_page_about_the_field_work(monkeypatch, tmp_path, lenses):
+    text = (ROOT / "docs" / "field.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
+    # The last is about lenses of other packages.
+    assert ["adapters" in block for block in blocks] == [False, False, True]
+    monkeypatch.chdir(tmp_path)
+    exec(compile("".join(blocks[:2]), "field.md", "exec"), {})
+    assert [path.name for path in tmp_path.iterdir()] == ["field.tif"]
+    sections = re.findall(r"^```toml\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
+    assert len(sections) == 2
+    before = lenses["camera-field"].read_text(encoding="utf-8").partition("[field]")[0]
+    for section in sections:
+        (tmp_path / "lens.toml").write_text(before + section, encoding="utf-8")
+        assert lm.load_instrument(tmp_path / "lens.toml").field().reach > 0.02

@@ -154,3 +154,68 @@ def test_a_comparison_leaves_no_figure_open(answers):
 def test_an_unknown_reference_is_refused_with_the_known_ones(answers):
     with pytest.raises(ValueError, match=r"reference must be one of NijboerZernike, Hankel, .*, got 'truth'"):
         plot.compare(answers, "truth")
+
+
+@pytest.fixture
+def over_the_field() -> lm.PSFGrid:
+    field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
+    return field.grid(2, 3, sensor=(20e-3, 30e-3), shape=(15, 11), pixel=1e-6, method=lm.Fraunhofer(samples=64))
+
+
+def test_a_grid_is_drawn_with_each_psf_in_its_place(over_the_field):
+    axes = over_the_field.plot()
+    axes.figure.canvas.draw()
+    pictures = axes.get_images()
+    assert len(pictures) == 6
+    for (i, j), picture in zip(np.ndindex(2, 3), pictures, strict=True):
+        np.testing.assert_array_equal(picture.get_array(), over_the_field.values[i, j])
+        left, right, bottom, top = picture.get_extent()
+        assert (0.5 * (left + right), 0.5 * (bottom + top)) == pytest.approx(
+            (1e3 * over_the_field.x[j], 1e3 * over_the_field.y[i])
+        )
+        # As large as cells of 10 mm by 10 mm let 15 x 11 square pixels be.
+        assert (bottom - top, right - left) == pytest.approx((10.0, 10.0 * 11 / 15))
+    assert axes.get_xlim() == pytest.approx((-15.0, 15.0))
+    assert axes.get_ylim() == pytest.approx((10.0, -10.0))
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x on the sensor (mm)", "y on the sensor (mm)")
+    assert [text.get_text() for text in axes.get_xticklabels()] == ["-10", "0", "10"]
+    assert [text.get_text() for text in axes.get_yticklabels()] == ["-5", "5"]
+
+
+def test_the_bar_of_a_grid_is_as_long_as_its_label_says(over_the_field):
+    axes = over_the_field.plot()
+    (bar,) = axes.get_lines()
+    (label,) = axes.texts
+    micrometres = float(label.get_text().split()[0])
+    assert label.get_text() == f"{micrometres:g} µm in the PSFs"
+    # 15 pixels of 1 um are drawn 10 mm high on a sensor 30 mm wide.
+    assert np.ptp(bar.get_xdata()) * 30.0 == pytest.approx(micrometres * 10.0 / 15.0)
+    assert micrometres <= 11.0
+
+
+@pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
+def test_each_psf_of_a_grid_is_scaled_to_its_own_peak(over_the_field, stretch):
+    for picture, values in zip(
+        over_the_field.plot(stretch=stretch).get_images(), over_the_field.values.reshape(6, 15, 11), strict=True
+    ):
+        assert picture.norm(float(values.max())) == pytest.approx(1.0)
+        assert picture.norm(0.01 * float(values.max())) == pytest.approx(
+            {"sqrt": 0.1, "linear": 0.01, "log": 0.6}[stretch]
+        )
+
+
+def test_a_grid_is_drawn_on_the_axes_it_is_given(over_the_field):
+    _, (left, right) = plt.subplots(1, 2)
+    assert over_the_field.plot(right) is right
+    assert not left.get_images()
+    with pytest.raises(ValueError, match="stretch must be one of"):
+        over_the_field.plot(stretch="cubic")
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(1, 1), (1, 9), (9, 1)])
+def test_grids_of_every_shape_are_drawn_without_a_warning(rows, columns):
+    field = lm.FieldMap.from_seidel(20.0, W131=1.0)
+    grid = field.grid(rows, columns, sensor=(2, 30), shape=1, pixel=0.1, method=lm.Fraunhofer(samples=32))
+    axes = grid.plot()
+    axes.figure.canvas.draw()
+    assert axes.get_xlabel() == "x on the sensor (λN)"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
+    from lommel.fieldmap import FieldMap, PSFGrid
     from lommel.fitting import WavefrontFit, fit_opd, fit_radial, opd_map
     from lommel.grid import Grid
     from lommel.lens import Lens
@@ -34,6 +35,8 @@ if TYPE_CHECKING:
     from lommel.zernikefile import ZernikeTable, load_zernike, save_zernike
 
 _HOME = {
+    "FieldMap": "fieldmap",
+    "PSFGrid": "fieldmap",
     "Grid": "grid",
     "Lens": "lens",
     "Instrument": "lensfile",
@@ -72,6 +75,7 @@ __all__ = [
     "AbramowitzErf",
     "ChordalGauss",
     "ClosedForm",
+    "FieldMap",
     "Fraunhofer",
     "FresnelErf",
     "Geometric",
@@ -83,6 +87,7 @@ __all__ = [
     "LommelSeries",
     "Method",
     "NijboerZernike",
+    "PSFGrid",
     "Plan",
     "Polychromatic",
     "Pupil",

@@ -112,7 +112,9 @@ def main() -> None:
 @main.command()
 @_lens_command
 @click.option("-o", "--output", "outputs", multiple=True, type=click.Path(dir_okay=False, path_type=Path),
-              help=".tif (OME), .npy, .npz or .png; may be repeated.")  # fmt: skip
+              help=".tif (OME), .npy, .npz or .png; may be repeated. With --field .tif, .zarr or .npz.")  # fmt: skip
+@click.option("--field", type=_Shape(), metavar="ROWSxCOLUMNS",
+              help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
 @click.option("--plot", "figure", type=click.Path(dir_okay=False, path_type=Path),
               help="A figure with axes and scale: .png, .pdf, .svg.")  # fmt: skip
 @click.option("-m", "--method", "method_name", default="nijboer-zernike", show_default=True,
@@ -131,6 +133,7 @@ def psf(
     shape: Any,
     as_json: bool,
     outputs: tuple[Path, ...],
+    field: Any,
     figure: Path | None,
     method_name: str,
     tol: float | None,
@@ -145,17 +148,24 @@ def psf(
       lommel psf hubble.toml -o hubble.tif -o hubble.png
       lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz
       lommel psf camera.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
+      lommel psf camera.toml --field 5x7 --plot field.png -o field.tif
     """  # noqa: D301 (\b is meant)
-    from lommel import files, report, tables
+    from lommel import fieldfiles, files, report, tables
     from lommel.psf import psf as compute
 
     for path in outputs:
-        if path.suffix.lower() not in files.SUFFIXES:
+        if field is not None:
+            fieldfiles.check_suffix(path, "--output")
+        elif path.suffix.lower() not in files.SUFFIXES:
             raise ValueError(f"--output must end in {', '.join(files.SUFFIXES)}, got {str(path)!r}")
     if figure is not None:
         _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape)
     method = build_method(method_name, settings, tol)
+    if field is not None:
+        options = {"method": method, "normalize": normalize, "dtype": dtype}
+        _psf_over_field(instrument, field, options, outputs, figure, as_json)
+        return
     with _progress(f"{type(method).__name__}, {instrument.shape[0]} x {instrument.shape[1]} pixels"):
         start = time.perf_counter()
         answer = compute(
@@ -181,6 +191,41 @@ def psf(
         return
     tables.print_lens(facts)
     tables.print_psf(answer, facts["psf"])
+    for name in written:
+        click.echo(f"wrote {name}")
+
+
+def _psf_over_field(
+    instrument: Instrument,
+    field: Any,
+    options: dict[str, Any],
+    outputs: tuple[Path, ...],
+    figure: Path | None,
+    as_json: bool,
+) -> None:
+    """Do what ``lommel psf --field`` does."""
+    from lommel import report, tables
+
+    if not isinstance(field, tuple) or len(field) != 2:
+        raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {field!r}")
+    rows, columns = field
+    field_map, sensor = instrument.field(), instrument.sensor
+    assert sensor is not None  # as long as there is a map
+    with _progress(f"{rows} x {columns} PSFs of {instrument.shape[0]} x {instrument.shape[1]} pixels"):
+        start = time.perf_counter()
+        grid = field_map.grid(rows, columns, sensor=sensor, shape=instrument.shape, pixel=instrument.pixel, **options)
+        facts = report.describe_field(instrument, grid, time.perf_counter() - start)
+        for path in outputs:
+            grid.save(path)
+        if figure is not None:
+            axes = grid.plot()
+            axes.set_title(instrument.name, fontsize=9, loc="left", pad=22)
+            _save_figure(axes.figure, figure)
+    written = [str(path) for path in (*outputs, *([figure] if figure else []))]
+    if as_json:
+        _print_json(facts | {"files": written})
+        return
+    tables.print_field(grid, facts)
     for name in written:
         click.echo(f"wrote {name}")
 

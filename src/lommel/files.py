@@ -73,6 +73,11 @@ def load(path: str | PathLike[str]) -> PSF:
     OSError
         If it cannot be read.
     """
+    return load_described(path)[0]
+
+
+def load_described(path: str | PathLike[str]) -> tuple[PSF, dict[str, Any]]:
+    """Read a PSF and the whole description in its file, which may say more than a PSF holds."""
     source = Path(path)
     readers = {
         ".tif": _read_tiff,
@@ -87,7 +92,8 @@ def load(path: str | PathLike[str]) -> PSF:
     data = source.read_bytes()
     try:
         values, text, slopes = reader(data)
-        return _rebuild(values, json.loads(text), slopes)
+        description = json.loads(text)
+        return rebuild(values, description, slopes), description
     except ImportError:
         raise
     except Exception as error:
@@ -136,7 +142,8 @@ def write_atomically(target: Path, data: bytes) -> None:
         raise
 
 
-def _rebuild(values: NDArray[Any], description: dict[str, Any], slopes: dict[str, NDArray[Any]]) -> PSF:
+def rebuild(values: NDArray[Any], description: dict[str, Any], slopes: dict[str, NDArray[Any]]) -> PSF:
+    """Return the PSF of its values, what :func:`describe` says of it, and its derivatives."""
     pupil, method = Pupil.from_dict(description["pupil"]), method_from_dict(description["method"])
     method.require(pupil)
     bound = description["error_bound"]
@@ -173,13 +180,14 @@ def _images(name: str) -> Any:
         raise ImportError(f'this format needs {name.split(".", maxsplit=1)[0]}: install "lommel[images]"') from None
 
 
-def _tiff(psf: PSF, text: str) -> bytes:
+def _tiff(psf: PSF, text: str, planes: dict[str, Any] | None = None) -> bytes:
+    """Return an OME-TIFF; `planes` are lists of OME attributes of its pages, which are then no stack in depth."""
     tifffile = _images("tifffile")
     metric = psf.unit == "m"
     size = psf.pixel * (1e6 if metric else 1.0)
     unit = "µm" if metric else "reference frame"
-    metadata = {
-        "axes": "YX" if psf.values.ndim == 2 else "ZYX",
+    metadata: dict[str, Any] = {
+        "axes": "YX" if psf.values.ndim == 2 else "RYX" if planes else "ZYX",
         "PhysicalSizeX": size,
         "PhysicalSizeXUnit": unit,
         "PhysicalSizeY": size,
@@ -187,6 +195,8 @@ def _tiff(psf: PSF, text: str) -> bytes:
         "Name": "point spread function",
         "Description": text,
     }
+    if planes:
+        metadata["Plane"] = planes
     values = psf.values if psf.values.ndim == 2 else psf.values.reshape(-1, *psf.shape[-2:])
     buffer = io.BytesIO()
     tifffile.imwrite(buffer, values, ome=True, photometric="minisblack", metadata=metadata)

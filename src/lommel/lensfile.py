@@ -5,14 +5,25 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal, get_args
 
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
 
-from lommel import faults, validation, zernikefile
+from lommel import faults, fieldtable, validation, zernikefile
+from lommel.fieldmap import FieldMap
 from lommel.lens import Lens
 from lommel.pupil import Pupil
 from lommel.units import parse_length, parse_radius
@@ -39,6 +50,10 @@ class Instrument:
         Height and width of the window, in pixels.
     radii : dict of str to float
         Radii of interest on the sensor (metres) by the text that named them; for encircled energies.
+    sensor : tuple of float, or None
+        Height and width of the whole sensor, metres, where the file says what changes over the field.
+    aberrations_of_field : FieldMap, or None
+        What the field adds to the wavefront of the lens.
     """
 
     name: str
@@ -48,10 +63,24 @@ class Instrument:
     pixel: float
     shape: tuple[int, int]
     radii: dict[str, float]
+    sensor: tuple[float, float] | None = None
+    aberrations_of_field: FieldMap | None = field(default=None, repr=False)
 
     def pupil(self) -> Pupil:
         """Return the pupil for the object of the file."""
         return self.lens.pupil(self.object_distance)
+
+    def field(self) -> FieldMap:
+        """Return the map of the field for the object of the file: the aberrations of the field and of the lens.
+
+        Raises
+        ------
+        ValueError
+            If the file has no section [field].
+        """
+        if self.aberrations_of_field is None:
+            raise ValueError(f"the lens file of {self.name!r} must have a section [field] for PSFs over the field")
+        return self.aberrations_of_field + self.pupil().wavefront
 
 
 def _positive(value: float) -> float:
@@ -130,6 +159,86 @@ class _Sensor(_Section):
     shape: Annotated[tuple[int, int], BeforeValidator(_shape)]
 
 
+_SEIDEL = ("W131", "W222", "W220", "W311")
+
+
+class _Field(_Section):
+    sensor: tuple[Length, Length]
+    edge: Length | None = None
+    W131: Number = 0.0
+    W222: Number = 0.0
+    W220: Number = 0.0
+    W311: Number = 0.0
+    order: Literal["noll", "ansi", "fringe"] = "noll"
+    unit: Literal["waves", "radians", "metres"] = "waves"
+    normalization: Literal["rms", "edge"] = "rms"
+    direction: Literal["x", "y"] = "x"
+    columns: Annotated[list[str], Field(min_length=1)] | None = None
+    # Checked in this order: a table needs the order and the columns. Rows and files become tables.
+    rows: Any = None
+    file: Any = None
+
+    @field_validator("rows")
+    @classmethod
+    def _rows(cls, value: Any, info: ValidationInfo) -> Any:
+        if not isinstance(value, list) or not all(isinstance(row, list) for row in value):
+            raise ValueError(f"must be a list of lists, one for each position, got {value!r}")
+        if not {"order", "columns"} <= info.data.keys():
+            return value  # their own faults are told
+        if info.data["columns"] is None:
+            raise ValueError('needs columns, such as columns = ["height", "Z4"]')
+        return fieldtable.read_rows(info.data["columns"], value, info.data["order"])
+
+    @field_validator("file")
+    @classmethod
+    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+        if not isinstance(value, str):
+            raise ValueError(f"must be the name of a CSV file, got {value!r}")
+        if "order" not in info.data:
+            return value
+        try:
+            return fieldtable.read_csv((info.context or {}).get("folder", Path()) / value, info.data["order"])
+        except OSError as error:
+            raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
+
+    @model_validator(mode="after")
+    def _one_way(self) -> _Field:
+        given = self.model_fields_set
+        ways = {"rows": "rows" in given, "file": "file" in given, ", ".join(_SEIDEL): bool(given & set(_SEIDEL))}
+        if sum(ways.values()) != 1:
+            got = " and ".join(name for name, there in ways.items() if there) or "none"
+            raise ValueError(
+                f"needs Seidel coefficients ({', '.join(_SEIDEL)}), rows, or file: one of them, got {got}"
+            )
+        stray = {"columns"} if "rows" not in given else set()
+        if ways[", ".join(_SEIDEL)]:
+            stray |= {"order", "unit", "normalization", "direction"}
+        else:
+            stray |= {"edge"}
+        if found := sorted(stray & given):
+            raise ValueError(
+                f"{', '.join(found)} has no meaning with {next(n for n, there in ways.items() if there)}"
+            )
+        return self
+
+    def map(self, pupil: Pupil) -> FieldMap:
+        """Return the map, with the obscuration and the scale of `pupil`."""
+        table = self.rows if self.rows is not None else self.file
+        if table is not None:
+            made: FieldMap = table.field_map(
+                pupil, unit=self.unit, normalization=self.normalization, direction=self.direction
+            )
+            return made
+        corner = 0.5 * math.hypot(*self.sensor)
+        return FieldMap.from_seidel(
+            corner if self.edge is None else self.edge,
+            **{name: getattr(self, name) for name in _SEIDEL},
+            wavelength=pupil.wavelength,
+            f_number=pupil.f_number,
+            obscuration=pupil.obscuration,
+        )
+
+
 class _Report(_Section):
     encircled_energy: list[Annotated[Any, BeforeValidator(_radius)]] = []
 
@@ -141,6 +250,7 @@ class _File(_Section):
     aberrations: _Aberrations = _Aberrations()
     object: _Object = _Object()
     sensor: _Sensor
+    field: _Field | None = None
     report: _Report = _Report()
 
 
@@ -153,11 +263,18 @@ def load_instrument(path: str | PathLike[str]) -> Instrument:
     W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131,
     W222, W220, W311 (waves at the edge of the field) with field, a pair [x, y] over that edge, and a section
     ``[aberrations.zernike]``, all of which add; ``[object]`` distance; ``[sensor]`` pixel, shape; ``[report]``
-    encircled_energy, a list of radii on the sensor or of angles.
+    encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what changes over the sensor and adds to
+    all of this.
 
     ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
     the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the
     folder of the lens file. A table in waves or radians must state its wavelength.
+
+    ``[field]`` has sensor, the height and width of all of it, and one of three: Seidel coefficients W131, W222, W220,
+    W311 in waves at the edge of the field (edge, by default half the diagonal); columns and rows, a table of Zernike
+    coefficients (:func:`lommel.fieldtable.read_rows`); or file, a CSV file with such a table beside the lens file.
+    Tables may say order ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"), normalization ("rms",
+    "edge"), and direction, "x" or "y", that heights are along.
 
     Raises
     ------
@@ -174,7 +291,7 @@ def load_instrument(path: str | PathLike[str]) -> Instrument:
         raise LensFileError(f"{source}: not valid TOML: {error}") from None
     table, found = _zernike(raw, text, source.parent)
     try:
-        file = _File.model_validate(raw)
+        file = _File.model_validate(raw, context={"folder": source.parent})
         if not found:
             return _instrument(file, table)
     except ValidationError as error:
@@ -228,7 +345,15 @@ def _instrument(file: _File, table: ZernikeTable | None) -> Instrument:
         aberrations += replace(table, wavelength=own).wavefront(wavelength)
     lens = Lens(**file.lens.model_dump(), aberrations=aberrations)
     radii = {str(text): parse_radius(text, lens.focal_length) for text in file.report.encircled_energy}
-    return Instrument(file.name, file.source, lens, file.object.distance, file.sensor.pixel, file.sensor.shape, radii)
+    found = Instrument(
+        file.name, file.source, lens, file.object.distance, file.sensor.pixel, file.sensor.shape, radii
+    )
+    if file.field is None:
+        return found
+    try:
+        return replace(found, sensor=file.field.sensor, aberrations_of_field=file.field.map(found.pupil()))
+    except ValueError as error:
+        raise ValueError(f"field: {error}") from None
 
 
 def _describe(fault: Any, text: str) -> str:
@@ -238,6 +363,7 @@ def _describe(fault: Any, text: str) -> str:
         model: Any = _File
         for part in keys[:-1]:
             model = model.model_fields[part].annotation
+            model = next((kind for kind in get_args(model) if kind is not type(None)), model)
         message = faults.unknown_key(keys[-1], model.model_fields)
     elif fault["type"] == "missing":
         message = "is missing"

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from lommel.fieldmap import PSFGrid
     from lommel.psf import PSF
 
 _FLOOR = 1e-5  # of the peak: the bottom of logarithmic scales
@@ -29,24 +30,17 @@ def plot(psf: PSF, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
     stretch : {"sqrt", "linear", "log"}
         Of the grey levels; "log" goes down to 1e-5 of the peak.
     """
-    from matplotlib.colors import LogNorm, Normalize, PowerNorm
-
     _single(psf)
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
     axes = _axes(ax)
     peak = float(psf.values.max()) or 1.0
-    norms: dict[str, Normalize] = {
-        "sqrt": PowerNorm(0.5, 0.0, peak),
-        "linear": Normalize(0.0, peak),
-        "log": LogNorm(_FLOOR * peak, peak, clip=True),
-    }
     factor, unit = _scale(psf)
     height, width = psf.shape
     half = 0.5 * psf.pixel * factor
     x, y = psf.grid.x * factor, psf.grid.y * factor
     extent = (x[0] - half, x[-1] + half, y[-1] + half, y[0] - half)
     interpolation = "nearest" if max(height, width) < 256 else "antialiased"
-    axes.imshow(psf.values, extent=extent, cmap="magma", norm=norms[stretch], interpolation=interpolation)
+    axes.imshow(psf.values, extent=extent, cmap="magma", norm=_norm(stretch, peak), interpolation=interpolation)
     axes.set_xlabel(f"x ({unit})")
     axes.set_ylabel(f"y ({unit})")
     return axes
@@ -102,6 +96,86 @@ def compare(answers: Mapping[str, PSF], reference: str) -> Figure:
         axes.set_xlabel(f"distance from the centre ({unit})")
         axes.set_xlim(0.0, max(float(radius[-1]), 0.5 * truth.pixel) * factor)
     return figure
+
+
+def field(grid: PSFGrid, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
+    """Draw a grid of PSFs over the sensor, each enlarged in its place and scaled to its own largest value.
+
+    The axes are positions on the sensor, with a tick at each row and column of the grid; the bar below is a length
+    within the enlarged PSFs. Rows rise downwards, as in an image.
+
+    Parameters
+    ----------
+    grid : PSFGrid
+    ax : matplotlib Axes, optional
+        By default those of a new figure.
+    stretch : {"sqrt", "linear", "log"}
+        Of the levels; "log" goes down to 1e-5 of the largest value.
+    """
+    import matplotlib as mpl
+
+    validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
+    rows, columns, height, width = grid.values.shape
+    axes = _field_axes(grid) if ax is None else ax
+    factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
+    sensor = (grid.sensor[0] * factor, grid.sensor[1] * factor)
+    cell = min(sensor[0] / rows / height, sensor[1] / columns / width)
+    half_height, half_width = 0.5 * height * cell, 0.5 * width * cell
+    colors = mpl.colormaps["magma"]
+    axes.set_facecolor(colors(0.0))
+    interpolation = "nearest" if max(height, width) < 24 else "bilinear"
+    for i, j in np.ndindex(rows, columns):
+        x, y = grid.x[j] * factor, grid.y[i] * factor
+        values = grid.values[i, j]
+        axes.imshow(
+            values,
+            extent=(x - half_width, x + half_width, y + half_height, y - half_height),
+            cmap=colors,
+            norm=_norm(stretch, float(values.max()) or 1.0),
+            interpolation=interpolation,
+        )
+    axes.set_xlim(-0.5 * sensor[1], 0.5 * sensor[1])
+    axes.set_ylim(0.5 * sensor[0], -0.5 * sensor[0])
+    axes.set_aspect("equal")
+    axes.set_xticks(grid.x * factor, [f"{value:.3g}" for value in grid.x * factor + 0.0])
+    axes.set_yticks(grid.y * factor, [f"{value:.3g}" for value in grid.y * factor + 0.0])
+    axes.set_xlabel(f"x on the sensor ({unit})")
+    axes.set_ylabel(f"y on the sensor ({unit})")
+    # Within the PSFs one pixel is `cell` long.
+    inner, inner_unit = _scale(grid.psf)
+    length = _round_length(0.8 * width * grid.psf.pixel * inner)
+    _scale_bar(axes, length / (grid.psf.pixel * inner) * cell / sensor[1], f"{length:g} {inner_unit} in the PSFs")
+    return axes
+
+
+def _norm(stretch: str, peak: float) -> Any:
+    from matplotlib.colors import LogNorm, Normalize, PowerNorm
+
+    if stretch == "log":
+        return LogNorm(_FLOOR * peak, peak, clip=True)
+    return PowerNorm(0.5, 0.0, peak) if stretch == "sqrt" else Normalize(0.0, peak)
+
+
+def _round_length(most: float) -> float:
+    """Return the largest of 1, 2 and 5 times a power of ten that is no more than `most`."""
+    decade = 10.0 ** np.floor(np.log10(most))
+    return float(max(k * decade for k in (1.0, 2.0, 5.0) if k * decade <= most * (1.0 + 1e-12)))
+
+
+def _scale_bar(axes: Axes, length: float, label: str) -> None:
+    """Draw a bar above the right end of the axes, its length a fraction of their width, with its label beside it."""
+    place = axes.transAxes
+    axes.plot([1.0 - length, 1.0], [1.04, 1.04], color="black", linewidth=2.5, transform=place, clip_on=False)
+    axes.text(0.99 - length, 1.04, label, transform=place, ha="right", va="center", fontsize=8)
+
+
+def _field_axes(grid: PSFGrid) -> Axes:
+    """Return axes of a new figure of the shape of the sensor."""
+    import matplotlib.pyplot as plt
+
+    ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
+    width = 8.0 if ratio <= 1.2 else 9.6 / ratio
+    return plt.subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
 
 
 def _axes(ax: Axes | None) -> Axes:

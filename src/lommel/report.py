@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from lommel import metrics
+from lommel.fieldmap import PSFGrid
 from lommel.lensfile import Instrument
 from lommel.methods import Hankel, Method, NijboerZernike, ToleranceError
 from lommel.psf import PSF, psf
@@ -99,6 +100,28 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
         "peak": float(answer.values.max()),
         "energy": float(answer.energy),
         "error_bound": answer.error_bound,
+        "seconds": seconds,
+    }
+
+
+def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dict[str, Any]:
+    """Return what there is to say about PSFs over the field: lengths in metres, one entry for each of the grid."""
+    psf = grid.psf
+    largest = grid.values.max(axis=(-2, -1))
+    return {
+        "name": instrument.name,
+        "source": instrument.source,
+        "sensor": list(grid.sensor),
+        "x": grid.x.tolist(),
+        "y": grid.y.tolist(),
+        "peak": largest.astype(float).tolist(),
+        "method": psf.method.to_dict(),
+        "sampling": psf.sampling,
+        "shape": list(psf.shape),
+        "pixel": psf.pixel,
+        "dtype": str(psf.values.dtype),
+        "normalize": psf.normalize,
+        "error_bound": psf.error_bound,
         "seconds": seconds,
     }
 

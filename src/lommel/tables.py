@@ -12,6 +12,7 @@ from lommel.report import length_or_infinity
 from lommel.units import format_length
 
 if TYPE_CHECKING:
+    from lommel.fieldmap import PSFGrid
     from lommel.lensfile import Instrument
     from lommel.psf import PSF
 
@@ -101,6 +102,35 @@ def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
     console = _console()
     console.print()
     console.print(table)
+
+
+def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
+    """Print what :func:`lommel.report.describe_field` says: the largest value of each PSF, in its place."""
+    rows, columns, height, width = facts["shape"]
+    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
+    table = Table(show_header=False, box=None, pad_edge=False)
+    table.add_column(style="cyan")
+    table.add_column()
+    for row in (
+        ("sensor", f"{format_length(facts['sensor'][0])} x {format_length(facts['sensor'][1])} (height x width)"),
+        ("method", repr(grid.psf.method)),
+        ("values", f"{rows} x {columns} PSFs of {height} x {width} {facts['dtype']}, {MEANING[facts['normalize']]}"),
+        ("pixel", format_length(facts["pixel"])),
+        ("error bound", bound),
+        ("time", f"{1e3 * facts['seconds']:.1f} ms"),
+    ):
+        table.add_row(*row)
+    peaks = Table(box=None, pad_edge=False, title="Largest value at y (down) and x (across)", title_justify="left")
+    peaks.add_column("", style="cyan", justify="right", no_wrap=True)
+    for x in facts["x"]:
+        peaks.add_column(format_length(x), justify="right", no_wrap=True)
+    for y, values in zip(facts["y"], facts["peak"], strict=True):
+        peaks.add_row(format_length(y), *(f"{value:.4g}" for value in values))
+    console = _console()
+    console.print(facts["name"], style="bold")
+    console.print(table)
+    console.print()
+    console.print(peaks)
 
 
 def print_comparison(instrument: Instrument, rows: list[dict[str, Any]]) -> None:

@@ -1,0 +1,138 @@
+"""Pupils and fields of lenses in optiland (https://github.com/HarrisonKramer/optiland).
+
+What is converted, and how:
+
+- ``Wavefront.data.opd`` is in waves and positive where a ray's path is *shorter* than the chief ray's; the phase is
+  ``-2 pi opd``. Their FFT PSF takes the same sign.
+- Points of the pupil are fractions (Px, Py) of the entrance pupil, y upwards, which is mirrored; see
+  :mod:`lommel.adapters.traced`. Positions are where the chief ray meets the image surface, millimetres to metres.
+- Wavelengths are micrometres there, metres here.
+- The amplitude is taken as uniform: optiland's absorption and coatings are not carried over.
+
+optiland is optional, and none of it is imported before a function is called.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel import validation
+from lommel.adapters import traced
+from lommel.fieldmap import FieldMap
+from lommel.pupil import Pupil
+
+Array = NDArray[np.float64]
+
+
+def pupil(
+    optic: Any,
+    field: tuple[float, float] = (0.0, 0.0),
+    *,
+    wavelength: float | None = None,
+    degree: int = 12,
+    tol: float = 0.01,
+) -> Pupil:
+    """Return the pupil of a lens at one point of its field.
+
+    Parameters
+    ----------
+    optic : optiland.optic.Optic
+    field : (float, float)
+        Hx and Hy, fractions of the largest field.
+    wavelength : float, optional
+        Metres; by default the primary one of the lens.
+    degree : int, default 12
+        Highest degree of the Zernike terms, 2 to 20.
+    tol : float, default 0.01
+        Largest rms, in radians, that the terms may leave of the traced phase.
+
+    Returns
+    -------
+    Pupil
+        With the f-number at this point.
+
+    Raises
+    ------
+    ImportError
+        If optiland is not installed.
+    TypeError, ValueError
+        If an argument is out of range, if rays are blocked or fields are vignetted, or if `degree` does not reach
+        `tol`.
+    """
+    trace, metres = _tracer(optic, wavelength)
+    return traced.single_pupil(trace, field, metres, degree, tol)
+
+
+def field_map(
+    optic: Any,
+    *,
+    heights: int = 9,
+    fields: Sequence[tuple[float, float]] | None = None,
+    wavelength: float | None = None,
+    degree: int = 12,
+    tol: float = 0.01,
+) -> FieldMap:
+    """Return the map of a lens over its field.
+
+    Parameters
+    ----------
+    optic : optiland.optic.Optic
+    heights : int, default 9
+        How many points of the field are traced, from the axis to its edge; the lens must be rotationally symmetric.
+    fields : sequence of (float, float), optional
+        Points (Hx, Hy) to trace instead, as fractions of the largest field, for a lens without that symmetry.
+    wavelength, degree, tol
+        As of :func:`pupil`.
+
+    Returns
+    -------
+    FieldMap
+        With the f-number on the axis. Away from it a lens is slower, differently so in the two directions: by 3 and
+        10 % at 14 degrees for a Cooke triplet of f/5. :func:`pupil` has the f-number of its own point.
+
+    Raises
+    ------
+    ImportError, TypeError, ValueError
+        As of :func:`pupil`; also if the lens lacks the symmetry and no `fields` are given.
+    """
+    trace, metres = _tracer(optic, wavelength)
+    return traced.field_map(trace, heights, fields, metres, degree, tol)
+
+
+def _tracer(optic: Any, wavelength: float | None) -> tuple[traced.Trace, float]:
+    """Return what traces a field, and the wavelength in metres."""
+    try:
+        from optiland.optic import Optic
+        from optiland.wavefront import Wavefront
+    except ImportError:
+        raise ImportError("this needs optiland: pip install optiland") from None
+    if not isinstance(optic, Optic):
+        raise TypeError(f"optic must be an optiland Optic, got {optic!r}")
+    micrometres = optic.primary_wavelength if wavelength is None else 1e6 * validation.wavelength(wavelength)
+    index = float(np.ravel(optic.surfaces.n(micrometres))[-1])
+
+    def trace(hx: float, hy: float, x: Array, y: Array) -> traced.TracedField:
+        if any(abs(float(part)) > 0.0 for part in optic.fields.get_vig_factor(hx, hy)):
+            raise ValueError(f"the field ({hx:g}, {hy:g}) has vignetting factors, which are not supported")
+        points = SimpleNamespace(x=x, y=y)
+        made = Wavefront(optic, [(hx, hy)], [micrometres], distribution=points).get_data((hx, hy), micrometres)
+        opd, light = (np.array(part, dtype=np.float64) for part in (made.opd, made.intensity))
+        rays = optic.trace(hx, hy, micrometres, None, points)
+        chief = optic.trace_generic(hx, hy, 0.0, 0.0, micrometres)
+        return traced.TracedField(
+            x,
+            y,
+            # Rays that are blocked come with the path 0 and no light.
+            np.where(light > 0.0, -2.0 * math.pi * opd, np.nan),
+            index * np.asarray(rays.L - chief.L, dtype=np.float64),
+            index * np.asarray(rays.M - chief.M, dtype=np.float64),
+            (1e-3 * float(chief.x[0]), 1e-3 * float(chief.y[0])),
+        )
+
+    return trace, 1e-6 * float(micrometres)

@@ -1,0 +1,152 @@
+"""Pupils and fields of lenses in ray-optics (https://github.com/mjhoptics/ray-optics).
+
+What is converted, and how:
+
+- ``wave_abr_full_calc`` returns a length in the units of the lens, positive where a ray's path is *shorter* than the
+  chief ray's; the phase is ``-2 pi opd / lambda``. (ray-optics' own ``calc_psf`` takes the other sign, which turns
+  its PSF by half a turn.)
+- Points of the pupil are fractions of the entrance pupil without vignetting, y upwards, which is mirrored; see
+  :mod:`lommel.adapters.traced`. Positions are where the chief ray meets the image surface, at the focus shift of the
+  lens, in the units of the lens to metres.
+- Wavelengths are nanometres there, metres here.
+- The amplitude is taken as uniform.
+
+ray-optics is optional, and none of it is imported before a function is called.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel import validation
+from lommel.adapters import traced
+from lommel.fieldmap import FieldMap
+from lommel.pupil import Pupil
+
+Array = NDArray[np.float64]
+
+
+def pupil(
+    model: Any,
+    field: tuple[float, float] = (0.0, 0.0),
+    *,
+    wavelength: float | None = None,
+    apertures: bool = True,
+    degree: int = 12,
+    tol: float = 0.01,
+) -> Pupil:
+    """Return the pupil of a lens at one point of its field.
+
+    Parameters
+    ----------
+    model : rayoptics.optical.opticalmodel.OpticalModel
+        Up to date (``update_model()``).
+    field : (float, float)
+        Fractions of the largest field along x and y.
+    wavelength : float, optional
+        Metres; by default the central one of the lens.
+    apertures : bool, default True
+        Whether a ray that misses the clear aperture of a surface is blocked, which is an error. False lets the whole
+        entrance pupil pass, as where apertures have not been set yet.
+    degree : int, default 12
+        Highest degree of the Zernike terms, 2 to 20.
+    tol : float, default 0.01
+        Largest rms, in radians, that the terms may leave of the traced phase.
+
+    Returns
+    -------
+    Pupil
+        With the f-number at this point.
+
+    Raises
+    ------
+    ImportError
+        If ray-optics is not installed.
+    TypeError, ValueError
+        If an argument is out of range, if rays are blocked, or if `degree` does not reach `tol`.
+    """
+    trace, metres = _tracer(model, wavelength, apertures)
+    return traced.single_pupil(trace, field, metres, degree, tol)
+
+
+def field_map(
+    model: Any,
+    *,
+    heights: int = 9,
+    fields: Sequence[tuple[float, float]] | None = None,
+    wavelength: float | None = None,
+    apertures: bool = True,
+    degree: int = 12,
+    tol: float = 0.01,
+) -> FieldMap:
+    """Return the map of a lens over its field.
+
+    Parameters
+    ----------
+    model : rayoptics.optical.opticalmodel.OpticalModel
+        Up to date (``update_model()``).
+    heights : int, default 9
+        How many points of the field are traced, from the axis to its edge; the lens must be rotationally symmetric.
+    fields : sequence of (float, float), optional
+        Points to trace instead, as fractions of the largest field, for a lens without that symmetry.
+    wavelength, apertures, degree, tol
+        As of :func:`pupil`.
+
+    Returns
+    -------
+    FieldMap
+        With the f-number on the axis; :func:`pupil` has the f-number of its own point.
+
+    Raises
+    ------
+    ImportError, TypeError, ValueError
+        As of :func:`pupil`; also if the lens lacks the symmetry and no `fields` are given.
+    """
+    trace, metres = _tracer(model, wavelength, apertures)
+    return traced.field_map(trace, heights, fields, metres, degree, tol)
+
+
+def _tracer(model: Any, wavelength: float | None, apertures: bool) -> tuple[traced.Trace, float]:
+    """Return what traces a field, and the wavelength in metres."""
+    try:
+        from rayoptics.optical.opticalmodel import OpticalModel
+        from rayoptics.raytr import trace as rays
+        from rayoptics.raytr.opticalspec import Field
+        from rayoptics.raytr.waveabr import wave_abr_full_calc
+    except ImportError:
+        raise ImportError("this needs ray-optics: pip install rayoptics") from None
+    if not isinstance(model, OpticalModel):
+        raise TypeError(f"model must be a ray-optics OpticalModel, got {model!r}")
+    if not isinstance(apertures, bool):
+        raise TypeError(f"apertures must be True or False, got {apertures!r}")
+    spec = model["optical_spec"]
+    nanometres = spec["wvls"].central_wvl if wavelength is None else 1e9 * validation.wavelength(wavelength)
+    first = model["analysis_results"]["parax_data"].fod
+    unit = model.nm_to_sys_units(1e9)  # one metre in the units of the lens
+    shift = spec["focus"].focus_shift
+
+    def trace(hx: float, hy: float, x: Array, y: Array) -> traced.TracedField:
+        field = Field(fov=spec["fov"])
+        field.xf, field.yf = hx, hy
+        sphere, chief = rays.setup_pupil_coords(model, field, nanometres, shift)
+        field.chief_ray, field.ref_sphere = chief, sphere
+        phase, towards = np.full(x.size, np.nan), np.zeros((x.size, 2))
+        chief_direction = chief[0][0][-1][1]
+        for k, point in enumerate(np.stack([x, y], axis=1)):
+            found, _ = rays.trace_safe(
+                model, point, field, nanometres, None, None, apply_vignetting=False, check_apertures=apertures
+            )
+            if found is None:
+                continue
+            opd = wave_abr_full_calc(first, field, nanometres, shift, found, chief, sphere)
+            phase[k] = -2.0 * math.pi * opd / (unit * 1e-9 * nanometres)
+            towards[k] = abs(first.n_img) * (found[0][-1][1] - chief_direction)[:2]
+        place = np.asarray(sphere[0], dtype=np.float64) / unit
+        return traced.TracedField(x, y, phase, towards[:, 0], towards[:, 1], (float(place[0]), float(place[1])))
+
+    return trace, 1e-9 * float(nanometres)

@@ -1,0 +1,182 @@
+r"""From traced rays to pupils and fields: what the adapters share.
+
+The phase at a point of the pupil is that of its ray where it leaves the reference sphere around the chief ray's image
+point, ``2 pi (OPL - OPL_chief) / lambda``: a longer path is a later wave, ``exp(+i phase)``. Points of the pupil are
+given by their fraction of the entrance pupil, as the packages' own FFT PSFs take them; for a lens that obeys the sine
+condition these are the direction cosines in the image. The f-number is ``1 / (2 n NA)`` of these direction cosines,
+by least squares over the pupil, and the geometric mean of the two directions where they differ.
+
+Ray tracers have y upwards. Here y rises with the rows, downwards: both the pupil and the position on the sensor are
+mirrored, so that a picture has y upwards again; it is seen from behind the sensor, against the light.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel import validation
+from lommel.fieldmap import FieldMap
+from lommel.pupil import Pupil
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
+from lommel.wavefront import Wavefront
+
+Array = NDArray[np.float64]
+
+MAX_DEGREE = 20
+"""Highest degree of the Zernike terms: that of the radial terms of a wavefront."""
+
+
+@dataclass(frozen=True)
+class TracedField:
+    """Rays from one point of the object, in the frame of the ray tracer: z along the light, y upwards.
+
+    Attributes
+    ----------
+    x, y : ndarray, shape (n,)
+        Fractions of the entrance pupil.
+    phase : ndarray, shape (n,)
+        Radians; NaN where no ray came through.
+    direction_x, direction_y : ndarray, shape (n,)
+        Direction cosines at the image times its refractive index, minus those of the chief ray.
+    position : (float, float)
+        Where the chief ray meets the sensor, metres.
+    """
+
+    x: Array
+    y: Array
+    phase: Array
+    direction_x: Array
+    direction_y: Array
+    position: tuple[float, float]
+
+
+Trace = Callable[[float, float, Array, Array], TracedField]
+"""From a point of the field, as fractions of its edge, and points of the pupil to what becomes of their rays."""
+
+
+def sample_points(degree: int) -> tuple[Array, Array]:
+    """Return points of the pupil, x and y, enough for Zernike terms up to `degree` and to see what is beyond."""
+    nodes = gauss_legendre(degree // 2 + 4)[0]
+    rho = np.sqrt(nodes)
+    theta = 2.0 * math.pi / (2 * degree + 5) * np.arange(2 * degree + 5)
+    return np.outer(rho, np.cos(theta)).ravel(), np.outer(rho, np.sin(theta)).ravel()
+
+
+def fit(traced: TracedField, degree: int, tol: float) -> tuple[dict[tuple[int, int], float], float]:
+    """Return Zernike coefficients (radians at the edge, the axes of the sensor) and the f-number.
+
+    Raises
+    ------
+    ValueError
+        If rays are blocked, or if the rms of what the terms leave exceeds `tol`.
+    """
+    blocked = ~np.isfinite(traced.phase)
+    if blocked.any():
+        raise ValueError(
+            f"{blocked.sum()} of {blocked.size} rays do not reach the image; vignetting and obscurations "
+            "of a traced lens are not supported"
+        )
+    slopes = [
+        -float(u @ v) / float(u @ u) for u, v in ((traced.x, traced.direction_x), (traced.y, traced.direction_y))
+    ]
+    if slopes[0] * slopes[1] <= 0.0:
+        raise ValueError(
+            "the rays do not converge towards an image in both directions; afocal lenses are not supported"
+        )
+    # A pupil that is imaged upside down, as by a relay, is turned by half a turn.
+    turn = math.copysign(1.0, slopes[0])
+    x, y = turn * traced.x, -turn * traced.y
+    rho, theta = np.hypot(x, y), np.arctan2(y, x)
+    terms = [(n, m) for n in range(degree + 1) for m in range(-n, n + 1, 2)]
+    matrix = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
+    found = np.linalg.lstsq(matrix, traced.phase, rcond=None)[0]
+    rest = float(np.sqrt(np.mean((matrix @ found - traced.phase) ** 2)))
+    if not rest <= tol:
+        raise ValueError(
+            f"degree must be higher: Zernike terms up to {degree} leave {rest:.3g} rad rms, more than tol={tol:g}"
+        )
+    coefficients = {t: float(c) for t, c in zip(terms, found, strict=True) if t != (0, 0)}
+    return coefficients, 0.5 / math.sqrt(slopes[0] * slopes[1])
+
+
+def single_pupil(trace: Trace, field: Any, wavelength: float, degree: int, tol: float) -> Pupil:
+    """Return the pupil at one point of the field, with the f-number there."""
+    hx, hy = _point("field", field)
+    terms, f_number = fit(trace(hx, hy, *sample_points(_degree(degree))), degree, _tolerance(tol))
+    wavefront = Wavefront.zernike(terms, normalization="edge")
+    return Pupil(wavefront, wavelength=wavelength, f_number=f_number)
+
+
+def field_map(
+    trace: Trace, heights: int, fields: Sequence[Any] | None, wavelength: float, degree: int, tol: float
+) -> FieldMap:
+    """Return the map over the field, with the f-number on the axis.
+
+    Without `fields` the lens must be rotationally symmetric, which is checked against one point off that direction.
+    """
+    points = sample_points(_degree(degree))
+    tol = _tolerance(tol)
+    axis, f_number = fit(trace(0.0, 0.0, *points), degree, tol)
+    scale = {"wavelength": wavelength, "f_number": f_number}
+    if fields is not None:
+        if not isinstance(fields, Sequence | np.ndarray):
+            raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {fields!r}")
+        at = [_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
+        several = [trace(hx, hy, *points) for hx, hy in at]
+        wavefront = _stack([fit(one, degree, tol)[0] for one in several])
+        x, y = np.array([one.position for one in several]).reshape(-1, 2).T
+        return FieldMap.scattered(x, -y, wavefront, **scale)
+    count = validation.integer("heights", heights, least=2, most=1000)
+    along = [trace(0.0, float(hy), *points) for hy in np.linspace(0.0, 1.0, count)]
+    wavefront = _stack([axis, *(fit(one, degree, tol)[0] for one in along[1:])])
+    position = np.array([one.position for one in along]) - along[0].position
+    upwards = math.copysign(1.0, position[-1, 1])
+    distances = upwards * position[:, 1]
+    if not distances[-1] > 0.0:
+        raise ValueError("the field of the lens must not be a single point: its edge is imaged onto the axis")
+    made = FieldMap.radial(distances, wavefront, azimuth=-0.5 * math.pi * upwards, **scale)
+    _require_symmetry(made, trace(1.0, 0.0, *points), distances[-1], degree, tol)
+    return made
+
+
+def _require_symmetry(made: FieldMap, across: TracedField, reach: float, degree: int, tol: float) -> None:
+    """Raise ValueError if rays at the edge of the field along x do not agree with those along y."""
+    x, y = across.position
+    asymmetric = abs(math.hypot(x, y) - reach) > 1e-6 * reach
+    if not asymmetric:
+        factor = reach / math.hypot(x, y)
+        rest = made.pupil(x * factor, -y * factor).wavefront - Wavefront.zernike(
+            fit(across, degree, tol)[0], normalization="edge"
+        )
+        asymmetric = any(abs(float(c)) > 10.0 * tol for c in rest.edge_terms().values())
+    if asymmetric:
+        raise ValueError("the lens is not rotationally symmetric; give fields, the points of the field to trace")
+
+
+def _stack(several: Sequence[dict[tuple[int, int], float]]) -> Wavefront:
+    terms = {t: np.array([one[t] for one in several]) for t in several[0]}
+    return Wavefront.zernike(terms, normalization="edge")
+
+
+def _point(name: str, value: Any) -> tuple[float, float]:
+    if not isinstance(value, tuple | list | np.ndarray) or len(value) != 2:
+        raise TypeError(f"{name} must be a pair (hx, hy), got {value!r}")
+    hx, hy = (validation.real(f"{name}[{k}]", part) for k, part in enumerate(value))
+    if math.hypot(hx, hy) > math.sqrt(2.0) + 1e-9:
+        raise ValueError(f"{name} must be fractions of the edge of the field, from -1 to 1, got {(hx, hy)}")
+    return hx, hy
+
+
+def _degree(value: Any) -> int:
+    return validation.integer("degree", value, least=2, most=MAX_DEGREE)
+
+
+def _tolerance(value: Any) -> float:
+    return validation.real("tol", value, above=0.0)

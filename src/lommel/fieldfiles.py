@@ -1,0 +1,174 @@
+"""Grids of PSFs to files and back: pages or chunks with their positions, and the description that PSFs carry."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import tempfile
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel import files, validation
+from lommel.fieldmap import PSFGrid
+from lommel.files import FileError
+from lommel.psf import PSF
+
+SUFFIXES = (".tif", ".tiff", ".zarr", ".npz")
+
+_KEY = "field"  # of what a description says about the positions
+
+
+def check_suffix(path: str | PathLike[str], name: str = "path") -> str:
+    """Return the suffix in small letters; ValueError if it is none of :data:`SUFFIXES`."""
+    suffix = Path(path).suffix.lower()
+    if suffix not in SUFFIXES:
+        raise ValueError(f"{name} must end in {', '.join(SUFFIXES)} for a grid of PSFs, got {str(path)!r}")
+    return suffix
+
+
+def save(grid: PSFGrid, path: str | PathLike[str]) -> None:
+    """Write a grid of PSFs; the suffix chooses the format.
+
+    ``.tif``: one OME-TIFF, a page for each PSF, row by row (axis R, tiles), with its position on the sensor as
+    PositionX and PositionY of its plane (micrometres, or ``reference frame`` for lambda*N). ``.zarr``: a Zarr group
+    of version 3 with the array ``values`` (field_y, field_x, y, x) and a coordinate array for each dimension, named
+    as xarray expects; the description is the attribute ``lommel``. ``.npz``: as a stack of PSFs.
+
+    Each has the JSON description of :func:`lommel.files.save` with the positions and the size of the sensor added,
+    so that :meth:`lommel.PSF.load` reads the stack from ``.tif`` and ``.npz``. All is written under a temporary name
+    and moved into place; a ``.zarr`` folder that was there is replaced if it is a Zarr store.
+
+    Raises
+    ------
+    ValueError
+        If the suffix is unknown, for derivatives in anything but ``.npz``, or if there is something at the path of
+        a ``.zarr`` that is no Zarr store.
+    ImportError
+        If tifffile (``lommel[images]``) or zarr (``lommel[zarr]``) is not installed.
+    OSError
+        If it cannot be written.
+    """
+    suffix = check_suffix(path)
+    psf, target = grid.psf, Path(path)
+    if psf.derivatives and suffix != ".npz":
+        raise ValueError(f"path must end in .npz for PSFs with derivatives, got {str(path)!r}")
+    field = {"x": grid.x.tolist(), "y": grid.y.tolist(), "sensor": list(grid.sensor), "unit": grid.unit}
+    description = files.describe(psf) | {_KEY: field}
+    if suffix == ".zarr":
+        _write_zarr(grid, target, description)
+        return
+    text = json.dumps(description, allow_nan=False)
+    if suffix == ".npz":
+        files.write_atomically(target, files._npz(psf, text))
+        return
+    factor, unit = (1e6, "µm") if grid.unit == "m" else (1.0, "reference frame")
+    y, x = (part.ravel() * factor for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
+    planes = {"PositionX": x.tolist(), "PositionY": y.tolist()}
+    planes |= dict.fromkeys(("PositionXUnit", "PositionYUnit"), [unit] * x.size)
+    files.write_atomically(target, files._tiff(psf, text, planes))
+
+
+def load(path: str | PathLike[str]) -> PSFGrid:
+    """Read a grid of PSFs that :func:`lommel.fieldfiles.save` wrote.
+
+    Raises
+    ------
+    FileError
+        If it is damaged or was not written by this package as a grid of PSFs.
+    OSError
+        If it cannot be read.
+    """
+    source = Path(path)
+    suffix = check_suffix(path)
+    psf, description = _read_zarr(source) if suffix == ".zarr" else files.load_described(source)
+    try:
+        field = description[_KEY]
+        x, y = validation.real_array("x", field["x"]), validation.real_array("y", field["y"])
+        height, width = (validation.real("sensor", side, above=0.0) for side in field["sensor"])
+        if psf.pupil.shape != (y.size, x.size):
+            raise ValueError(f"positions of shape {(y.size, x.size)} for PSFs of shape {psf.pupil.shape}")
+    except KeyError:
+        raise FileError(f"{source} is not a grid of PSFs: no positions; PSF.load reads it") from None
+    except (ValueError, TypeError) as error:
+        raise FileError(f"{source} is not a grid of PSFs written by lommel: {error}") from error
+    return PSFGrid(psf, x, y, (height, width))
+
+
+def _zarr() -> Any:
+    try:
+        import zarr
+    except ImportError:
+        raise ImportError('this format needs zarr: install "lommel[zarr]"') from None
+    return zarr
+
+
+def _write_zarr(grid: PSFGrid, target: Path, description: dict[str, Any]) -> None:
+    """Write a Zarr store to a temporary folder next to `target` and move it into place."""
+    zarr = _zarr()
+    if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
+        raise ValueError(f"path must be new or a Zarr store, got {str(target)!r}, which is something else")
+    try:
+        temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=f".{target.name}."))
+    except OSError as error:
+        raise type(error)(error.errno, error.strerror, str(target)) from None
+    try:
+        made = temporary / "new"
+        group = zarr.create_group(made, zarr_format=3, attributes={"lommel": description})
+        shape = grid.values.shape
+        dimensions = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
+        # A chunk for each PSF: what is read together.
+        store = group.create_array(
+            "values",
+            shape=shape,
+            chunks=(1, 1, *shape[2:]),
+            dtype=grid.values.dtype,
+            dimension_names=list(dimensions),
+        )
+        store[...] = grid.values
+        for name, positions in dimensions.items():
+            axis = group.create_array(
+                name,
+                shape=positions.shape,
+                dtype="float64",
+                dimension_names=[name],
+                attributes={"units": grid.unit},
+            )
+            axis[...] = positions
+        _open_to_others(made)
+        if target.exists():
+            # Two renames: there is no moment at which neither store exists.
+            target.replace(temporary / "old")
+        made.replace(target)
+    finally:
+        old = temporary / "old"
+        if old.exists() and not target.exists():
+            old.replace(target)
+        shutil.rmtree(temporary, ignore_errors=True)
+
+
+def _open_to_others(folder: Path) -> None:
+    """Give a folder and what is in it the permissions that the umask allows; zarr makes files private or not."""
+    mask = os.umask(0)
+    os.umask(mask)
+    for path in (folder, *folder.rglob("*")):
+        path.chmod((0o777 if path.is_dir() else 0o666) & ~mask)
+
+
+def _read_zarr(source: Path) -> tuple[PSF, dict[str, Any]]:
+    zarr = _zarr()
+    if not source.exists():
+        raise FileNotFoundError(2, os.strerror(2), str(source))
+    try:
+        group = zarr.open_group(source, mode="r")
+        description: dict[str, Any] = dict(group.attrs["lommel"])
+        values: NDArray[Any] = np.asarray(group["values"][...])
+        return files.rebuild(values, description, {}), description
+    except Exception as error:
+        raise FileError(
+            f"{source} is not a grid of PSFs written by lommel: {error or type(error).__name__}"
+        ) from error

@@ -1,0 +1,168 @@
+"""Tables of Zernike coefficients over the field, as lens files and CSV files write them."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from lommel import validation
+from lommel.fieldmap import FieldMap
+from lommel.pupil import Pupil
+from lommel.special import zernike
+from lommel.units import parse_length
+from lommel.wavefront import Wavefront
+
+_TOLD = 12  # faults of a table are told at once, up to so many
+
+
+@dataclass(frozen=True)
+class FieldTable:
+    """Zernike coefficients at positions of the sensor.
+
+    Attributes
+    ----------
+    positions : dict of str to tuple of float
+        Either ``"height"`` or ``"x"`` and ``"y"``: metres from the axis.
+    terms : dict of int to tuple of float
+        Coefficients by index, each as long as the positions.
+    order : str
+        Of the indices: "noll", "ansi" or "fringe".
+    """
+
+    positions: dict[str, tuple[float, ...]]
+    terms: dict[int, tuple[float, ...]]
+    order: str
+
+    def field_map(self, pupil: Pupil, *, unit: str, normalization: str, direction: str) -> FieldMap:
+        """Return the map, with the obscuration and the scale of `pupil`.
+
+        Parameters
+        ----------
+        pupil : Pupil
+        unit, normalization : str
+            As of :meth:`lommel.Wavefront.zernike`.
+        direction : {"x", "y"}
+            Along which heights are given: rising columns, or rising rows (downwards). Coefficients are in the axes
+            of the sensor all the same: the coma of heights along y is a sine.
+        """
+        wavefront = Wavefront.zernike(
+            self.terms, order=self.order, unit=unit, normalization=normalization, wavelength=pupil.wavelength
+        )
+        options: dict[str, Any] = {
+            "wavelength": pupil.wavelength,
+            "f_number": pupil.f_number,
+            "obscuration": pupil.obscuration,
+        }
+        if "height" in self.positions:
+            azimuth = 0.0 if direction == "x" else 0.5 * math.pi
+            return FieldMap.radial(self.positions["height"], wavefront, azimuth=azimuth, **options)
+        x, y = (np.array(self.positions[name]) for name in ("x", "y"))
+        return FieldMap.scattered(x, y, wavefront, **options)
+
+
+def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
+    """Read a table from a CSV file: a line of column names, then a line for each position.
+
+    Lines that are empty or begin with ``#`` are skipped. Columns and cells are those of :func:`read_rows`.
+
+    Raises
+    ------
+    ValueError
+        For every fault at once, each with its line.
+    OSError
+        If the file cannot be read.
+    """
+    source = Path(path)
+    try:
+        text = source.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{source.name} is not a text in UTF-8: {error}") from None
+    numbered = [
+        (number, [cell.strip() for cell in row])
+        for number, row in enumerate(csv.reader(text.splitlines()), 1)
+        if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
+    ]
+    if not numbered:
+        raise ValueError(f"{source.name} is empty; its first line must name the columns")
+    rows = [(f"{source.name} line {number}", row) for number, row in numbered[1:]]
+    return _table(numbered[0][1], rows, order)
+
+
+def read_rows(columns: Sequence[str], rows: Iterable[Sequence[Any]], order: str) -> FieldTable:
+    """Return a table from names of columns and rows of cells.
+
+    The first column is ``height``, or the first two are ``x`` and ``y``: lengths, as texts with a unit or numbers of
+    metres. The others are Zernike indices such as ``Z4``, with numbers.
+
+    Raises
+    ------
+    ValueError
+        For every fault at once, each with its row.
+    """
+    return _table(columns, [(f"row {k}", row) for k, row in enumerate(rows, 1)], order)
+
+
+def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], order: str) -> FieldTable:
+    places = ("height",) if columns[0] == "height" else ("x", "y")
+    if tuple(columns[: len(places)]) != places:
+        raise ValueError(f"the first columns must be height, or x and y, got {', '.join(columns[:2])}")
+    faults: list[str] = []
+    indices: list[int] = []
+    for name in columns[len(places) :]:
+        try:
+            if not (found := re.fullmatch(r"Z(\d{1,5})", name)):
+                raise ValueError(f"column {name!r} must be a Zernike index such as Z4")
+            zernike.term(int(found[1]), order)
+            if int(found[1]) in indices:
+                raise ValueError(f"column {name} comes twice")
+            indices.append(int(found[1]))
+        except ValueError as error:
+            faults.append(str(error))
+    if len(columns) == len(places):
+        faults.append("there must be a column for a Zernike coefficient, such as Z4")
+    kinds = [*(("length", name) for name in places), *(("number", name) for name in columns[len(places) :])]
+    cells: list[list[float]] = [[] for _ in columns]
+    for where, row in rows:
+        if len(row) != len(columns):
+            faults.append(f"{where} must have {len(columns)} cells, as there are columns, got {len(row)}")
+            continue
+        for values, cell, (kind, name) in zip(cells, row, kinds, strict=True):
+            try:
+                values.append(_cell(cell, kind))
+            except ValueError as error:
+                faults.append(f"{where}, {name}: {error}")
+    if not rows:
+        faults.append("there must be a row for each position, got none")
+    if faults:
+        more = f"; and {len(faults) - _TOLD} more" if len(faults) > _TOLD else ""
+        raise ValueError("; ".join(faults[:_TOLD]) + more)
+    whole = [tuple(values) for values in cells]
+    count = len(places)
+    return FieldTable(
+        dict(zip(places, whole[:count], strict=True)), dict(zip(indices, whole[count:], strict=True)), order
+    )
+
+
+def _cell(cell: Any, kind: str) -> float:
+    """Return a length in metres or a number, given as such or as a text."""
+    if kind == "length":
+        return validation.real("a position", parse_length(cell), unit="metres")
+    value = _number(cell) if isinstance(cell, str) else cell
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ValueError(f"must be a number, got {cell!r}")
+    return validation.real("a coefficient", value)
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None

@@ -1,0 +1,112 @@
+"""From rays to pupils, for lenses whose rays are known by formula."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from lommel.adapters import traced
+from lommel.special import zernike
+
+WAVELENGTH, N = 550e-9, 4.0
+EDGE = 10e-3
+
+
+def lens(
+    *, upside_down: bool = False, squint: float = 0.0, blocked: int = 0, image: float = 1.0, slower: float = 1.0
+):
+    """The trace of a lens with coma and astigmatism, 10 mm of field, in the frame of a ray tracer."""
+
+    def trace(hx: float, hy: float, x: np.ndarray, y: np.ndarray) -> traced.TracedField:
+        side = -1.0 if upside_down else 1.0
+        # In the exit pupil, y upwards.
+        u, v = side * x, side * y
+        along = u * hx + v * hy
+        phase = 3.0 * (u * u + v * v) * along + 2.0 * along**2 + 1.0 * (u**2 + v**2) + squint * hx * u**3
+        phase[:blocked] = np.nan
+        sine = 0.5 / N
+        position = (image * EDGE * hx, image * EDGE * hy)
+        return traced.TracedField(x, y, phase + 7.0, -sine * u / slower, -sine * v, position)
+
+    return trace
+
+
+def single(trace, field, degree=6, tol=1e-6):
+    return traced.single_pupil(trace, field, WAVELENGTH, degree, tol)
+
+
+def test_the_pupil_and_the_position_are_mirrored_so_that_y_rises_downwards():
+    pupil = single(lens(), (0.3, 0.8))
+    x, y = 0.4, 0.5
+    expected = 3.0 * (x * x + y * y) * (x * 0.3 - y * 0.8) + 2.0 * (x * 0.3 - y * 0.8) ** 2 + (x * x + y * y)
+    offset = pupil.wavefront.phase(0.0)  # piston is left out
+    assert pupil.wavefront.phase(math.hypot(x, y), math.atan2(y, x)) - offset == pytest.approx(expected)
+    assert (pupil.wavelength, pupil.obscuration) == (WAVELENGTH, 0.0)
+
+
+def test_a_pupil_that_is_imaged_upside_down_is_turned_back():
+    upright, inverted = single(lens(), (0.3, 0.8)), single(lens(upside_down=True), (0.3, 0.8))
+    for term, c in (upright.wavefront - inverted.wavefront).edge_terms().items():
+        assert abs(float(c)) < 1e-9, term
+
+
+def test_the_f_number_is_that_of_the_cone_of_light():
+    assert single(lens(), (0.0, 0.0)).f_number == pytest.approx(N)
+    assert single(lens(slower=1.21), (0.0, 0.0)).f_number == pytest.approx(1.1 * N)
+
+
+@pytest.mark.parametrize("image", [1.0, -1.0], ids=["upright", "inverted"])
+def test_the_map_of_a_symmetric_lens_agrees_with_its_rays_everywhere(image):
+    trace = lens(image=image)
+    field = traced.field_map(trace, 4, None, WAVELENGTH, 6, 1e-6)
+    assert field.reach == pytest.approx(EDGE)
+    for hx, hy in [(0.0, 1.0), (0.3, 0.4), (-0.6, -0.2), (1.0, 0.0)]:
+        found = field.pupil(image * EDGE * hx, -image * EDGE * hy).wavefront
+        for term, c in (found - single(trace, (hx, hy)).wavefront).edge_terms().items():
+            assert abs(float(c)) < 1e-9, term
+
+
+def test_a_lens_without_symmetry_is_told_unless_fields_are_given():
+    trace = lens(squint=1.0)
+    with pytest.raises(ValueError, match="not rotationally symmetric; give fields"):
+        traced.field_map(trace, 4, None, WAVELENGTH, 6, 1e-6)
+    points = [(hx, hy) for hx in (-1.0, 0.0, 1.0) for hy in (-1.0, 0.0, 1.0)]
+    field = traced.field_map(trace, 4, points, WAVELENGTH, 6, 1e-6)
+    found = field.pupil(EDGE, -EDGE).wavefront - single(trace, (1.0, 1.0)).wavefront
+    assert all(abs(float(c)) < 1e-9 for c in found.edge_terms().values())
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "what"),
+    [
+        (lambda: single(lens(blocked=3), (0, 0)), ValueError, "3 of 119 rays do not reach the image; vignetting"),
+        (lambda: single(lens(), (0, 1), degree=2), ValueError, r"up to 2 leave .* rad rms, more than tol=1e-06"),
+        (lambda: single(lens(), (0, 0), degree=21), ValueError, "degree must be from 2 to 20, got 21"),
+        (lambda: single(lens(), (0, 0), tol=0.0), ValueError, "tol must be > 0, got 0"),
+        (lambda: single(lens(), 5), TypeError, r"field must be a pair \(hx, hy\), got 5"),
+        (lambda: single(lens(), (0, 2)), ValueError, "field must be fractions of the edge of the field"),
+        (lambda: single(lens(), (0, math.nan)), ValueError, r"field\[1\] must be finite"),
+        (lambda: single(lens(slower=-1.0), (0, 0)), ValueError, "do not converge towards an image"),
+        (lambda: traced.field_map(lens(), 1, None, WAVELENGTH, 6, 1), ValueError, "heights must be from 2 to 1000"),
+        (lambda: traced.field_map(lens(), 2, 5, WAVELENGTH, 6, 1), TypeError, "fields must be a sequence of pairs"),
+        (lambda: traced.field_map(lens(), 2, [(0, 0), 1], WAVELENGTH, 6, 1), TypeError, r"fields\[1\] must be"),
+        (lambda: traced.field_map(lens(image=0.0), 3, None, WAVELENGTH, 6, 1), ValueError, "imaged onto the axis"),
+    ],
+)  # fmt: skip
+def test_what_makes_no_sense_is_refused_by_name(call, error, what):
+    with pytest.raises(error, match=what):
+        call()
+
+
+def test_the_rays_are_enough_to_see_that_the_degree_is_too_low():
+    x, y = traced.sample_points(8)
+    rho, theta = np.hypot(x, y), np.arctan2(y, x)
+    assert rho.max() < 1.0
+    terms = [(n, m) for n in range(9) for m in range(-n, n + 1, 2)]
+    matrix = np.stack([zernike.polynomial(n, m, rho, theta) for n, m in terms], axis=1)
+    for n, m in [(9, 9), (9, 1), (10, 0), (10, -10)]:
+        beyond = zernike.polynomial(n, m, rho, theta)
+        rest = beyond - matrix @ np.linalg.lstsq(matrix, beyond, rcond=None)[0]
+        assert np.sqrt(np.mean(rest**2)) > 0.5 * np.sqrt(np.mean(beyond**2)), (n, m)

@@ -1,0 +1,99 @@
+"""`lommel psf --field`, run as a user runs it."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import lommel as lm
+
+OPTIONS = ["--field", "3x4", "-m", "fraunhofer", "--set", "samples=128", "--shape", "21x17", "--normalize", "strehl"]
+
+
+@pytest.fixture(scope="module")
+def expected(lenses) -> lm.PSFGrid:
+    instrument = lm.load_instrument(lenses["camera-field"])
+    return instrument.field().grid(
+        3,
+        4,
+        sensor=(24e-3, 36e-3),
+        shape=(21, 17),
+        pixel=0.5e-6,
+        method=lm.Fraunhofer(samples=128),
+        normalize="strehl",
+    )
+
+
+@pytest.fixture(scope="module")
+def written(run_lommel, lenses, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("field")
+    pytest.importorskip("zarr")
+    outputs = [part for suffix in (".tif", ".zarr", ".npz") for part in ("-o", f"a{suffix}")]
+    result = run_lommel("psf", lenses["camera-field"], *OPTIONS, *outputs, "--plot", "a.png", folder=folder)
+    assert (result.returncode, result.stderr) == (0, "")
+    return folder, result.stdout
+
+
+def test_every_file_holds_what_python_computes(written, expected):
+    folder, text = written
+    assert {path.name for path in folder.iterdir()} == {"a.tif", "a.zarr", "a.npz", "a.png"}
+    for suffix in (".tif", ".zarr", ".npz"):
+        loaded = lm.PSFGrid.load(folder / f"a{suffix}")
+        np.testing.assert_allclose(loaded.values, expected.values, atol=1e-6)
+        np.testing.assert_allclose(loaded.x, expected.x)
+    with Image.open(folder / "a.png") as figure:
+        assert figure.size[0] > figure.size[1] > 600
+    assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.zarr", "a.npz", "a.png"]
+
+
+def test_the_tables_show_the_largest_value_of_each_psf_in_its_place(written, expected):
+    _, text = written
+    lines = text.splitlines()
+    assert lines[0] == "35 mm f/2 camera lens at full aperture, over a full-frame sensor"
+    assert "24 mm x 36 mm (height x width)" in text
+    assert "3 x 4 PSFs of 21 x 17 float32, 1 = unaberrated peak" in text
+    head = next(k for k, line in enumerate(lines) if line.startswith("Largest value"))
+    assert lines[head + 1].split() == ["-13.5", "mm", "-4.5", "mm", "4.5", "mm", "13.5", "mm"]
+    for row, values in zip(lines[head + 2 : head + 5], expected.values, strict=True):
+        shown = re.split(r"\s{2,}", row.strip())
+        assert shown[1:] == [f"{float(image.max()):.4g}" for image in values]
+
+
+def test_the_json_is_what_python_knows(call_lommel, lenses, expected, tmp_path):
+    result = call_lommel("psf", lenses["camera-field"], *OPTIONS, "--json", folder=tmp_path)
+    data = json.loads(result.stdout)
+    assert data["sensor"] == pytest.approx([0.024, 0.036])
+    np.testing.assert_allclose(data["x"], expected.x)
+    np.testing.assert_allclose(data["y"], expected.y)
+    np.testing.assert_allclose(data["peak"], expected.values.max(axis=(2, 3)))
+    assert data["shape"] == [3, 4, 21, 17]
+    assert data["files"] == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "what"),
+    [
+        (["--field", "5"], "--field must be ROWSxCOLUMNS such as 5x7, got 5"),
+        (["--field", "5x7x9"], "--field must be ROWSxCOLUMNS such as 5x7, got (5, 7, 9)"),
+        (["--field", "axb"], "'axb' is not a size"),
+        (["--field", "0x7"], "rows must be from 1 to 1000, got 0"),
+        (["--field", "2x2", "-o", "a.png"], "--output must end in .tif, .tiff, .zarr, .npz for a grid of PSFs, got"),
+        (["-o", "a.zarr"], "--output must end in .tif, .tiff, .npy, .npz, .png, got 'a.zarr'"),
+        (["--field", "2x2", "--plot", "a.tif"], "a figure must end in .png, .pdf or .svg"),
+    ],
+)  # fmt: skip
+def test_what_makes_no_sense_is_one_line(call_lommel, lenses, tmp_path, arguments, what):
+    result = call_lommel("psf", lenses["camera-field"], "-m", "fraunhofer", *arguments, folder=tmp_path)
+    assert result.returncode == 2
+    assert what in result.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_lens_file_without_a_field_is_told(call_lommel, lenses, tmp_path):
+    result = call_lommel("psf", lenses["phone"], "--field", "2x2", folder=tmp_path)
+    assert result.returncode == 2
+    assert "must have a section [field] for PSFs over the field" in result.stderr

@@ -19,7 +19,8 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 ORDER = [
     {"validation", "units", "_core"},
     {"special"},
-    {"wavefront"},
+    {"wavefront", "aperture"},
+    {"opening"},
     {"pupil"},
     {"lens"},
     {"lensfile"},

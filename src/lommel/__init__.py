@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
+    from lommel.aperture import CatEye, Ellipse, Mask, Spider
     from lommel.grid import Grid
     from lommel.lens import Lens
     from lommel.lensfile import Instrument, load_instrument
@@ -19,8 +20,10 @@ if TYPE_CHECKING:
         Hankel,
         HuygensFresnel,
         LommelSeries,
+        MatrixFourier,
         Method,
         NijboerZernike,
+        NonuniformFFT,
         Polychromatic,
         ToleranceError,
         TunedClosedForm,
@@ -31,6 +34,10 @@ if TYPE_CHECKING:
     from lommel.wavefront import Wavefront
 
 _HOME = {
+    "CatEye": "aperture",
+    "Ellipse": "aperture",
+    "Mask": "aperture",
+    "Spider": "aperture",
     "Grid": "grid",
     "Lens": "lens",
     "Instrument": "lensfile",
@@ -47,11 +54,13 @@ _HOME = {
     "Hankel": "methods.hankel",
     "HuygensFresnel": "methods.huygens",
     "LommelSeries": "methods.lommel_series",
+    "MatrixFourier": "methods.matrix_fourier",
     "Method": "methods.method",
     "ToleranceError": "methods.method",
     "TunedClosedForm": "methods.tuned_closed_form",
     "Polychromatic": "methods.polychromatic",
     "NijboerZernike": "methods.nijboer_zernike",
+    "NonuniformFFT": "methods.nonuniform_fft",
     "Pupil": "pupil",
     "Wavefront": "wavefront",
 }
@@ -59,7 +68,9 @@ _HOME = {
 __all__ = [
     "PSF",
     "AbramowitzErf",
+    "CatEye",
     "ClosedForm",
+    "Ellipse",
     "Fraunhofer",
     "FresnelErf",
     "Geometric",
@@ -69,11 +80,15 @@ __all__ = [
     "Instrument",
     "Lens",
     "LommelSeries",
+    "Mask",
+    "MatrixFourier",
     "Method",
     "NijboerZernike",
+    "NonuniformFFT",
     "Plan",
     "Polychromatic",
     "Pupil",
+    "Spider",
     "TableErf",
     "ToleranceError",
     "TunedClosedForm",

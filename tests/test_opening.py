@@ -65,10 +65,13 @@ def test_a_cat_eye_has_the_area_of_two_circles_that_overlap(distance, direction,
     assert w @ (x * math.sin(direction) - y * math.cos(direction)) == pytest.approx(0.0, abs=1e-13)
 
 
-@pytest.mark.parametrize("distance", [1 - 1e-7, 1.0, 1 + 1e-7, 1 + 1e-12])
-def test_the_rim_of_the_second_circle_may_pass_by_or_through_the_axis(distance):
-    rule = Opening(0.0, None, CatEye((0.0, distance))).rule(40)
-    assert rule.weight.sum() == pytest.approx(lens_area(distance, 1.0), rel=1e-13)
+@pytest.mark.parametrize("direction", [0.0, 1.0, 2.609375])
+@pytest.mark.parametrize("radius", [0.4, 1.0, 2.0])
+@pytest.mark.parametrize("off", [-1e-7, -1e-15, 0.0, 1e-15, 1e-12, 1e-7])
+def test_the_rim_of_the_second_circle_may_pass_by_or_through_the_axis(off, radius, direction):
+    shift = (radius + off) * math.cos(direction), (radius + off) * math.sin(direction)
+    rule = Opening(0.0, None, CatEye(shift, radius)).rule(40)
+    assert rule.weight.sum() == pytest.approx(lens_area(radius + off, radius), rel=1e-12)
 
 
 @given(st.floats(1e-4, 0.2), st.floats(0.3, 0.9), st.floats(-4, 4), st.integers(1, 6))

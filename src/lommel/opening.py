@@ -115,22 +115,25 @@ class Opening:
     def coverage(self, x: Array, y: Array, half: float) -> Array:
         """Return the part of each square cell, with the centre (x, y) and the side ``2 half``, where light passes.
 
-        Exact for discs and annuli; else counted on 16 x 16 points of each cell that an edge may cross.
+        Exact for discs and annuli; else counted on 16 x 16 points of each cell that an edge may cross, those next to
+        an edge by their distance from it.
         """
         if self.circular:
             cell = (x - half, x + half, y - half, y + half)
             inner = disk_overlap(self.obscuration, *cell) if self.obscuration > 0.0 else 0.0
-            return np.asarray((disk_overlap(1.0, *cell) - inner) / (4.0 * half * half))
+            return np.clip((disk_overlap(1.0, *cell) - inner) / (4.0 * half * half), 0.0, 1.0)
         across, down = np.broadcast_arrays(x, y)
         margin = self.margin(across, down)
         part = (margin >= 0.0).astype(np.float64)
         cut = np.abs(margin) < math.sqrt(2.0) * half
         place = half * ((2.0 * np.arange(_SUB) + 1.0) / _SUB - 1.0)
+        # Counting whole points alone would favour one side of an edge along a diagonal of their lattice.
+        soft = 2.0 * half / _SUB if self.spider is None else min(2.0 * half / _SUB, self.spider.width)
         xs, ys = across[cut], down[cut]
         count = np.zeros(xs.size)
         for dy in place:
             for dx in place:
-                count += self.margin(xs + dx, ys + dy) >= 0.0
+                count += np.clip(0.5 + self.margin(xs + dx, ys + dy) / soft, 0.0, 1.0)
         part[cut] = count / _SUB**2
         return part
 
@@ -186,7 +189,7 @@ class Opening:
             # Nothing changes its kind between kinks, but a sliver may close at one point only.
             low, high = self._interval(geometry.frame, a + (b - a) * np.array([0.1, 0.3, 0.5, 0.7, 0.9]))
             if np.any(high > low):
-                arcs = max(np.ptp(low), np.ptp(high)) < 1e-13  # around the axis: no singularity is felt
+                arcs = bool(np.all(high == 1.0)) and np.ptp(low) < 1e-13  # around the axis: no singularity is felt
                 panels += [(float(a), float(b), 0)] if arcs else _graded(float(a), float(b), poles, roots)
         return geometry.frame, panels
 

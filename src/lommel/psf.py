@@ -312,7 +312,8 @@ class PSF:
         """Return the fraction of all light within `radius` (in :attr:`unit`) of the centre.
 
         Exact to the tolerance of the method where it is radial, whatever the pixels; summed over the pixels, and
-        limited to the window, for `Fraunhofer` and `Geometric`. Shape ``pupil.shape + radius.shape``.
+        limited to the window, for methods that know the grid only, such as `NonuniformFFT`. Shape
+        ``pupil.shape + radius.shape``.
         """
         from lommel import metrics
 

@@ -128,12 +128,17 @@ class Opening:
         cut = np.abs(margin) < math.sqrt(2.0) * half
         place = half * ((2.0 * np.arange(_SUB) + 1.0) / _SUB - 1.0)
         # Counting whole points alone would favour one side of an edge along a diagonal of their lattice.
-        soft = 2.0 * half / _SUB if self.spider is None else min(2.0 * half / _SUB, self.spider.width)
+        round_part, soft = Opening(self.obscuration, None, self.vignetting), 2.0 * half / _SUB
         xs, ys = across[cut], down[cut]
         count = np.zeros(xs.size)
         for dy in place:
             for dx in place:
-                count += np.clip(0.5 + self.margin(xs + dx, ys + dy) / soft, 0.0, 1.0)
+                here = 0.5 + round_part.margin(xs + dx, ys + dy) / soft
+                if self.spider is not None:
+                    # A softer edge than a vane is wide would fill it in.
+                    vanes = self.spider.margin(xs + dx, ys + dy) / min(soft, self.spider.width)
+                    here = np.minimum(here, 0.5 + vanes)
+                count += np.clip(here, 0.0, 1.0)
         part[cut] = count / _SUB**2
         return part
 

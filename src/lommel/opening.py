@@ -121,7 +121,7 @@ class Opening:
         if self.circular:
             cell = (x - half, x + half, y - half, y + half)
             inner = disk_overlap(self.obscuration, *cell) if self.obscuration > 0.0 else 0.0
-            return np.clip((disk_overlap(1.0, *cell) - inner) / (4.0 * half * half), 0.0, 1.0)
+            return np.asarray((disk_overlap(1.0, *cell) - inner) / (4.0 * half * half))
         across, down = np.broadcast_arrays(x, y)
         margin = self.margin(across, down)
         part = (margin >= 0.0).astype(np.float64)

@@ -328,7 +328,8 @@ _SHAPES: dict[str, Any] = {
 def _samples(opening: Opening, mask: Mask) -> Rule:
     """Return the cells of a mask that the aperture covers; weights are amplitude times covered area over pi."""
     at = cell_centers(mask.side)
-    weight = mask.values * opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
+    part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
+    weight = mask.values * np.where(part > 1e-9, part, 0.0)  # less is rounding
     rows, columns = np.nonzero(weight)
     return Rule(at[columns], at[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
 

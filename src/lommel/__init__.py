@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
+    from lommel.aperture import CatEye, Ellipse, Mask, Spider
     from lommel.fieldmap import FieldMap, PSFGrid
     from lommel.fitting import WavefrontFit, fit_opd, fit_radial, opd_map
     from lommel.grid import Grid
@@ -22,8 +23,10 @@ if TYPE_CHECKING:
         Hankel,
         HuygensFresnel,
         LommelSeries,
+        MatrixFourier,
         Method,
         NijboerZernike,
+        NonuniformFFT,
         Polychromatic,
         ToleranceError,
         TunedClosedForm,
@@ -37,6 +40,10 @@ if TYPE_CHECKING:
 _HOME = {
     "FieldMap": "fieldmap",
     "PSFGrid": "fieldmap",
+    "CatEye": "aperture",
+    "Ellipse": "aperture",
+    "Mask": "aperture",
+    "Spider": "aperture",
     "Grid": "grid",
     "Lens": "lens",
     "Instrument": "lensfile",
@@ -54,11 +61,13 @@ _HOME = {
     "Hankel": "methods.hankel",
     "HuygensFresnel": "methods.huygens",
     "LommelSeries": "methods.lommel_series",
+    "MatrixFourier": "methods.matrix_fourier",
     "Method": "methods.method",
     "ToleranceError": "methods.method",
     "TunedClosedForm": "methods.tuned_closed_form",
     "Polychromatic": "methods.polychromatic",
     "NijboerZernike": "methods.nijboer_zernike",
+    "NonuniformFFT": "methods.nonuniform_fft",
     "Pupil": "pupil",
     "Wavefront": "wavefront",
     "WavefrontFit": "fitting",
@@ -73,8 +82,10 @@ _HOME = {
 __all__ = [
     "PSF",
     "AbramowitzErf",
+    "CatEye",
     "ChordalGauss",
     "ClosedForm",
+    "Ellipse",
     "FieldMap",
     "Fraunhofer",
     "FresnelErf",
@@ -85,12 +96,16 @@ __all__ = [
     "Instrument",
     "Lens",
     "LommelSeries",
+    "Mask",
+    "MatrixFourier",
     "Method",
     "NijboerZernike",
+    "NonuniformFFT",
     "PSFGrid",
     "Plan",
     "Polychromatic",
     "Pupil",
+    "Spider",
     "TableErf",
     "ToleranceError",
     "TunedClosedForm",

@@ -31,6 +31,8 @@ METHOD_NAMES = (
     "lommel-series",
     "huygens-fresnel",
     "fraunhofer",
+    "matrix-fourier",
+    "nonuniform-fft",
     "closed-form",
     "tuned-closed-form",
     "geometric",

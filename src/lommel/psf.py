@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel import validation
 from lommel.grid import Grid
+from lommel.methods.choice import choose
 from lommel.methods.method import Method, RadialMethod
-from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.pupil import Pupil
 
 if TYPE_CHECKING:
@@ -22,15 +22,13 @@ if TYPE_CHECKING:
 
 Numbers = np.float64 | NDArray[np.float64]
 
-_DEFAULT = NijboerZernike()
-
 
 def psf(
     pupil: Pupil,
     shape: int | tuple[int, int],
     pixel: float,
     *,
-    method: Method = _DEFAULT,
+    method: Method | None = None,
     normalize: str = "energy",
     dtype: DTypeLike | None = None,
     center: tuple[float, float] | None = None,
@@ -50,9 +48,10 @@ def psf(
         ``(height // 2, width // 2)``.
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
-    method : Method, default NijboerZernike(tol=1e-6)
-        How to evaluate the diffraction integral. Values sample the pixel centres
-        (`Geometric`, which has no point values, averages over pixels).
+    method : Method, optional
+        How to evaluate the diffraction integral; by default NijboerZernike(tol=1e-6), and for apertures with a
+        spider, vignetting or a mask NonuniformFFT(tol=1e-6). `PSF.method` is the one used. Values sample the pixel
+        centres (`Geometric`, which has no point values, averages over pixels).
     normalize : {"energy", "strehl", "peak"}, default "energy"
         "energy": a value is the fraction of all light per pixel, so an infinite window of pixels no larger than
         lambda*N sums to 1. "strehl": 1 is the peak of the same aperture without aberration. "peak": the largest
@@ -136,24 +135,25 @@ class Plan:
         shape: int | tuple[int, int],
         pixel: float,
         *,
-        method: Method = _DEFAULT,
+        method: Method | None = None,
         normalize: str = "energy",
         dtype: DTypeLike | None = None,
         center: tuple[float, float] | None = None,
         integrate: bool = False,
         threads: int | None = None,
     ) -> None:
-        if not isinstance(method, Method):
-            raise TypeError(f"method must be a Method such as NijboerZernike(tol=1e-6), got {method!r}")
+        if method is not None and not isinstance(method, Method):
+            raise TypeError(f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {method!r}")
         self.grid = Grid(shape, pixel, center=center, integrate=integrate)
         self.method = method
         self.normalize = validation.choice("normalize", normalize, ("energy", "strehl", "peak"))
-        self.dtype = _output_type(dtype, method.tol)
+        self.dtype = _output_type(dtype, Method.tol if method is None else method.tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
 
     def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
-        grid, method, normalize = self.grid, self.method, self.normalize
+        grid, normalize = self.grid, self.normalize
+        method = choose(pupil) if self.method is None else self.method
         method.require(pupil)
         validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
         stack = pupil.shape
@@ -312,7 +312,8 @@ class PSF:
         """Return the fraction of all light within `radius` (in :attr:`unit`) of the centre.
 
         Exact to the tolerance of the method where it is radial, whatever the pixels; summed over the pixels, and
-        limited to the window, for `Fraunhofer` and `Geometric`. Shape ``pupil.shape + radius.shape``.
+        limited to the window, for methods that know the grid only, such as `NonuniformFFT`. Shape
+        ``pupil.shape + radius.shape``.
         """
         from lommel import metrics
 

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass, field, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
+from lommel.aperture import CatEye, Ellipse, Mask, Spider, cell_centers, vignetting_from_dict
+from lommel.opening import Opening, Rule, degree_needed
 from lommel.wavefront import Wavefront
 
 
@@ -47,7 +50,7 @@ class Geometry:
 
 @dataclass(frozen=True)
 class Pupil:
-    """A circular aperture, clear from the obscuration to the rim, with a wavefront across it.
+    """An aperture, clear from the obscuration to the rim less what narrows it, with a wavefront across it.
 
     Parameters
     ----------
@@ -62,15 +65,26 @@ class Pupil:
         Working f-number N: sensor distance over aperture diameter.
     apodization : float, default 0
         g >= 0 of a Gaussian amplitude ``exp(-g rho^2)``, at most 100: a laser beam whose amplitude falls to 1/e at w
-        is clipped at the radius a with ``g = (a / w)^2``. Of `NijboerZernike`, `Hankel`,
-        `Polychromatic` and `ChordalGauss` only.
+        is clipped at the radius a with ``g = (a / w)^2``. See :attr:`lommel.Method.apodized` for who takes it.
     geometry : Geometry, optional
         Physical distances, filled in by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
+    spider : Spider, optional
+        Vanes across the aperture.
+    vignetting : Ellipse or CatEye, optional
+        A further edge within which light passes.
+    mask : Mask, optional
+        Amplitude transmission sampled over the aperture. The pupil function is then that of the samples.
+
+    Attributes
+    ----------
+    circular : bool
+        Whether the aperture is a plain disc or annulus: without spider, vignetting and mask.
 
     Raises
     ------
     TypeError, ValueError
-        On anything that is not a finite number in range, or if only one of `wavelength` and `f_number` is given.
+        On anything that is not a finite number in range, if only one of `wavelength` and `f_number` is given, or if
+        no light passes through the aperture.
     """
 
     wavefront: Wavefront = field(default_factory=Wavefront)
@@ -79,6 +93,10 @@ class Pupil:
     f_number: float | None = field(default=None, kw_only=True)
     apodization: float = field(default=0.0, kw_only=True)
     geometry: Geometry | None = field(default=None, kw_only=True)
+    spider: Spider | None = field(default=None, kw_only=True)
+    vignetting: Ellipse | CatEye | None = field(default=None, kw_only=True)
+    mask: Mask | None = field(default=None, kw_only=True)
+    circular: bool = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.wavefront, Wavefront):
@@ -97,6 +115,24 @@ class Pupil:
         if self.wavelength is not None:
             object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
             object.__setattr__(self, "f_number", validation.real("f_number", self.f_number, above=0.0))
+        object.__setattr__(self, "circular", (self.spider or self.vignetting or self.mask) is None)
+        if not self.circular:
+            self._check_aperture()
+
+    def _check_aperture(self) -> None:
+        kinds: tuple[tuple[str, Any], ...] = (("spider", Spider), ("vignetting", Ellipse | CatEye), ("mask", Mask))
+        for name, kind in kinds:
+            part = getattr(self, name)
+            if part is not None and not isinstance(part, kind):
+                allowed = " or ".join(k.__name__ for k in getattr(kind, "__args__", (kind,)))
+                raise TypeError(f"{name} must be of the type {allowed}, or None, got {part!r}")
+        if self.area < 1e-12:
+            parts = {name: getattr(self, name) for name, _ in kinds if getattr(self, name) is not None}
+            listed = ", ".join(f"{name}={part!r}" for name, part in parts.items())
+            raise ValueError(
+                f"{', '.join(parts)} must leave part of the aperture clear, got {listed} with "
+                f"obscuration={self.obscuration:g}"
+            )
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -117,23 +153,39 @@ class Pupil:
 
     @property
     def area(self) -> float:
-        """Clear area over that of the unobscured aperture, ``1 - eps^2``."""
-        return 1.0 - self.obscuration**2
+        """Clear area over that of the unobscured aperture, ``1 - eps^2`` if circular; a mask counts by amplitude."""
+        return self._integral(0.0)
 
     @property
     def amplitude(self) -> float:
-        """Field at the peak without aberration, ``int exp(-g t) dt`` over the clear t = rho^2; the area if g = 0."""
+        """Field at the peak without aberration, ``(1/pi) int A dx dy`` of the amplitude A; the area if g = 0.
+
+        Closed forms if circular, else quadrature to about 1e-13, or the sum over the samples of a mask.
+        """
         return self._integral(self.apodization)
 
     @property
     def transmission(self) -> float:
-        """Light that passes, ``int exp(-2 g t) dt`` over the clear t = rho^2; the area if g = 0."""
-        return self._integral(2.0 * self.apodization)
+        """Light that passes, ``(1/pi) int A^2 dx dy`` of the amplitude A; the area if g = 0 and there is no mask."""
+        return self._integral(2.0 * self.apodization, 2)
 
-    def _integral(self, g: float) -> float:
-        if g < 1e-12:
-            return self.area
-        return math.exp(-g * self.obscuration**2) * -math.expm1(-g * self.area) / g
+    def _integral(self, g: float, power: int = 1) -> float:
+        if not self.circular:
+            return _moment(self.opening, self.mask, g, power)
+        area = 1.0 - self.obscuration**2
+        return area if g < 1e-12 else math.exp(-g * self.obscuration**2) * -math.expm1(-g * area) / g
+
+    @property
+    def opening(self) -> Opening:
+        """The region where light passes, without regard to a mask."""
+        return Opening(self.obscuration, self.spider, self.vignetting)
+
+    def rule(self, degree: int) -> Rule:
+        """Return nodes and weights of ``(1/pi) int dx dy`` over the clear aperture; those of a mask are its samples.
+
+        See :meth:`lommel.opening.Opening.rule`. The weights carry the amplitude of the mask, but no apodization.
+        """
+        return self.opening.rule(degree) if self.mask is None else _samples(self.opening, self.mask)
 
     @property
     def airy_radius(self) -> float:
@@ -152,10 +204,12 @@ class Pupil:
     @property
     def radial(self) -> bool:
         """Whether phase and transmission depend on the distance from the axis only."""
-        return self.wavefront.radial
+        return self.circular and self.wavefront.radial
 
     def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
         """Return the pupil function at pupil coordinates, ``exp(-g rho^2 + i phase)`` where light passes, else 0.
+
+        Times the amplitude of the cell of the mask, if there is one, that a point lies in.
 
         Parameters
         ----------
@@ -169,26 +223,42 @@ class Pupil:
         """
         across, down = np.broadcast_arrays(validation.real_array("x", x), validation.real_array("y", y))
         rho = np.hypot(across, down)
-        clear = (rho <= 1.0) & (rho >= self.obscuration)
+        clear = self.opening.margin(across, down) >= 0.0
         out = np.zeros((math.prod(self.shape), *rho.shape), dtype=np.complex128)
         inside = rho[clear]
         phase = self.wavefront.phase(inside, np.arctan2(down[clear], across[clear])).reshape(len(out), -1)
         out[:, clear] = np.exp(-self.apodization * inside**2 + 1j * phase)
+        if self.mask is not None:
+            out *= self.mask.at(across, down)
         return out
 
     def geometric_radius(self) -> NDArray[np.float64]:
-        """Return how far from the axis rays meet the sensor at most, ``max |grad Phi|`` as a length there."""
+        """Return how far from the axis rays meet the sensor at most, ``max |grad Phi|`` as a length there.
+
+        Rays that vanes, vignetting or a mask stop do not count.
+        """
         rho = np.linspace(self.obscuration, 1.0, 2049)
         if self.radial:
             blur = np.abs(ray_height(self.coefficients(), rho)).max(axis=1)
+        elif self.circular:
+            theta = np.linspace(0.0, 2.0 * math.pi, 128, endpoint=False)
+            ring = rho[:: 2048 // 64]
+            blur = self._longest_gradient(np.outer(ring, np.cos(theta)), np.outer(ring, np.sin(theta)))
         else:
-            blur = self._longest_gradient(rho[:: 2048 // 64])
+            blur = self._longest_gradient(*self._raster())
         return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
 
-    def _longest_gradient(self, rho: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return ``max |grad Phi|`` on a polar raster, shape (n,), by differences of the phase."""
-        theta = np.linspace(0.0, 2.0 * math.pi, 128, endpoint=False)
-        x, y = np.outer(rho, np.cos(theta)), np.outer(rho, np.sin(theta))
+    def _raster(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return points all over the clear aperture."""
+        x, y = self.opening.raster()
+        if self.mask is not None:
+            clear = self.mask.at(x, y) > 0.0
+            # Light may pass between all points of the raster.
+            x, y = (x[clear], y[clear]) if clear.any() else self.rule(0)[:2]
+        return x, y
+
+    def _longest_gradient(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return ``max |grad Phi|`` over points, shape (n,), by differences of the phase."""
         h = 1e-6
 
         def phase(dx: float, dy: float) -> NDArray[np.float64]:
@@ -205,6 +275,9 @@ class Pupil:
             wavelength=self.wavelength,
             f_number=self.f_number,
             apodization=self.apodization,
+            spider=self.spider,
+            vignetting=self.vignetting,
+            mask=self.mask,
         )
 
     def __getitem__(self, index: Any) -> Pupil:
@@ -218,7 +291,7 @@ class Pupil:
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
-        return {
+        plain = {
             "wavefront": self.wavefront.to_dict(),
             "obscuration": self.obscuration,
             "wavelength": self.wavelength,
@@ -226,17 +299,50 @@ class Pupil:
             "apodization": self.apodization,
             "geometry": None if self.geometry is None else self.geometry.to_dict(),
         }
+        shapes = {"spider": self.spider, "vignetting": self.vignetting, "mask": self.mask}
+        return plain | {name: shape.to_dict() for name, shape in shapes.items() if shape is not None}
 
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> Pupil:
         """Rebuild a pupil from :meth:`to_dict`."""
         parts = dict(description)
         geometry = parts.pop("geometry")
+        for name, build in _SHAPES.items():
+            if name in parts:
+                parts[name] = build(parts[name])
         return cls(
             Wavefront.from_dict(parts.pop("wavefront")),
             geometry=None if geometry is None else Geometry.from_dict(geometry),
             **parts,
         )
+
+
+_SHAPES: dict[str, Any] = {
+    "spider": Spider.from_dict,
+    "vignetting": vignetting_from_dict,
+    "mask": Mask.from_dict,
+}
+
+
+@lru_cache(maxsize=8)
+def _samples(opening: Opening, mask: Mask) -> Rule:
+    """Return the cells of a mask that the aperture covers; weights are amplitude times covered area over pi."""
+    at = cell_centers(mask.side)
+    part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
+    weight = mask.values * np.where(part > 1e-9, part, 0.0)  # less is rounding
+    rows, columns = np.nonzero(weight)
+    return Rule(at[columns], at[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
+
+
+@lru_cache(maxsize=64)
+def _moment(opening: Opening, mask: Mask | None, g: float, power: int) -> float:
+    """Return ``(1/pi) int T^power exp(-g rho^2) dx dy`` with the amplitude T of the mask."""
+    if mask is None:
+        x, y, weight = opening.rule(degree_needed([], 0.0, g, 1e-14))
+    else:
+        x, y, weight = _samples(opening, mask)
+        weight = weight * mask.at(x, y) ** (power - 1)
+    return float(weight @ np.exp(-g * (x * x + y * y)))
 
 
 def ray_height(coefficients: NDArray[np.float64], rho: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -159,7 +159,7 @@ def compare(
         started(name)
         try:
             found, row["seconds"] = timed(lambda method=method: answer(method))  # type: ignore[misc]
-        except (ValueError, ArithmeticError) as error:
+        except (ValueError, ArithmeticError, ImportError) as error:
             row["reason"] = str(error)
             continue
         answers[name] = found

@@ -11,8 +11,10 @@ from lommel.methods.geometric import Geometric
 from lommel.methods.hankel import Hankel
 from lommel.methods.huygens import HuygensFresnel
 from lommel.methods.lommel_series import LommelSeries
+from lommel.methods.matrix_fourier import MatrixFourier
 from lommel.methods.method import FieldMethod, Method, RadialMethod, ToleranceError
 from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
 from lommel.methods.tuned_closed_form import TunedClosedForm
 from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
@@ -23,6 +25,8 @@ METHODS: dict[str, type[Method]] = {
     "lommel-series": LommelSeries,
     "huygens-fresnel": HuygensFresnel,
     "fraunhofer": Fraunhofer,
+    "matrix-fourier": MatrixFourier,
+    "nonuniform-fft": NonuniformFFT,
     "closed-form": ClosedForm,
     "tuned-closed-form": TunedClosedForm,
     "geometric": Geometric,
@@ -63,8 +67,10 @@ __all__ = [
     "Hankel",
     "HuygensFresnel",
     "LommelSeries",
+    "MatrixFourier",
     "Method",
     "NijboerZernike",
+    "NonuniformFFT",
     "Polychromatic",
     "RadialMethod",
     "ToleranceError",

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from lommel import validation
 from lommel.grid import Grid
 from lommel.methods.method import Intensities, Method
+from lommel.methods.sampling import blur_and_window, illuminated, transmission
 from lommel.pupil import Pupil
-from lommel.special.disk import disk_overlap
 
 _MAX_SIDE = 16384
 _MAX_SAMPLES = 8192
@@ -33,7 +33,8 @@ class Fraunhofer(Method):
     padding : float, default 4
         Least ratio of the FFT's length to `samples`, at least 1.
     edge : {"binary", "grey"}, default "binary"
-        "binary": a sample counts if its centre is inside; "grey": by the exact part of its cell that is.
+        "binary": a sample counts if its centre is inside; "grey": by the part of its cell that is, exact for discs
+        and annuli, counted on 16 x 16 points of the cell for other apertures.
 
     Notes
     -----
@@ -44,6 +45,8 @@ class Fraunhofer(Method):
     """
 
     nonradial: ClassVar[bool] = True
+    apodized: ClassVar[bool] = True
+    any_aperture: ClassVar[bool] = True
     samples: int = 256
     padding: float = 4.0
     edge: str = "binary"
@@ -71,7 +74,7 @@ class Fraunhofer(Method):
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
         rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
-        mask = self._mask(x, pupil.obscuration)
+        mask = illuminated(pupil, x, transmission(pupil, x, 0.5 * spacing, self.edge))
         # An axis off the default place is a tilt of the pupil.
         away = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.center)
         tilt = np.exp(-1j * (away[0] * x[:, None] + away[1] * x))
@@ -97,8 +100,7 @@ class Fraunhofer(Method):
         stride = max(1, math.ceil(self.padding * step / math.pi - 1e-9))
         per_diameter = stride * math.pi / step  # FFT length over pupil samples that makes the pitches fit
         # Light from +-blur must not come back at the other side of the window.
-        blur = float(pupil.v(pupil.geometric_radius()).max())
-        window = max(float(np.abs(part).max()) for part in (grid.x, grid.y)) * step / grid.pixel + 0.5 * step
+        blur, window = blur_and_window(pupil, grid)
         needed = math.ceil((blur + window) / math.pi)
         if needed > self.samples:
             where = f"the geometric blur (v = {blur:.4g}) and the window (v = {window:.4g})"
@@ -115,15 +117,6 @@ class Fraunhofer(Method):
             )
         side = int(next_fast_len(math.ceil(wanted)))
         return stride, side, 2.0 * math.pi * stride / (side * step)
-
-    def _mask(self, x: NDArray[np.float64], obscuration: float) -> NDArray[np.float64]:
-        if self.edge == "binary":
-            rho2 = x[:, None] ** 2 + x**2
-            return ((rho2 <= 1.0) & (rho2 >= obscuration**2)).astype(np.float64)
-        half = 0.5 * (x[1] - x[0])
-        cell = (x - half, x + half, (x - half)[:, None], (x + half)[:, None])
-        covered = disk_overlap(1.0, *cell) - disk_overlap(obscuration, *cell)
-        return np.asarray(covered / (4.0 * half**2))
 
 
 def _fft2(values: NDArray[np.complex128]) -> NDArray[np.complex128]:

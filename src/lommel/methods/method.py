@@ -101,6 +101,9 @@ class Method(ABC):
     nonradial: ClassVar[bool] = False
     """Whether pupils whose phase or transmission depends on the direction are supported."""
 
+    any_aperture: ClassVar[bool] = False
+    """Whether apertures with a spider, vignetting or a mask are supported."""
+
     tol: float = 1e-6
 
     @abstractmethod
@@ -168,6 +171,11 @@ class Method(ABC):
         if not isinstance(pupil, Pupil):
             raise TypeError(f"pupil must be a Pupil, got {pupil!r}")
         reason = self.unsupported(pupil)
+        if reason is None and not (pupil.circular or self.any_aperture):
+            reason = (
+                "supports plain discs and annuli only; for a spider, vignetting or a mask use NonuniformFFT, "
+                "MatrixFourier or Fraunhofer"
+            )
         if reason is None and not (pupil.radial or self.nonradial):
             reason = "supports radially symmetric pupils only; this one has terms that depend on the direction"
         if reason is None and pupil.apodization and not self.apodized:

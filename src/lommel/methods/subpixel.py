@@ -105,6 +105,15 @@ def _one(
     raise ToleranceError(f"tol={method.tol:g} cannot be met: the bound on the error stays at {bound:.2g} of the peak")
 
 
+def gauss_pixel(width: float, error: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return offsets in v and weights that average I over a pixel of `width` in v along one axis, erring by `error`.
+
+    The error is over ``sup|U|^2`` and holds for any pupil: U is of exponential type 1 along either axis.
+    """
+    x, w = gauss_legendre(pixel_nodes(width, error), -0.5, 0.5)
+    return width * x, w
+
+
 def pixel_error(width: float, nodes: int) -> float:
     """Bound the error of the q-point average over a pixel of `width` in v, along one axis, over sup|U|^2."""
     q = nodes

@@ -1,0 +1,287 @@
+"""What narrows an aperture besides a round obscuration: vanes, vignetting, and masks of any transmission.
+
+All lengths are in units of the radius of the aperture; x rises with the columns of the image, y with the rows, and
+angles are in radians from x to y. Each shape has a `margin`: a function that is positive where light passes, negative
+where it does not, and changes by no more than the distance between two points.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import math
+import zlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel import validation
+
+Array = NDArray[np.float64]
+
+MAX_VANES = 64
+MAX_SIDE = 8192
+
+
+@dataclass(frozen=True)
+class Spider:
+    """Straight vanes from the axis to the rim, which hold a secondary mirror.
+
+    A vane blocks the half strip ``abs(across) < width / 2, along > 0`` of its direction; two opposite ones make a
+    bar across the aperture. Where vanes overlap, near the axis, light is blocked once.
+
+    Parameters
+    ----------
+    width : float
+        Of each vane over the radius of the aperture, above 0 and below 2.
+    angles : sequence of float
+        Direction of each vane, radians from x (columns) to y (rows); 1 to 64 of them.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the width or an angle is no finite number in range.
+
+    Examples
+    --------
+    >>> Spider.equal(4, width=0.02).angles[:2]
+    (0.0, 1.5707963267948966)
+    """
+
+    width: float
+    angles: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "width", validation.real("width", self.width, above=0.0, below=2.0))
+        angles = validation.real_array("angles", self.angles)
+        if angles.ndim != 1 or not 1 <= angles.size <= MAX_VANES:
+            raise ValueError(
+                f"angles must be a sequence of 1 to {MAX_VANES} numbers, got {self.angles!r} of shape {angles.shape}"
+            )
+        object.__setattr__(self, "angles", tuple(angles.tolist()))
+
+    @classmethod
+    def equal(cls, count: int, width: float, first: float = 0.0) -> Spider:
+        """Return `count` vanes at equal angles, one of them at the angle `first` (radians)."""
+        number = validation.integer("count", count, least=1, most=MAX_VANES)
+        start = validation.real("first", first)
+        return cls(width, tuple(start + 2.0 * math.pi * k / number for k in range(number)))
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return how far a point is from the nearest vane; negative inside one."""
+        least = np.full(np.broadcast_shapes(x.shape, y.shape), np.inf)
+        for angle in self.angles:
+            c, s = math.cos(angle), math.sin(angle)
+            np.minimum(least, np.maximum(np.abs(y * c - x * s) - 0.5 * self.width, -(x * c + y * s)), out=least)
+        return least
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the vanes in plain types."""
+        return {"width": self.width, "angles": list(self.angles)}
+
+    @classmethod
+    def from_dict(cls, description: Mapping[str, Any]) -> Spider:
+        """Rebuild a spider from :meth:`to_dict`."""
+        return cls(**description)
+
+
+@dataclass(frozen=True)
+class Ellipse:
+    """A clear region with an elliptical edge around the axis: simple vignetting towards the edge of the field.
+
+    Parameters
+    ----------
+    a, b : float
+        Semi-axes over the radius of the aperture, above 0, at most 1.
+    angle : float, default 0
+        Direction of the semi-axis a, radians from x to y.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If one of them is no finite number in range.
+    """
+
+    a: float
+    b: float
+    angle: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("a", "b"):
+            size = validation.real(name, getattr(self, name), above=0.0)
+            if size > 1.0:
+                raise ValueError(f"{name} must be at most 1, the radius of the aperture, got {size:g}")
+            object.__setattr__(self, name, size)
+        object.__setattr__(self, "angle", validation.real("angle", self.angle))
+
+    @property
+    def frame(self) -> Array:
+        """The matrix from the unit disc to the ellipse, shape (2, 2)."""
+        c, s = math.cos(self.angle), math.sin(self.angle)
+        return np.array([[self.a * c, -self.b * s], [self.a * s, self.b * c]])
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return at most the distance from the edge; negative outside of the ellipse."""
+        c, s = math.cos(self.angle), math.sin(self.angle)
+        scaled = np.hypot((x * c + y * s) / self.a, (y * c - x * s) / self.b)
+        return np.asarray(min(self.a, self.b) * (1.0 - scaled))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the ellipse in plain types, with its name."""
+        return {"name": "Ellipse", "a": self.a, "b": self.b, "angle": self.angle}
+
+
+@dataclass(frozen=True)
+class CatEye:
+    """What a second circle leaves of the aperture: the cat's eye of points towards the edge of the field.
+
+    Parameters
+    ----------
+    shift : (float, float)
+        Centre (x, y) of the second circle, over the radius of the aperture.
+    radius : float, default 1
+        Of the second circle, over that of the aperture; above 0, at most 1000.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If one of them is no finite number in range, or if the two circles do not overlap.
+    """
+
+    shift: tuple[float, float]
+    radius: float = 1.0
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.shift, tuple | list | np.ndarray) or len(self.shift) != 2:
+            raise TypeError(f"shift must be a pair (x, y), got {self.shift!r}")
+        x, y = (validation.real(f"shift[{i}]", part) for i, part in enumerate(self.shift))
+        radius = validation.real("radius", self.radius, above=0.0, below=1000.0 + 1e-9)
+        if math.hypot(x, y) >= 1.0 + radius:
+            raise ValueError(
+                f"shift must be shorter than 1 + radius = {1.0 + radius:g}, or the circles do not overlap, "
+                f"got {self.shift!r}"
+            )
+        object.__setattr__(self, "shift", (x, y))
+        object.__setattr__(self, "radius", radius)
+
+    def margin(self, x: Array, y: Array) -> Array:
+        """Return the distance from the edge of the second circle; negative outside of it."""
+        return np.asarray(self.radius - np.hypot(x - self.shift[0], y - self.shift[1]))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the circle in plain types, with its name."""
+        return {"name": "CatEye", "shift": list(self.shift), "radius": self.radius}
+
+
+def vignetting_from_dict(description: Mapping[str, Any]) -> Ellipse | CatEye:
+    """Rebuild what `to_dict` of `Ellipse` or `CatEye` describes; ValueError if it is neither."""
+    parts = dict(description)
+    name = validation.choice("vignetting", parts.pop("name", None), ("Ellipse", "CatEye"))
+    return Ellipse(**parts) if name == "Ellipse" else CatEye(**parts)
+
+
+@dataclass(frozen=True, eq=False)
+class Mask:
+    """Amplitude transmission sampled over the square around the aperture: apodisers, segmented mirrors, anything.
+
+    The pupil *is* these samples: each stands for its cell, and images are sums over the cells that the aperture
+    covers. They repeat at ``pi * side`` in v, so a window into which the light of a repetition would fall is refused.
+
+    Parameters
+    ----------
+    values : array_like, shape (side, side)
+        Amplitudes from 0 to 1 at the centres ``(2 i + 1 - side) / side`` of the cells of the square [-1, 1] x
+        [-1, 1]; rows rise with y, columns with x. side is 2 to 8192.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the array is not square, holds anything but numbers from 0 to 1, or holds zeros only.
+
+    Examples
+    --------
+    >>> Mask.sample(lambda x, y: x > 0, side=4).values[0]
+    array([0., 0., 1., 1.])
+    """
+
+    values: Array
+    _digest: bytes = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        given = np.asarray(self.values)
+        if given.dtype == np.bool_:
+            given = given.astype(np.float64)
+        if given.ndim != 2 or given.shape[0] != given.shape[1] or not 2 <= given.shape[0] <= MAX_SIDE:
+            raise ValueError(f"values must be a square array with a side of 2 to {MAX_SIDE}, got shape {given.shape}")
+        values = np.ascontiguousarray(validation.real_array("values", given, least=0.0)) + 0.0
+        if values.max() > 1.0:
+            raise ValueError(f"values must be from 0 to 1, got {values.max():g}")
+        if values.max() == 0.0:
+            raise ValueError("values must not be 0 throughout: no light would pass")
+        values.flags.writeable = False
+        object.__setattr__(self, "values", values)
+        object.__setattr__(self, "_digest", hashlib.sha256(repr(values.shape).encode() + values.tobytes()).digest())
+
+    @classmethod
+    def sample(cls, function: Callable[[Array, Array], ArrayLike], side: int) -> Mask:
+        """Return the mask with the values of ``function(x, y)`` at the centres of the cells.
+
+        Parameters
+        ----------
+        function : callable
+            Takes arrays of shapes (1, side) and (side, 1) and returns amplitudes (or truth values) that broadcast
+            to (side, side).
+        side : int
+            2 to 8192.
+        """
+        n = validation.integer("side", side, least=2, most=MAX_SIDE)
+        if not callable(function):
+            raise TypeError(f"function must be callable, got {function!r}")
+        at = cell_centers(n)
+        return cls(np.broadcast_to(np.asarray(function(at[None, :], at[:, None])), (n, n)))
+
+    @property
+    def side(self) -> int:
+        """Samples along each side."""
+        return len(self.values)
+
+    def at(self, x: Array, y: Array) -> Array:
+        """Return the amplitude of the cell that each point lies in, 0 outside of the square."""
+        row, column = (np.floor(0.5 * (part + 1.0) * self.side) for part in (y, x))
+        # The far edge belongs to the last cell.
+        row, column = np.where(y == 1.0, self.side - 1, row), np.where(x == 1.0, self.side - 1, column)
+        inside = (row >= 0) & (row < self.side) & (column >= 0) & (column < self.side)
+        places = (np.where(inside, part, 0).astype(np.int64) for part in (row, column))
+        return np.asarray(np.where(inside, self.values[tuple(places)], 0.0))
+
+    def __eq__(self, other: object) -> bool:
+        """Two masks are equal if all their values are."""
+        if not isinstance(other, Mask):
+            return NotImplemented
+        return self._digest == other._digest
+
+    def __hash__(self) -> int:
+        return hash(self._digest)
+
+    def __repr__(self) -> str:
+        return f"Mask(<{self.side} x {self.side} amplitudes, mean {self.values.mean():.4g}>)"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the values in plain types: little-endian float64, deflated, as base64."""
+        data = zlib.compress(self.values.astype("<f8").tobytes(), 6)
+        return {"side": self.side, "values": base64.b64encode(data).decode("ascii")}
+
+    @classmethod
+    def from_dict(cls, description: Mapping[str, Any]) -> Mask:
+        """Rebuild a mask from :meth:`to_dict`."""
+        side = validation.integer("side", description["side"], least=2, most=MAX_SIDE)
+        data = zlib.decompress(base64.b64decode(description["values"], validate=True))
+        return cls(np.frombuffer(data, "<f8").reshape(side, side))
+
+
+def cell_centers(side: int) -> Array:
+    """Return the centres of `side` equal cells of [-1, 1]."""
+    return (2.0 * np.arange(side) + 1.0 - side) / side

@@ -1,0 +1,104 @@
+"""The semi-analytical or matrix Fourier transform: any pupil, any pixels, two matrix products."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel import validation
+from lommel.aperture import cell_centers
+from lommel.grid import Grid
+from lommel.methods.method import Intensities, Method
+from lommel.methods.sampling import illuminated, samples_needed, transmission
+from lommel.methods.subpixel import gauss_pixel
+from lommel.pupil import Pupil
+
+_MAX_SAMPLES = 8192
+_MAX_FIELD = 2**27  # complex values held at once: 2 GiB
+
+
+@dataclass(frozen=True)
+class MatrixFourier(Method):
+    r"""Fourier sum of the pupil on a Cartesian lattice, straight onto the pixels by two matrix products.
+
+    Supports every pupil, as long as no light wraps around into the window. The transform is exact; what errs is the
+    lattice: the staircase at the rim (first order in the spacing if binary, second if grey), the more so the larger
+    the aberration. No bound is claimed: at a few radians typically 1e-3 of the peak with 256 binary samples, 2e-4
+    with grey ones.
+
+    Parameters
+    ----------
+    samples : int, default 256
+        Number of samples across the diameter of the aperture, 8 to 8192; their cells fill it exactly. With the side
+        of the mask of a pupil it takes the samples of the mask as they are.
+    edge : {"grey", "binary"}, default "grey"
+        "grey": a sample counts by the part of its cell that is clear, exact for discs and annuli, counted on 16 x 16
+        points of the cell for others. "binary": it counts if its centre is clear.
+
+    Notes
+    -----
+    ``U = (4 / (pi n^2)) E_y P E_x`` with ``E = exp(-i v x)``. `integrate` averages over Gauss-Legendre points within
+    each pixel, to 1e-8 of the peak of the unaberrated aperture.
+
+    References
+    ----------
+    R. Soummer, L. Pueyo, A. Sivaramakrishnan and R. J. Vanderbei, "Fast computation of Lyot-style coronagraph
+    propagation", Opt. Express 15, 15935 (2007), doi:10.1364/OE.15.015935.
+    """
+
+    nonradial: ClassVar[bool] = True
+    apodized: ClassVar[bool] = True
+    any_aperture: ClassVar[bool] = True
+    samples: int = 256
+    edge: str = "grey"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=8, most=_MAX_SAMPLES))
+        validation.choice("edge", self.edge, ("grey", "binary"))
+
+    def unsupported(self, pupil: Pupil) -> str | None:
+        """Return None: every pupil is supported."""
+        return None
+
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
+
+        Raises
+        ------
+        ValueError
+            If light would wrap around into the window, or if the field takes more than 2^27 values.
+        """
+        needed = samples_needed(pupil, grid)
+        if needed > self.samples:
+            over = f"{needed:.3g} samples, over {_MAX_SAMPLES}"
+            advice = f"at least samples={needed}" if needed <= _MAX_SAMPLES else over
+            raise ValueError(
+                f"MatrixFourier(samples={self.samples}) would alias: the geometric blur and the window need {advice}"
+            )
+        step = grid.step(pupil)
+        offset, weight = gauss_pixel(step, 1e-8) if grid.integrate else (np.zeros(1), np.ones(1))
+        if grid.height * grid.width * offset.size**2 > _MAX_FIELD:
+            raise ValueError(
+                f"pixels of v = {step:.3g} take {offset.size} x {offset.size} points each, {grid.height} x "
+                f"{grid.width} of them more than the limit of {_MAX_FIELD}"
+            )
+        half = 1.0 / self.samples
+        x = cell_centers(self.samples)
+        amplitude = illuminated(pupil, x, transmission(pupil, x, half, self.edge))
+        to_rows, to_columns = (
+            np.exp(-1j * np.multiply.outer((step / grid.pixel * part[:, None] + offset).ravel(), x))
+            for part in (grid.y, grid.x)
+        )
+        rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
+        wavefronts = pupil.wavefront.flattened()
+        out = np.empty((wavefronts.shape[0], *grid.shape))
+        for i, image in enumerate(out):
+            field = to_rows @ (amplitude * np.exp(1j * wavefronts[i].phase(rho, theta))) @ to_columns.T
+            fine = (4.0 / (math.pi * self.samples**2)) ** 2 * (field.real**2 + field.imag**2)
+            shaped: NDArray[np.float64] = fine.reshape(grid.height, offset.size, grid.width, offset.size)
+            image[:] = np.einsum("yaxb,a,b->yx", shaped, weight, weight, optimize=True)
+        return Intensities(out, None)

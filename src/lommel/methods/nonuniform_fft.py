@@ -1,0 +1,153 @@
+"""Spectral quadrature over any aperture, summed by a non-uniform FFT: every pupil, to a tolerance."""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel import validation
+from lommel.grid import Grid
+from lommel.methods.method import Intensities, Method, ToleranceError
+from lommel.methods.sampling import samples_needed
+from lommel.methods.subpixel import gauss_pixel
+from lommel.opening import degree_needed
+from lommel.pupil import Pupil
+
+Array = NDArray[np.float64]
+
+_LEAST_EPS = 1e-14  # what FINUFFT reaches in double precision
+_BLOCK_DEGREE = 16  # degrees are rounded up to these, so that neighbours share their nodes
+
+
+@dataclass(frozen=True)
+class NonuniformFFT(Method):
+    r"""Gauss quadrature over the clear aperture, transformed onto the pixels by FINUFFT (type 1, two dimensions).
+
+    Supports every pupil: any wavefront, spiders, vignetting, masks, apodization. Needs the optional library finufft,
+    ``pip install "lommel[nufft]"``.
+
+    Parameters
+    ----------
+    tol : float, default 1e-6
+        What the error of the intensity is to be below, relative to the peak of the window, 1e-11 to below 0.1. A
+        target that tests sweep, not a bound: see the notes. `PSF.error_bound` is None.
+
+    Notes
+    -----
+    The nodes (:meth:`lommel.opening.Opening.rule`) are exact to a total degree for which the error of U is proven to
+    be below a quarter of the tolerance (:func:`lommel.opening.degree_needed`), on discs, annuli and full ellipses. On
+    other apertures the degree is the same, and the rule converged to about 1e-13 instead of exact. The precision
+    asked of FINUFFT is another quarter; it is a requested relative accuracy of its kernel, measured by its authors,
+    not proven. A mask is not integrated: its samples are the pupil, and are summed.
+
+    Both parts relate to the peak found in the window; where that is dimmer than was guessed the sum is repeated.
+    `integrate` averages over Gauss-Legendre points within each pixel.
+
+    References
+    ----------
+    A. H. Barnett, J. F. Magland and L. af Klinteberg, "A parallel non-uniform fast Fourier transform library based
+    on an 'exponential of semicircle' kernel", SIAM J. Sci. Comput. 41, C479 (2019), doi:10.1137/18M120885X.
+    """
+
+    nonradial: ClassVar[bool] = True
+    apodized: ClassVar[bool] = True
+    any_aperture: ClassVar[bool] = True
+    tol: float = 1e-6
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-11, below=1e-1))
+
+    def unsupported(self, pupil: Pupil) -> str | None:
+        """Return None: every pupil is supported."""
+        return None
+
+    def tightened(self) -> NonuniformFFT:
+        """Return the same method with half the tolerance."""
+        return replace(self, tol=max(0.5 * self.tol, 1e-11))
+
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
+
+        Raises
+        ------
+        ImportError
+            If finufft is not installed.
+        ValueError
+            If the samples of a mask are too coarse for the wavefront and the window.
+        ToleranceError
+            If double precision does not hold the tolerance, relative to the peak of the window.
+        """
+        library()
+        if pupil.mask is not None and (needed := samples_needed(pupil, grid)) > pupil.mask.side:
+            raise ValueError(
+                f"the mask of side {pupil.mask.side} is too coarse: the geometric blur and the window need a side of "
+                f"at least {needed:.5g}"
+            )
+        pupils = [pupil] if pupil.shape == () else [pupil[index] for index in np.ndindex(pupil.shape)]
+        return Intensities(np.stack([self._image(one, grid, threads) for one in pupils]), None)
+
+    def _image(self, pupil: Pupil, grid: Grid, threads: int) -> Array:
+        amplitude, step = pupil.amplitude, grid.step(pupil)
+        # Light spread evenly over the blur has this field; where it gathers the peak is brighter.
+        bright = amplitude / (1.0 + float(pupil.v(pupil.geometric_radius())))
+        for _ in range(6):
+            # I errs by 2 |U| times the error of U.
+            budget = 0.125 * self.tol * bright
+            if budget / amplitude < _LEAST_EPS:
+                break
+            offset, weight = gauss_pixel(step, 2.0 * budget * bright) if grid.integrate else (np.zeros(1), np.ones(1))
+            image = self._sum(pupil, grid, budget, offset, weight, threads)
+            peak = math.sqrt(float(image.max()))
+            if peak >= bright:
+                return image
+            bright = 0.9 * peak
+        raise ToleranceError(
+            f"tol={self.tol:g} cannot be met in double precision: the peak of the window is "
+            f"{(bright / amplitude) ** 2:.2g} of the unaberrated one; ask for a larger tol"
+        )
+
+    def _sum(self, pupil: Pupil, grid: Grid, budget: float, offset: Array, weight: Array, threads: int) -> Array:
+        """Return the image of a single pupil, with errors of U below `budget`."""
+        step = grid.step(pupil)
+        half = 0.5 * step if grid.integrate else 0.0
+        reach = step / grid.pixel * math.hypot(*(float(np.abs(part).max()) + half for part in (grid.x, grid.y)))
+        degree = degree_needed(edge_amplitudes(pupil), reach, pupil.apodization, budget)
+        x, y, w = pupil.rule(math.ceil(degree / _BLOCK_DEGREE) * _BLOCK_DEGREE)
+        phase = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(y, x)).ravel()
+        # An axis off the default place is a tilt of the pupil.
+        down, across = step * (np.array([grid.height // 2, grid.width // 2]) - grid.center)
+        strengths = w * np.exp(1j * (phase - down * y - across * x) - pupil.apodization * (x * x + y * y))
+        eps = budget / pupil.amplitude
+        # Modes run from -(n // 2), and the first axis of the answer belongs to the first coordinate.
+        # Threads cost more than they save where there is little to do.
+        most = min(threads or os.cpu_count() or 1, 1 + (x.size + grid.height * grid.width) // 2**19)
+        plan = library().Plan(1, grid.shape, eps=eps, isign=-1, nthreads=most)
+        plan.setpts(step * y, step * x)
+        image = np.zeros(grid.shape)
+        for dy, wy in zip(offset, weight, strict=True):
+            for dx, wx in zip(offset, weight, strict=True):
+                field = plan.execute(strengths * np.exp(-1j * (dy * y + dx * x)) if grid.integrate else strengths)
+                image += wy * wx * (field.real**2 + field.imag**2)
+        return image
+
+
+def edge_amplitudes(pupil: Pupil) -> list[tuple[int, float]]:
+    """Return (n, W) of the Zernike terms of a single pupil, cosine and sine of one order together."""
+    squares: dict[tuple[int, int], float] = {}
+    for (n, m), c in pupil.wavefront.edge_terms().items():
+        squares[n, abs(m)] = squares.get((n, abs(m)), 0.0) + float(c) ** 2
+    return [(n, math.sqrt(square)) for (n, _), square in squares.items() if square > 0.0]
+
+
+def library() -> Any:
+    """Return finufft, or say how to get it."""
+    try:
+        import finufft
+    except ImportError:
+        raise ImportError('NonuniformFFT needs finufft: install "lommel[nufft]"') from None
+    return finufft

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
+    from lommel.aperture import centroid, marechal, rms, spot_radius, strehl
     from lommel.grid import Grid
     from lommel.lens import Lens
     from lommel.lensfile import Instrument, load_instrument
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from lommel.metrics import best_focus, mse, peak_error
     from lommel.pupil import Pupil
     from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
+    from lommel.transfer import mtf, mtf_frequency, otf, ptf
     from lommel.wavefront import Wavefront
 
 _HOME = {
@@ -37,6 +39,15 @@ _HOME = {
     "load_instrument": "lensfile",
     "best_focus": "metrics",
     "mse": "metrics",
+    "centroid": "aperture",
+    "marechal": "aperture",
+    "rms": "aperture",
+    "spot_radius": "aperture",
+    "strehl": "aperture",
+    "mtf": "transfer",
+    "mtf_frequency": "transfer",
+    "otf": "transfer",
+    "ptf": "transfer",
     "peak_error": "metrics",
     "AbramowitzErf": "special.erf",
     "FresnelErf": "special.erf",
@@ -79,10 +90,19 @@ __all__ = [
     "TunedClosedForm",
     "Wavefront",
     "best_focus",
+    "centroid",
     "load_instrument",
+    "marechal",
     "mse",
+    "mtf",
+    "mtf_frequency",
+    "otf",
     "peak_error",
     "psf",
+    "ptf",
+    "rms",
+    "spot_radius",
+    "strehl",
 ]
 
 

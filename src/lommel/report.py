@@ -9,19 +9,20 @@ from typing import Any
 
 import numpy as np
 
-from lommel import metrics
+from lommel import aperture, metrics, spot, transfer
 from lommel.lensfile import Instrument
 from lommel.methods import Hankel, Method, NijboerZernike
 from lommel.psf import PSF, psf
-from lommel.pupil import Pupil
 from lommel.units import format_length
 
 
 def describe_lens(instrument: Instrument) -> dict[str, Any]:
     """Return what there is to say about a lens and its object without computing an image.
 
-    Lengths in metres (None for infinity), phases in radians, energies as fractions of all light. Each encircled
-    energy stands beside that of the same aperture in focus and without aberration.
+    Lengths in metres (None for infinity), phases in radians, energies as fractions of all light, frequencies in
+    cycles per metre along x. Each encircled energy stands beside that of the same aperture in focus and without
+    aberration. "mtf_at_nyquist" is that of the lens, "mtf_at_nyquist_with_pixel" that of the lens and of pixels that
+    average; "fwhm" is None for a pupil that is not radial.
     """
     lens, pupil = instrument.lens, instrument.pupil()
     radii = dict(instrument.radii)
@@ -51,17 +52,20 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
         "airy_radius": airy,
         "geometric_radius": blur,
-        "strehl": on_axis(pupil),
+        "strehl": float(aperture.strehl(pupil)),
+        "marechal": float(aperture.marechal(pupil)),
+        "rms_waves": float(aperture.rms(pupil, unit="waves")),
+        "fwhm": float(spot.radial_fwhm(way, pupil)) if pupil.radial else None,
+        "cutoff": pupil.cutoff,
+        "mtf50": float(transfer.mtf_frequency(pupil)),
+        "nyquist": 0.5 / instrument.pixel,
+        "mtf_at_nyquist": float(transfer.mtf(pupil, 0.5 / instrument.pixel)),
+        "mtf_at_nyquist_with_pixel": float(transfer.mtf(pupil, 0.5 / instrument.pixel, pixel=instrument.pixel)),
         "encircled_energy": [
             {"within": name, "radius": radius, "fraction": float(a), "unaberrated": float(b)}
             for (name, radius), a, b in zip(radii.items(), seen, ideal, strict=True)
         ],
     }
-
-
-def on_axis(pupil: Pupil) -> float:
-    """Return the Strehl ratio: intensity on the axis over that without aberration."""
-    return float(abs(Hankel().field(pupil, 0.0)) ** 2 / pupil.amplitude**2)
 
 
 def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:

@@ -17,7 +17,7 @@ _STEP = 0.15
 """Spacing of tables in v."""
 _ORDER = 6
 """Half of the points that an interpolation takes."""
-_MAX_RADII = 2**18
+_MAX_RADII = 2**16
 
 
 def peak_position(answer: PSF) -> NDArray[np.float64]:
@@ -102,7 +102,7 @@ def fwhm(answer: PSF, along: str = "mean") -> Numbers:
         which the intensity is half of it, to the tolerance of the method whatever the pixels. Else between the
         outermost crossings on cubic splines through the row and the column of the brightest pixel: within about 1 %
         for pixels of a quarter of lambda*N or less. Either way dark rings inside do not count: behind a defocused
-        lens it is about the width of the blur.
+        lens it is about the width of the blur, or of the spike on the axis where that is more than twice as bright.
 
     Raises
     ------
@@ -190,7 +190,7 @@ def energy_diameter(answer: PSF, fraction: float, *, about: str = "axis") -> Num
     ------
     ValueError
         If `fraction` is out of range, if the window does not hold so much light, or if the circle would be wider
-        than about 12000 lambda*N.
+        than about 6000 lambda*N.
     """
     wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
     validation.choice("about", about, ("axis", "centroid"))

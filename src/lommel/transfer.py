@@ -159,8 +159,8 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Cycles per metre or per lambda*N. The first crossing is bracketed by steps of 1/256 of the cutoff, and
-        found in the bracket to 1e-10 of the cutoff.
+        Cycles per metre or per lambda*N. The first crossing is bracketed by steps of 1/128 of the cutoff or, behind
+        a large blur, of a quarter of an oscillation or less, and found in the bracket to 1e-10 of the cutoff.
     """
     from scipy.optimize import brentq
 
@@ -170,19 +170,29 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
     turn = validation.real("angle", angle)
     cos, sin = math.cos(turn), math.sin(turn)
     cutoff = pupil.cutoff
-    scan = np.linspace(0.0, cutoff, 257)
-    below = (np.asarray(mtf(pupil, scan * cos, scan * sin, pixel=pixel, tol=1e-8)) <= wanted).reshape(-1, scan.size)
+    # An image of radius r makes the OTF oscillate like J1(2 pi r f).
+    blur = float(pupil.v(pupil.geometric_radius()).max())
+    steps = math.ceil(max(128.0, 2.0 * blur))
+    first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
+    for start in range(1, steps + 1, 32):
+        k = np.arange(start, min(start + 32, steps + 1))
+        f = k * (cutoff / steps)
+        below = np.asarray(mtf(pupil, f * cos, f * sin, pixel=pixel, tol=1e-8)).reshape(-1, k.size) <= wanted
+        first = np.where((first == 0) & below.any(axis=1), k[below.argmax(axis=1)], first)
+        if first.all():
+            break
     flat = replace(pupil, wavefront=pupil.wavefront.flattened(), geometry=None)
-    out = np.empty(len(below))
-    for i, first in enumerate(below.argmax(axis=1)):
+    out = np.empty(first.size)
+    for i, k_high in enumerate(first):
 
         def above(f: float, one: Pupil = flat[i]) -> float:
             return float(mtf(one, f * cos, f * sin, pixel=pixel)) - wanted
 
-        low, high = float(scan[first - 1]), float(scan[first])
+        low, high = (float(k) * (cutoff / steps) for k in (k_high - 1, k_high))
         # The scan is less exact than the search: a bracket's end may have crossed by rounding.
-        if above(low) <= 0.0 or above(high) >= 0.0:
-            out[i] = low if above(low) <= 0.0 else high
+        ends = above(low), above(high)
+        if ends[0] <= 0.0 or ends[1] >= 0.0:
+            out[i] = low if ends[0] <= 0.0 else high
         else:
             out[i] = brentq(above, low, high, xtol=1e-10 * cutoff)
     result: Numbers = out.reshape(pupil.shape)[()]

@@ -57,7 +57,7 @@ def test_the_diameters_of_the_airy_pattern_hold_what_rayleigh_says(fraction):
 
 @given(st.floats(-30, 30), st.floats(0.02, 0.97), st.sampled_from([0.0, 0.6]))
 def test_a_diameter_holds_the_light_it_was_asked_for(defocus, fraction, eps):
-    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus), obscuration=eps), 5, 0.2, method=EXACT)
+    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus), obscuration=eps), 5, 0.2, method=lm.NijboerZernike(1e-9))
     assert answer.encircled_energy(0.5 * answer.energy_diameter(fraction)) == pytest.approx(fraction, abs=1e-8)
 
 
@@ -132,9 +132,9 @@ def test_squares_of_a_radial_psf_are_exact_and_those_of_its_pixels_come_near():
 
 @given(st.floats(0.01, 20), st.floats(-10, 10))
 def test_a_square_holds_no_less_than_its_inner_circle_and_no_more_than_its_outer(half, defocus):
-    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus)), 3, 0.3, method=EXACT)
+    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus)), 3, 0.3, method=lm.NijboerZernike(1e-9))
     inner, outer = answer.encircled_energy([half, half * math.sqrt(2)])
-    assert inner - 1e-9 <= answer.ensquared_energy(half) <= outer + 1e-9
+    assert inner - 1e-8 <= answer.ensquared_energy(half) <= outer + 1e-8
     pixels = lm.psf(lm.Pupil(lm.Wavefront(defocus)), 41, 0.5, method=lm.Geometric())
     inner, outer = pixels.encircled_energy([half, half * math.sqrt(2)])
     assert inner - 1e-9 <= pixels.ensquared_energy(half) <= outer + 1e-9

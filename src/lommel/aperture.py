@@ -58,8 +58,9 @@ def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
 def marechal(pupil: Pupil) -> Numbers:
     """Return the extended Marechal estimate of the Strehl ratio, ``exp(-sigma^2)``.
 
-    sigma is the rms phase in radians, weighted by the amplitude (:func:`rms`). It agrees with :func:`strehl` to
-    second order in the phase, and within about 10 % of it where it exceeds 0.3.
+    sigma is the rms phase in radians, weighted by the amplitude (:func:`lommel.rms`). It agrees with
+    :func:`lommel.strehl` to second order in the phase; for primary aberrations Mahajan finds it within 10 % of that
+    where it exceeds 0.3.
 
     Returns
     -------

@@ -106,7 +106,7 @@ def ensquared_energy(answer: PSF, half_width: ArrayLike, *, about: str = "axis")
     half_width : array_like
         Half of the side, in metres if the pupil has a wavelength, else units of lambda*N; >= 0.
     about : {"axis", "centroid"}, default "axis"
-        As of :func:`encircled_energy`, whose error it has.
+        As of :func:`lommel.metrics.encircled_energy`, whose error it has.
 
     Returns
     -------

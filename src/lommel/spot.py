@@ -142,7 +142,7 @@ def _width(line: NDArray[np.float64], name: str) -> float:
 
 
 def radial_fwhm(method: RadialMethod, pupil: Pupil) -> Numbers:
-    """Return the full width at half of the largest intensity of a radial pupil; see :func:`fwhm`.
+    """Return the full width at half of the largest intensity of a radial pupil; see :func:`lommel.spot.fwhm`.
 
     The profile is tabulated in steps of 0.15 in v and interpolated by polynomials of degree 11. As I is
     of exponential type 2 (of one wavelength) this adds less than 2e-11 of the peak of the same aperture without
@@ -215,7 +215,7 @@ def energy_diameter(answer: PSF, fraction: float, *, about: str = "axis") -> Num
 
 
 def radial_diameter(method: RadialMethod, pupil: Pupil, fraction: float) -> Numbers:
-    """Return the diameter that holds `fraction` of all light of a radial pupil; see :func:`energy_diameter`."""
+    """Return the diameter that holds `fraction` of the light; see :func:`lommel.spot.energy_diameter`."""
     wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
     _require_radial(method, pupil)
     unit = pupil.scale / math.pi

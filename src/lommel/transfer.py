@@ -70,8 +70,8 @@ def otf(
     Returns
     -------
     complex or complex ndarray, shape ``pupil.shape + s``
-        With s what fx and fy broadcast to. 1 at frequency 0, and 0 from :attr:`Pupil.cutoff` on. A shift of the
-        image by (a, b) multiplies by ``exp(-2 pi i (fx a + fy b))``.
+        With s what fx and fy broadcast to. 1 at frequency 0, and 0 from :attr:`lommel.Pupil.cutoff` on. A shift of
+        the image by (a, b) multiplies by ``exp(-2 pi i (fx a + fy b))``.
 
     Raises
     ------
@@ -114,7 +114,7 @@ def mtf(
     spectrum: Polychromatic | None = None,
     tol: float = 1e-10,
 ) -> Numbers:
-    """Return the modulation transfer function ``abs(OTF)``; see :func:`otf`.
+    """Return the modulation transfer function ``abs(OTF)``; see :func:`lommel.otf`.
 
     Examples
     --------
@@ -137,7 +137,7 @@ def ptf(
     """Return the phase transfer function, the argument of the OTF in radians, above -pi and up to pi.
 
     The error is `tol` over the MTF. Where the MTF is `tol` or less there is no phase to speak of, and 0 is returned.
-    See :func:`otf`.
+    See :func:`lommel.otf`.
     """
     value = otf(pupil, fx, fy, spectrum=spectrum, tol=tol)
     result: Numbers = np.where(np.abs(value) > tol, np.angle(value), 0.0)[()]
@@ -154,7 +154,7 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
     angle : float, default 0
         Direction of the frequency in radians, from the columns (x) to the rows (y).
     pixel : float, optional
-        As of :func:`otf`.
+        As of :func:`lommel.otf`.
 
     Returns
     -------
@@ -206,15 +206,15 @@ def image_otf(answer: PSF, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     ----------
     answer : PSF
     fx, fy : array_like
-        As of :func:`otf`, at most the Nyquist frequency ``1 / (2 pixel)``.
+        As of :func:`lommel.otf`, at most the Nyquist frequency ``1 / (2 pixel)``.
 
     Returns
     -------
     complex or complex ndarray, shape ``answer.pupil.shape + s``
         ``sum values exp(-2 pi i (fx x + fy y))`` as a fraction of all light, x and y from the axis. At frequency 0
-        it is the light in the window, and nowhere does it differ from :func:`otf` by more than the light outside,
-        but for the error of the values, and aliases where pixels that sample are larger than lambda*N / 2. Values
-        that average over pixels carry the sinc of the pixel.
+        it is the light in the window, and nowhere does it differ from :func:`lommel.otf` by more than the light
+        outside, but for the error of the values, and aliases where pixels that sample are larger than lambda*N / 2.
+        Values that average over pixels carry the sinc of the pixel.
 
     Raises
     ------
@@ -238,7 +238,9 @@ def image_otf(answer: PSF, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
 
 
 def image_spectrum(answer: PSF) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.complex128]]:
-    """Return the frequencies of the window and its transfer function there, by FFT; see :func:`image_otf`.
+    """Return the frequencies of the window and its transfer function there, by FFT.
+
+    See :func:`lommel.transfer.image_otf`.
 
     Returns
     -------
@@ -314,6 +316,9 @@ def _overlap_integral(
     """Return the autocorrelation at f by `nodes` Gauss nodes along and across each part of the overlap."""
     x, w = gauss_legendre(nodes)
     which, y, low, width, weight = _lines(shift, pupil.obscuration, x, w)
+    if not pupil.radial:
+        which, low, width, weight = (np.tile(part, 2) for part in (which, low, width, 0.5 * weight))
+        y = np.concatenate([y, -y])
     out = np.zeros((math.prod(pupil.shape), len(f)), dtype=np.complex128)
     many = max(1, _CHUNK // (len(out) * nodes))
     for start in range(0, y.size, many):
@@ -324,19 +329,32 @@ def _overlap_integral(
         px = along * cos - y[part, None] * sin
         py = along * sin + y[part, None] * cos
         fx, fy = f[at].T[:, :, None]
-        product = pupil.values(px - fx, py - fy) * pupil.values(px + fx, py + fy).conj()
+        if pupil.radial:
+            product = _radial_product(pupil, (px - fx) ** 2 + (py - fy) ** 2, (px + fx) ** 2 + (py + fy) ** 2)
+        else:
+            product = pupil.values(px - fx, py - fy) * pupil.values(px + fx, py + fy).conj()
         np.add.at(out.T, at, ((product @ w) * (width[part] * weight[part])).T)
-    if pupil.radial:
-        out = out.real.astype(np.complex128)
     return out / (math.pi * pupil.transmission)
+
+
+def _radial_product(pupil: Pupil, s: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[Any]:
+    """Return the real part of ``P(s) conj(P(t))``, s and t being rho^2; the imaginary one is odd in u."""
+    coefficients = pupil.coefficients()
+    powers = np.cumprod(np.broadcast_to(s, (coefficients.shape[1], *s.shape)), axis=0)
+    powers -= np.cumprod(np.broadcast_to(t, powers.shape), axis=0)
+    product = np.cos(np.tensordot(coefficients, powers, 1))
+    if pupil.apodization:
+        product *= np.exp(-pupil.apodization * (s + t))
+    return np.asarray(product)
 
 
 def _lines(
     shift: NDArray[np.float64], eps: float, x: NDArray[np.float64], w: NDArray[np.float64]
 ) -> tuple[NDArray[Any], ...]:
-    """Return the lines of constant y that cover the overlaps: frequency, y, begin in u, length, weight in y.
+    """Return the lines of constant y > 0 that cover the overlaps: frequency, y, begin in u, length, weight in y.
 
-    Each overlap is symmetric in y; within a panel its ends are analytic functions of the angle.
+    Each overlap is symmetric in y, and its upper half covered with twice the weight. Within a panel its ends are
+    analytic functions of the angle.
     """
     end = 2.0 * np.arcsin(np.sqrt(0.5 * (1.0 - shift)))  # arccos(shift), exact near 1
     top = np.sqrt((1.0 - shift) * (1.0 + shift))
@@ -352,8 +370,7 @@ def _lines(
     which, y, low, width, weight = (np.concatenate(part) for part in zip(*found, strict=True))
     kept = width * weight > 0
     which, y, low, width, weight = (part[kept] for part in (which, y, low, width, weight))
-    both_sides = np.concatenate([y, -y])
-    return np.tile(which, 2), both_sides, np.tile(low, 2), np.tile(width, 2), np.tile(weight, 2)
+    return which, y, low, width, 2.0 * weight
 
 
 def _panel(

@@ -25,7 +25,7 @@ ORDER = [
     {"lensfile"},
     {"grid"},
     {"methods"},
-    {"aperture"},
+    {"quality"},
     {"psf"},
     {"metrics", "files", "plot"},
     {"transfer", "spot"},

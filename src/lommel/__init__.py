@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
-    from lommel.aperture import centroid, marechal, rms, spot_radius, strehl
+    from lommel.quality import centroid, marechal, rms, spot_radius, strehl
     from lommel.grid import Grid
     from lommel.lens import Lens
     from lommel.lensfile import Instrument, load_instrument
@@ -39,11 +39,11 @@ _HOME = {
     "load_instrument": "lensfile",
     "best_focus": "metrics",
     "mse": "metrics",
-    "centroid": "aperture",
-    "marechal": "aperture",
-    "rms": "aperture",
-    "spot_radius": "aperture",
-    "strehl": "aperture",
+    "centroid": "quality",
+    "marechal": "quality",
+    "rms": "quality",
+    "spot_radius": "quality",
+    "strehl": "quality",
     "mtf": "transfer",
     "mtf_frequency": "transfer",
     "otf": "transfer",

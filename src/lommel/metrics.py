@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import aperture, validation
+from lommel import quality, validation
 from lommel.methods.method import Method, RadialMethod
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
@@ -34,7 +34,7 @@ def strehl(answer: PSF) -> Numbers:
         center = radial.profile(pupil, v).values[:, 0].reshape(pupil.shape)
     elif method.sampling == "center":
         shares = [(share / colour**2, part) for colour, share, part in colours(method, pupil)]
-        total = sum(share * np.asarray(aperture.strehl(part)) for share, part in shares)
+        total = sum(share * np.asarray(quality.strehl(part)) for share, part in shares)
         mean: Numbers = np.asarray(total / sum(share for share, _ in shares))[()]
         return mean
     else:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from lommel import aperture, metrics, spot, transfer
+from lommel import metrics, quality, spot, transfer
 from lommel.lensfile import Instrument
 from lommel.methods import Hankel, Method, NijboerZernike
 from lommel.psf import PSF, psf
@@ -52,9 +52,9 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
         "airy_radius": airy,
         "geometric_radius": blur,
-        "strehl": float(aperture.strehl(pupil)),
-        "marechal": float(aperture.marechal(pupil)),
-        "rms_waves": float(aperture.rms(pupil, unit="waves")),
+        "strehl": float(quality.strehl(pupil)),
+        "marechal": float(quality.marechal(pupil)),
+        "rms_waves": float(quality.rms(pupil, unit="waves")),
         "fwhm": float(spot.radial_fwhm(way, pupil)) if pupil.radial else None,
         "cutoff": pupil.cutoff,
         "mtf50": float(transfer.mtf_frequency(pupil)),

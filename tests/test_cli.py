@@ -95,6 +95,17 @@ def test_the_json_is_about_the_lens_and_the_psf_that_python_knows(printed, lense
     assert printed["defocus"] == pytest.approx(float(lens.defocus(1.2)))
     assert printed["waves"]["W020"] == pytest.approx(float(lens.defocus(1.2)) / np.pi)
     assert printed["strehl"] == pytest.approx((np.sin(printed["defocus"]) / printed["defocus"]) ** 2)
+    for key, number in {
+        "rms_waves": lm.rms(psf.pupil, unit="waves"),
+        "marechal": lm.marechal(psf.pupil),
+        "fwhm": psf.fwhm(),
+        "cutoff": 1 / (lens.wavelength * lens.working_f_number),
+        "mtf50": lm.mtf_frequency(psf.pupil),
+        "nyquist": 250e3,
+        "mtf_at_nyquist": lm.mtf(psf.pupil, 250e3),
+        "mtf_at_nyquist_with_pixel": lm.mtf(psf.pupil, 250e3) * 2 / np.pi,
+    }.items():
+        assert printed[key] == pytest.approx(float(number), rel=1e-5), key
     assert printed["psf"]["method"] == {"name": "NijboerZernike", "tol": 1e-6}
     assert (printed["psf"]["shape"], printed["psf"]["dtype"]) == ([8, 9], "float64")
     assert (printed["psf"]["normalize"], printed["psf"]["sampling"]) == ("peak", "center")
@@ -122,6 +133,11 @@ def test_the_tables_show_what_the_json_says(written, printed):
     assert rows["spherical C_s"] == f"{p['spherical']:.4g} rad"
     assert f"W020 = {p['waves']['W020']:.4g}" in rows["in waves"]
     assert rows["Strehl ratio (on axis)"] == f"{p['strehl']:.4g}"
+    assert rows["Marechal's estimate"] == f"{p['marechal']:.4g} (holds where it is above 0.3)"
+    assert rows["rms wavefront error"] == f"{p['rms_waves']:.4g} waves"
+    assert rows["full width at half"] == format_length(p["fwhm"])
+    assert rows["MTF falls to 50 % at"].startswith(f"{p['mtf50'] / 1e3:.4g} cycles/mm")
+    assert rows["MTF at Nyquist"].endswith(f"250 cycles/mm, with the pixel {p['mtf_at_nyquist_with_pixel']:.4g}")
     shown = dict(LINE.findall(energies))
     for row in p["encircled_energy"]:
         columns = re.split(r"\s{2,}", shown[row["within"]])

@@ -33,7 +33,9 @@ if TYPE_CHECKING:
     )
     from lommel.metrics import best_focus, mse, peak_error
     from lommel.pupil import Pupil
+    from lommel.quality import centroid, marechal, rms, spot_radius, strehl
     from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
+    from lommel.transfer import mtf, mtf_frequency, otf, ptf
     from lommel.wavefront import Wavefront
     from lommel.zernikefile import ZernikeTable, load_zernike, save_zernike
 
@@ -50,6 +52,15 @@ _HOME = {
     "load_instrument": "lensfile",
     "best_focus": "metrics",
     "mse": "metrics",
+    "centroid": "quality",
+    "marechal": "quality",
+    "rms": "quality",
+    "spot_radius": "quality",
+    "strehl": "quality",
+    "mtf": "transfer",
+    "mtf_frequency": "transfer",
+    "otf": "transfer",
+    "ptf": "transfer",
     "peak_error": "metrics",
     "AbramowitzErf": "special.erf",
     "FresnelErf": "special.erf",
@@ -113,15 +124,24 @@ __all__ = [
     "WavefrontFit",
     "ZernikeTable",
     "best_focus",
+    "centroid",
     "fit_opd",
     "fit_radial",
     "load_instrument",
     "load_zernike",
+    "marechal",
     "mse",
+    "mtf",
+    "mtf_frequency",
     "opd_map",
+    "otf",
     "peak_error",
     "psf",
+    "ptf",
+    "rms",
     "save_zernike",
+    "spot_radius",
+    "strehl",
 ]
 
 

@@ -238,8 +238,9 @@ def _psf_over_field(
 def info(lens: Path, object_distance: float | None, pixel: float | None, shape: Any, as_json: bool) -> None:
     """Print what is known about a lens without computing an image.
 
-    Wavefront in radians and waves, Airy radius, geometric blur, Strehl ratio, and encircled energies beside those
-    of the same aperture without aberration.
+    Wavefront in radians and waves, Airy radius, geometric blur, Strehl ratio and Marechal's estimate of it, full
+    width at half of the largest intensity, contrast at the Nyquist frequency of the pixels and frequency of half
+    contrast, and encircled energies beside those of the same aperture without aberration.
 
     \b
     Example:

@@ -1,4 +1,4 @@
-"""Numbers drawn from PSFs: Strehl ratio, encircled energy, best focus, error measures."""
+"""Numbers drawn from PSFs: Strehl ratio, encircled and ensquared energy, best focus, error measures."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
-from lommel.methods.method import RadialMethod
+from lommel import quality, validation
+from lommel.methods.method import Method, RadialMethod
 from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.polychromatic import Polychromatic
 from lommel.psf import PSF, Numbers
 from lommel.pupil import Pupil
 from lommel.special.disk import disk_overlap
@@ -21,13 +22,21 @@ from lommel.wavefront import Wavefront
 def strehl(answer: PSF) -> Numbers:
     """Return the intensity on the axis over that of the same aperture without aberration.
 
-    For defocus alone this is ``(sin(C_d) / C_d)^2``.
+    For defocus alone this is ``(sin(C_d) / C_d)^2``. By the method where it and the pupil are radial; from the
+    wavefront (:func:`lommel.strehl`) for others that sample the intensity; `Geometric`, which has no diffraction,
+    gives that of the pixel on the axis. :func:`lommel.spot.peak_strehl` looks for the brightest point instead.
     """
     method, pupil = answer.method, answer.pupil
-    if isinstance(method, RadialMethod):
+    radial = answer.radial_method
+    if radial is not None:
         # At the axis alone the peak, to which errors relate, would be missing.
         v = np.array([0.0, *np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 64)[1:]])
-        center = method.profile(pupil, v).values[:, 0].reshape(pupil.shape)
+        center = radial.profile(pupil, v).values[:, 0].reshape(pupil.shape)
+    elif method.sampling == "center":
+        shares = [(share / colour**2, part) for colour, share, part in colours(method, pupil)]
+        total = sum(share * np.asarray(quality.strehl(part)) for share, part in shares)
+        mean: Numbers = np.asarray(total / sum(share for share, _ in shares))[()]
+        return mean
     else:
         row, column = (round(c) for c in answer.grid.center)
         if not (0 <= row < answer.grid.height and 0 <= column < answer.grid.width):
@@ -37,23 +46,113 @@ def strehl(answer: PSF) -> Numbers:
     return result
 
 
-def encircled_energy(answer: PSF, radius: ArrayLike) -> Numbers:
-    """Return the fraction of all light within `radius` of the centre; see :meth:`lommel.PSF.encircled_energy`."""
+def colours(method: Method | None, pupil: Pupil) -> list[tuple[float, float, Pupil]]:
+    """Return each wavelength of `method`, its share of the light, and the pupil there; one where it has no spectrum.
+
+    Phases are path differences: in radians they grow as the wavelength falls.
+    """
+    if not isinstance(method, Polychromatic):
+        return [(1.0 if pupil.wavelength is None else pupil.wavelength, 1.0, pupil)]
+    if pupil.wavelength is None:
+        raise ValueError("a spectrum needs a pupil with a wavelength, to which the others are related")
+    return [
+        (at, share, replace(pupil, wavefront=(pupil.wavelength / at) * pupil.wavefront, wavelength=at, geometry=None))
+        for at, share in zip(method.wavelengths, method.weights, strict=True)
+    ]
+
+
+def encircled_energy(answer: PSF, radius: ArrayLike, *, about: str = "axis") -> Numbers:
+    """Return the fraction of all light within `radius` of the axis or of the centroid.
+
+    Parameters
+    ----------
+    answer : PSF
+    radius : array_like
+        Metres if the pupil has a wavelength, else units of lambda*N; >= 0.
+    about : {"axis", "centroid"}, default "axis"
+        The centroid is that of the values in the window (:func:`lommel.spot.centroid`); of a radial PSF it is the
+        axis.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape + radius.shape``
+        Where pupil and method are radial, by quadrature of the profile, to the tolerance of the method, whatever the
+        pixels. Else the sum over pixels, each by the exact part of its area inside: as if its value held all over
+        it, which errs by about the square of the pixel over the width of the image, and limited to the window.
+    """
     at = validation.real_array("radius", radius, least=0.0)
-    if isinstance(answer.method, RadialMethod):
-        return radial_energy(answer.method, answer.pupil, at)
+    center = _center(answer, about)
+    if answer.radial_method is not None:
+        return radial_energy(answer.radial_method, answer.pupil, at)
     grid = answer.grid
     half = 0.5 * grid.pixel
-    columns, rows = grid.x, grid.y[:, None]
-    share = _energy_per_pixel(answer)
-    inside = [
-        (disk_overlap(r, columns - half, columns + half, rows - half, rows + half) / grid.pixel**2 * share).sum(
-            axis=(-2, -1)
-        )
-        for r in at.ravel()
-    ]
-    result: Numbers = np.stack(inside, axis=-1).reshape(answer.pupil.shape + at.shape)[()]
+    share = energy_per_pixel(answer).reshape(-1, *grid.shape)
+    inside = np.empty((len(share), at.size))
+    for i, (x, y) in enumerate(center):
+        columns, rows = grid.x - x, grid.y[:, None] - y
+        for j, r in enumerate(at.ravel()):
+            covered = disk_overlap(r, columns - half, columns + half, rows - half, rows + half) / grid.pixel**2
+            inside[i, j] = np.sum(covered * share[i])
+    result: Numbers = inside.reshape(answer.pupil.shape + at.shape)[()]
     return result
+
+
+def ensquared_energy(answer: PSF, half_width: ArrayLike, *, about: str = "axis") -> Numbers:
+    """Return the fraction of all light within a square of sides ``2 half_width`` along rows and columns.
+
+    Parameters
+    ----------
+    answer : PSF
+    half_width : array_like
+        Half of the side, in metres if the pupil has a wavelength, else units of lambda*N; >= 0.
+    about : {"axis", "centroid"}, default "axis"
+        As of :func:`lommel.metrics.encircled_energy`, whose error it has.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape + half_width.shape``
+    """
+    at = validation.real_array("half_width", half_width, least=0.0)
+    center = _center(answer, about)
+    pupil = answer.pupil
+    if answer.radial_method is not None:
+        sides = [float(a) for a in pupil.v(at.ravel())]
+        energies = [_rectangles(answer.radial_method, pupil, [(4.0, a, a)]) for a in sides]
+        exact = np.stack(energies, axis=-1) if sides else np.zeros((math.prod(pupil.shape), 0))
+        radial: Numbers = exact.reshape(pupil.shape + at.shape)[()]
+        return radial
+    grid = answer.grid
+    share = energy_per_pixel(answer).reshape(-1, *grid.shape)
+
+    def covered(places: NDArray[np.float64]) -> NDArray[np.float64]:
+        low, high = places - 0.5 * grid.pixel, places + 0.5 * grid.pixel
+        a = at.ravel()[:, None]
+        return np.asarray(np.maximum(np.minimum(high, a) - np.maximum(low, -a), 0.0) / grid.pixel)
+
+    inside = [
+        np.einsum("ky,yx,kx->k", covered(grid.y - y), one, covered(grid.x - x), optimize=True)
+        for one, (x, y) in zip(share, center, strict=True)
+    ]
+    result: Numbers = np.stack(inside).reshape(pupil.shape + at.shape)[()]
+    return result
+
+
+def value_centroid(answer: PSF) -> NDArray[np.float64]:
+    """Return the centroid (x, y) of the values, from the axis, shape ``pupil.shape + (2,)``."""
+    share = energy_per_pixel(answer)
+    total = share.sum(axis=(-2, -1))
+    if not np.all(total > 0):
+        raise ValueError("the centroid of no light is unknown: none falls into the window")
+    x, y = share.sum(axis=-2) @ answer.grid.x, share.sum(axis=-1) @ answer.grid.y
+    return np.stack([x / total, y / total], axis=-1)
+
+
+def _center(answer: PSF, about: str) -> NDArray[np.float64]:
+    """Return the points (x, y) that `about` names, shape (n, 2)."""
+    validation.choice("about", about, ("axis", "centroid"))
+    if about == "axis" or answer.radial_method is not None:
+        return np.zeros((math.prod(answer.pupil.shape), 2))
+    return value_centroid(answer).reshape(-1, 2)
 
 
 def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numbers:
@@ -77,25 +176,37 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
 
 def window_energy(answer: PSF) -> Numbers:
     """Return the fraction of all light inside the window, to the edges of its outer pixels."""
-    if not isinstance(answer.method, RadialMethod):
-        summed: Numbers = _energy_per_pixel(answer).sum(axis=(-2, -1))[()]
+    if answer.radial_method is None:
+        summed: Numbers = energy_per_pixel(answer).sum(axis=(-2, -1))[()]
         return summed
     pupil = answer.pupil
     grid = answer.grid
     step = grid.step(pupil) / grid.pixel
     half = 0.5 * grid.pixel
-    nodes, weights = [np.zeros(1)], [np.zeros(1)]
     # Inclusion and exclusion of rectangles with one corner on the axis.
-    for a in (grid.x[-1] + half, half - grid.x[0]):
-        for b in (grid.y[-1] + half, half - grid.y[0]):
-            v, w = _quadrant_rule(abs(a) * step, abs(b) * step)
+    corners = [
+        (float(np.sign(a) * np.sign(b)), abs(a) * step, abs(b) * step)
+        for a in (grid.x[-1] + half, half - grid.x[0])
+        for b in (grid.y[-1] + half, half - grid.y[0])
+    ]
+    total: Numbers = _rectangles(answer.radial_method, pupil, corners).reshape(pupil.shape)[()]
+    return total
+
+
+def _rectangles(
+    method: RadialMethod, pupil: Pupil, rectangles: list[tuple[float, float, float]]
+) -> NDArray[np.float64]:
+    """Return the light in rectangles from the axis to (a, b) in v, each (weight, a, b), shape (n,)."""
+    nodes, weights = [np.zeros(1)], [np.zeros(1)]
+    for factor, a, b in rectangles:
+        if a > 0 and b > 0:
+            v, w = _quadrant_rule(a, b)
             nodes.append(v)
-            weights.append(np.sign(a) * np.sign(b) * w)
+            weights.append(factor * w)
     v, w = np.concatenate(nodes), np.concatenate(weights)
     order = np.argsort(v)
-    intensity = answer.method.profile(pupil, v[order]).values
-    total: Numbers = (intensity @ w[order] / (4.0 * math.pi * pupil.transmission)).reshape(pupil.shape)[()]
-    return total
+    intensity = method.profile(pupil, v[order]).values
+    return np.asarray(intensity @ w[order] / (4.0 * math.pi * pupil.transmission))
 
 
 def _quadrant_rule(a: float, b: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -113,7 +224,8 @@ def _quadrant_rule(a: float, b: float) -> tuple[NDArray[np.float64], NDArray[np.
     return np.concatenate(nodes), np.concatenate(weights)
 
 
-def _energy_per_pixel(answer: PSF) -> NDArray[np.float64]:
+def energy_per_pixel(answer: PSF) -> NDArray[np.float64]:
+    """Return the values as fractions of all light per pixel, whatever their normalisation."""
     factor = answer.grid.step(answer.pupil) ** 2 / (4.0 * math.pi * answer.pupil.transmission)
     return np.asarray(answer.values * (factor / answer.scale)[..., None, None], dtype=np.float64)
 
@@ -140,6 +252,9 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     at = validation.real("radius", radius, above=0.0)
     if pupil.shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
+    way.require(pupil)
+    if not pupil.radial:
+        raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
     # dPhi/d(rho^2) of the aberration, over the pupil: minus half of it is the defocus that focuses the zone.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
     orders = np.arange(1, 1 + pupil.coefficients().shape[1])
@@ -182,4 +297,13 @@ def _pair(values: ArrayLike, reference: ArrayLike) -> tuple[NDArray[np.float64],
     return a, b
 
 
-__all__ = ["best_focus", "encircled_energy", "mse", "peak_error", "radial_energy", "strehl", "window_energy"]
+__all__ = [
+    "best_focus",
+    "encircled_energy",
+    "ensquared_energy",
+    "mse",
+    "peak_error",
+    "radial_energy",
+    "strehl",
+    "window_energy",
+]

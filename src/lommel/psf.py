@@ -295,6 +295,11 @@ class PSF:
         return self.pupil.unit
 
     @property
+    def radial_method(self) -> RadialMethod | None:
+        """The method where a profile describes the whole PSF (pupil and method are radial), else None."""
+        return self.method if isinstance(self.method, RadialMethod) and self.pupil.radial else None
+
+    @property
     def energy(self) -> Numbers:
         """Fraction of all light that falls inside the window, to the edges of its outer pixels."""
         from lommel import metrics
@@ -308,16 +313,71 @@ class PSF:
 
         return metrics.strehl(self)
 
-    def encircled_energy(self, radius: ArrayLike) -> Numbers:
-        """Return the fraction of all light within `radius` (in :attr:`unit`) of the centre.
+    @property
+    def peak_strehl(self) -> Numbers:
+        """Largest value in the window over the peak of the same aperture without aberration, wherever it is."""
+        from lommel import spot
 
-        Exact to the tolerance of the method where it is radial, whatever the pixels; summed over the pixels, and
-        limited to the window, for methods that know the grid only, such as `NonuniformFFT`. Shape
-        ``pupil.shape + radius.shape``.
+        return spot.peak_strehl(self)
+
+    @property
+    def peak_position(self) -> NDArray[np.float64]:
+        """Place (x, y) of the largest value, from the axis; see :func:`lommel.spot.peak_position`."""
+        from lommel import spot
+
+        return spot.peak_position(self)
+
+    @property
+    def centroid(self) -> NDArray[np.float64]:
+        """Centroid (x, y) of the values, from the axis; :func:`lommel.centroid` has that of all light."""
+        from lommel import spot
+
+        return spot.centroid(self)
+
+    def encircled_energy(self, radius: ArrayLike, *, about: str = "axis") -> Numbers:
+        """Return the fraction of all light within `radius` (in :attr:`unit`) of the axis or the centroid.
+
+        Exact to the tolerance of the method where pupil and method are radial, whatever the pixels; else summed over
+        the pixels, and limited to the window. Shape ``pupil.shape + radius.shape``. See
+        :func:`lommel.metrics.encircled_energy`.
         """
         from lommel import metrics
 
-        return metrics.encircled_energy(self, radius)
+        return metrics.encircled_energy(self, radius, about=about)
+
+    def ensquared_energy(self, half_width: ArrayLike, *, about: str = "axis") -> Numbers:
+        """Return the fraction of all light within a square; see :func:`lommel.metrics.ensquared_energy`."""
+        from lommel import metrics
+
+        return metrics.ensquared_energy(self, half_width, about=about)
+
+    def energy_diameter(self, fraction: float, *, about: str = "axis") -> Numbers:
+        """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
+
+        See :func:`lommel.spot.energy_diameter`.
+        """
+        from lommel import spot
+
+        return spot.energy_diameter(self, fraction, about=about)
+
+    def fwhm(self, along: str = "mean") -> Numbers:
+        """Return the full width at half of the largest value, in :attr:`unit`; see :func:`lommel.spot.fwhm`."""
+        from lommel import spot
+
+        return spot.fwhm(self, along)
+
+    def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> NDArray[np.complex128] | np.complex128:
+        """Return the transfer function of what the window holds; see :func:`lommel.transfer.image_otf`.
+
+        :func:`lommel.otf` computes that of all light from the wavefront.
+        """
+        from lommel import transfer
+
+        return transfer.image_otf(self, fx, fy)
+
+    def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> Numbers:
+        """Return the modulus of :meth:`otf`; its value at frequency 0 is the light in the window."""
+        return np.abs(self.otf(fx, fy))
 
     def profile(self, radius: ArrayLike | None = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Return radii (in :attr:`unit`) and the values there, normalised like `values`.
@@ -337,13 +397,13 @@ class PSF:
             middle = (self.shape[-2] // 2, self.shape[-1] // 2)
             radii = np.hypot(self.grid.y[middle[0]], self.grid.x[middle[1] :])
             return radii, self.values[..., middle[0], middle[1] :].astype(np.float64)
-        if not isinstance(self.method, RadialMethod):
-            raise ValueError(
-                f"radius must be None for {type(self.method).__name__}, whose values are on the grid only"
-            )
+        method = self.radial_method
+        if method is None:
+            what = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
+            raise ValueError(f"radius must be None for {what}, whose values are on the grid only")
         at = validation.real_array("radius", radius, least=0.0)
         v, where = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
-        intensity = self.method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
+        intensity = method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
         return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:

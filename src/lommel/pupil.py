@@ -192,6 +192,11 @@ class Pupil:
         """Radius of the first dark ring of the unobscured, unaberrated lens: 1.2197 lambda*N."""
         return 3.8317059702075123 / math.pi * self.scale
 
+    @property
+    def cutoff(self) -> float:
+        """Spatial frequency from which no contrast passes, ``1 / (lambda N)``: cycles per metre, or 1."""
+        return 1.0 / self.scale
+
     def v(self, radius: ArrayLike) -> NDArray[np.float64]:
         """Return the optical coordinate ``v = pi radius / (lambda N)`` of radii on the sensor."""
         return math.pi / self.scale * np.asarray(radius, dtype=np.float64)

@@ -9,23 +9,23 @@ from typing import Any
 
 import numpy as np
 
-from lommel import metrics
+from lommel import metrics, quality, spot, transfer
 from lommel.fieldmap import PSFGrid
 from lommel.lensfile import Instrument
-from lommel.methods import Hankel, Method, NijboerZernike, ToleranceError
+from lommel.methods import Hankel, Method, NijboerZernike
 from lommel.psf import PSF, psf
-from lommel.pupil import Pupil
 from lommel.special import zernike
-from lommel.special.legendre import gauss_legendre
 from lommel.units import format_length
 
 
 def describe_lens(instrument: Instrument) -> dict[str, Any]:
     """Return what there is to say about a lens and its object without computing an image.
 
-    Lengths in metres (None for infinity), phases in radians, energies as fractions of all light. Each encircled
-    energy stands beside that of the same aperture in focus and without aberration; that of a pupil whose phase
-    depends on the direction is None, since it is a number drawn from an image.
+    Lengths in metres (None for infinity), phases in radians, energies as fractions of all light, frequencies in
+    cycles per metre along x. Each encircled energy stands beside that of the same aperture in focus and without
+    aberration; that of a pupil that is not radially symmetric is None, since it is a number drawn from an image, and
+    so is its "fwhm". "mtf_at_nyquist" is that of the lens, "mtf_at_nyquist_with_pixel" that of the lens and of pixels
+    that average.
     """
     lens, pupil = instrument.lens, instrument.pupil()
     radii = dict(instrument.radii)
@@ -60,32 +60,20 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         ],
         "airy_radius": airy,
         "geometric_radius": blur,
-        "strehl": on_axis(pupil),
+        "strehl": float(quality.strehl(pupil)),
+        "marechal": float(quality.marechal(pupil)),
+        "rms_waves": float(quality.rms(pupil, unit="waves")),
+        "fwhm": float(spot.radial_fwhm(way, pupil)) if pupil.radial else None,
+        "cutoff": pupil.cutoff,
+        "mtf50": float(transfer.mtf_frequency(pupil)),
+        "nyquist": 0.5 / instrument.pixel,
+        "mtf_at_nyquist": float(transfer.mtf(pupil, 0.5 / instrument.pixel)),
+        "mtf_at_nyquist_with_pixel": float(transfer.mtf(pupil, 0.5 / instrument.pixel, pixel=instrument.pixel)),
         "encircled_energy": [
             {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
             for (name, radius), a, b in zip(radii.items(), seen, ideal, strict=True)
         ],
     }
-
-
-def on_axis(pupil: Pupil) -> float:
-    """Return the Strehl ratio: intensity on the axis over that without aberration."""
-    field = abs(Hankel().field(pupil, 0.0)) if pupil.radial else _mean_over_pupil(pupil)
-    return float(field**2 / pupil.amplitude**2)
-
-
-def _mean_over_pupil(pupil: Pupil) -> float:
-    """Return abs(U(0)) by Gauss-Legendre nodes in rho^2 and even angles, doubled until 1e-9 of it is settled."""
-    before = math.inf
-    for nodes in (64, 128, 256, 512, 1024):
-        t, weights = gauss_legendre(nodes, pupil.obscuration**2, 1.0)
-        theta = 2.0 * math.pi * np.arange(2 * nodes) / (2 * nodes)
-        rho = np.sqrt(t)[:, None]
-        here = abs(complex(weights @ pupil.values(rho * np.cos(theta), rho * np.sin(theta))[0].mean(axis=1)))
-        if abs(here - before) <= 1e-9:
-            return here
-        before = here
-    raise ToleranceError("the phase turns too often across the pupil for a Strehl ratio by quadrature")
 
 
 def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:

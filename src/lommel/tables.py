@@ -55,7 +55,14 @@ def print_lens(facts: dict[str, Any]) -> None:
         ("in waves", waves),
         ("Airy radius", format_length(facts["airy_radius"])),
         ("geometric blur radius", format_length(facts["geometric_radius"])),
+        ("rms wavefront error", f"{facts['rms_waves']:.4g} waves"),
         ("Strehl ratio (on axis)", f"{facts['strehl']:.4g}"),
+        ("Marechal's estimate", f"{facts['marechal']:.4g}"
+         + (" (holds where it is above 0.3)" if facts["marechal"] < 0.3 else "")),
+        *([("full width at half", format_length(facts["fwhm"]))] if facts["fwhm"] is not None else []),
+        ("MTF falls to 50 % at", f"{_per_mm(facts['mtf50'])} (cutoff {_per_mm(facts['cutoff'])})"),
+        ("MTF at Nyquist", f"{facts['mtf_at_nyquist']:.4g} at {_per_mm(facts['nyquist'])},"
+         f" with the pixel {facts['mtf_at_nyquist_with_pixel']:.4g}"),
     ]  # fmt: skip
     table = Table(show_header=False, box=None, pad_edge=False)
     table.add_column(style="cyan")
@@ -81,6 +88,10 @@ def print_lens(facts: dict[str, Any]) -> None:
         console.print(terms)
     console.print()
     console.print(energies)
+
+
+def _per_mm(frequency: float) -> str:
+    return f"{1e-3 * frequency:.4g} cycles/mm"
 
 
 def print_psf(answer: PSF, facts: dict[str, Any]) -> None:

@@ -1,0 +1,149 @@
+"""Averages over the aperture: rms, Marechal's estimate, Strehl ratio, centroid, rays."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import lommel as lm
+from lommel.methods import ToleranceError
+
+TERMS = [(1, 1), (1, -1), (2, 0), (2, -2), (3, 1), (4, 4), (5, -3), (8, 0), (11, 7), (20, -20)]
+MIXED = lm.Wavefront(1.3, 0.4, nonradial={(5, 3): 0.7, (6, -4): 1.1, (2, 2): 0.3, (3, -1): -0.8, (1, 1): 0.5})
+
+
+def cartesian(pupil: lm.Pupil, side: int = 1200) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return midpoints (x, y) of a grid that lie in the aperture: a first-order rule of its own kind."""
+    x = (np.arange(side) + 0.5) / side * 2 - 1
+    across, down = np.meshgrid(x, x)
+    rho = np.hypot(across, down)
+    inside = (rho < 1) & (rho > pupil.obscuration)
+    return across[inside], down[inside]
+
+
+@pytest.mark.parametrize("term", TERMS)
+def test_the_rms_of_a_zernike_term_is_its_coefficient(term):
+    assert lm.rms(lm.Wavefront.zernike({term: -0.37})) == pytest.approx(0.37, rel=1e-13)
+
+
+@given(st.lists(st.floats(-3, 3), min_size=len(TERMS), max_size=len(TERMS)))
+def test_zernike_terms_add_in_quadrature(coefficients):
+    wavefront = lm.Wavefront.zernike(dict(zip(TERMS, coefficients, strict=True)))
+    assert lm.rms(wavefront) == pytest.approx(math.hypot(*coefficients), rel=1e-12, abs=1e-12)
+
+
+@pytest.mark.parametrize("eps", [0.0, 0.5, 0.9])
+def test_balanced_spherical_aberration_has_the_rms_it_was_asked_for(eps):
+    pupil = lm.Pupil(lm.Wavefront.balanced_spherical([0.2, -1.0], eps), obscuration=eps)
+    assert lm.rms(pupil) == pytest.approx([0.2, 1.0], rel=1e-11)
+    assert lm.rms(pupil, unit="waves") == pytest.approx(np.array([0.2, 1.0]) / (2 * math.pi), rel=1e-11)
+    assert lm.rms(pupil.wavefront) != pytest.approx(lm.rms(pupil), rel=1e-2) or eps == 0
+
+
+@pytest.mark.parametrize(("g", "eps"), [(0.3, 0.0), (5.0, 0.4), (100.0, 0.0), (100.0, 0.9)])
+def test_a_gaussian_beam_weights_the_rms_by_its_amplitude(g, eps):
+    pupil = lm.Pupil(lm.Wavefront(2.0), obscuration=eps, apodization=g)
+    with mpmath.workdps(40):
+        low = mpmath.mpf(eps) ** 2
+        moments = [mpmath.quad(lambda t, k=k: t**k * mpmath.exp(-g * (t - low)), [low, low + 0.1 * (1 - low), 1])
+                   for k in range(3)]  # fmt: skip
+        expected = 4 * mpmath.sqrt(moments[2] / moments[0] - (moments[1] / moments[0]) ** 2)
+    assert float(lm.rms(pupil)) == pytest.approx(float(expected), rel=1e-10)
+
+
+@pytest.mark.parametrize("defocus", [0.0, 0.5, -7.3, 60.0, 800.0])
+def test_the_strehl_ratio_of_defocus_is_a_sinc_squared(defocus):
+    assert lm.strehl(lm.Pupil(lm.Wavefront(defocus))) == pytest.approx(np.sinc(defocus / math.pi) ** 2, abs=2e-12)
+
+
+@pytest.mark.parametrize("m", [1, 2, 5])
+@pytest.mark.parametrize("depth", [0.3, 4.0, 40.0])
+def test_the_strehl_ratio_of_one_term_at_the_rim_is_an_integral_of_bessel(m, depth):
+    """The average of ``exp(i a rho^m cos(m theta))`` over theta is ``J0(a rho^m)``."""
+    with mpmath.workdps(20):
+        mean = mpmath.quad(lambda t: mpmath.besselj(0, depth * t ** (mpmath.mpf(m) / 2)), mpmath.linspace(0, 1, 12))
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(m, -m): depth}))
+    assert lm.strehl(pupil) == pytest.approx(float(mean) ** 2, abs=1e-11)
+
+
+@pytest.mark.parametrize(("eps", "g"), [(0.0, 0.0), (0.45, 0.0), (0.2, 3.0)])
+def test_the_strehl_ratio_and_the_rms_are_averages_over_the_aperture(eps, g):
+    pupil = lm.Pupil(MIXED, obscuration=eps, apodization=g)
+    x, y = cartesian(pupil)
+    values = pupil.values(x, y)[0]
+    assert lm.strehl(pupil) == pytest.approx(abs(values.mean()) ** 2 / np.abs(values).mean() ** 2, abs=2e-4)
+    phase = MIXED.phase(np.hypot(x, y), np.arctan2(y, x))
+    assert lm.rms(pupil) == pytest.approx(np.sqrt(np.cov(phase, aweights=np.abs(values), ddof=0)), rel=2e-3)
+
+
+@given(st.lists(st.floats(-1, 1), min_size=3, max_size=3), st.sampled_from([0.0, 0.5]))
+def test_marechals_estimate_is_the_strehl_ratio_to_second_order(coefficients, eps):
+    wavefront = lm.Wavefront.zernike(dict(zip([(2, 2), (3, -1), (4, 0)], coefficients, strict=True)))
+    for size in (0.1, 0.05):
+        pupil = lm.Pupil(size * wavefront, obscuration=eps)
+        # The third moment of the phase is the next: |error| <= |phase|^3 / 3 and more, all below 2 |c|.
+        assert abs(lm.strehl(pupil) - lm.marechal(pupil)) <= 40 * (size * max(map(abs, coefficients))) ** 3 + 1e-12
+    assert lm.strehl(lm.Pupil(wavefront, obscuration=eps)) <= 1 + 1e-12
+
+
+def test_a_tilt_moves_the_centroid_by_its_phase_at_the_edge_over_pi():
+    pupil = lm.Pupil(lm.Wavefront(2.0, nonradial={(1, 1): 3.0, (1, -1): -1.5}), wavelength=500e-9, f_number=4.0)
+    assert lm.centroid(pupil) == pytest.approx(np.array([3.0, -1.5]) / math.pi * 2e-6, rel=1e-12)
+    assert lm.spot_radius(pupil) == pytest.approx(lm.spot_radius(lm.Pupil(lm.Wavefront(2.0))) * 2e-6, rel=1e-12)
+
+
+def test_the_tail_of_coma_takes_the_centroid_along_and_only_its_rim_matters():
+    """By Gauss's theorem the mean gradient is that of the phase at the rim: 2 a for a term of m = 1."""
+    for n in (3, 5, 9):
+        found = lm.centroid(lm.Pupil(lm.Wavefront(4.0, nonradial={(n, 1): 0.9, (4, 2): 2.0})))
+        assert found * math.pi == pytest.approx([2 * 0.9 * 0.5, 0.0], abs=1e-13)
+
+
+def test_the_rays_of_defocus_fill_a_disc():
+    assert lm.spot_radius(lm.Pupil(lm.Wavefront([0.0, 3.0]))) * math.pi == pytest.approx([0, 12 / math.sqrt(2)])
+    ring = lm.Pupil(lm.Wavefront(3.0), obscuration=0.6)
+    assert lm.spot_radius(ring) * math.pi == pytest.approx(12 * math.sqrt((1 + 0.36) / 2))
+
+
+@pytest.mark.parametrize(("eps", "g"), [(0.0, 0.0), (0.45, 0.0), (0.2, 3.0)])
+def test_rays_meet_the_sensor_at_the_gradient_of_the_phase(eps, g):
+    pupil = lm.Pupil(MIXED, obscuration=eps, apodization=g)
+    x, y = cartesian(pupil)
+    h = 1e-6
+
+    def phase(dx, dy):
+        return MIXED.phase(np.hypot(x + dx, y + dy), np.arctan2(y + dy, x + dx))
+
+    slopes = np.stack([phase(h, 0) - phase(-h, 0), phase(0, h) - phase(0, -h)]) / (2 * h)
+    weight = np.abs(pupil.values(x, y)[0]) ** 2
+    middle = np.average(slopes, axis=1, weights=weight)
+    assert lm.centroid(pupil) * math.pi == pytest.approx(middle, abs=1e-2)
+    spread = np.average(((slopes - middle[:, None]) ** 2).sum(axis=0), weights=weight)
+    assert lm.spot_radius(pupil) * math.pi == pytest.approx(math.sqrt(spread), rel=1e-3)
+
+
+def test_a_stack_gives_what_each_of_its_pupils_gives():
+    wavefront = lm.Wavefront(np.array([[0.0, 1.0, 5.0]]), nonradial={(3, 1): [[1.0], [2.0]]})
+    pupils = lm.Pupil(wavefront, obscuration=0.1)
+    for number in (lm.rms, lm.marechal, lm.strehl, lm.spot_radius, lm.centroid):
+        whole = number(pupils)
+        assert whole.shape[:2] == (2, 3)
+        for index in np.ndindex(2, 3):
+            assert whole[index] == pytest.approx(number(pupils[index]), rel=1e-12)
+    assert np.ndim(lm.strehl(pupils[0, 0])) == np.ndim(lm.rms(pupils[0, 0])) == 0
+
+
+def test_what_is_impossible_is_refused_by_name():
+    for number in (lm.rms, lm.marechal, lm.strehl, lm.spot_radius, lm.centroid):
+        with pytest.raises(TypeError, match="pupil must be a Pupil"):
+            number(3.0)
+    with pytest.raises(ValueError, match="unit must be one of"):
+        lm.rms(lm.Pupil(), unit="nm")
+    with pytest.raises(ToleranceError, match="takes more than"):
+        lm.strehl(lm.Pupil(lm.Wavefront(1e4, nonradial={(3, 3): 1e4})))

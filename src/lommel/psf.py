@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel import validation
 from lommel.grid import Grid
-from lommel.methods.choice import choose
-from lommel.methods.method import Method, RadialMethod
+from lommel.methods.choice import SERIES, choose
+from lommel.methods.method import Images, Method, RadialMethod, ToleranceError
 from lommel.pupil import Pupil
 
 if TYPE_CHECKING:
@@ -49,9 +49,10 @@ def psf(
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
     method : Method, optional
-        How to evaluate the diffraction integral; by default NijboerZernike(tol=1e-6), and for apertures with a
-        spider, vignetting or a mask NonuniformFFT(tol=1e-6). `PSF.method` is the one used. Values sample the pixel
-        centres (`Geometric`, which has no point values, averages over pixels).
+        How to evaluate the diffraction integral; by default one that reaches 1e-6 of the peak: NijboerZernike for
+        circular apertures, ChordalGauss instead for small windows of wavefronts that depend on the direction,
+        NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is the one used. Values sample
+        the pixel centres (`Geometric`, which has no point values, averages over pixels).
     normalize : {"energy", "strehl", "peak"}, default "energy"
         "energy": a value is the fraction of all light per pixel, so an infinite window of pixels no larger than
         lambda*N sums to 1. "strehl": 1 is the peak of the same aperture without aberration. "peak": the largest
@@ -153,7 +154,7 @@ class Plan:
     def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         grid, normalize = self.grid, self.normalize
-        method = choose(pupil) if self.method is None else self.method
+        method = choose(pupil, grid) if self.method is None else self.method
         method.require(pupil)
         validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
         stack = pupil.shape
@@ -168,15 +169,20 @@ class Plan:
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
         per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
         scale = per_pixel if normalize == "energy" else 1.0 / method.unaberrated_peak(pupil)
-        made = method.images(
-            pupil,
-            grid,
-            None if normalize == "peak" else scale,
-            self.dtype,
-            out=None if out is None else self._checked(out, stack),
-            powers=powers,
-            threads=self.threads,
-        )
+        place = None if out is None else self._checked(out, stack)
+
+        def images(way: Method) -> Images:
+            fixed = None if normalize == "peak" else scale
+            return way.images(pupil, grid, fixed, self.dtype, out=place, powers=powers, threads=self.threads)
+
+        try:
+            made = images(method)
+        except (ToleranceError, ValueError):
+            # The chordal rule judges errors by the window alone; one that the light misses is for the series.
+            if self.method is not None or method is SERIES or not pupil.circular:
+                raise
+            method = SERIES
+            made = images(method)
         rounding = 2.0**-24 if self.dtype == np.float32 else 2.0**-53
         slopes, slope_bounds = {}, {}
         if made.slopes is not None:

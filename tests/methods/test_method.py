@@ -112,6 +112,7 @@ def test_what_each_method_supports() -> None:
         "closed-form": [True, True, True],
         "tuned-closed-form": [True, True, True],
         "geometric": [True, True, True],
+        "chordal-gauss": [True, True, True],
     }
 
 

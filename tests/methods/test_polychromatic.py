@@ -58,3 +58,21 @@ def test_what_makes_no_spectrum_is_refused():
         lm.Polychromatic(WAVES, WEIGHTS, lm.Fraunhofer())  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="needs a pupil with a wavelength"):
         lm.psf(lm.Pupil(), 21, 0.5, method=lm.Polychromatic(WAVES, WEIGHTS))
+
+
+def test_a_spectrum_of_a_wavefront_that_depends_on_the_direction_is_the_sum_of_its_parts():
+    pupil = lm.Pupil(lm.Wavefront(2.0, nonradial={(3, 1): 3.0, (2, -2): 1.0}), wavelength=550e-9, f_number=4.0)
+    answer = lm.psf(
+        pupil, (21, 24), 1e-6, method=lm.Polychromatic(WAVES, WEIGHTS), normalize="strehl", dtype=np.float64
+    )
+    total, whole = np.zeros((21, 24)), 0.0
+    for wave, weight in zip(WAVES, WEIGHTS, strict=True):
+        scale = 550e-9 / wave
+        part = lm.Pupil(scale * pupil.wavefront, wavelength=wave, f_number=4.0)
+        one = lm.psf(part, (21, 24), 1e-6, normalize="strehl", method=lm.NijboerZernike(1e-9), dtype=np.float64)
+        total += weight * scale**2 * one.values
+        whole += weight * scale**2
+    assert np.abs(answer.values - total / whole).max() <= answer.error_bound * answer.values.max()
+    assert answer.error_bound <= 1e-6 + 1e-15
+    with pytest.raises(ValueError, match="sums Hankel, which supports radially symmetric"):
+        lm.psf(pupil, 21, 1e-6, method=lm.Polychromatic(WAVES, WEIGHTS, lm.Hankel()))

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from importlib.util import find_spec
 
+from lommel.grid import Grid
+from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.pupil import Pupil
 
-_SERIES, _SUM = NijboerZernike(), NonuniformFFT()
+SERIES, _MATRIX, _SUM = NijboerZernike(), ChordalGauss(), NonuniformFFT()
 
 
-def choose(pupil: Pupil) -> Method:
-    """Return the method for a pupil: the series for discs and annuli, the non-uniform FFT for other apertures.
+def choose(pupil: Pupil, grid: Grid) -> Method:
+    """Return the method for a pupil and a window, each with a tolerance of 1e-6 of the peak.
 
-    Both keep to a tolerance of 1e-6 of the peak.
+    The series for circular apertures; the chordal rule where their wavefront is not radially symmetric and the window
+    is small, up to 64 pixels a side or, of eight pupils or more, 128; the non-uniform FFT for other apertures.
 
     Raises
     ------
@@ -23,8 +27,12 @@ def choose(pupil: Pupil) -> Method:
         If the pupil needs finufft, which is not installed.
     """
     # What is no pupil is refused by the method, as ever.
-    if getattr(pupil, "circular", True):
-        return _SERIES
+    if getattr(pupil, "radial", True):
+        return SERIES
+    if pupil.circular:
+        side = max(grid.shape)
+        small = side <= 64 or (side <= 128 and math.prod(pupil.shape) >= 8)
+        return _MATRIX if small and not grid.integrate else SERIES
     if find_spec("finufft") is None:
         raise ValueError(
             "method must be named for a pupil with a spider, vignetting or a mask where finufft is missing: install "

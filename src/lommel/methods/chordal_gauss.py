@@ -132,13 +132,7 @@ def disk_terms(pupil: Pupil) -> tuple[NDArray[np.int64], NDArray[np.float64], ND
     same constant. Terms that are zero throughout the stack are left out.
     """
     given = {term: c for term, c in pupil.wavefront.flattened().edge_terms().items() if np.any(c)}
-    eps = pupil.obscuration
-    within: dict[tuple[int, int], NDArray[np.float64]] = {}
-    if eps > 0.0:
-        for (n, m), c in given.items():
-            for k in range(n, abs(m) - 1, -2):
-                share = _shrunk(n, k, eps)
-                within[k, m] = within.get((k, m), 0.0) + share * c
+    within = zernike.scaled(given, pupil.obscuration) if pupil.obscuration > 0.0 else {}
     terms = sorted({*given, *within}) or [(2, 0)]
     count = pupil.coefficients().shape[0]
     outer, inner = np.zeros((count, len(terms))), np.zeros((count, len(terms)))
@@ -146,9 +140,3 @@ def disk_terms(pupil: Pupil) -> tuple[NDArray[np.int64], NDArray[np.float64], ND
         outer[:, j] = given.get(term, 0.0)
         inner[:, j] = within.get(term, 0.0)
     return np.array(terms, dtype=np.int64), outer, inner
-
-
-def _shrunk(n: int, k: int, eps: float) -> float:
-    """Return the share of ``R_k^m(rho)`` in ``R_n^m(eps rho)``, for any m: ``R_n^k(eps) - R_n^(k+2)(eps)``."""
-    at = np.array(eps)
-    return float(zernike.radial(n, k, at)) - (float(zernike.radial(n, k + 2, at)) if k + 2 <= n else 0.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import ClassVar
@@ -10,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import validation
+from lommel.grid import Grid
 from lommel.methods.method import Intensities, RadialMethod, ToleranceError
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.pupil import Pupil
-from lommel.wavefront import Wavefront
 
 
 @dataclass(frozen=True, init=False)
@@ -38,6 +39,7 @@ class Polychromatic(RadialMethod):
     """
 
     apodized: ClassVar[bool] = True
+    nonradial: ClassVar[bool] = True
     wavelengths: tuple[float, ...]
     weights: tuple[float, ...]
     method: RadialMethod = field(default_factory=NijboerZernike)
@@ -73,6 +75,8 @@ class Polychromatic(RadialMethod):
             return "needs a pupil with a wavelength, to which the others are related"
         if pupil.apodization and not self.method.apodized:
             return f"sums {type(self.method).__name__}, which supports uniform illumination only"
+        if not pupil.radial and not self.method.nonradial:
+            return f"sums {type(self.method).__name__}, which supports radially symmetric pupils only"
         return self.method.unsupported(pupil)
 
     def unaberrated_peak(self, pupil: Pupil) -> float:
@@ -94,12 +98,30 @@ class Polychromatic(RadialMethod):
         if error is None:
             return Intensities(total, None, top)
         relative = np.divide(error, top, out=np.full(top.shape, np.inf), where=top > 0)
+        return Intensities(total, self._proven(relative), top)
+
+    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+        """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
+        if pupil.radial:
+            return super().intensity(pupil, grid, threads)
+        total = np.zeros((math.prod(pupil.shape), *grid.shape))
+        error = np.zeros(len(total))
+        for weight, scale in zip(self.weights, self._scales(pupil), strict=True):
+            # Divided by the largest value in the window, which then is what the bounds are related to.
+            made = self.method.images(_at(pupil, scale), grid, None, np.float64, threads=threads)
+            bright = weight * scale**2 / made.scale
+            total += bright[:, None, None] * made.values
+            error += bright * (np.inf if made.error is None else made.error)
+        relative = error / total.max(axis=(1, 2))
+        return Intensities(total, self._proven(relative))
+
+    def _proven(self, relative: NDArray[np.float64]) -> NDArray[np.float64]:
         if relative.max() > self.tol:
             raise ToleranceError(
                 f"tol={self.tol:g} cannot be met: the bound on the error is {relative.max():.2g} of the largest "
                 "value in the window"
             )
-        return Intensities(total, relative, top)
+        return relative
 
     def _scales(self, pupil: Pupil) -> list[float]:
         assert pupil.wavelength is not None
@@ -109,7 +131,5 @@ class Polychromatic(RadialMethod):
 def _at(pupil: Pupil, scale: float) -> Pupil:
     """Return the pupil at the reference wavelength over `scale`."""
     assert pupil.wavelength is not None
-    flat = pupil.coefficients()
-    wavefront = scale * Wavefront(0.5 * flat[:, 0], flat[:, 1], tuple(flat[:, 2:].T))
-    geometry = pupil.geometry
-    return replace(pupil, wavefront=wavefront, wavelength=pupil.wavelength / scale, geometry=geometry)
+    wavefront = scale * pupil.wavefront.flattened()
+    return replace(pupil, wavefront=wavefront, wavelength=pupil.wavelength / scale)

@@ -6,6 +6,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <cmath>
 #include <complex>
 #include <cstdint>
 #include <stdexcept>
@@ -20,6 +21,7 @@
 #include "lommel/legendre.hpp"
 #include "lommel/profiles.hpp"
 #include "lommel/render.hpp"
+#include "lommel/spread.hpp"
 #include "lommel/subpixel.hpp"
 #include "lommel/zernike_images.hpp"
 
@@ -384,6 +386,53 @@ Out<double, 1> chebyshev_intensity(In<complex, 2> pieces, double width, In<doubl
     return out;
 }
 
+template <class T>
+lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<std::int32_t, 1>& halves, const In<double, 2>& energies,
+                              const In<double, 2>& positions) {
+    const std::size_t count = windows.shape(0), side = windows.shape(1), stride = windows.shape(2);
+    // The last window is there for vectors to reach into only.
+    require(count >= 5 && side % 2 == 1 && stride >= side && side * stride >= lommel::Spreader<T>::padding,
+            "windows must be padded, 5 or more");
+    const std::size_t widest = side / 2;
+    require(halves.shape(0) == count - 2 && energies.shape(0) == count - 1 && energies.shape(1) == widest + 1,
+            "one half an interval, one row of energies a window");
+    for (std::size_t i = 0; i < halves.shape(0); ++i) {
+        require(halves.data()[i] >= 0 && static_cast<std::size_t>(halves.data()[i]) <= widest, "halves must fit in the windows");
+    }
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        require(std::isfinite(positions.data()[i]), "positions must be finite");
+    }
+    return {windows.data(), halves.data(), energies.data(), count - 1, widest, stride};
+}
+
+// Adds each pixel, spread over its window, to an image larger by half a window on every side.
+template <class T>
+void spread(In<T, 3> windows, In<std::int32_t, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
+            int threads, Out<T, 2> out) {
+    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
+    const std::size_t height = image.shape(0), width = image.shape(1);
+    require(positions.shape(0) == height && positions.shape(1) == width && threads >= 0, "positions must match the image");
+    require(out.shape(0) == height + 2 * bank.widest && out.shape(1) == width + 2 * bank.widest,
+            "out must be larger than the image by a window");
+    nb::gil_scoped_release nogil;
+    lommel::Spreader<T>(bank, positions.data(), height, width, threads).forward(image.data(), out.data());
+}
+
+// The transpose of spread().
+template <class T>
+void collect(In<T, 3> windows, In<std::int32_t, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
+             int threads, Out<T, 2> out) {
+    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
+    const std::size_t height = positions.shape(0), width = positions.shape(1);
+    require(image.shape(0) == height + 2 * bank.widest && image.shape(1) == width + 2 * bank.widest && threads >= 0,
+            "the image must be larger than the positions by a window");
+    require(out.shape(0) == height && out.shape(1) == width, "out must match the positions");
+    nb::gil_scoped_release nogil;
+    std::vector<T> padded(image.data(), image.data() + image.size());
+    padded.resize(image.size() + lommel::Spreader<T>::padding, T(0));
+    lommel::Spreader<T>(bank, positions.data(), height, width, threads).adjoint(padded.data(), out.data());
+}
+
 void limit_instructions(const std::string& level) {
     if (level == "portable") {
         lommel::level_limit() = lommel::Level::portable;
@@ -404,6 +453,14 @@ const char* instructions() {
         default:
             return "portable";
     }
+}
+
+template <class T>
+void define_spread(nb::module_& m) {
+    m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "image"_a.noconvert(), "threads"_a,
+          "out"_a.noconvert(), "Adds each pixel times the window at its position in the bank to an image larger by a window.");
+    m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "image"_a.noconvert(),
+          "threads"_a, "out"_a.noconvert(), "The transpose of spread().");
 }
 
 }  // namespace
@@ -467,6 +524,8 @@ NB_MODULE(_core, m) {
     m.def("fresnel_auxiliary", &fresnel_auxiliary, "s"_a, "exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0.");
     m.def("chebyshev_intensity", &chebyshev_intensity, "pieces"_a, "width"_a, "v"_a,
           "|U|^2 at v from the Chebyshev coefficients of U on pieces.");
+    define_spread<float>(m);
+    define_spread<double>(m);
     m.def("instructions", &instructions, "The widest instructions in use: portable, avx2 or avx512.");
     m.def("limit_instructions", &limit_instructions, "level"_a, "Use no wider instructions than these.");
 }

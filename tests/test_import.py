@@ -29,7 +29,7 @@ ORDER = [
     {"methods"},
     {"quality"},
     {"psf"},
-    {"fieldmap"},
+    {"imaging", "fieldmap"},
     {"fieldtable", "adapters"},
     {"lensfile"},
     {"metrics", "files", "plot"},

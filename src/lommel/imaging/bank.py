@@ -1,0 +1,232 @@
+"""A bank of pixel-averaged PSFs over defocus, close enough for what lies between to be interpolated."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from lommel.imaging.pixel_rule import pixel_rule
+from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.pupil import Pupil
+from lommel.wavefront import Wavefront
+
+_MAX_WINDOWS = 20_000
+_MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
+_METHOD = NijboerZernike(1e-7)
+
+
+@dataclass(frozen=True)
+class Bank:
+    """Windows of one channel, equally spaced in defocus.
+
+    Attributes
+    ----------
+    start, spacing : float
+        Defocus C_d (radians at the wavelength of the lens) of the first window, and from one to the next.
+    windows : ndarray, shape (count + 1, side, stride)
+        Share of the light of a point that each pixel receives; columns beyond `side` and the last window are room for
+        the compiled core.
+    halves : ndarray of int32, shape (count - 1,)
+        Between two windows, how many pixels from the middle are used.
+    energies : ndarray, shape (count, side // 2 + 1)
+        Sum of so much of each window, which what is used is divided by.
+    lost : float
+        Largest share of light beyond the pixels used, spread over these instead.
+    error : float
+        Largest difference found between interpolated windows and exact ones half-way, over the peak of these.
+    """
+
+    start: float
+    spacing: float
+    windows: NDArray[np.floating[Any]]
+    halves: NDArray[np.int32]
+    energies: NDArray[np.float64]
+    lost: float
+    error: float
+
+    @property
+    def count(self) -> int:
+        """Number of windows."""
+        return len(self.energies)
+
+    @property
+    def half(self) -> int:
+        """Pixels from the middle of the largest window to its edge."""
+        return int(self.energies.shape[1]) - 1
+
+    def positions(self, defocus: ArrayLike) -> NDArray[np.float64]:
+        """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second."""
+        return (np.asarray(defocus, dtype=np.float64) - self.start) / self.spacing
+
+    def window(self, defocus: float) -> NDArray[np.float64]:
+        """Return the window that the compiled core makes of the bank for one defocus, shape (side, side)."""
+        position = float(np.clip(self.positions(defocus), 0.0, self.count - 1))
+        interval = min(int(position), self.count - 2)
+        first = min(max(interval - 1, 0), self.count - 4)
+        t = position - first
+        weights = [math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)]
+        half, side = int(self.halves[interval]), 2 * self.half + 1
+        mixed = np.tensordot(weights, self.windows[first : first + 4, :, :side].astype(np.float64), axes=1)
+        away = np.abs(np.arange(side) - self.half)
+        used = np.where(np.maximum(away[:, None], away) <= half, mixed, 0.0)
+        return np.asarray(used / (weights @ self.energies[first : first + 4, half]))
+
+
+def build_bank(
+    pupil: Pupil,
+    spectrum: Sequence[tuple[float, float]],
+    pixel: float,
+    defocus: tuple[float, float],
+    *,
+    tol: float,
+    energy: float,
+    largest: int,
+    dtype: DTypeLike = np.float32,
+) -> Bank:
+    """Compute the bank of one channel.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        In focus, with the aberrations of the lens, at its wavelength; radially symmetric.
+    spectrum : sequence of (wavelength, weight)
+        Of the channel; weights sum to 1.
+    pixel : float
+        Metres.
+    defocus : (float, float)
+        Range of C_d, radians at the wavelength of the pupil.
+    tol : float
+        Windows are put closer together until interpolation errs by less, over the peak.
+    energy : float
+        Share of light that the pixels used must hold.
+    largest : int
+        Largest half width allowed, pixels.
+    dtype : float32 or float64
+
+    Raises
+    ------
+    ValueError
+        If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
+    """
+    low, high = defocus
+    half = _enough(pupil, spectrum, pixel, defocus, energy, largest)
+    side = 2 * half + 1
+    # A window beyond either end, so that every pixel is in the middle of four.
+    spacing = max((high - low) / 6.0, 0.05)
+    start = low - spacing
+    exact = _means(
+        pupil,
+        spectrum,
+        pixel,
+        start + spacing * np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64),
+        half,
+    )
+    while True:
+        middle = _means(
+            pupil, spectrum, pixel, start + spacing * (np.arange(len(exact) - 1, dtype=np.float64) + 0.5), half
+        )
+        error = _interpolation_error(exact, middle)
+        if error <= tol:
+            break
+        # Those half-way are windows of the next bank; the error falls sixteenfold.
+        count = 2 * len(exact) - 1
+        if count > _MAX_WINDOWS or count * side * side > _MAX_VALUES:
+            raise ValueError(
+                f"a bank of {count} windows of {side} x {side} pixels, for C_d from {low:.4g} to {high:.4g} rad, "
+                f"exceeds the limits of {_MAX_WINDOWS} windows and {_MAX_VALUES} values; ask for a larger tol than {tol:g}"
+            )
+        finer = np.empty((count, side, side))
+        finer[::2], finer[1::2] = exact, middle
+        exact, spacing = finer, 0.5 * spacing
+    first = max(0, math.floor((low - start) / spacing) - 1)
+    last = min(len(exact), math.ceil((high - start) / spacing) + 2)
+    first = max(0, min(first, last - 4))
+    return _packed(exact[first:last], start + first * spacing, spacing, error, energy, dtype)
+
+
+def _packed(
+    exact: NDArray[np.float64], start: float, spacing: float, error: float, energy: float, dtype: DTypeLike
+) -> Bank:
+    """Cut the windows to what holds `energy`, and leave the compiled core the room it needs."""
+    sums, half = _sums(exact), exact.shape[1] // 2
+    enough = np.where(sums[:, -1] >= energy, (sums >= energy).argmax(axis=1), half)
+    halves = np.maximum(enough[:-1], enough[1:])
+    used = int(halves.max())
+    side, cut = 2 * used + 1, half - used
+    stride = max(-(-side // 16) * 16, -(-64 // side))
+    windows = np.zeros((len(exact) + 1, side, stride), dtype=dtype)
+    windows[:-1, :, :side] = exact[:, cut : cut + side, cut : cut + side]
+    kept = np.ascontiguousarray(sums[:, : used + 1])
+    held = min(kept[:-1][np.arange(len(halves)), halves].min(), kept[1:][np.arange(len(halves)), halves].min())
+    return Bank(start, spacing, windows, halves.astype(np.int32), kept, float(1.0 - held), error)
+
+
+def _enough(
+    pupil: Pupil,
+    spectrum: Sequence[tuple[float, float]],
+    pixel: float,
+    defocus: tuple[float, float],
+    energy: float,
+    largest: int,
+) -> int:
+    """Return half of a window that holds `energy` of the light at both ends of the range and in its middle."""
+    ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
+    blur = replace(pupil, wavefront=Wavefront(ends) + pupil.wavefront, geometry=None).geometric_radius().max()
+    half = math.ceil(float(blur) / pixel) + 1
+    while True:
+        if half > largest:
+            raise ValueError(
+                f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the "
+                "light; stop down, allow larger windows, or ask for less of the light"
+            )
+        sums = _sums(_means(pupil, spectrum, pixel, ends, half))
+        if sums[:, -1].min() >= energy:
+            return int(max((row >= energy).argmax() for row in sums)) + 1
+        half = math.ceil(1.3 * half) + 1
+
+
+def _means(
+    pupil: Pupil,
+    spectrum: Sequence[tuple[float, float]],
+    pixel: float,
+    defocus: NDArray[np.float64],
+    half: int,
+) -> NDArray[np.float64]:
+    """Return the share of the light of a point in each pixel, shape ``(n, side, side)``."""
+    assert pupil.wavelength is not None
+    total = np.zeros((len(defocus), 2 * half + 1, 2 * half + 1))
+    for wavelength, weight in spectrum:
+        # Phases are path differences.
+        wavefront = (pupil.wavelength / wavelength) * (Wavefront(defocus) + pupil.wavefront)
+        there = replace(pupil, wavefront=wavefront, wavelength=wavelength, geometry=None)
+        step = math.pi * pixel / there.scale
+        rule = pixel_rule(half, step)
+        block = max(1, 2**22 // rule.v.size)
+        for first in range(0, len(defocus), block):
+            part = there[first : first + block]
+            means = rule.means(_METHOD.profile(part, rule.v).values)
+            total[first : first + block] += rule.unfold(means, half) * (
+                weight * step**2 / (4.0 * math.pi * there.transmission)
+            )
+    return total
+
+
+def _sums(windows: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the light within 0, 1, 2, ... pixels of the middle, in rows and columns, of each window."""
+    half = windows.shape[1] // 2
+    away = np.abs(np.arange(-half, half + 1))
+    ring = np.maximum(away[:, None], away).ravel()
+    rings = np.stack([np.bincount(ring, weights=w.ravel(), minlength=half + 1) for w in windows])
+    return np.asarray(np.cumsum(rings, axis=1))
+
+
+def _interpolation_error(exact: NDArray[np.float64], middle: NDArray[np.float64]) -> float:
+    """Return the largest difference half-way between windows, over the peak there; not in the first and last gap."""
+    guess = (9.0 * (exact[1:-2] + exact[2:-1]) - exact[:-3] - exact[3:]) / 16.0
+    inner = middle[1:-1]
+    return float((np.abs(guess - inner).max(axis=(1, 2)) / inner.max(axis=(1, 2))).max())

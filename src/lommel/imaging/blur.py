@@ -1,0 +1,221 @@
+"""Blur that varies with depth, as a linear operator: every point spreads the PSF of its own distance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from lommel import _core, validation
+from lommel.imaging.bank import Bank, build_bank
+from lommel.lens import Lens
+from lommel.pupil import Pupil
+
+BORDERS = ("reflect", "extend", "zero")
+
+Spectrum = float | Sequence[tuple[float, float]]
+
+RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
+"""Wavelengths (metres) that stand for the channels of a colour image where none are given."""
+
+
+class DepthBlur:
+    r"""What a lens makes of a scene, for one focus: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
+
+    K is the PSF averaged over the pixels, at the defocus of each source point, cut to a window that holds `energy` of
+    its light and divided by what the window holds, so that light is conserved. Between the windows of a bank it is
+    interpolated by cubics. Points do not hide one another: for that see :func:`lommel.imaging.depth_of_field`.
+
+    Parameters
+    ----------
+    lens : Lens
+        Its aberrations must be radially symmetric.
+    depth : array_like, shape (height, width)
+        Distance of each point from the lens, metres, positive; may be infinite.
+    pixel : float
+        Pixel pitch, metres.
+    channels : sequence, default (lens.wavelength,)
+        For each channel a wavelength (metres), or its spectrum, pairs of wavelength and weight.
+    border : {"reflect", "extend", "zero"}, default "reflect"
+        What lies beyond the edges: the mirrored image, its last pixels, or darkness. Depth is mirrored or extended
+        alike; light that leaves the image is lost.
+    energy : float, default 0.98
+        Share of the light that a window must hold, 0.5 to 0.9999. :attr:`lost` tells the rest.
+    tol : float, default 1e-4
+        Bound on the error of interpolated windows over their peak, 1e-7 to 1e-1, checked half-way between windows.
+    largest : int, optional
+        Largest half width of a window; by default half of the smaller side of the image.
+    dtype : float32 or float64, default float32
+    threads : int, optional
+        At most so many; by default as many as there are processors. The result does not depend on it.
+
+    Attributes
+    ----------
+    banks : tuple of Bank
+        One a channel.
+    lost : float
+        Largest share of light beyond the windows, of any point and channel.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range; if the blur exceeds `largest`.
+    """
+
+    def __init__(
+        self,
+        lens: Lens,
+        depth: ArrayLike,
+        pixel: float,
+        *,
+        channels: Sequence[Spectrum] | None = None,
+        border: str = "reflect",
+        energy: float = 0.98,
+        tol: float = 1e-4,
+        largest: int | None = None,
+        dtype: DTypeLike = np.float32,
+        threads: int | None = None,
+    ) -> None:
+        if not isinstance(lens, Lens):
+            raise TypeError(f"lens must be a Lens, got {lens!r}")
+        if not lens.aberrations.radial or lens.aberrations.shape != ():
+            raise ValueError("lens must have radially symmetric aberrations, and one set of them")
+        self.lens = lens
+        self.pixel = validation.pixel(pixel, metric=True)
+        self.border = validation.choice("border", border, BORDERS)
+        self.dtype = np.dtype(dtype)
+        if self.dtype not in (np.dtype(np.float32), np.dtype(np.float64)):
+            raise TypeError(f"dtype must be float32 or float64, got {dtype!r}")
+        self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+        distances = _depth(depth)
+        self.shape = distances.shape
+        self.defocus = lens.defocus(distances)
+        self.defocus.flags.writeable = False
+        held = validation.real("energy", energy, least=0.5, below=0.9999 + 1e-12)
+        fine = validation.real("tol", tol, least=1e-7, below=0.1 + 1e-12)
+        most = (
+            max(1, min(self.shape) // 2)
+            if largest is None
+            else validation.integer("largest", largest, least=1, most=2048)
+        )
+        pupil = Pupil(
+            lens.aberrations,
+            obscuration=lens.obscuration,
+            wavelength=lens.wavelength,
+            f_number=lens.working_f_number,
+        )
+        reach = (float(self.defocus.min()), float(self.defocus.max()))
+        spectra = [_spectrum(c) for c in ([lens.wavelength] if channels is None else channels)]
+        known: dict[tuple[tuple[float, float], ...], Bank] = {}
+        for spectrum in spectra:
+            if spectrum not in known:
+                known[spectrum] = build_bank(
+                    pupil, spectrum, self.pixel, reach, tol=fine, energy=held, largest=most, dtype=self.dtype
+                )
+        self.banks = tuple(known[spectrum] for spectrum in spectra)
+
+    @property
+    def lost(self) -> float:
+        """Largest share of light beyond the windows, of any point and channel."""
+        return max(bank.lost for bank in self.banks)
+
+    def forward(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
+        """Return the image that the lens makes of linear light, shape (height, width) or (height, width, channels).
+
+        Parameters
+        ----------
+        image : ndarray of float
+            Light; the last axis holds the channels if there are several.
+        weight : ndarray of bool, shape (height, width), optional
+            Which points take part.
+        """
+        planes = self._planes(image, self.shape)
+        out = np.empty((len(planes), *self.shape), dtype=self.dtype)
+        for plane, bank, to in zip(planes, self.banks, out, strict=True):
+            margin, positions = self._positions(bank, weight)
+            source = np.ascontiguousarray(self._padded(plane, margin))
+            room = np.zeros([side + 2 * bank.half for side in source.shape], dtype=self.dtype)
+            _core.spread(bank.windows, bank.halves, bank.energies, positions, source, self.threads, room)
+            cut = margin + bank.half
+            to[:] = room[cut : cut + self.shape[0], cut : cut + self.shape[1]]
+        return self._shaped(out, image)
+
+    def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
+        """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``."""
+        planes = self._planes(image, self.shape)
+        out = np.empty((len(planes), *self.shape), dtype=self.dtype)
+        for plane, bank, to in zip(planes, self.banks, out, strict=True):
+            margin, positions = self._positions(bank, None)
+            room = np.pad(plane, margin + bank.half)
+            taken = np.empty(positions.shape, dtype=self.dtype)
+            _core.collect(bank.windows, bank.halves, bank.energies, positions, room, self.threads, taken)
+            to[:] = self._folded(taken, margin)
+        return self._shaped(out, image)
+
+    def _planes(self, image: NDArray[Any], shape: tuple[int, ...]) -> NDArray[Any]:
+        array = np.asarray(image)
+        count = len(self.banks)
+        wanted = (*shape, count) if array.ndim == 3 or count > 1 else shape
+        if array.shape != wanted:
+            raise ValueError(f"image must have the shape {wanted}, got {array.shape}")
+        if array.dtype.kind != "f":
+            raise TypeError(f"image must hold floats in proportion to light, got {array.dtype}")
+        if not np.all(np.isfinite(array)):
+            raise ValueError(f"image must be finite, got {array[~np.isfinite(array)].flat[0]}")
+        planes = array[None] if array.ndim == 2 else np.moveaxis(array, 2, 0)
+        return np.ascontiguousarray(planes, dtype=self.dtype)
+
+    def _shaped(self, planes: NDArray[Any], image: NDArray[Any]) -> NDArray[Any]:
+        return planes[0] if np.ndim(image) == 2 else np.ascontiguousarray(np.moveaxis(planes, 0, 2))
+
+    def _positions(self, bank: Bank, weight: NDArray[Any] | None) -> tuple[int, NDArray[np.float64]]:
+        """Return the margin of the border, and where each point is in the bank, below 0 for those left out."""
+        positions = np.maximum(bank.positions(self.defocus), 0.0)
+        if weight is not None:
+            positions = np.where(weight, positions, -1.0)
+        margin = 0 if self.border == "zero" else bank.half
+        return margin, np.ascontiguousarray(self._padded(positions, margin))
+
+    def _padded(self, plane: NDArray[Any], margin: int) -> NDArray[Any]:
+        if margin == 0:
+            return plane
+        return np.pad(plane, margin, mode="symmetric" if self.border == "reflect" else "edge")
+
+    def _folded(self, taken: NDArray[Any], margin: int) -> NDArray[Any]:
+        """Return the transpose of padding: what copies took goes to where they came from."""
+        if margin == 0:
+            return taken
+        rows, columns = (self._padded(np.arange(side), margin) for side in self.shape)
+        folded = np.zeros((self.shape[0], taken.shape[1]), dtype=taken.dtype)
+        np.add.at(folded, rows, taken)
+        out = np.zeros((self.shape[1], self.shape[0]), dtype=taken.dtype)
+        np.add.at(out, columns, folded.T)
+        return out.T
+
+
+def _depth(depth: ArrayLike) -> NDArray[np.float64]:
+    distances = np.asarray(depth)
+    if distances.dtype.kind not in "iuf":
+        raise TypeError(f"depth must hold metres, got {distances.dtype}")
+    if distances.ndim != 2 or 0 in distances.shape:
+        raise ValueError(f"depth must have the shape (height, width), got {distances.shape}")
+    metres = distances.astype(np.float64)
+    if np.isnan(metres).any():
+        count = int(np.isnan(metres).sum())
+        raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there, see missing=")
+    if not np.all(metres > 0.0):
+        raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
+    return metres
+
+
+def _spectrum(channel: Spectrum) -> tuple[tuple[float, float], ...]:
+    if isinstance(channel, Sequence):
+        pairs = [(validation.wavelength(w), validation.real("weight", s, least=0.0)) for w, s in channel]
+        total = math.fsum(s for _, s in pairs)
+        if not total > 0.0:
+            raise ValueError(f"a channel must have a wavelength with a weight, got {channel!r}")
+        return tuple((w, s / total) for w, s in pairs)
+    return ((validation.wavelength(channel), 1.0),)

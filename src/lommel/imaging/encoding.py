@@ -1,0 +1,64 @@
+"""Between stored values and light: sRGB or linear, integers or floats."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from lommel import validation
+
+ENCODINGS = ("linear", "srgb")
+
+
+def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[Any]:
+    """Return values in proportion to light, 1 being white, from integers (white is their maximum) or floats.
+
+    "srgb" is the transfer function of IEC 61966-2-1.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `values` are neither integers nor floats, or not finite, or negative where they must be sRGB.
+    """
+    validation.choice("encoding", encoding, ENCODINGS)
+    if values.dtype.kind == "u":
+        light = values.astype(dtype) / np.asarray(np.iinfo(values.dtype).max, dtype=dtype)
+    elif values.dtype.kind == "f":
+        light = values.astype(dtype)
+        if not np.all(np.isfinite(light)):
+            raise ValueError(f"{name} must be finite, got {values[~np.isfinite(light)].flat[0]}")
+    else:
+        raise TypeError(f"{name} must hold unsigned integers or floats, got {values.dtype}")
+    if encoding == "linear":
+        return np.asarray(light)
+    if light.size and float(light.min()) < 0.0:
+        raise ValueError(f"{name} must be >= 0 to be sRGB, got {light.min()}; give encoding='linear'")
+    low = light <= 0.04045
+    decoded = np.where(low, light / 12.92, ((light + 0.055) / 1.055) ** 2.4)
+    return np.asarray(decoded, dtype=dtype)
+
+
+def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[Any]:
+    """Return stored values of `dtype` from light; the inverse of :func:`to_light`.
+
+    Raises
+    ------
+    OverflowError
+        If an integer type cannot hold the brightest value; nothing is clipped but rounding.
+    """
+    kind = np.dtype(dtype)
+    values = light
+    if encoding == "srgb":
+        positive = np.maximum(light, 0.0)
+        values = np.where(light <= 0.0031308, 12.92 * light, 1.055 * positive ** (1.0 / 2.4) - 0.055)
+    if kind.kind != "u":
+        return values.astype(kind, copy=False)
+    most = np.iinfo(kind).max
+    scaled = np.rint(values.astype(np.float64) * most)
+    if scaled.size and (scaled.max() > most + 1 or scaled.min() < -1):
+        raise OverflowError(
+            f"values from {values.min():.4g} to {values.max():.4g} do not fit in {kind}, whose white is 1"
+        )
+    return np.clip(scaled, 0, most).astype(kind)

@@ -138,13 +138,14 @@ def build_bank(
         if count > _MAX_WINDOWS or count * side * side > _MAX_VALUES:
             raise ValueError(
                 f"a bank of {count} windows of {side} x {side} pixels, for C_d from {low:.4g} to {high:.4g} rad, "
-                f"exceeds the limits of {_MAX_WINDOWS} windows and {_MAX_VALUES} values; ask for a larger tol than {tol:g}"
+                f"exceeds the limits of {_MAX_WINDOWS} windows and {_MAX_VALUES} values; ask for a larger tol "
+                f"than {tol:g}"
             )
         finer = np.empty((count, side, side))
         finer[::2], finer[1::2] = exact, middle
         exact, spacing = finer, 0.5 * spacing
     first = max(0, math.floor((low - start) / spacing) - 1)
-    last = min(len(exact), math.ceil((high - start) / spacing) + 2)
+    last = min(len(exact), math.ceil((high - start) / spacing) + 3)
     first = max(0, min(first, last - 4))
     return _packed(exact[first:last], start + first * spacing, spacing, error, energy, dtype)
 

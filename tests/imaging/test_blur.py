@@ -1,0 +1,100 @@
+"""Blur that varies with depth, against the brute-force sum of exact windows."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.imaging import DepthBlur, depth_of_field
+
+LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+PIXEL = 8e-6
+
+
+def scene(height: int = 20, width: int = 26, seed: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    rng = np.random.default_rng(seed)
+    return rng.random((height, width)), 1.8 + 0.5 * rng.random((height, width))
+
+
+def test_every_point_spreads_the_psf_of_its_own_depth():
+    image, depth = scene()
+    blur = DepthBlur(LENS, depth, PIXEL, border="zero", dtype=np.float64, tol=1e-6, energy=0.95, largest=30)
+    half = blur.banks[0].half
+    total = np.zeros((20 + 2 * half, 26 + 2 * half))
+    for y in range(20):
+        for x in range(26):
+            exact = lm.psf(LENS.pupil(depth[y, x]), 2 * half + 1, PIXEL, integrate=True, dtype=np.float64).values
+            away = np.abs(np.arange(2 * half + 1) - half)
+            position = blur.banks[0].positions(LENS.defocus(depth[y, x]))
+            used = np.maximum(away[:, None], away) <= blur.banks[0].halves[int(position)]
+            window = np.where(used, exact, 0.0)
+            total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[y, x] * window / window.sum()
+    out = blur.forward(image)
+    assert np.abs(out - total[half:-half, half:-half]).max() <= 1e-5 * out.max()
+
+
+@pytest.mark.parametrize("border", ["zero", "reflect", "extend"])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_the_adjoint_is_the_transpose(border, dtype):
+    rng = np.random.default_rng(1)
+    _, depth = scene()
+    blur = DepthBlur(LENS, depth, PIXEL, border=border, dtype=dtype, energy=0.95, channels=(600e-9, 500e-9))
+    a, b = (rng.random((20, 26, 2)).astype(dtype) for _ in range(2))
+    one, two = np.vdot(blur.forward(a), b), np.vdot(a, blur.adjoint(b))
+    assert one == pytest.approx(two, rel=1e-12 if dtype == np.float64 else 1e-5)
+
+
+def test_the_light_of_one_plane_is_conserved_and_a_white_wall_stays_white():
+    blur = DepthBlur(LENS, np.full((60, 70), 1.9), PIXEL, dtype=np.float64)
+    assert np.abs(blur.forward(np.ones((60, 70))) - 1.0).max() < 1e-12
+    point = np.zeros((60, 70))
+    point[30, 35] = 1.0
+    assert blur.forward(point).sum() == pytest.approx(1.0, abs=1e-12)
+    assert 0.0 < blur.lost <= 0.02
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_threads_do_not_change_a_bit(threads):
+    image, depth = scene(100, 90)
+    blur = DepthBlur(LENS, depth, PIXEL, threads=1)
+    first = blur.forward(image.astype(np.float32))
+    blur.threads = threads
+    assert blur.forward(image.astype(np.float32)).tobytes() == first.tobytes()
+
+
+def test_an_object_in_focus_stays_sharp_and_one_out_of_focus_does_not():
+    stripes = np.zeros((40, 60, 3), np.uint8)
+    stripes[:, ::6] = 200
+    depth = np.full((40, 60), 2.0)
+    depth[:, 30:] = 3.0
+    photograph = depth_of_field(stripes, depth, LENS, PIXEL, encoding="srgb")
+    contrast = np.ptp(photograph.values[10:30].astype(float), axis=1).mean()
+    sharp = np.ptp(photograph.values[20, 6:24, 1].astype(float))
+    soft = np.ptp(photograph.values[20, 36:54, 1].astype(float))
+    assert photograph.values.dtype == np.uint8
+    assert sharp > 3 * soft
+    assert contrast > 0
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"depth": np.full((5, 6), -1.0)}, "depth must be > 0 metres, got -1.0"),
+        ({"depth": np.zeros((5, 6))}, "depth must be > 0 metres, got 0.0"),
+        ({"depth": np.full((5, 6), np.nan)}, "depth is NaN at 30 of 30 points"),
+        ({"depth": np.full((5, 6), np.nan), "missing": "nearest"}, "depth is NaN everywhere"),
+        ({"depth": np.ones((5, 7))}, r"depth must have the shape of the image, \(5, 6\), got \(5, 7\)"),
+        ({"image": np.zeros((5, 6, 4), np.uint8)}, "drop the alpha channel"),
+        ({"image": np.full((5, 6), np.inf)}, "image must be finite, got inf"),
+        ({"image": np.zeros(5)}, "image must have the shape"),
+        ({"encoding": "gamma"}, "encoding must be one of"),
+        ({"border": "wrap"}, "border must be one of"),
+        ({"depth": np.full((5, 6), 0.2)}, "windows of more than 5 pixels"),
+        ({"wavelengths": (5e-7, 6e-7)}, "wavelengths must be one for each of the 1 channels"),
+    ],
+)
+def test_what_makes_no_photograph_is_refused_by_name(change, message):
+    given = {"image": np.zeros((5, 6)), "depth": np.full((5, 6), 2.0), "encoding": "linear"} | change
+    with pytest.raises(ValueError, match=message):
+        depth_of_field(given.pop("image"), given.pop("depth"), LENS, PIXEL, **given)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 from typing import Any
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
+from benchmarks import mixed
 from benchmarks.engine import engine
 from benchmarks.report import Table
 from benchmarks.settings import Settings
@@ -158,6 +159,24 @@ def images(settings: Settings) -> Table:
 
     def error(one: Setup, values: NDArray[Any]) -> float:
         return truth(between if one.between else q).error(values, fit=True)
+
+    return _run(settings, table, _adapters()[0], q, {False: engine(q)}, error)
+
+
+def nonradial(settings: Settings) -> Table:
+    """One PSF of 512² of a pupil that is not radially symmetric, by the same packages."""
+    q = mixed.Mixed(directions=mixed.RANDOM[0])
+    table = Table(
+        "peers-nonradial",
+        "Other packages: one PSF of a pupil that is not radially symmetric",
+        f"512², coma, astigmatism, trefoil and defocus of {q}, one thread, in the same way. An image "
+        "turned by half a turn, as transforms of the other sign make it, is as good.",
+        _COLUMNS,
+    )
+
+    def error(one: Setup, values: NDArray[Any]) -> float:
+        seen = replace(q, center=((q.n - 1) / 2.0, (q.n - 1) / 2.0)) if one.between else q
+        return min(mixed.error(way, values, fit=True) for way in (seen, seen.turned()))
 
     return _run(settings, table, _adapters()[0], q, {False: engine(q)}, error)
 

@@ -39,6 +39,15 @@ class Window(ABC):
     def pupil(self, share: float = 1.0) -> lm.Pupil:
         """Return the pupil with `share` of the aberrations."""
 
+    @abstractmethod
+    def phase(self, x: Any, y: Any, t: Any) -> Any:
+        """Return the phase in radians, written out, at points of the pupil; t = x^2 + y^2."""
+
+    @property
+    @abstractmethod
+    def slopes(self) -> tuple[float, float]:
+        """Bounds of the gradient of the phase, and of its derivative by the angle, radians."""
+
     def fresh(self, count: int) -> list[lm.Pupil]:
         """Return that many new pupils, each with 1e-7 less of the aberrations than the one before."""
         return [self.pupil(1.0 - 1e-7 * k) for k in range(count)]
@@ -71,6 +80,19 @@ class Question(Window):
         """Return the pupil with `share` of the aberrations."""
         wavefront = lm.Wavefront(share * self.defocus, share * self.spherical, [share * c for c in self.higher])
         return lm.Pupil(wavefront, obscuration=self.obscuration)
+
+    def phase(self, x: Any, y: Any, t: Any) -> Any:
+        """Return the phase in radians at t = rho^2."""
+        total: Any = 0.0
+        for c in (*self.higher[::-1], self.spherical, 2.0 * self.defocus):
+            total = (total + c) * t
+        return total
+
+    @property
+    def slopes(self) -> tuple[float, float]:
+        """Bounds of the gradient of the phase, and of its derivative by the angle, radians."""
+        powers = enumerate((2.0 * self.defocus, self.spherical, *self.higher), 1)
+        return sum(2.0 * k * abs(c) for k, c in powers), 0.0
 
     def __str__(self) -> str:
         return f"C_d = {self.defocus:g}, C_s = {self.spherical:g}, pixel {self.pixel:g} λN"

@@ -13,16 +13,17 @@ from benchmarks.targets import Measured, worst
 from benchmarks.timing import race
 
 
-def _cases(settings: Settings, reaches: tuple[float, ...]) -> list[Mixed]:
-    pixels = (0.5,) if settings.quick else (0.25, 0.5, 1.0)
-    directions = [ALIGNED, *(RANDOM[:1] if settings.quick or len(reaches) == 1 else RANDOM)]
-    return [Mixed(pixel=p, reach=r, directions=d) for r in reaches for d in directions for p in pixels]
+def _cases(settings: Settings) -> list[Mixed]:
+    if settings.quick:
+        return [Mixed(directions=d) for d in (ALIGNED, RANDOM[0])]
+    return [Mixed(pixel=p, directions=d) for d in (ALIGNED, *RANDOM) for p in (0.25, 0.5, 1.0)]
 
 
 def against_fft(settings: Settings, *, threads: int) -> Measured:
     """Measure 512², against the FFT."""
     other, found = fft(), []
-    for q in _cases(settings, (10.0,) if settings.quick else (3.0, 10.0)):
+    mild = [] if settings.quick else [Mixed(pixel=p, reach=3.0, directions=RANDOM[0]) for p in (0.25, 0.5, 1.0)]
+    for q in (*_cases(settings), *mild):
         mine = engine(q, threads=threads, out=True)
         result = race([mine, other], settings.rounds)
         note = f"{q}: {mine.config}, {1e3 * result.median(mine.name):.2f} ms; {other.config}"
@@ -44,7 +45,7 @@ def _method(name: str, pixel: float) -> lm.Method:
 def method_against_fft(settings: Settings, *, name: str) -> Measured:
     """Measure 512² by another method, against the FFT."""
     other, found = fft(), []
-    for q in _cases(settings, (10.0,)):
+    for q in _cases(settings)[:6]:
         mine = engine(q, method=_method(name, q.pixel))
         result = race([mine, other], settings.rounds, budget=1.0)
         note = f"{q}: {mine.config}; {other.config}"

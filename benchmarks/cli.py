@@ -28,6 +28,7 @@ TABLES: dict[str, Callable[[Settings], Table]] = {
     "threads": sweeps.threads,
     "cold": fresh.cold,
     "peers": peers.images,
+    "peers-nonradial": peers.nonradial,
     "peers-stack": peers.stacks,
 }
 

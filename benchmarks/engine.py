@@ -9,11 +9,11 @@ import numpy as np
 
 import lommel as lm
 from benchmarks.timing import Contender
-from benchmarks.truth import Question, intensity
+from benchmarks.truth import Window, intensity
 
 
 def engine(
-    question: Question,
+    question: Window,
     *,
     name: str = "lommel",
     method: lm.Method | None = None,

@@ -14,8 +14,10 @@ Every number is a ratio of two things measured in one process, in turn (A B A B 
 median of the ratios of neighbouring turns, in brackets the smallest and the largest. A turn is the fastest of three
 batches of calls, each of 2 ms or more, so that what else the machine does counts for little. The BLAS and the FFT of
 the baselines use one thread, lommel one unless the row says two. Each call of lommel gets a pupil that it has not
-seen. An error is always `max |I - I_exact| / max I_exact` against Gauss-Legendre quadrature (`lm.Hankel()`) at the
-radius of every pixel (of 20 000 pixels and the row through the axis in windows beyond 1024²), never against an FFT.
+seen. An error is always `max |I - I_exact| / max I_exact` against quadrature, never against an FFT. For a radially
+symmetric pupil this is Gauss-Legendre quadrature (`lm.Hankel()`) at the radius of every pixel (of 20 000 pixels and
+the row through the axis in windows beyond 1024²). For any other it is one over the whole aperture, in plain NumPy,
+for every pixel of 33 rows of 512², those about the peak among them, and for 16 images of a stack.
 """
 
 _AGAIN = """## How to run it again

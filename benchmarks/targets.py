@@ -54,7 +54,7 @@ class Target:
         return "must" if (value >= self.must if self.more else value <= self.must) else "MISSED"
 
 
-def _worst(found: list[Measured], *, more: bool) -> Measured:
+def worst(found: list[Measured], *, more: bool) -> Measured:
     """Return the least favourable case, with the largest error of all."""
     ranked = sorted(found, key=lambda m: m.value.median if more else -m.value.median)
     errors = [m.error for m in found if m.error is not None]
@@ -77,7 +77,7 @@ def against_fft(settings: Settings) -> Measured:
         result = race([mine, other], settings.rounds)
         error = truth(q).error(result.values[mine.name])
         found.append(Measured(result.ratio(other.name, mine.name), error, f"{q}: {mine.config}; {other.config}"))
-    return _worst(found, more=True)
+    return worst(found, more=True)
 
 
 def against_copy(settings: Settings) -> Measured:
@@ -88,7 +88,7 @@ def against_copy(settings: Settings) -> Measured:
         result = race([mine, other], settings.rounds)
         error = truth(q).error(result.values[mine.name])
         found.append(Measured(result.ratio(mine.name, other.name), error, f"{q}: {mine.config}; {other.config}"))
-    return _worst(found, more=False)
+    return worst(found, more=False)
 
 
 def fastest(result: Race, names: list[str]) -> str:
@@ -113,7 +113,7 @@ def _against_plain(settings: Settings, *ways: str) -> Measured:
         note = f"{q}: {mine.config}; {other.config}, whose error is {theirs:.1e}"
         error = truth(q).error(result.values[mine.name])
         found.append(Measured(result.ratio(other.name, mine.name), error, note))
-    return _worst(found, more=True)
+    return worst(found, more=True)
 
 
 def against_spline(settings: Settings) -> Measured:
@@ -136,7 +136,7 @@ def large(settings: Settings, *, out: bool) -> Measured:
         result = race([mine, other], settings.rounds)
         error = truth(q).error(result.values[mine.name])
         found.append(Measured(result.ratio(mine.name, other.name), error, f"{q}: {mine.config}; {other.config}"))
-    return _worst(found, more=False)
+    return worst(found, more=False)
 
 
 def _stack_error(fresh: Callable[[int], list[lm.Pupil]], result: Race, name: str, n: int, pixel: float) -> float:
@@ -216,4 +216,4 @@ def peak_memory(settings: Settings) -> Measured:
         case = f"C_d = {defocus:g}, C_s = {spherical:g}"
         note = f"{case}: the first three calls of a process, out= given; {used['kept']:.1f} MiB kept afterwards"
         found.append(Measured(Spread(peak, peak, peak, 1), None, note))
-    return _worst(found, more=False)
+    return worst(found, more=False)

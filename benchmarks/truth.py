@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -16,37 +17,36 @@ _JUDGED = 20_000  # pixels of a window too large to be judged whole
 _WHOLE = 1024  # side of the largest window that is
 
 
-@dataclass(frozen=True)
-class Question:
-    """A pupil and a square window, in the units of the paper.
+@dataclass(frozen=True, kw_only=True)
+class Window(ABC):
+    """A square window, in the units of the paper.
 
     Attributes
     ----------
-    defocus, spherical : float
-        C_d and C_s, radians.
     n : int
         Side of the window in pixels.
     pixel : float
         Pitch in units of lambda*N.
-    obscuration : float
     center : (float, float), optional
         Pixel of the axis; by default the middle of pixel (n // 2, n // 2).
-    higher : tuple of float
-        Coefficients of rho^6, rho^8, ..., radians.
     """
 
-    defocus: float = 0.0
-    spherical: float = 0.0
     n: int = 512
     pixel: float = 0.5
-    obscuration: float = 0.0
     center: tuple[float, float] | None = None
-    higher: tuple[float, ...] = ()
 
+    @abstractmethod
     def pupil(self, share: float = 1.0) -> lm.Pupil:
         """Return the pupil with `share` of the aberrations."""
-        wavefront = lm.Wavefront(share * self.defocus, share * self.spherical, [share * c for c in self.higher])
-        return lm.Pupil(wavefront, obscuration=self.obscuration)
+
+    @abstractmethod
+    def phase(self, x: Any, y: Any, t: Any) -> Any:
+        """Return the phase in radians, written out, at points of the pupil; t = x^2 + y^2."""
+
+    @property
+    @abstractmethod
+    def slopes(self) -> tuple[float, float]:
+        """Bounds of the gradient of the phase, and of its derivative by the angle, radians."""
 
     def fresh(self, count: int) -> list[lm.Pupil]:
         """Return that many new pupils, each with 1e-7 less of the aberrations than the one before."""
@@ -56,6 +56,43 @@ class Question:
     def step(self) -> float:
         """Pixel pitch in v."""
         return math.pi * self.pixel
+
+
+@dataclass(frozen=True)
+class Question(Window):
+    """A window, and a radially symmetric pupil.
+
+    Attributes
+    ----------
+    defocus, spherical : float
+        C_d and C_s, radians.
+    obscuration : float
+    higher : tuple of float
+        Coefficients of rho^6, rho^8, ..., radians.
+    """
+
+    defocus: float = 0.0
+    spherical: float = 0.0
+    obscuration: float = 0.0
+    higher: tuple[float, ...] = ()
+
+    def pupil(self, share: float = 1.0) -> lm.Pupil:
+        """Return the pupil with `share` of the aberrations."""
+        wavefront = lm.Wavefront(share * self.defocus, share * self.spherical, [share * c for c in self.higher])
+        return lm.Pupil(wavefront, obscuration=self.obscuration)
+
+    def phase(self, x: Any, y: Any, t: Any) -> Any:
+        """Return the phase in radians at t = rho^2."""
+        total: Any = 0.0
+        for c in (*self.higher[::-1], self.spherical, 2.0 * self.defocus):
+            total = (total + c) * t
+        return total
+
+    @property
+    def slopes(self) -> tuple[float, float]:
+        """Bounds of the gradient of the phase, and of its derivative by the angle, radians."""
+        powers = enumerate((2.0 * self.defocus, self.spherical, *self.higher), 1)
+        return sum(2.0 * k * abs(c) for k, c in powers), 0.0
 
     def __str__(self) -> str:
         return f"C_d = {self.defocus:g}, C_s = {self.spherical:g}, pixel {self.pixel:g} λN"

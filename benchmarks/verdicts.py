@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from functools import partial
 
-from benchmarks import chordal
+from benchmarks import chordal, nonradial
 from benchmarks import targets as t
 from benchmarks.report import Table
 from benchmarks.settings import Settings
@@ -68,6 +69,32 @@ TARGETS = [
         for each in (False, True)
         for threads in (1, 2)
     ),
+    *(
+        Target(
+            work,
+            "scipy.fft of 1024² complex128, one thread",
+            *(1.5, 5, "x", True),
+            partial(nonradial.against_fft, threads=threads),
+        )
+        for work, threads in (
+            ("512², float32, tol 1e-6, coma, astigmatism, trefoil and defocus of up to 10 rad each, into `out`", 1),
+            ("the same, 2 threads", 2),
+        )
+    ),
+    *(
+        Target(
+            f"the same 512², by `{name}`{how}",
+            "scipy.fft of 1024² complex128, one thread",
+            *(None, None, "x", True),
+            partial(nonradial.method_against_fft, name=name),
+            math.inf,
+        )
+        for name, how in (
+            ("NonuniformFFT", ""),
+            ("MatrixFourier", " of 512 samples"),
+            ("Fraunhofer", ", an FFT of 1024²"),
+        )
+    ),
     Target("one 33² by a plan", "an empty Python call", 15, 5, " µs", False, partial(t.plan, pupils=False)),
     Target(
         "the same, and making its pupil",
@@ -86,7 +113,8 @@ def run(settings: Settings) -> Table:
         "What it must reach",
         "Through the public Python call, warm, one thread unless the row says otherwise. Medians of turns taken "
         "alternately in one process, in brackets the extremes. The true error is the largest of all cases of the "
-        "row, over the peak, against quadrature at the radius of every pixel.",
+        "row, over the peak, against quadrature at the radius of every pixel or, where the pupil is not radially "
+        "symmetric, over its whole aperture; a row with limits and an error above its tolerance is a miss.",
         {
             "work": "text",
             "against": "text",

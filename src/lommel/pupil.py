@@ -79,6 +79,8 @@ class Pupil:
     ----------
     circular : bool
         Whether the aperture is a plain disc or annulus: without spider, vignetting and mask.
+    radial : bool
+        Whether phase and transmission depend on the distance from the axis only.
 
     Raises
     ------
@@ -97,6 +99,8 @@ class Pupil:
     vignetting: Ellipse | CatEye | None = field(default=None, kw_only=True)
     mask: Mask | None = field(default=None, kw_only=True)
     circular: bool = field(init=False, repr=False, compare=False)
+    # A field, for a PSF asks several times and a small one takes microseconds.
+    radial: bool = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.wavefront, Wavefront):
@@ -116,6 +120,7 @@ class Pupil:
             object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
             object.__setattr__(self, "f_number", validation.real("f_number", self.f_number, above=0.0))
         object.__setattr__(self, "circular", (self.spider or self.vignetting or self.mask) is None)
+        object.__setattr__(self, "radial", self.circular and self.wavefront.radial)
         if not self.circular:
             self._check_aperture()
 
@@ -205,11 +210,6 @@ class Pupil:
         """Return the phase coefficients of t = rho^2 for the flattened stack, shape ``(n, terms)``."""
         c = self.wavefront.coefficients
         return c.reshape(-1, c.shape[-1])
-
-    @property
-    def radial(self) -> bool:
-        """Whether phase and transmission depend on the distance from the axis only."""
-        return self.circular and self.wavefront.radial
 
     def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
         """Return the pupil function at pupil coordinates, ``exp(-g rho^2 + i phase)`` where light passes, else 0.

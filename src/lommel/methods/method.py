@@ -176,7 +176,7 @@ class Method(ABC):
                 "supports plain discs and annuli only; for a spider, vignetting or a mask use NonuniformFFT, "
                 "MatrixFourier or Fraunhofer"
             )
-        if reason is None and not (pupil.radial or self.nonradial):
+        if reason is None and not (self.nonradial or pupil.radial):
             reason = "supports radially symmetric pupils only; this one has terms that depend on the direction"
         if reason is None and pupil.apodization and not self.apodized:
             reason = "supports uniform illumination only; this pupil is apodized"

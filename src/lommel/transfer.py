@@ -77,7 +77,7 @@ def otf(
     ------
     TypeError, ValueError
         If an argument is no finite real number or out of range, the frequencies do not broadcast, or the pupil has a
-        spider, vignetting or a mask: for such, see :func:`image_otf`.
+        spider, vignetting or a mask: for such, see :func:`lommel.transfer.image_otf`.
     ToleranceError
         If `tol` takes more than 4096 nodes along a line.
 

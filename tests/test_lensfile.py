@@ -193,7 +193,8 @@ def test_an_unknown_section_is_told_with_what_it_may_have_been(load):
     assert message == "aberations (line 16): unknown key; did you mean aberrations?"
     message = fault(load, text=PLAIN + "[zoom]\n")
     assert message == (
-        "zoom (line 16): unknown key; known are name, source, lens, aberrations, object, sensor, field, report"
+        "zoom (line 16): unknown key; known are name, source, lens, aperture, aberrations, object, sensor, field, "
+        "report"
     )
 
 

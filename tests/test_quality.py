@@ -179,3 +179,34 @@ def test_a_phase_that_turns_too_often_is_told():
     with pytest.raises(lm.ToleranceError, match="takes more than"):
         lm.strehl(pupil)
     assert math.isfinite(lm.strehl(lm.Pupil(lm.Wavefront(500.0, nonradial={(3, 1): 1.0}))))
+
+
+APERTURES = {
+    "vanes": {"obscuration": 0.3, "spider": lm.Spider.equal(4, 0.2, 0.3)},
+    "cat's eye": {"vignetting": lm.CatEye((0.5, 0.2)), "apodization": 0.7},
+    "mask": {"mask": lm.Mask.sample(lambda x, y: 0.2 + 0.8 * (x > 0.25) + 0 * y, side=256)},
+}
+
+
+@pytest.mark.parametrize("name", APERTURES)
+def test_what_narrows_an_aperture_counts_in_every_average(name):
+    pupil = lm.Pupil(lm.Wavefront(0.4, nonradial={(3, 1): 0.9, (1, -1): 0.5}), **APERTURES[name])
+    at = lm.aperture.cell_centers(2000)
+    field = pupil.values(at[None, :], at[:, None])[0]
+    amplitude = np.abs(field)
+    total = amplitude.sum()
+    assert float(lm.strehl(pupil)) == pytest.approx(abs(field.sum() / total) ** 2, abs=2e-3)
+    phase = pupil.wavefront.phase(np.hypot(at[None, :], at[:, None]), np.arctan2(at[:, None], at[None, :]))
+    mean = (amplitude * phase).sum() / total
+    rms = np.sqrt((amplitude * (phase - mean) ** 2).sum() / total)
+    assert float(lm.rms(pupil)) == pytest.approx(rms, abs=2e-3)
+    gradient = np.stack(np.gradient(phase, at, at), axis=-1)[..., ::-1]
+    light = amplitude[..., None] ** 2
+    np.testing.assert_allclose(lm.centroid(pupil), (light * gradient).sum((0, 1)) / light.sum() / np.pi, atol=2e-3)
+
+
+def test_the_strehl_ratio_behind_vanes_is_the_value_on_the_axis():
+    pytest.importorskip("finufft")
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2.0}), **APERTURES["vanes"])
+    image = lm.psf(pupil, 1, 0.1, method=lm.NonuniformFFT(1e-11), normalize="strehl")
+    assert float(lm.strehl(pupil)) == pytest.approx(float(image.values[0, 0]), rel=1e-9)

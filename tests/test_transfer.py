@@ -280,3 +280,10 @@ def test_what_is_impossible_is_refused_by_name():
             call()
     with pytest.raises(ToleranceError, match="takes more than 4096 nodes"):
         lm.otf(lm.Pupil(lm.Wavefront(1e5)), 0.5)
+
+
+def test_an_aperture_that_is_not_round_is_refused_with_what_to_do():
+    pupil = lm.Pupil(spider=lm.Spider.equal(3, 0.1))
+    for ask in (lambda: lm.mtf(pupil, 0.3), lambda: lm.mtf_frequency(pupil)):
+        with pytest.raises(ValueError, match=r"pupil must be a disc or an annulus .* PSF\.otf"):
+            ask()

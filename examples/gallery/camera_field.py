@@ -16,13 +16,12 @@ import lommel as lm
 # illustrative, of the size that a classic fast lens has. One call computes all 35 images. Each is drawn enlarged in
 # its place, its brightness the square root of the intensity over its own peak.
 
-method = lm.Fraunhofer()
 sensor = (24e-3, 36e-3)
 corner = np.hypot(*sensor) / 2
 field = lm.FieldMap.from_seidel(
     corner, W020=-0.4, W040=0.4, W131=2.0, W222=1.6, W220=-0.9, wavelength=550e-9, f_number=2.0
 )
-grid = field.grid(5, 7, sensor=sensor, shape=49, pixel=0.5e-6, method=method)
+grid = field.grid(5, 7, sensor=sensor, shape=49, pixel=0.5e-6)
 grid.plot()
 
 # %%
@@ -36,7 +35,7 @@ for index, values in design.items():
     print(f"Fringe {index}:", "  ".join(f"{value:+.2f}" for value in values), "waves")
 wavefronts = lm.Wavefront.zernike(design, order="fringe", unit="waves", normalization="edge")
 same = lm.FieldMap.radial(heights, wavefronts, wavelength=550e-9, f_number=2.0)
-again = same.grid(5, 7, sensor=sensor, shape=49, pixel=0.5e-6, method=method)
+again = same.grid(5, 7, sensor=sensor, shape=49, pixel=0.5e-6)
 print(f"largest difference: {np.abs(again.values - grid.values).max() / grid.values.max():.1e} of the peak")
 
 # %%
@@ -49,7 +48,7 @@ figure, axes = plt.subplots(figsize=(8, 4.2), layout="constrained")
 for shift, color in ((-10e-6, "C0"), (0.0, "C1"), (10e-6, "C2")):
     # Towards the lens, defocus rises by pi shift / (8 lambda N^2).
     moved = field + lm.Wavefront(-np.pi * shift / (8 * 550e-9 * 2.0**2))
-    psf = moved.psf(along[:, 0], along[:, 1], 61, 0.2e-6, method=method, normalize="strehl")
+    psf = moved.psf(along[:, 0], along[:, 1], 61, 0.2e-6, normalize="strehl")
     axes.plot(fraction * corner * 1e3, psf.values.max(axis=(1, 2)), color=color, label=f"{shift * 1e6:+.0f} µm")
 axes.set_xlabel("distance from the axis (mm)")
 axes.set_ylabel("peak over that of a perfect lens")

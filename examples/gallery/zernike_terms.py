@@ -25,7 +25,7 @@ for j, (n, m) in enumerate(terms):
     phase = lm.opd_map(wavefront, 101, unit="waves")
     if (n, m) != (0, 0):
         phase -= np.nanmean(phase)
-    image = lm.psf(lm.Pupil(wavefront), 49, 0.2, method=lm.Fraunhofer(samples=128, edge="grey"), normalize="peak")
+    image = lm.psf(lm.Pupil(wavefront), 49, 0.2, normalize="peak")
     above, below = axes[2 * (j // columns), j % columns], axes[2 * (j // columns) + 1, j % columns]
     shown = above.imshow(phase, cmap="RdBu_r", vmin=-0.6, vmax=0.6, extent=(-1, 1, 1, -1))
     above.set_title(f"Noll {j + 1}: ({n}, {m})\n{zernike.name(n, m)}", fontsize=7)
@@ -41,7 +41,7 @@ for one in axes[-1]:
     one.set_xlabel("x (λN)", fontsize=8)
 figure.colorbar(shown, ax=axes, label="phase (waves)", location="bottom", shrink=0.5, aspect=40)
 
-coma = lm.psf(lm.Pupil(lm.Wavefront.from_seidel(W131=1.5)), 61, 0.25, method=lm.Fraunhofer())
+coma = lm.psf(lm.Pupil(lm.Wavefront.from_seidel(W131=1.5)), 61, 0.25)
 print(f"centroid of 1.5 waves of coma: {(coma.values * coma.grid.x).sum() / coma.values.sum():+.2f} lambda N in x")
 plt.show()
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
+from lommel.aperture import CatEye, Ellipse, Mask, Spider
 from lommel.pupil import Geometry, Pupil
 from lommel.wavefront import Wavefront
 
@@ -33,6 +34,8 @@ class Lens:
         Central obscuration over aperture radius.
     aberrations : Wavefront, default none
         Added to the defocus of every object distance.
+    spider, vignetting, mask : optional
+        What narrows the aperture, as of :class:`lommel.Pupil`.
 
     Raises
     ------
@@ -52,6 +55,9 @@ class Lens:
     wavelength: float
     obscuration: float
     aberrations: Wavefront = field(repr=False)
+    spider: Spider | None
+    vignetting: Ellipse | CatEye | None
+    mask: Mask | None
 
     def __init__(
         self,
@@ -64,6 +70,9 @@ class Lens:
         sensor_distance: float | None = None,
         obscuration: float = 0.0,
         aberrations: Wavefront | None = None,
+        spider: Spider | None = None,
+        vignetting: Ellipse | CatEye | None = None,
+        mask: Mask | None = None,
     ) -> None:
         f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
         if (f_number is None) == (aperture_diameter is None):
@@ -100,7 +109,12 @@ class Lens:
             "wavelength": validation.wavelength(wavelength),
             "obscuration": validation.real("obscuration", obscuration, least=0.0, below=1.0),
             "aberrations": aberrations,
+            "spider": spider,
+            "vignetting": vignetting,
+            "mask": mask,
         }
+        # What is no such shape, or leaves nothing clear, is told now.
+        Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
         for name, value in values.items():
             object.__setattr__(self, name, value)
 
@@ -154,6 +168,9 @@ class Lens:
             wavelength=self.wavelength,
             f_number=self.working_f_number,
             geometry=geometry,
+            spider=self.spider,
+            vignetting=self.vignetting,
+            mask=self.mask,
         )
 
 

@@ -12,9 +12,7 @@ from typing import Annotated, Any, Literal, get_args
 
 from pydantic import (
     AfterValidator,
-    BaseModel,
     BeforeValidator,
-    ConfigDict,
     Field,
     ValidationError,
     ValidationInfo,
@@ -23,10 +21,12 @@ from pydantic import (
 )
 
 from lommel import faults, fieldtable, validation, zernikefile
+from lommel.aperturefile import ApertureSection
+from lommel.entries import Distance, Length, Number, Section, SignedLength
 from lommel.fieldmap import FieldMap
 from lommel.lens import Lens
 from lommel.pupil import Pupil
-from lommel.units import parse_length, parse_radius
+from lommel.units import parse_radius
 from lommel.wavefront import Wavefront
 from lommel.zernikefile import ZernikeTable
 
@@ -83,24 +83,6 @@ class Instrument:
         return self.aberrations_of_field + self.pupil().wavefront
 
 
-def _positive(value: float) -> float:
-    if not value > 0:
-        raise ValueError(f"must be positive, got {value:g} m")
-    return value
-
-
-def _finite(value: float) -> float:
-    if not math.isfinite(value):
-        raise ValueError(f"must be finite, got {value}")
-    return value
-
-
-Distance = Annotated[float, BeforeValidator(parse_length), AfterValidator(_positive)]
-Length = Annotated[Distance, AfterValidator(_finite)]
-SignedLength = Annotated[float, BeforeValidator(parse_length), AfterValidator(_finite)]
-Number = Annotated[float, Field(strict=True), AfterValidator(_finite)]
-
-
 def _shape(value: Any) -> tuple[int, int]:
     try:
         return validation.image_shape(value)
@@ -120,11 +102,7 @@ def _radius(value: Any) -> str | float:
     return found
 
 
-class _Section(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-
-class _Lens(_Section):
+class _Lens(Section):
     focal_length: Length
     f_number: Annotated[Number, Field(gt=0)] | None = None
     aperture_diameter: Length | None = None
@@ -134,7 +112,7 @@ class _Lens(_Section):
     obscuration: Annotated[Number, Field(ge=0, lt=1)] = 0.0
 
 
-class _Aberrations(_Section):
+class _Aberrations(Section):
     defocus: Number = 0.0
     spherical: Number = 0.0
     W020: Number = 0.0
@@ -150,11 +128,11 @@ class _Aberrations(_Section):
     zernike: dict[str, Any] | None = None  # told by zernikefile what it may hold
 
 
-class _Object(_Section):
+class _Object(Section):
     distance: Distance = math.inf
 
 
-class _Sensor(_Section):
+class _Sensor(Section):
     pixel: Annotated[Length, AfterValidator(_pitch)]
     shape: Annotated[tuple[int, int], BeforeValidator(_shape)]
 
@@ -162,7 +140,7 @@ class _Sensor(_Section):
 _SEIDEL = ("W131", "W222", "W220", "W311")
 
 
-class _Field(_Section):
+class _Field(Section):
     sensor: tuple[Length, Length]
     edge: Length | None = None
     W131: Number = 0.0
@@ -239,14 +217,15 @@ class _Field(_Section):
         )
 
 
-class _Report(_Section):
-    encircled_energy: list[Annotated[Any, BeforeValidator(_radius)]] = []
+class _Report(Section):
+    encircled_energy: list[Annotated[Any, BeforeValidator(_radius)]] = Field(default_factory=list)
 
 
-class _File(_Section):
+class _File(Section):
     name: str
     source: str = ""
     lens: _Lens
+    aperture: ApertureSection = ApertureSection()
     aberrations: _Aberrations = _Aberrations()
     object: _Object = _Object()
     sensor: _Sensor
@@ -265,6 +244,12 @@ def load_instrument(path: str | PathLike[str]) -> Instrument:
     ``[aberrations.zernike]``, all of which add; ``[object]`` distance; ``[sensor]`` pixel, shape; ``[report]``
     encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what changes over the sensor and adds to
     all of this.
+
+    ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
+    them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
+    b, and an angle, or ``[aperture.cat_eye]`` with shift, a pair [x, y], and radius, all over the radius of the
+    aperture; ``[aperture.mask]`` with file, the path of a square array (.npy) or grey picture (.png, .tif) from the
+    folder of the lens file, and holds, "amplitude" or "intensity". A file with ``[field]`` has no such section.
 
     ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
     the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the
@@ -343,7 +328,18 @@ def _instrument(file: _File, table: ZernikeTable | None) -> Instrument:
     if table is not None:
         own = wavelength if table.wavelength is None else table.wavelength
         aberrations += replace(table, wavelength=own).wavefront(wavelength)
-    lens = Lens(**file.lens.model_dump(), aberrations=aberrations)
+    given = file.lens.model_dump()
+    radius = 0.5 * Lens(**given).aperture_diameter
+    shapes = file.aperture.shapes(radius)
+    if shapes and file.field is not None:
+        raise ValueError(
+            f"aperture: must be left out where there is a section [field], got {', '.join(shapes)}: what narrows the "
+            "aperture is not known over the field"
+        )
+    try:
+        lens = Lens(**given, aberrations=aberrations, **shapes)
+    except ValueError as error:
+        raise ValueError(f"aperture: {error}" if shapes else str(error)) from None
     radii = {str(text): parse_radius(text, lens.focal_length) for text in file.report.encircled_energy}
     found = Instrument(
         file.name, file.source, lens, file.object.distance, file.sensor.pixel, file.sensor.shape, radii

@@ -7,13 +7,13 @@ import time
 from collections.abc import Callable, Iterable
 from typing import Any
 
-import numpy as np
-
 from lommel import metrics, quality, spot, transfer
+from lommel.encircled import MAX_RADIUS, encircled
 from lommel.fieldmap import PSFGrid
 from lommel.lensfile import Instrument
-from lommel.methods import Hankel, Method, NijboerZernike
+from lommel.methods import Hankel, Method, NijboerZernike, NonuniformFFT
 from lommel.psf import PSF, psf
+from lommel.pupil import Pupil
 from lommel.special import zernike
 from lommel.units import format_length
 
@@ -23,9 +23,11 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
 
     Lengths in metres (None for infinity), phases in radians, energies as fractions of all light, frequencies in
     cycles per metre along x. Each encircled energy stands beside that of the same aperture in focus and without
-    aberration; that of a pupil that is not radially symmetric is None, since it is a number drawn from an image, and
-    so is its "fwhm". "mtf_at_nyquist" is that of the lens, "mtf_at_nyquist_with_pixel" that of the lens and of pixels
-    that average.
+    aberration; see :func:`lommel.encircled.encircled`, which refuses wide circles where the pupil is not radially
+    symmetric: these are None. "encircled_energy_error" bounds the error of all, None where the method has no bound or
+    the pupil is radial, whose energies are within 1e-6. The "fwhm" is the mean of those along x and y.
+    "mtf_at_nyquist" is that of the lens, "mtf_at_nyquist_with_pixel" that of the lens and of pixels that average;
+    they and "mtf50" are None for an aperture that is not round.
     """
     lens, pupil = instrument.lens, instrument.pupil()
     radii = dict(instrument.radii)
@@ -34,9 +36,9 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     if blur > 0:
         radii.setdefault("geometric blur radius", blur)
     way = NijboerZernike()
-    at = list(radii.values())
-    ideal = np.atleast_1d(metrics.radial_energy(way, pupil.unaberrated(), at)).tolist()
-    seen = np.atleast_1d(metrics.radial_energy(way, pupil, at)).tolist() if pupil.radial else [None] * len(at)
+    seen, error, image = _energies(pupil, list(radii.values()))
+    ideal, other_error, _ = _energies(pupil.unaberrated(), list(radii.values()))
+    nyquist, round_ = 0.5 / instrument.pixel, pupil.circular
     return {
         "name": instrument.name,
         "source": instrument.source,
@@ -63,17 +65,34 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "strehl": float(quality.strehl(pupil)),
         "marechal": float(quality.marechal(pupil)),
         "rms_waves": float(quality.rms(pupil, unit="waves")),
-        "fwhm": float(spot.radial_fwhm(way, pupil)) if pupil.radial else None,
+        "fwhm": float(spot.radial_fwhm(way, pupil) if image is None else image.fwhm()),
         "cutoff": pupil.cutoff,
-        "mtf50": float(transfer.mtf_frequency(pupil)),
-        "nyquist": 0.5 / instrument.pixel,
-        "mtf_at_nyquist": float(transfer.mtf(pupil, 0.5 / instrument.pixel)),
-        "mtf_at_nyquist_with_pixel": float(transfer.mtf(pupil, 0.5 / instrument.pixel, pixel=instrument.pixel)),
+        "mtf50": float(transfer.mtf_frequency(pupil)) if round_ else None,
+        "nyquist": nyquist,
+        "mtf_at_nyquist": float(transfer.mtf(pupil, nyquist)) if round_ else None,
+        "mtf_at_nyquist_with_pixel": (
+            float(transfer.mtf(pupil, nyquist, pixel=instrument.pixel)) if round_ else None
+        ),
+        "aperture": {
+            "spider": None if lens.spider is None else lens.spider.to_dict(),
+            "vignetting": None if lens.vignetting is None else lens.vignetting.to_dict(),
+            "mask": None if lens.mask is None else {"side": lens.mask.side},
+        },
+        "clear_area": pupil.area,
         "encircled_energy": [
             {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
             for (name, radius), a, b in zip(radii.items(), seen, ideal, strict=True)
         ],
+        "encircled_energy_error": max((e for e in (error, other_error) if e is not None), default=None),
     }
+
+
+def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None, PSF | None]:
+    """Return encircled energies, None for circles that are too wide, the bound on their error, and their image."""
+    most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
+    found = encircled(pupil, [r for r in radii if r <= most])
+    within = iter(found.fraction.tolist())
+    return [next(within) if r <= most else None for r in radii], found.error, found.image
 
 
 def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
@@ -117,7 +136,7 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dic
 def compare(
     instrument: Instrument, methods: Iterable[Method], started: Callable[[str], object] = str
 ) -> tuple[list[dict[str, Any]], dict[str, PSF]]:
-    """Compute one lens by several methods and judge each by `Hankel`.
+    """Compute one lens by several methods and judge each by the `reference` for its pupil.
 
     Returns
     -------
@@ -125,24 +144,25 @@ def compare(
         For each method: name, options, seconds, mse and peak_error (Eq. of :mod:`lommel.metrics`), error_bound,
         and reason, which is None or says why the method does not apply.
     answers : dict of str to PSF
-        Those that could be computed, in float64, by the method's name; "Hankel" first.
+        Those that could be computed, in float64, by the method's name; the reference first, by its `reference_name`.
     """
     pupil = instrument.pupil()
+    judge = reference(pupil)
 
     def answer(method: Method) -> PSF:
         return psf(pupil, instrument.shape, instrument.pixel, method=method, dtype="float64")
 
-    started("Hankel")
-    reference, seconds = timed(lambda: answer(Hankel()))
-    answers = {"Hankel": reference}
+    started(reference_name(pupil))
+    truth, seconds = timed(lambda: answer(judge))
+    answers = {reference_name(pupil): truth}
     rows = []
     for method in methods:
         name = type(method).__name__
         row: dict[str, Any] = {"method": name, "options": method.to_dict(), "reason": None}
         row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound"))
         rows.append(row)
-        if isinstance(method, Hankel):
-            row |= {"seconds": seconds, "mse": 0.0, "peak_error": 0.0, "error_bound": reference.error_bound}
+        if method == judge:
+            row |= {"seconds": seconds, "mse": 0.0, "peak_error": 0.0, "error_bound": truth.error_bound}
             continue
         started(name)
         try:
@@ -151,10 +171,26 @@ def compare(
             row["reason"] = str(error)
             continue
         answers[name] = found
-        row["mse"] = metrics.mse(found, reference)
-        row["peak_error"] = metrics.peak_error(found, reference)
+        row["mse"] = metrics.mse(found, truth)
+        row["peak_error"] = metrics.peak_error(found, truth)
         row["error_bound"] = found.error_bound
     return rows, answers
+
+
+def reference(pupil: Pupil) -> Method:
+    """Return what other methods are judged by: plain quadrature, or the certified series where that does not apply.
+
+    Apertures that are not round are judged by `NonuniformFFT` at its finest.
+    """
+    if pupil.radial:
+        return Hankel()
+    return NijboerZernike(tol=1e-9) if pupil.circular else NonuniformFFT(tol=1e-11)
+
+
+def reference_name(pupil: Pupil) -> str:
+    """Return "Hankel", or the name and tolerance of another reference."""
+    judge = reference(pupil)
+    return type(judge).__name__ if pupil.radial else repr(judge)
 
 
 def timed(work: Callable[[], PSF]) -> tuple[PSF, float]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from typing import TYPE_CHECKING, Any
 
@@ -25,7 +26,6 @@ MEANING = {
 """What a value is, by the normalisation."""
 
 _NOTES = {
-    "Hankel": "the reference",
     "HuygensFresnel": "differs by what the Fresnel approximation leaves out",
     "Geometric": "averages over pixels, no diffraction",
 }
@@ -43,6 +43,7 @@ def print_lens(facts: dict[str, Any]) -> None:
     lines = [
         ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
          + (f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else "")),
+        *_aperture(facts),
         ("focused at", length_or_infinity(facts["focus_distance"])),
         ("object at", length_or_infinity(facts["object_distance"])),
         ("wavelength", format_length(facts["wavelength"])),
@@ -59,10 +60,12 @@ def print_lens(facts: dict[str, Any]) -> None:
         ("Strehl ratio (on axis)", f"{facts['strehl']:.4g}"),
         ("Marechal's estimate", f"{facts['marechal']:.4g}"
          + (" (holds where it is above 0.3)" if facts["marechal"] < 0.3 else "")),
-        *([("full width at half", format_length(facts["fwhm"]))] if facts["fwhm"] is not None else []),
-        ("MTF falls to 50 % at", f"{_per_mm(facts['mtf50'])} (cutoff {_per_mm(facts['cutoff'])})"),
-        ("MTF at Nyquist", f"{facts['mtf_at_nyquist']:.4g} at {_per_mm(facts['nyquist'])},"
-         f" with the pixel {facts['mtf_at_nyquist_with_pixel']:.4g}"),
+        ("full width at half", format_length(facts["fwhm"])),
+        *([
+            ("MTF falls to 50 % at", f"{_per_mm(facts['mtf50'])} (cutoff {_per_mm(facts['cutoff'])})"),
+            ("MTF at Nyquist", f"{facts['mtf_at_nyquist']:.4g} at {_per_mm(facts['nyquist'])},"
+             f" with the pixel {facts['mtf_at_nyquist_with_pixel']:.4g}"),
+        ] if facts["mtf50"] is not None else []),
     ]  # fmt: skip
     table = Table(show_header=False, box=None, pad_edge=False)
     table.add_column(style="cyan")
@@ -79,7 +82,8 @@ def print_lens(facts: dict[str, Any]) -> None:
         energies.add_column(name, justify="left" if name == "within" else "right")
     for row in facts["encircled_energy"]:
         here = "-" if row["fraction"] is None else f"{row['fraction']:.1%}"
-        energies.add_row(row["within"], format_length(row["radius"]), here, f"{row['unaberrated']:.1%}")
+        ideal = "-" if row["unaberrated"] is None else f"{row['unaberrated']:.1%}"
+        energies.add_row(row["within"], format_length(row["radius"]), here, ideal)
     console = _console()
     console.print(facts["name"], style="bold")
     console.print(table)
@@ -88,6 +92,30 @@ def print_lens(facts: dict[str, Any]) -> None:
         console.print(terms)
     console.print()
     console.print(energies)
+    if facts["encircled_energy_error"] is not None:
+        console.print(f"errors below {facts['encircled_energy_error']:.1g}", style="dim")
+    elif any(facts["aperture"].values()):
+        console.print("no error bound", style="dim")
+
+
+def _aperture(facts: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return rows about what narrows the aperture, if anything does."""
+    spider, edge, mask = (facts["aperture"][name] for name in ("spider", "vignetting", "mask"))
+    rows = []
+    if spider is not None:
+        angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
+        width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])
+        rows.append(("vanes", f"{width} wide, at {angles} degrees from x to y"))
+    if edge is not None and edge["name"] == "Ellipse":
+        rows.append(
+            ("ellipse", f"{edge['a']:.4g} x {edge['b']:.4g} radii, at {math.degrees(edge['angle']):.4g} degrees")
+        )
+    elif edge is not None:
+        x, y = edge["shift"]
+        rows.append(("cat's eye", f"a circle of {edge['radius']:.4g} radii around ({x:.4g}, {y:.4g})"))
+    if mask is not None:
+        rows.append(("mask", f"{mask['side']} x {mask['side']} samples"))
+    return [*rows, ("clear area", f"{facts['clear_area']:.2%} of the full aperture")] if rows else []
 
 
 def _per_mm(frequency: float) -> str:
@@ -144,8 +172,8 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
     console.print(peaks)
 
 
-def print_comparison(instrument: Instrument, rows: list[dict[str, Any]]) -> None:
-    """Print the rows of :func:`lommel.report.compare`."""
+def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], reference: str) -> None:
+    """Print the rows of :func:`lommel.report.compare`, judged by the `reference` of this name."""
     size = f"{instrument.shape[0]} x {instrument.shape[1]} pixels of {format_length(instrument.pixel)}"
     table = Table(box=None, pad_edge=False)
     for name in ("method", "time", "MSE", "peak error", "error bound"):
@@ -158,7 +186,7 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]]) -> None
     for row in rows:
         # "X supports defocus only; this pupil ..." stands beside the name of X.
         reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
-        note = reason or _NOTES.get(row["method"], "")
+        note = reason or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
         spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
         table.add_row(
             row["method"],
@@ -170,7 +198,8 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]]) -> None
         )
     console = _console()
     console.print(instrument.name, style="bold")
-    console.print(size)
+    # A reference with a row of its own is marked there.
+    console.print(size if any(row["method"] == reference for row in rows) else f"{size}, judged by {reference}")
     console.print(table)
 
 

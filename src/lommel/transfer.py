@@ -76,7 +76,8 @@ def otf(
     Raises
     ------
     TypeError, ValueError
-        If an argument is no finite real number or out of range, or the frequencies do not broadcast.
+        If an argument is no finite real number or out of range, the frequencies do not broadcast, or the pupil has a
+        spider, vignetting or a mask: for such, see :func:`lommel.transfer.image_otf`.
     ToleranceError
         If `tol` takes more than 4096 nodes along a line.
 
@@ -88,6 +89,7 @@ def otf(
     """
     if not isinstance(pupil, Pupil):
         raise TypeError(f"pupil must be a Pupil, got {pupil!r}")
+    _round(pupil)
     across, down = _frequencies(fx, fy)
     goal = validation.real("tol", tol, least=1e-13, below=0.1 + 1e-9)
     if pixel is None:
@@ -166,6 +168,7 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
 
     if not isinstance(pupil, Pupil):
         raise TypeError(f"pupil must be a Pupil, got {pupil!r}")
+    _round(pupil)
     wanted = validation.real("level", level, above=0.0, below=1.0)
     turn = validation.real("angle", angle)
     cos, sin = math.cos(turn), math.sin(turn)
@@ -257,6 +260,15 @@ def image_spectrum(answer: PSF) -> tuple[NDArray[np.float64], NDArray[np.float64
     # The transform counts from the first pixel, positions from the axis.
     shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[0] + fx * grid.x[0]))
     return fx, fy, np.asarray(plain * shift)
+
+
+def _round(pupil: Pupil) -> None:
+    # The lines of the overlap end at circles; what ends within would be found by ever more nodes only.
+    if not pupil.circular:
+        raise ValueError(
+            "pupil must be a disc or an annulus for its transfer function, got one with a spider, vignetting or a "
+            "mask; take that of its image, PSF.otf"
+        )
 
 
 def _frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

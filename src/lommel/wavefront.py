@@ -222,7 +222,7 @@ class Wavefront(Descriptions):
         References
         ----------
         A. J. E. M. Janssen and P. Dirksen, "A concise formula for the Zernike coefficients of scaled pupils",
-        J. Microlith. Microfab. Microsyst. 5, 030501 (2006), doi:10.1117/1.2345672.
+        J. Microlith. Microfab. Microsyst. 5, 030501 (2006).
         """
         eps = validation.real_array("radius", radius)
         if not np.all((eps > 0.0) & (eps <= 1.0)):

@@ -51,11 +51,11 @@ class ChordalGauss(Method):
     References
     ----------
     B. F. Logan and L. A. Shepp, "Optimal reconstruction of a function from its projections", Duke Math. J. 42, 645
-    (1975), doi:10.1215/S0012-7094-75-04256-8: the ridge polynomials of the bound.
+    (1975): the ridge polynomials of the bound.
     A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), section 2.4: product rules.
     R. Soummer, L. Pueyo, A. Sivaramakrishnan and R. J. Vanderbei, Opt. Express 15, 15935 (2007),
     doi:10.1364/OE.15.015935: the transform as two matrix products.
-    A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006), doi:10.1117/1.2345672:
+    A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006):
     Zernike terms of a smaller disk.
     """
 

@@ -56,8 +56,7 @@ class NijboerZernike(FieldMethod):
     A. J. E. M. Janssen, J. Opt. Soc. Am. A 19, 849 (2002), doi:10.1364/JOSAA.19.000849.
     S. van Haver and A. J. E. M. Janssen, J. Eur. Opt. Soc. Rapid Publ. 8, 13044 (2013),
     doi:10.2971/jeos.2013.13044.
-    J. J. M. Braat, P. Dirksen, A. J. E. M. Janssen and A. S. van de Nes, J. Opt. Soc. Am. A 20, 2281 (2003),
-    doi:10.1364/JOSAA.20.002281.
+    J. J. M. Braat, P. Dirksen, A. J. E. M. Janssen and A. S. van de Nes, J. Opt. Soc. Am. A 20, 2281 (2003).
     """
 
     apodized: ClassVar[bool] = True

@@ -158,7 +158,7 @@ def scaled(
 
     References
     ----------
-    A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006), doi:10.1117/1.2345672.
+    A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006).
     """
     at = np.array(radius)
     found: dict[tuple[int, int], NDArray[np.float64]] = {}

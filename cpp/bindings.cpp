@@ -208,15 +208,17 @@ double differentiate(In<double, 2> coefficients, double obscuration, double gaus
 template <class T>
 double render_zernike(In<std::int32_t, 1> n, In<std::int32_t, 1> m, In<double, 2> outer, In<double, 2> inner,
                       double obscuration, double gaussian, In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, double step,
-                      double tol, int threads, Out<T, 3> images, Out<double, 1> scales, Out<double, 1> bounds) {
+                      double tol, int threads, Out<T, 3> images, Out<double, 1> scales, Out<double, 1> bounds,
+                      Out<double, 1> peaks) {
     const std::size_t count = images.shape(0), terms = n.shape(0), height = images.shape(1), width = images.shape(2);
     require(count > 0 && terms > 0 && m.shape(0) == terms, "n and m must have the same length");
     require(outer.shape(0) == count && outer.shape(1) == terms && inner.shape(0) == count && inner.shape(1) == terms,
             "outer and inner must have the shape (images, terms)");
     require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
     require(gaussian >= 0.0 && gaussian <= 100.0, "gaussian must be from 0 to 100");
-    require(rows.shape(0) == count && columns.shape(0) == count && scales.shape(0) == count && bounds.shape(0) == count,
-            "one row, column, scale and bound a pupil");
+    require(rows.shape(0) == count && columns.shape(0) == count && scales.shape(0) == count && bounds.shape(0) == count &&
+                peaks.shape(0) == count,
+            "one row, column, scale, bound and peak a pupil");
     require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
     require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
     for (std::size_t j = 0; j < terms; ++j) {
@@ -232,7 +234,7 @@ double render_zernike(In<std::int32_t, 1> n, In<std::int32_t, 1> m, In<double, 2
     try {
         const lommel::ZernikeStack stack{n.data(), m.data(), outer.data(), inner.data(), count, terms, obscuration, gaussian};
         lommel::ZernikeRenderer<T>(stack, height, width, rows.data(), columns.data(), step, tol, threads, images.data(),
-                                   scales.data(), bounds.data())
+                                   scales.data(), bounds.data(), peaks.data())
             .run();
     } catch (const lommel::ToleranceNotMet& failure) {
         return failure.bound;
@@ -493,11 +495,11 @@ NB_MODULE(_core, m) {
           "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert());
     m.def("render_zernike", &render_zernike<float>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
           "rows"_a, "columns"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
-          "bounds"_a.noconvert(),
+          "bounds"_a.noconvert(), "peaks"_a.noconvert(),
           "Images of pupils with any Zernike terms, each with its axis on a pixel; returns as render() does.");
     m.def("render_zernike", &render_zernike<double>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
           "rows"_a, "columns"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
-          "bounds"_a.noconvert());
+          "bounds"_a.noconvert(), "peaks"_a.noconvert());
     m.def("chordal", &chordal<float>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
           "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert(),

@@ -168,6 +168,13 @@ def test_no_aberration_raises_the_contrast_and_the_otf_is_hermitian(coma, astigm
         assert here == 0
 
 
+@pytest.mark.parametrize("obscuration", [0.0, 0.4])
+@pytest.mark.parametrize("frequency", [5e-324, 2.2e-311, 1e-101, 1e-99, 1e-30])
+def test_next_to_the_frequency_0_the_otf_is_1(frequency, obscuration):
+    pupil = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 2.0}), obscuration=obscuration)
+    assert lm.otf(pupil, frequency, frequency) == pytest.approx(1.0, abs=1e-12)
+
+
 @given(COEFFICIENT, COEFFICIENT, st.floats(-0.7, 0.7), st.floats(-0.7, 0.7))
 def test_a_tilt_turns_the_phase_of_the_otf_and_nothing_else(a, b, fx, fy):
     wavefront = lm.Wavefront(1.0, nonradial={(3, -1): 1.5})

@@ -49,12 +49,13 @@ void general_images_agree_with_radial_ones(double defocus, double obscuration, s
     const double outer[] = {defocus, defocus, 0.0, 1e-300}, inner[] = {defocus * area, defocus * area, 0.0, 0.0};
     const double step = 0.9, tol = 1e-6;
     std::vector<T> image(static_cast<std::size_t>(height * width), T(-1));
-    double scale = 1.0, bound = 0.0;
+    double scale = 1.0, bound = 0.0, brightest = 0.0;
     const lommel::ZernikeStack stack{n, m, outer, inner, 1, 4, obscuration, 0.0};
     lommel::ZernikeRenderer<T>(stack, static_cast<std::size_t>(height), static_cast<std::size_t>(width), &row, &column, step, tol,
-                               threads, image.data(), &scale, &bound)
+                               threads, image.data(), &scale, &bound, &brightest)
         .run();
     check(bound <= tol, "bound of a general image", bound);
+    check(brightest >= 0.999999 * *std::max_element(image.begin(), image.end()), "peak of a general image", brightest);
     const double coefficient = 2.0 * defocus;
     const lommel::Stack radial{&coefficient, 1, 1, obscuration};
     std::vector<double> v;

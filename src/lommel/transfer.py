@@ -294,8 +294,9 @@ def _autocorrelation(pupil: Pupil, f: NDArray[np.float64], tol: float) -> NDArra
     where = where.reshape(-1)
     shift = np.hypot(points[:, 0], points[:, 1])
     values = np.zeros((math.prod(pupil.shape), len(points)), dtype=np.complex128)
-    values[:, shift == 0] = 1.0
-    within = np.flatnonzero((shift > 0) & (shift < 1))
+    # Nearer to 0 than this nothing changes, and quotients overflow.
+    values[:, shift <= 1e-100] = 1.0
+    within = np.flatnonzero((shift > 1e-100) & (shift < 1))
     blur = float(pupil.v(pupil.geometric_radius()).max())
     # Alike frequencies take alike many nodes.
     for group in (

@@ -209,3 +209,82 @@ def test_terms_scale_to_smaller_disks_without_loss(term, radius):
     parts = zernike.scaled({term: np.array(1.0)}, radius)
     total = sum(c * zernike.polynomial(*t, rho, theta) for t, c in parts.items())
     assert total == pytest.approx(zernike.polynomial(*term, radius * rho, theta), abs=1e-13)
+
+
+def exact_averages(pupil: lm.Pupil, grid: lm.Grid, pixels: list[tuple[int, int]], nodes: int = 14) -> np.ndarray:
+    """Return I averaged over some pixels, (row, column) each, by Gauss nodes in each and direct sums for U."""
+    x, w = np.polynomial.legendre.leggauss(nodes)
+    found = []
+    for row, column in pixels:
+        down, across = np.meshgrid(row + 0.5 * x - grid.center[0], column + 0.5 * x - grid.center[1], indexing="ij")
+        field = exact_field(pupil, grid.step(pupil) * across.ravel(), grid.step(pupil) * down.ravel(), 40, 160)
+        found.append(0.25 * w @ (np.abs(field) ** 2).reshape(nodes, nodes) @ w)
+    return np.array(found)
+
+
+@pytest.mark.parametrize("center", [(8.3, -4.2), (2.5, 2.5), (-7.0, 1.0)])
+@pytest.mark.parametrize("normalize", ["strehl", "peak"])
+@pytest.mark.parametrize("tol", [1e-3, 1e-6])
+def test_averages_of_a_window_far_from_the_light_are_within_a_bound_related_to_that_window(center, normalize, tol):
+    pupil = lm.Pupil(lm.Wavefront(1.5, nonradial={(3, -1): 1.0, (2, 2): 0.6}), apodization=3.0)
+    answer = lm.psf(
+        pupil,
+        (4, 3),
+        1.1,
+        center=center,
+        integrate=True,
+        normalize=normalize,
+        method=lm.NijboerZernike(tol),
+        dtype=np.float64,
+    )
+    pixels = [(0, 0), (3, 2), (1, 1), tuple(map(int, np.unravel_index(answer.values.argmax(), answer.shape)))]
+    found = np.array([answer.values[pixel] for pixel in pixels])
+    error = np.abs(found - float(answer.scale) * exact_averages(pupil, answer.grid, pixels)).max()
+    assert error / answer.values.max() <= answer.error_bound <= tol + 2.0**-53
+
+
+@pytest.mark.parametrize("center", [(12.3, -4.2), (40.0, -12.0)])
+def test_averages_where_it_is_dark_are_refused_and_not_related_to_the_light_elsewhere(center):
+    pupil = lm.Pupil(lm.Wavefront(0.5, nonradial={(3, -1): 0.3}), apodization=20.0)
+    with pytest.raises(lm.ToleranceError, match="tol=1e-06 cannot be met"):
+        lm.psf(pupil, (4, 3), 1.1, center=center, integrate=True, method=lm.NijboerZernike(1e-6))
+
+
+def test_pixels_so_large_that_their_samples_miss_the_peak_are_averaged():
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2.0}))
+    answer = lm.psf(pupil, 9, 5.0, integrate=True, method=lm.NijboerZernike(1e-6), dtype=np.float64)
+    exact = exact_averages(pupil, answer.grid, [(4, 4), (4, 5)], 40)
+    found = answer.values[4, [4, 5]] / float(answer.scale)
+    assert np.abs(found - exact).max() / exact.max() <= answer.error_bound <= 1e-6 + 2.0**-53
+
+
+@pytest.mark.parametrize("tol", [1e-3, 1e-9])
+def test_a_window_of_pixels_that_all_miss_the_peak_can_be_divided_by_its_largest_value(tol):
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2.0}))
+    answer = lm.psf(
+        pupil, 5, 5.0, center=(2.49, 2.49), normalize="peak", method=lm.NijboerZernike(tol), dtype=np.float64
+    )
+    rows, columns = (part.ravel() for part in np.indices(answer.shape))
+    exact = exact_intensity(pupil, answer, rows, columns) / float(answer.scale)
+    assert np.abs(answer.values.ravel() - exact / exact.max()).max() <= answer.error_bound <= tol + 2.0**-53
+
+
+@pytest.mark.parametrize(
+    ("tilt", "message"),
+    [
+        (1e5, r"v = 100006\.\d+ from the axis exceed the limit"),
+        (1e18, r"axis at column 6\.37e\+17, more than the limit"),
+        (-1e308, r"axis at column -.*more than the limit"),
+    ],
+)
+def test_a_tilt_that_moves_the_light_beyond_reach_is_refused_at_once(tilt, message):
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2.0, (1, 1): tilt}))
+    with pytest.raises(ValueError, match=message):
+        lm.psf(pupil, 9, 0.5, method=lm.NijboerZernike())
+
+
+@pytest.mark.parametrize("method", [lm.NijboerZernike(), lm.ChordalGauss()])
+def test_phases_beyond_all_sense_are_refused_as_such(method):
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1e300}))
+    with pytest.raises(ValueError, match="phases must be at most 1e6 radians"):
+        lm.psf(pupil, 9, 0.5, method=method)

@@ -18,7 +18,7 @@ from lommel.special.legendre import gauss_legendre
 TERMS = [zernike.term(j, "noll") for j in range(2, 46)]  # n from 1 to 8
 
 
-def polar(pupil: lm.Pupil, grid: lm.Grid, radii: int = 90, angles: int = 200) -> np.ndarray:
+def polar(pupil: lm.Pupil, grid: lm.Grid, radii: int = 120, angles: int = 320) -> np.ndarray:
     """Return I of a single pupil by Gauss-Legendre in the radius and the trapezoidal rule in the angle."""
     r, w = gauss_legendre(radii, pupil.obscuration, 1.0)
     theta = 2.0 * math.pi * (np.arange(angles) + 0.5) / angles
@@ -311,3 +311,10 @@ def test_the_compiled_core_refuses_what_does_not_fit(change, message):
     }  # fmt: skip
     with pytest.raises(ValueError, match=message):
         _core.chordal(**(arguments | change))
+
+
+def test_a_pupil_that_passes_less_light_than_rounding_makes_is_refused_and_not_tried_for_ever():
+    wavefront = lm.Wavefront(nonradial={(3, -1): 0.7, (2, 2): 0.3})
+    pupil = lm.Pupil(wavefront, obscuration=0.999, apodization=20.0)
+    with pytest.raises(lm.ToleranceError, match="cannot be met in double precision"):
+        lm.psf(pupil, 2, 0.6, center=(3.6, 2.5), method=lm.ChordalGauss(1e-9))

@@ -72,9 +72,10 @@ class ChordalRenderer {
                 prepare(p, outer, inner);
                 const double rounding = outer.rounding(0);
                 if (s.error < rounding) {
-                    if (s.relative < 1e300) {
+                    if (s.at_rounding) {
                         throw ToleranceNotMet(s.relative);
                     }
+                    s.at_rounding = true;
                     s.error = rounding;
                 }
                 s.chords = outer.chords(area_ > 0.0 ? 0.6 * s.error : s.error);
@@ -107,6 +108,7 @@ class ChordalRenderer {
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
         std::size_t chords = 0, inner = 0;
+        bool at_rounding = false;  // less than this error cannot be asked for
         Sharp far, near;  // of the whole disk and of the obscured one
     };
 

@@ -20,6 +20,8 @@ namespace lommel {
 
 constexpr std::size_t max_degrees = 1600;  // of a Zernike series; it takes about 30 n^2 bytes
 
+constexpr double max_reach = 6e4;  // in v: tables take time in proportion to its square, then half a minute
+
 constexpr std::size_t ring_degree = 8;  // coefficients of a ring, a part of a piece
 
 // Bound on the error of interpolation at 8 Chebyshev points on a ring, relative to sup|U|, as piece_error().
@@ -32,6 +34,12 @@ struct PiecePlan {
     std::size_t rings = 1;
     double error = 0.0;  // bound on the error of U
 };
+
+inline void check_size(const ZernikePhase& phase) {
+    if (!(phase.size() <= max_phase)) {
+        throw PhaseTooLarge("phases must be at most 1e6 radians");
+    }
+}
 
 class ZernikeField {
    public:
@@ -208,9 +216,10 @@ class ZernikeField {
     }
 
     double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
-        const double size = phase.size();
-        if (!(size <= max_phase)) {
-            throw PhaseTooLarge("phases of " + std::to_string(size) + " rad exceed the limit of 1e6 rad");
+        check_size(phase);
+        if (!(reach <= max_reach)) {
+            throw PhaseTooLarge("a window and a tilt that reach to v = " + std::to_string(reach) +
+                                " from the axis exceed the limit of " + std::to_string(max_reach));
         }
         const DiskBounds bounds = phase.bounds();
         // Leaving out orders, too, magnifies what the other degrees left out by the Lebesgue constant of Fourier sums, below 5.

@@ -274,11 +274,14 @@ template <class T>
 class ZernikeRenderer {
    public:
     // The axis of pupil i is in the middle of pixel (rows[i], columns[i]), which may be outside of the image. Scales are 0
-    // on entry where values are to be divided by their largest one, and receive what the intensity was multiplied by.
+    // on entry where values are to be divided by their largest one, and receive what the intensity was multiplied by. Peaks
+    // receive the largest I that is known, in the image or (unless it is to divide) outside of it: what the bounds are
+    // related to.
     ZernikeRenderer(const ZernikeStack& stack, std::size_t height, std::size_t width, const std::int64_t* rows,
-                    const std::int64_t* columns, double step, double tol, int threads, T* images, double* scales, double* bounds)
+                    const std::int64_t* columns, double step, double tol, int threads, T* images, double* scales, double* bounds,
+                    double* peaks)
         : stack_(stack), height_(height), width_(width), rows_(rows), columns_(columns), step_(step), tol_(tol),
-          threads_(threads), images_(images), scales_(scales), bounds_(bounds) {}
+          threads_(threads), images_(images), scales_(scales), bounds_(bounds), peaks_(peaks) {}
 
     void run() {
         if (stack_.count > 1) {
@@ -293,14 +296,17 @@ class ZernikeRenderer {
         const auto octants = Octants::get(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_), rows_[pupil],
                                           columns_[pupil]);
         const bool normalize = scales_[pupil] == 0.0;
+        check_size(stack_.phase(pupil));
         // Values divided by their own largest one are off by twice as much.
         const double tol = normalize ? 0.4 * tol_ : tol_, scale = normalize ? 1.0 : scales_[pupil];
         T* values = images_ + pupil * height_ * width_;
         thread_local ZernikeImage image;
         image.begin(octants, step_, threads);
         double relative = 1e300;
-        for (double error = first_guess(pupil, tol); error > unit_roundoff; error *= 0.1) {
-            image.prepare(stack_.phase(pupil), stack_.inner_phase(pupil), stack_.obscuration, error, tol);
+        const double first = first_guess(pupil, tol);
+        for (double error = first; error > unit_roundoff; error *= 0.1) {
+            // Where all pixels are dim beside what lies between them, the first tolerance does not do.
+            image.prepare(stack_.phase(pupil), stack_.inner_phase(pupil), stack_.obscuration, error, tol * error / first);
             for (;;) {
                 image.paint(scale, values);
                 double peak = image.peak(), off = image.error_at_peak();
@@ -310,6 +316,7 @@ class ZernikeRenderer {
                     relative = over_peak(image.wrong(), peak, off);
                 }
                 if (relative <= tol) {
+                    peaks_[pupil] = peak;
                     return finish(pupil, values, image.peak(), relative);
                 }
                 if (!image.tighten(0.7 * tol * peak)) {
@@ -364,7 +371,7 @@ class ZernikeRenderer {
     double step_, tol_;
     int threads_;
     T* images_;
-    double *scales_, *bounds_;
+    double *scales_, *bounds_, *peaks_;
 };
 
 }  // namespace lommel

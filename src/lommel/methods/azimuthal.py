@@ -14,6 +14,7 @@ from lommel.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
+_FARTHEST = 1e6  # pixels from the window to the axis
 _BLOCK = 2**20  # values between two looks at the keyboard
 
 
@@ -37,6 +38,27 @@ class Terms(NamedTuple):
     columns: NDArray[np.int64]
 
 
+class Rendered(NamedTuple):
+    """Images at the pixel centres.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, height, width)
+    scales : ndarray, shape (n,)
+        What each intensity was multiplied by.
+    bounds, peaks : ndarray, shape (n,)
+        The error over the peak; that peak, of the intensity itself, in the window or outside of it.
+    unmet : float
+        0, or the bound where the tolerance cannot be met; the rest is then unfinished.
+    """
+
+    values: NDArray[Any]
+    scales: NDArray[np.float64]
+    bounds: NDArray[np.float64]
+    peaks: NDArray[np.float64]
+    unmet: float
+
+
 def expand(pupil: Pupil, grid: Grid, shift: tuple[float, float] = (0.0, 0.0)) -> Terms:
     """Return the terms of a stack, its axis moved by `shift` (rows, columns) of a pixel."""
     wavefront = pupil.wavefront.flattened()
@@ -47,7 +69,14 @@ def expand(pupil: Pupil, grid: Grid, shift: tuple[float, float] = (0.0, 0.0)) ->
     axes = []
     for axis, term in ((0, (1, -1)), (1, (1, 1))):
         # A tilt of `step` radians moves the image by a pixel.
-        at = grid.center[axis] + shift[axis] + np.broadcast_to(found.get(term, np.zeros(())), flat) / step
+        with np.errstate(over="ignore"):
+            at = grid.center[axis] + shift[axis] + np.broadcast_to(found.get(term, np.zeros(())), flat) / step
+        if not np.all(np.abs(at) <= _FARTHEST):
+            far = at[~(np.abs(at) <= _FARTHEST)][0]
+            raise ValueError(
+                f"tilt and center put the axis at {('row', 'column')[axis]} {far:.3g}, more than the limit of "
+                f"{_FARTHEST:.0e} pixels away"
+            )
         axes.append(np.rint(at).astype(np.int64))
         rest = (at - axes[-1]) * step
         found.pop(term, None)
@@ -71,13 +100,13 @@ def render(
     out: NDArray[Any] | None = None,
     shift: tuple[float, float] = (0.0, 0.0),
     threads: int = 0,
-) -> tuple[NDArray[Any], NDArray[np.float64], NDArray[np.float64], float]:
-    """Return images at the pixel centres, their scales and bounds, and 0 or the bound where `tol` cannot be met."""
+) -> Rendered:
+    """Return images at the pixel centres."""
     terms = expand(pupil, grid, shift)
     count = len(terms.rows)
     values = np.empty((count, *grid.shape), dtype) if out is None else out
     # The compiled core takes 0 for "divide by the largest value".
-    scales, bounds = np.full(count, 0.0 if scale is None else scale), np.empty(count)
+    scales, bounds, peaks = np.full(count, 0.0 if scale is None else scale), np.empty(count), np.empty(count)
     block = max(1, _BLOCK // (grid.height * grid.width))
     for first in range(0, count, block):
         part = slice(first, first + block)
@@ -96,10 +125,11 @@ def render(
             values[part],
             scales[part],
             bounds[part],
+            peaks[part],
         )
         if unmet:
-            return values, scales, bounds, unmet
-    return values, scales, bounds, 0.0
+            return Rendered(values, scales, bounds, peaks, unmet)
+    return Rendered(values, scales, bounds, peaks, 0.0)
 
 
 def averaged(
@@ -111,27 +141,28 @@ def averaged(
     :func:`lommel.methods.subpixel.subpixel_intensity`.
     """
     step, ceiling = grid.step(pupil), pupil.area**2
-    values, _, bounds, unmet = render(pupil, grid, 1.0, np.float64, 0.5 * tol, threads=threads)
-    if unmet:
-        return values, bounds, unmet
-    peaks = values.max(axis=(1, 2))
+    first = render(pupil, grid, 1.0, np.float64, 0.5 * tol, threads=threads)
+    if first.unmet:
+        return first.values, first.bounds, first.unmet
+    tops, finer = first.values.max(axis=(1, 2)), 0.25 * tol
+    # Bounds of samples are related to the peak, which may lie outside of the window; those of averages to the window.
+    finer *= min(1.0, float((tops / first.peaks).min()))
     for _ in range(4):
         # The average of a pixel is below its largest value, and for pixels of many lambda*N far below.
-        budget = 0.2 * tol * float(peaks.min()) / ceiling
+        budget = 0.2 * tol * float(tops.min()) / ceiling
         nodes = pixel_nodes(step, budget)
         x, w = gauss_legendre(nodes, -0.5, 0.5)
-        total, given = np.zeros_like(values), np.zeros(len(values))
+        total, given = np.zeros_like(first.values), np.zeros(len(first.values))
         for i in range(nodes):
             for j in range(nodes):
-                part, _, bound, unmet = render(
-                    pupil, grid, 1.0, np.float64, 0.25 * tol, shift=(-x[i], -x[j]), threads=threads
-                )
-                if unmet:
-                    return total, bounds, unmet
-                total += w[i] * w[j] * part
-                given += w[i] * w[j] * bound * part.max(axis=(1, 2))
-        peaks = total.max(axis=(1, 2))
-        bounds = (given + 2.0 * pixel_error(step, nodes) * ceiling) / peaks
+                part = render(pupil, grid, 1.0, np.float64, finer, shift=(-x[i], -x[j]), threads=threads)
+                if part.unmet:
+                    return total, part.bounds, part.unmet
+                total += w[i] * w[j] * part.values
+                given += w[i] * w[j] * part.bounds * part.peaks
+        tops = total.max(axis=(1, 2))
+        bounds = (given + 2.0 * pixel_error(step, nodes) * ceiling) / tops
         if bounds.max() <= tol:
             return total, bounds, 0.0
+        finer *= min(1.0, 0.5 * tol / float((given / tops).max()))
     return total, bounds, float(bounds.max())

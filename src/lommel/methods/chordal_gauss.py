@@ -10,7 +10,7 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel import _core, validation
 from lommel.grid import Grid
-from lommel.methods.method import Images, Intensities, Method, ToleranceError
+from lommel.methods.method import Images, Intensities, Method, not_met
 from lommel.pupil import Pupil
 from lommel.special import zernike
 
@@ -118,10 +118,7 @@ class ChordalGauss(Method):
                 bounds[part],
             )
             if unmet:
-                raise ToleranceError(
-                    f"tol={self.tol:g} cannot be met in double precision: the error, bounded by {unmet:.2g} of the "
-                    "largest value in the window, is not proven to be smaller"
-                )
+                raise not_met(self.tol, unmet, "the largest value in the window")
         return Images(values, scales, bounds)
 
 

@@ -20,6 +20,14 @@ class ToleranceError(ArithmeticError):
     """A method cannot meet the tolerance it was given."""
 
 
+def not_met(tol: float, bound: float, what: str) -> ToleranceError:
+    """Return what a method with a proven bound on its error over `what` raises where that stays above `tol`."""
+    size = f"bounded by {bound:.2g} of {what}" if bound < 1.0 else f"which may be larger than {what}"
+    return ToleranceError(
+        f"tol={tol:g} cannot be met in double precision: the error, {size}, is not proven to be smaller"
+    )
+
+
 class FieldValues(NamedTuple):
     """The field at given radii, first axis the flattened stack of pupils.
 

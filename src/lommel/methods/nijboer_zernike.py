@@ -19,6 +19,7 @@ from lommel.methods.method import (
     Slopes,
     ToleranceError,
     normalized_error,
+    not_met,
 )
 from lommel.pupil import Pupil
 
@@ -150,13 +151,12 @@ class NijboerZernike(FieldMethod):
         if powers:
             raise ValueError("derivatives are available of radially symmetric pupils only")
         if not grid.integrate:
-            values, scales, bounds, unmet = azimuthal.render(
-                pupil, grid, scale, dtype, self.tol, out=out, threads=threads
-            )
-            if unmet:
-                raise self._not_met(unmet)
-            return Images(values, scales, bounds)
-        averages, bounds, unmet = azimuthal.averaged(pupil, grid, self.tol, threads)
+            made = azimuthal.render(pupil, grid, scale, dtype, self.tol, out=out, threads=threads)
+            if made.unmet:
+                raise self._not_met(made.unmet)
+            return Images(made.values, made.scales, made.bounds)
+        # Values divided by their own largest one are off by twice as much.
+        averages, bounds, unmet = azimuthal.averaged(pupil, grid, self.tol * (0.4 if scale is None else 1.0), threads)
         if unmet:
             raise self._not_met(unmet)
         scales = 1.0 / averages.max(axis=(1, 2)) if scale is None else np.full(len(averages), scale)
@@ -165,10 +165,7 @@ class NijboerZernike(FieldMethod):
         return Images(values, scales, normalized_error(bounds) if scale is None else bounds)
 
     def _not_met(self, bound: float) -> ToleranceError:
-        return ToleranceError(
-            f"tol={self.tol:g} cannot be met in double precision: the error, bounded by {bound:.2g} of the peak, "
-            "is not proven to be smaller"
-        )
+        return not_met(self.tol, bound, "the peak")
 
 
 def _require_radial(pupil: Pupil) -> None:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel.imaging.pixel_rule import pixel_rule
+from lommel.imaging.pixel_rule import PixelRule, pixel_rule
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.pupil import Pupil
 from lommel.wavefront import Wavefront
@@ -115,53 +115,56 @@ def build_bank(
     """
     low, high = defocus
     half = _enough(pupil, spectrum, pixel, defocus, energy, largest)
-    side = 2 * half + 1
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / 6.0, 0.05)
     start = low - spacing
-    exact = _means(
-        pupil,
-        spectrum,
-        pixel,
-        start + spacing * np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64),
-        half,
-    )
+
+    def means(positions: NDArray[np.float64]) -> NDArray[np.float64]:
+        return _means(pupil, spectrum, pixel, start + spacing * positions, half)[1]
+
+    exact = means(np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64))
     while True:
-        middle = _means(
-            pupil, spectrum, pixel, start + spacing * (np.arange(len(exact) - 1, dtype=np.float64) + 0.5), half
-        )
+        middle = means(np.arange(len(exact) - 1, dtype=np.float64) + 0.5)
         error = _interpolation_error(exact, middle)
         if error <= tol:
             break
         # Those half-way are windows of the next bank; the error falls sixteenfold.
-        count = 2 * len(exact) - 1
+        count, side = 2 * len(exact) - 1, 2 * half + 1
         if count > _MAX_WINDOWS or count * side * side > _MAX_VALUES:
             raise ValueError(
                 f"a bank of {count} windows of {side} x {side} pixels, for C_d from {low:.4g} to {high:.4g} rad, "
                 f"exceeds the limits of {_MAX_WINDOWS} windows and {_MAX_VALUES} values; ask for a larger tol "
                 f"than {tol:g}"
             )
-        finer = np.empty((count, side, side))
+        finer = np.empty((count, exact.shape[1]))
         finer[::2], finer[1::2] = exact, middle
         exact, spacing = finer, 0.5 * spacing
     first = max(0, math.floor((low - start) / spacing) - 1)
     last = min(len(exact), math.ceil((high - start) / spacing) + 3)
     first = max(0, min(first, last - 4))
-    return _packed(exact[first:last], start + first * spacing, spacing, error, energy, dtype)
+    rule = _means(pupil, spectrum, pixel, np.empty(0), half)[0]
+    return _packed(rule, exact[first:last], start + first * spacing, spacing, error, energy, dtype)
 
 
 def _packed(
-    exact: NDArray[np.float64], start: float, spacing: float, error: float, energy: float, dtype: DTypeLike
+    rule: PixelRule,
+    exact: NDArray[np.float64],
+    start: float,
+    spacing: float,
+    error: float,
+    energy: float,
+    dtype: DTypeLike,
 ) -> Bank:
     """Cut the windows to what holds `energy`, and leave the compiled core the room it needs."""
-    sums, half = _sums(exact), exact.shape[1] // 2
+    sums = rule.sums(exact)
+    half = sums.shape[1] - 1
     enough = np.where(sums[:, -1] >= energy, (sums >= energy).argmax(axis=1), half)
     halves = np.maximum(enough[:-1], enough[1:])
     used = int(halves.max())
-    side, cut = 2 * used + 1, half - used
+    side = 2 * used + 1
     stride = max(-(-side // 16) * 16, -(-64 // side))
     windows = np.zeros((len(exact) + 1, side, stride), dtype=dtype)
-    windows[:-1, :, :side] = exact[:, cut : cut + side, cut : cut + side]
+    windows[:-1, :, :side] = rule.unfold(exact.astype(dtype), used)
     kept = np.ascontiguousarray(sums[:, : used + 1])
     held = min(kept[:-1][np.arange(len(halves)), halves].min(), kept[1:][np.arange(len(halves)), halves].min())
     return Bank(start, spacing, windows, halves.astype(np.int32), kept, float(1.0 - held), error)
@@ -185,7 +188,8 @@ def _enough(
                 f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the "
                 "light; stop down, allow larger windows, or ask for less of the light"
             )
-        sums = _sums(_means(pupil, spectrum, pixel, ends, half))
+        rule, means = _means(pupil, spectrum, pixel, ends, half)
+        sums = rule.sums(means)
         if sums[:, -1].min() >= energy:
             return int(max((row >= energy).argmax() for row in sums)) + 1
         half = math.ceil(1.3 * half) + 1
@@ -197,37 +201,25 @@ def _means(
     pixel: float,
     defocus: NDArray[np.float64],
     half: int,
-) -> NDArray[np.float64]:
-    """Return the share of the light of a point in each pixel, shape ``(n, side, side)``."""
+) -> tuple[PixelRule, NDArray[np.float64]]:
+    """Return the share of the light of a point in each pixel of the octant, shape ``(n, cells)``, and its rule."""
     assert pupil.wavelength is not None
-    total = np.zeros((len(defocus), 2 * half + 1, 2 * half + 1))
+    total: Any = 0.0
     for wavelength, weight in spectrum:
+        step = math.pi * pixel * pupil.wavelength / (wavelength * pupil.scale)
+        rule = pixel_rule(half, step)
+        if defocus.size == 0:
+            break
         # Phases are path differences.
         wavefront = (pupil.wavelength / wavelength) * (Wavefront(defocus) + pupil.wavefront)
         there = replace(pupil, wavefront=wavefront, wavelength=wavelength, geometry=None)
-        step = math.pi * pixel / there.scale
-        rule = pixel_rule(half, step)
-        block = max(1, 2**22 // rule.v.size)
-        for first in range(0, len(defocus), block):
-            part = there[first : first + block]
-            means = rule.means(_METHOD.profile(part, rule.v).values)
-            total[first : first + block] += rule.unfold(means, half) * (
-                weight * step**2 / (4.0 * math.pi * there.transmission)
-            )
-    return total
-
-
-def _sums(windows: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the light within 0, 1, 2, ... pixels of the middle, in rows and columns, of each window."""
-    half = windows.shape[1] // 2
-    away = np.abs(np.arange(-half, half + 1))
-    ring = np.maximum(away[:, None], away).ravel()
-    rings = np.stack([np.bincount(ring, weights=w.ravel(), minlength=half + 1) for w in windows])
-    return np.asarray(np.cumsum(rings, axis=1))
+        intensity = _METHOD.profile(there, step * rule.radii).values
+        total += (intensity @ rule.matrix) * (weight * step**2 / (4.0 * math.pi * there.transmission))
+    return rule, total
 
 
 def _interpolation_error(exact: NDArray[np.float64], middle: NDArray[np.float64]) -> float:
     """Return the largest difference half-way between windows, over the peak there; not in the first and last gap."""
     guess = (9.0 * (exact[1:-2] + exact[2:-1]) - exact[:-3] - exact[3:]) / 16.0
     inner = middle[1:-1]
-    return float((np.abs(guess - inner).max(axis=(1, 2)) / inner.max(axis=(1, 2))).max())
+    return float((np.abs(guess - inner).max(axis=1) / inner.max(axis=1)).max())

@@ -28,9 +28,9 @@ class Bank:
     ----------
     start, spacing : float
         Defocus C_d (radians at the wavelength of the lens) of the first window, and from one to the next.
-    windows : ndarray, shape (count + 1, side, stride)
-        Share of the light of a point that each pixel receives; columns beyond `side` and the last window are room for
-        the compiled core.
+    windows : ndarray, shape (count + 1, half + 1, stride)
+        Share of the light of a point that each pixel receives, from the middle row down: the rows above mirror those
+        below. Columns beyond the window and the last window are room for the compiled core.
     halves : ndarray of int32, shape (count - 1,)
         Between two windows, how many pixels from the middle are used.
     energies : ndarray, shape (count, side // 2 + 1)
@@ -71,7 +71,8 @@ class Bank:
         t = position - first
         weights = [math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)]
         half, side = int(self.halves[interval]), 2 * self.half + 1
-        mixed = np.tensordot(weights, self.windows[first : first + 4, :, :side].astype(np.float64), axes=1)
+        lower = np.tensordot(weights, self.windows[first : first + 4, :, :side].astype(np.float64), axes=1)
+        mixed = np.concatenate([lower[:0:-1], lower])
         away = np.abs(np.arange(side) - self.half)
         used = np.where(np.maximum(away[:, None], away) <= half, mixed, 0.0)
         return np.asarray(used / (weights @ self.energies[first : first + 4, half]))
@@ -87,6 +88,7 @@ def build_bank(
     energy: float,
     largest: int,
     dtype: DTypeLike = np.float32,
+    threads: int = 0,
 ) -> Bank:
     """Compute the bank of one channel.
 
@@ -107,6 +109,8 @@ def build_bank(
     largest : int
         Largest half width allowed, pixels.
     dtype : float32 or float64
+    threads : int
+        At most so many, 0 for as many as there are processors. The result does not depend on it.
 
     Raises
     ------
@@ -114,13 +118,13 @@ def build_bank(
         If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
     """
     low, high = defocus
-    half = _enough(pupil, spectrum, pixel, defocus, energy, largest)
+    half = _enough(pupil, spectrum, pixel, defocus, energy, largest, threads)
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / 6.0, 0.05)
     start = low - spacing
 
     def means(positions: NDArray[np.float64]) -> NDArray[np.float64]:
-        return _means(pupil, spectrum, pixel, start + spacing * positions, half)[1]
+        return _means(pupil, spectrum, pixel, start + spacing * positions, half, threads)[1]
 
     exact = means(np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64))
     while True:
@@ -142,7 +146,7 @@ def build_bank(
     first = max(0, math.floor((low - start) / spacing) - 1)
     last = min(len(exact), math.ceil((high - start) / spacing) + 3)
     first = max(0, min(first, last - 4))
-    rule = _means(pupil, spectrum, pixel, np.empty(0), half)[0]
+    rule = _means(pupil, spectrum, pixel, np.empty(0), half, threads)[0]
     return _packed(rule, exact[first:last], start + first * spacing, spacing, error, energy, dtype)
 
 
@@ -162,9 +166,9 @@ def _packed(
     halves = np.maximum(enough[:-1], enough[1:])
     used = int(halves.max())
     side = 2 * used + 1
-    stride = max(-(-side // 16) * 16, -(-64 // side))
-    windows = np.zeros((len(exact) + 1, side, stride), dtype=dtype)
-    windows[:-1, :, :side] = rule.unfold(exact.astype(dtype), used)
+    stride = max(-(-side // 16) * 16, -(-64 // (used + 1)))
+    windows = np.zeros((len(exact) + 1, used + 1, stride), dtype=dtype)
+    windows[:-1, :, :side] = rule.unfold(exact.astype(dtype), used)[:, used:]
     kept = np.ascontiguousarray(sums[:, : used + 1])
     held = min(kept[:-1][np.arange(len(halves)), halves].min(), kept[1:][np.arange(len(halves)), halves].min())
     return Bank(start, spacing, windows, halves.astype(np.int32), kept, float(1.0 - held), error)
@@ -177,6 +181,7 @@ def _enough(
     defocus: tuple[float, float],
     energy: float,
     largest: int,
+    threads: int,
 ) -> int:
     """Return half of a window that holds `energy` of the light at both ends of the range and in its middle."""
     ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
@@ -188,7 +193,7 @@ def _enough(
                 f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the "
                 "light; stop down, allow larger windows, or ask for less of the light"
             )
-        rule, means = _means(pupil, spectrum, pixel, ends, half)
+        rule, means = _means(pupil, spectrum, pixel, ends, half, threads)
         sums = rule.sums(means)
         if sums[:, -1].min() >= energy:
             return int(max((row >= energy).argmax() for row in sums)) + 1
@@ -201,6 +206,7 @@ def _means(
     pixel: float,
     defocus: NDArray[np.float64],
     half: int,
+    threads: int,
 ) -> tuple[PixelRule, NDArray[np.float64]]:
     """Return the share of the light of a point in each pixel of the octant, shape ``(n, cells)``, and its rule."""
     assert pupil.wavelength is not None
@@ -213,8 +219,8 @@ def _means(
         # Phases are path differences.
         wavefront = (pupil.wavelength / wavelength) * (Wavefront(defocus) + pupil.wavefront)
         there = replace(pupil, wavefront=wavefront, wavelength=wavelength, geometry=None)
-        intensity = _METHOD.profile(there, step * rule.radii).values
-        total += (intensity @ rule.matrix) * (weight * step**2 / (4.0 * math.pi * there.transmission))
+        share = weight * step**2 / (4.0 * math.pi * there.transmission)
+        total += share * _METHOD.means(there, step * rule.radii, rule.matrix, threads)
     return rule, total
 
 

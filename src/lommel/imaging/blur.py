@@ -16,6 +16,8 @@ from lommel.pupil import Pupil
 
 BORDERS = ("reflect", "extend", "zero")
 
+_BEYOND = 16  # columns that the compiled core asks for beyond the image
+
 Spectrum = float | Sequence[tuple[float, float]]
 
 RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
@@ -113,7 +115,15 @@ class DepthBlur:
         for spectrum in spectra:
             if spectrum not in known:
                 known[spectrum] = build_bank(
-                    pupil, spectrum, self.pixel, reach, tol=fine, energy=held, largest=most, dtype=self.dtype
+                    pupil,
+                    spectrum,
+                    self.pixel,
+                    reach,
+                    tol=fine,
+                    energy=held,
+                    largest=most,
+                    dtype=self.dtype,
+                    threads=self.threads,
                 )
         self.banks = tuple(known[spectrum] for spectrum in spectra)
 
@@ -137,7 +147,8 @@ class DepthBlur:
         for plane, bank, to in zip(planes, self.banks, out, strict=True):
             margin, positions = self._positions(bank, weight)
             source = np.ascontiguousarray(self._padded(plane, margin))
-            room = np.zeros([side + 2 * bank.half for side in source.shape], dtype=self.dtype)
+            height, width = (side + 2 * bank.half for side in source.shape)
+            room = np.zeros((height, width + _BEYOND), dtype=self.dtype)
             _core.spread(bank.windows, bank.halves, bank.energies, positions, source, self.threads, room)
             cut = margin + bank.half
             to[:] = room[cut : cut + self.shape[0], cut : cut + self.shape[1]]

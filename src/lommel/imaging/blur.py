@@ -92,10 +92,7 @@ class DepthBlur:
         if self.dtype not in (np.dtype(np.float32), np.dtype(np.float64)):
             raise TypeError(f"dtype must be float32 or float64, got {dtype!r}")
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-        distances = _depth(depth)
-        self.shape = distances.shape
-        self.defocus = lens.defocus(distances)
-        self.defocus.flags.writeable = False
+        self.place(depth)
         held = validation.real("energy", energy, least=0.5, below=0.9999 + 1e-12)
         fine = validation.real("tol", tol, least=1e-7, below=0.1 + 1e-12)
         most = (
@@ -126,6 +123,13 @@ class DepthBlur:
                     threads=self.threads,
                 )
         self.banks = tuple(known[spectrum] for spectrum in spectra)
+
+    def place(self, depth: ArrayLike) -> None:
+        """Put the points at other depths, shape (height, width), metres, within the range of those given first."""
+        distances = _depth(depth)
+        self.shape = distances.shape
+        self.defocus = self.lens.defocus(distances)
+        self.defocus.flags.writeable = False
 
     @property
     def lost(self) -> float:

@@ -100,8 +100,10 @@ class Spreader {
         const std::size_t wide = width_ + 2 * bank_.widest + beyond;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using Row = Rows<decltype(isa)>;
-            for (std::size_t y = top; y < bottom; ++y) {
-                for (std::size_t x = left; x < right; ++x) {
+            for (std::size_t x = left; x < right; ++x) {
+                // Down, not across: a sum that has just been stored is loaded again from the same address, which a processor
+                // does at once, whereas it waits for one that was stored across.
+                for (std::size_t y = top; y < bottom; ++y) {
                     const double position = positions_[y * width_ + x];
                     const T value = image[y * width_ + x];
                     if (position < 0.0 || value == T(0)) {

@@ -167,11 +167,19 @@ def _packed(
     used = int(halves.max())
     side = 2 * used + 1
     stride = max(-(-side // 16) * 16, -(-64 // (used + 1)))
-    windows = np.zeros((len(exact) + 1, used + 1, stride), dtype=dtype)
+    windows = _at_cache_lines((len(exact) + 1, used + 1, stride), np.dtype(dtype))
     windows[:-1, :, :side] = rule.unfold(exact.astype(dtype), used)[:, used:]
     kept = np.ascontiguousarray(sums[:, : used + 1])
     held = min(kept[:-1][np.arange(len(halves)), halves].min(), kept[1:][np.arange(len(halves)), halves].min())
     return Bank(start, spacing, windows, halves.astype(np.int32), kept, float(1.0 - held), error)
+
+
+def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Return zeros whose rows begin at cache lines where the stride lets them: vectors then are loaded faster."""
+    size = math.prod(shape) * dtype.itemsize
+    room = np.zeros(size + 64, dtype=np.uint8)
+    first = -room.ctypes.data % 64
+    return room[first : first + size].view(dtype).reshape(shape)
 
 
 def _enough(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 
-from benchmarks import chordal, nonradial
+from benchmarks import chordal, depth, nonradial
 from benchmarks import targets as t
 from benchmarks.report import Table
 from benchmarks.settings import Settings
@@ -95,6 +95,28 @@ TARGETS = [
             ("Fraunhofer", ", an FFT of 1024²"),
         )
     ),
+    Target(
+        "500 × 741 RGB blurred by depth, windows up to 33², tol 1e-4, 2 threads",
+        "scipy.signal.oaconvolve with one fixed 33²",
+        *(8, 2, "", False),
+        partial(depth.against_fixed, bank=False),
+        depth.TOL,
+    ),
+    Target(
+        "the same, and making its windows",
+        "scipy.signal.oaconvolve with one fixed 33²",
+        *(None, None, "", False),
+        partial(depth.against_fixed, bank=True),
+        depth.TOL,
+    ),
+    Target(
+        "the same, its windows made",
+        "the PSF of every point by an FFT of 64², added",
+        *(200, 400, "x", True),
+        depth.against_points,
+        depth.TOL,
+    ),
+    Target("the same through focus, 30 frames", "nothing", None, None, " frames/s", True, depth.focus_pull),
     Target("one 33² by a plan", "an empty Python call", 15, 5, " µs", False, partial(t.plan, pupils=False)),
     Target(
         "the same, and making its pupil",

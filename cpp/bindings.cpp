@@ -19,6 +19,7 @@
 #include "lommel/huygens.hpp"
 #include "lommel/images.hpp"
 #include "lommel/legendre.hpp"
+#include "lommel/means.hpp"
 #include "lommel/profiles.hpp"
 #include "lommel/render.hpp"
 #include "lommel/spread.hpp"
@@ -333,6 +334,20 @@ std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2>
     return {out, bounds, peaks};
 }
 
+// Bounds are negative where the tolerance cannot be met.
+std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, double obscuration, double gaussian, In<double, 1> v,
+                                                 double tol, In<double, 2> matrix, int threads) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
+    require(matrix.shape(0) == v.shape(0) && v.shape(0) > 0 && threads >= 0, "the matrix must have a row for each v");
+    auto out = new_array<double, 2>({stack.count, matrix.shape(1)});
+    auto bounds = new_array<double, 1>({stack.count});
+    {
+        nb::gil_scoped_release nogil;
+        lommel::means(stack, v.data(), v.shape(0), tol, matrix.data(), matrix.shape(1), threads, out.data(), bounds.data());
+    }
+    return {out, bounds};
+}
+
 Out<complex, 1> huygens_sum(In<double, 1> x, In<double, 1> y, In<complex, 1> amplitude, In<double, 1> sx,
                             In<double, 1> sy, double distance, double wavenumber) {
     require(x.shape(0) == y.shape(0) && x.shape(0) == amplitude.shape(0), "x, y and amplitude must match");
@@ -391,11 +406,11 @@ Out<double, 1> chebyshev_intensity(In<complex, 2> pieces, double width, In<doubl
 template <class T>
 lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<std::int32_t, 1>& halves, const In<double, 2>& energies,
                               const In<double, 2>& positions) {
-    const std::size_t count = windows.shape(0), side = windows.shape(1), stride = windows.shape(2);
+    const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2);
     // The last window is there for vectors to reach into only.
-    require(count >= 5 && side % 2 == 1 && stride >= side && side * stride >= lommel::Spreader<T>::padding,
+    require(count >= 5 && rows >= 1 && stride >= 2 * rows - 1 && rows * stride >= lommel::Spreader<T>::padding,
             "windows must be padded, 5 or more");
-    const std::size_t widest = side / 2;
+    const std::size_t widest = rows - 1;
     require(halves.shape(0) == count - 2 && energies.shape(0) == count - 1 && energies.shape(1) == widest + 1,
             "one half an interval, one row of energies a window");
     for (std::size_t i = 0; i < halves.shape(0); ++i) {
@@ -407,15 +422,16 @@ lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<std::int32_t, 1>
     return {windows.data(), halves.data(), energies.data(), count - 1, widest, stride};
 }
 
-// Adds each pixel, spread over its window, to an image larger by half a window on every side.
+// Adds each pixel, spread over its window, to an image larger by half a window on every side, and 16 columns beyond.
 template <class T>
 void spread(In<T, 3> windows, In<std::int32_t, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
             int threads, Out<T, 2> out) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
     const std::size_t height = image.shape(0), width = image.shape(1);
     require(positions.shape(0) == height && positions.shape(1) == width && threads >= 0, "positions must match the image");
-    require(out.shape(0) == height + 2 * bank.widest && out.shape(1) == width + 2 * bank.widest,
-            "out must be larger than the image by a window");
+    require(out.shape(0) == height + 2 * bank.widest &&
+                out.shape(1) == width + 2 * bank.widest + lommel::Spreader<T>::beyond,
+            "out must be larger than the image by a window, and have 16 columns more");
     nb::gil_scoped_release nogil;
     lommel::Spreader<T>(bank, positions.data(), height, width, threads).forward(image.data(), out.data());
 }
@@ -518,6 +534,8 @@ NB_MODULE(_core, m) {
     m.def("field", &field, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
     m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a,
           "I at rising v, bounds on its error over the peak, negative where tol cannot be met, and the peaks.");
+    m.def("means", &means, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a, "matrix"_a, "threads"_a,
+          "Weighted sums of I at rising v, and bounds on the error of I over its peak.");
     m.def("huygens_sum", &huygens_sum, "x"_a, "y"_a, "amplitude"_a, "sx"_a, "sy"_a, "distance"_a, "wavenumber"_a,
           "Sum of spherical wavelets from sources (x, y, 0) at sensor points (sx, sy, distance).");
     m.def("closed_form_field", &closed_form_field, "edges"_a, "alpha"_a, "beta"_a, "gamma"_a, "transition"_a, "ratio"_a,

@@ -6,23 +6,23 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
-#include <vector>
 
 #include "lommel/parallel.hpp"
 #include "lommel/simd.hpp"
 
 namespace lommel {
 
-// Windows of 2 widest + 1 pixels a side, equally spaced in defocus. Between windows i and i + 1 only 2 halves[i] + 1 pixels
-// a side are used; energies[i][half] is the sum of that much of window i, which the mixture is divided by.
+// Windows of 2 widest + 1 pixels a side, equally spaced in defocus, whose upper rows mirror the lower ones. Between windows
+// i and i + 1 only 2 halves[i] + 1 pixels a side are used; energies[i][half] is the sum of that much of window i, which the
+// mixture is divided by.
 template <class T>
 struct WindowBank {
-    const T* windows;            // [window][row][stride], with room for a vector behind the last
+    const T* windows;            // [window][row from the middle one down][stride], with room for a vector behind the last
     const std::int32_t* halves;  // [window - 1]
     const double* energies;      // [window][widest + 1]
     std::size_t count, widest, stride;
 
-    std::size_t room() const { return (2 * widest + 1) * stride; }
+    std::size_t room() const { return (widest + 1) * stride; }
 };
 
 // The four windows of a pixel, from `first`, and their weights: cubic Lagrange in the middle interval, divided by the sum.
@@ -58,26 +58,22 @@ class Spreader {
     Spreader(const WindowBank<T>& bank, const double* positions, std::size_t height, std::size_t width, int threads)
         : bank_(bank), positions_(positions), height_(height), width_(width), threads_(threads) {}
 
-    // out += sum over source pixels of value times window, in an image that is `widest` larger on every side:
-    // [height + 2 widest][width + 2 widest]. Bands of source rows are summed one after the other, whatever the threads.
+    // Columns of out beyond the image and its windows: the zeros that fill a last vector are added there.
+    static constexpr std::size_t beyond = 16;
+
+    // out += sum over source pixels of value times window, in an image that is `widest` larger on every side and has columns
+    // that stay as they are: [height + 2 widest][width + 2 widest + beyond]. Of tiles no smaller than what a pixel writes to,
+    // those of one parity do not meet: the threads write side by side, and every sum is in the same sequence however many.
     void forward(const T* image, T* out) const {
-        const std::size_t bands = (height_ + band - 1) / band, wide = width_ + 2 * bank_.widest;
-        const std::size_t rows = band + 2 * bank_.widest;
-        const std::size_t together = static_cast<std::size_t>(threads_ > 0 ? threads_ : processors()) * 2;
-        std::vector<std::vector<T>> sums(std::min(together, bands));
-        for (std::size_t start = 0; start < bands; start += sums.size()) {
-            const std::size_t here = std::min(sums.size(), bands - start);
-            parallel_for(here, threads_, [&](std::size_t, std::size_t i) {
-                sums[i].assign(rows * wide + padding, T(0));
-                spread_band(start + i, image, sums[i].data());
+        const std::size_t tall = std::max(least_rows, 2 * bank_.widest), broad = std::max(least_columns, 2 * bank_.widest + beyond);
+        const std::size_t down = (height_ + tall - 1) / tall, across = (width_ + broad - 1) / broad;
+        for (std::size_t parity = 0; parity < 4; ++parity) {
+            const std::size_t top = parity / 2, left = parity % 2;
+            const std::size_t rows = (down + 1 - top) / 2, columns = (across + 1 - left) / 2;
+            parallel_for(rows * columns, threads_, [&](std::size_t, std::size_t task) {
+                const std::size_t y = (2 * (task / columns) + top) * tall, x = (2 * (task % columns) + left) * broad;
+                spread_tile(y, std::min(height_, y + tall), x, std::min(width_, x + broad), image, out);
             });
-            for (std::size_t i = 0; i < here; ++i) {
-                const std::size_t first = (start + i) * band;
-                const std::size_t last = std::min(first + rows, height_ + 2 * bank_.widest);
-                for (std::size_t at = 0; at < (last - first) * wide; ++at) {
-                    out[first * wide + at] += sums[i][at];
-                }
-            }
         }
     }
 
@@ -97,14 +93,17 @@ class Spreader {
     static constexpr std::size_t padding = 64;  // values that a vector may reach beyond the end
 
    private:
-    static constexpr std::size_t band = 32;
+    // Small enough for what a tile writes to to stay in the first cache, next to its windows.
+    static constexpr std::size_t least_rows = 16, least_columns = 64;
 
-    void spread_band(std::size_t index, const T* image, T* sums) const {
-        const std::size_t wide = width_ + 2 * bank_.widest, first = index * band;
+    void spread_tile(std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const T* image, T* out) const {
+        const std::size_t wide = width_ + 2 * bank_.widest + beyond;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using Row = Rows<decltype(isa)>;
-            for (std::size_t y = first; y < std::min(height_, first + band); ++y) {
-                for (std::size_t x = 0; x < width_; ++x) {
+            for (std::size_t x = left; x < right; ++x) {
+                // Down, not across: a sum that has just been stored is loaded again from the same address, which a processor
+                // does at once, whereas it waits for one that was stored across.
+                for (std::size_t y = top; y < bottom; ++y) {
                     const double position = positions_[y * width_ + x];
                     const T value = image[y * width_ + x];
                     if (position < 0.0 || value == T(0)) {
@@ -112,18 +111,25 @@ class Spreader {
                     }
                     const Mixture mixture = mixture_at(bank_, position);
                     Row rows(bank_, mixture, static_cast<double>(value));
-                    T* to = sums + (y - first + bank_.widest - mixture.half) * wide + x + bank_.widest - mixture.half;
-                    // Four loads of windows, four multiply-adds, a load and a store of the sum, a vector: bound by loads.
-                    for (std::size_t row = 0; row < rows.side; ++row, to += wide, rows.down()) {
-                        for (std::size_t i = 0; i < rows.whole; i += Row::lanes) {
-                            store(to + i, load<typename Row::V>(to + i) + rows.mixed(rows.weight, i));
-                        }
-                        T* last = to + rows.whole;
-                        store(last, load<typename Row::V>(last) + rows.mixed(rows.cut, rows.whole));
+                    T* below = out + (y + bank_.widest) * wide + x + bank_.widest - mixture.half;
+                    T* above = below;
+                    rows.each([&](std::size_t i, auto mixed) LOMMEL_INLINE_LAMBDA { add(below + i, mixed); });
+                    // Four loads of windows and as many multiply-adds for two vectors of sums: bound by loads and stores.
+                    for (std::size_t row = 0; row < mixture.half; ++row) {
+                        rows.down(), below += wide, above -= wide;
+                        rows.each([&](std::size_t i, auto mixed) LOMMEL_INLINE_LAMBDA {
+                            add(below + i, mixed);
+                            add(above + i, mixed);
+                        });
                     }
                 }
             }
         });
+    }
+
+    template <class V>
+    static LOMMEL_INLINE void add(T* to, V mixed) {
+        store(to, load<V>(to) + mixed);
     }
 
     // Mixed rows of four windows, a vector at a time; the last vector is cut off at the end of the window.
@@ -131,21 +137,27 @@ class Spreader {
     struct Rows {
         using V = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
         static constexpr std::size_t lanes = sizeof(V) / sizeof(T);
-        std::size_t side, whole, stride;
+        static_assert(lanes <= beyond && 4 * lanes <= padding, "room for a vector");
+        std::size_t whole;
         const T* from[4];
+        std::size_t stride;
         V weight[4], cut[4];
 
         LOMMEL_INLINE Rows(const WindowBank<T>& bank, const Mixture& mixture, double value)
-            : side(2 * mixture.half + 1), whole((side - 1) / lanes * lanes), stride(bank.stride) {
-            alignas(64) T mask[lanes];
-            for (std::size_t i = 0; i < lanes; ++i) {
-                mask[i] = whole + i < side ? T(1) : T(0);
-            }
+            : whole(2 * mixture.half / lanes * lanes), stride(bank.stride) {
+            const V mask = load<V>(mask_at(2 * mixture.half + 1 - whole));
             for (std::size_t j = 0; j < 4; ++j) {
-                from[j] = bank.windows + (mixture.first + j) * bank.room() + (bank.widest - mixture.half) * (stride + 1);
+                from[j] = bank.windows + (mixture.first + j) * bank.room() + bank.widest - mixture.half;
                 weight[j] = splat<V>(static_cast<T>(value * mixture.weights[j]));
-                cut[j] = weight[j] * load<V>(mask);
+                cut[j] = weight[j] * mask;
             }
+        }
+        template <class F>
+        LOMMEL_INLINE void each(const F& f) const {
+            for (std::size_t i = 0; i < whole; i += lanes) {
+                f(i, mixed(weight, i));
+            }
+            f(whole, mixed(cut, whole));
         }
         LOMMEL_INLINE V mixed(const V* weights, std::size_t i) const {
             return (weights[0] * load<V>(from[0] + i) + weights[1] * load<V>(from[1] + i)) +
@@ -158,6 +170,12 @@ class Spreader {
         }
     };
 
+    // A vector of so many ones, then zeros.
+    static const T* mask_at(std::size_t ones) {
+        static const T masks[2 * beyond] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+        return masks + beyond - ones;
+    }
+
     template <class I>
     LOMMEL_INLINE T gather(I, double position, const T* image, std::size_t y, std::size_t x) const {
         using Row = Rows<I>;
@@ -165,13 +183,15 @@ class Spreader {
         const std::size_t wide = width_ + 2 * bank_.widest;
         const Mixture mixture = mixture_at(bank_, position);
         Row rows(bank_, mixture, 1.0);
-        const T* at = image + (y + bank_.widest - mixture.half) * wide + x + bank_.widest - mixture.half;
+        const T* below = image + (y + bank_.widest) * wide + x + bank_.widest - mixture.half;
+        const T* above = below;
         V total = splat<V>(T(0));
-        for (std::size_t row = 0; row < rows.side; ++row, at += wide, rows.down()) {
-            for (std::size_t i = 0; i < rows.whole; i += Row::lanes) {
-                total = total + rows.mixed(rows.weight, i) * load<V>(at + i);
-            }
-            total = total + rows.mixed(rows.cut, rows.whole) * load<V>(at + rows.whole);
+        rows.each([&](std::size_t i, V mixed) LOMMEL_INLINE_LAMBDA { total = total + mixed * load<V>(below + i); });
+        for (std::size_t row = 0; row < mixture.half; ++row) {
+            rows.down(), below += wide, above -= wide;
+            rows.each([&](std::size_t i, V mixed) LOMMEL_INLINE_LAMBDA {
+                total = total + mixed * (load<V>(below + i) + load<V>(above + i));
+            });
         }
         T sum = 0;
         for (std::size_t i = 0; i < Row::lanes; ++i) {

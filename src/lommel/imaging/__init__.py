@@ -2,5 +2,16 @@
 
 from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur
 from lommel.imaging.depth_of_field import Photograph, depth_of_field
+from lommel.imaging.lazy import depth_of_field_of_chunks
+from lommel.imaging.plan import FocusPlan
+from lommel.imaging.tiles import depth_of_field_by_tiles
 
-__all__ = ["RED_GREEN_BLUE", "DepthBlur", "Photograph", "depth_of_field"]
+__all__ = [
+    "RED_GREEN_BLUE",
+    "DepthBlur",
+    "FocusPlan",
+    "Photograph",
+    "depth_of_field",
+    "depth_of_field_by_tiles",
+    "depth_of_field_of_chunks",
+]

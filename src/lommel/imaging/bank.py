@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel.imaging.pixel_rule import pixel_rule
+from lommel.imaging.pixel_rule import PixelRule, pixel_rule
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.pupil import Pupil
 from lommel.wavefront import Wavefront
@@ -28,9 +28,9 @@ class Bank:
     ----------
     start, spacing : float
         Defocus C_d (radians at the wavelength of the lens) of the first window, and from one to the next.
-    windows : ndarray, shape (count + 1, side, stride)
-        Share of the light of a point that each pixel receives; columns beyond `side` and the last window are room for
-        the compiled core.
+    windows : ndarray, shape (count + 1, half + 1, stride)
+        Share of the light of a point that each pixel receives, from the middle row down: the rows above mirror those
+        below. Columns beyond the window and the last window are room for the compiled core.
     halves : ndarray of int32, shape (count - 1,)
         Between two windows, how many pixels from the middle are used.
     energies : ndarray, shape (count, side // 2 + 1)
@@ -71,7 +71,8 @@ class Bank:
         t = position - first
         weights = [math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)]
         half, side = int(self.halves[interval]), 2 * self.half + 1
-        mixed = np.tensordot(weights, self.windows[first : first + 4, :, :side].astype(np.float64), axes=1)
+        lower = np.tensordot(weights, self.windows[first : first + 4, :, :side].astype(np.float64), axes=1)
+        mixed = np.concatenate([lower[:0:-1], lower])
         away = np.abs(np.arange(side) - self.half)
         used = np.where(np.maximum(away[:, None], away) <= half, mixed, 0.0)
         return np.asarray(used / (weights @ self.energies[first : first + 4, half]))
@@ -87,6 +88,7 @@ def build_bank(
     energy: float,
     largest: int,
     dtype: DTypeLike = np.float32,
+    threads: int = 0,
 ) -> Bank:
     """Compute the bank of one channel.
 
@@ -107,6 +109,8 @@ def build_bank(
     largest : int
         Largest half width allowed, pixels.
     dtype : float32 or float64
+    threads : int
+        At most so many, 0 for as many as there are processors. The result does not depend on it.
 
     Raises
     ------
@@ -114,57 +118,68 @@ def build_bank(
         If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
     """
     low, high = defocus
-    half = _enough(pupil, spectrum, pixel, defocus, energy, largest)
-    side = 2 * half + 1
+    half = _enough(pupil, spectrum, pixel, defocus, energy, largest, threads)
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / 6.0, 0.05)
     start = low - spacing
-    exact = _means(
-        pupil,
-        spectrum,
-        pixel,
-        start + spacing * np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64),
-        half,
-    )
+
+    def means(positions: NDArray[np.float64]) -> NDArray[np.float64]:
+        return _means(pupil, spectrum, pixel, start + spacing * positions, half, threads)[1]
+
+    exact = means(np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64))
     while True:
-        middle = _means(
-            pupil, spectrum, pixel, start + spacing * (np.arange(len(exact) - 1, dtype=np.float64) + 0.5), half
-        )
+        middle = means(np.arange(len(exact) - 1, dtype=np.float64) + 0.5)
         error = _interpolation_error(exact, middle)
         if error <= tol:
             break
         # Those half-way are windows of the next bank; the error falls sixteenfold.
-        count = 2 * len(exact) - 1
+        count, side = 2 * len(exact) - 1, 2 * half + 1
         if count > _MAX_WINDOWS or count * side * side > _MAX_VALUES:
             raise ValueError(
                 f"a bank of {count} windows of {side} x {side} pixels, for C_d from {low:.4g} to {high:.4g} rad, "
                 f"exceeds the limits of {_MAX_WINDOWS} windows and {_MAX_VALUES} values; ask for a larger tol "
                 f"than {tol:g}"
             )
-        finer = np.empty((count, side, side))
+        finer = np.empty((count, exact.shape[1]))
         finer[::2], finer[1::2] = exact, middle
         exact, spacing = finer, 0.5 * spacing
     first = max(0, math.floor((low - start) / spacing) - 1)
     last = min(len(exact), math.ceil((high - start) / spacing) + 3)
     first = max(0, min(first, last - 4))
-    return _packed(exact[first:last], start + first * spacing, spacing, error, energy, dtype)
+    rule = _means(pupil, spectrum, pixel, np.empty(0), half, threads)[0]
+    return _packed(rule, exact[first:last], start + first * spacing, spacing, error, energy, dtype)
 
 
 def _packed(
-    exact: NDArray[np.float64], start: float, spacing: float, error: float, energy: float, dtype: DTypeLike
+    rule: PixelRule,
+    exact: NDArray[np.float64],
+    start: float,
+    spacing: float,
+    error: float,
+    energy: float,
+    dtype: DTypeLike,
 ) -> Bank:
     """Cut the windows to what holds `energy`, and leave the compiled core the room it needs."""
-    sums, half = _sums(exact), exact.shape[1] // 2
+    sums = rule.sums(exact)
+    half = sums.shape[1] - 1
     enough = np.where(sums[:, -1] >= energy, (sums >= energy).argmax(axis=1), half)
     halves = np.maximum(enough[:-1], enough[1:])
     used = int(halves.max())
-    side, cut = 2 * used + 1, half - used
-    stride = max(-(-side // 16) * 16, -(-64 // side))
-    windows = np.zeros((len(exact) + 1, side, stride), dtype=dtype)
-    windows[:-1, :, :side] = exact[:, cut : cut + side, cut : cut + side]
+    side = 2 * used + 1
+    stride = max(-(-side // 16) * 16, -(-64 // (used + 1)))
+    windows = _at_cache_lines((len(exact) + 1, used + 1, stride), np.dtype(dtype))
+    windows[:-1, :, :side] = rule.unfold(exact.astype(dtype), used)[:, used:]
     kept = np.ascontiguousarray(sums[:, : used + 1])
     held = min(kept[:-1][np.arange(len(halves)), halves].min(), kept[1:][np.arange(len(halves)), halves].min())
     return Bank(start, spacing, windows, halves.astype(np.int32), kept, float(1.0 - held), error)
+
+
+def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Return zeros whose rows begin at cache lines where the stride lets them: vectors then are loaded faster."""
+    size = math.prod(shape) * dtype.itemsize
+    room = np.zeros(size + 64, dtype=np.uint8)
+    first = -room.ctypes.data % 64
+    return room[first : first + size].view(dtype).reshape(shape)
 
 
 def _enough(
@@ -174,6 +189,7 @@ def _enough(
     defocus: tuple[float, float],
     energy: float,
     largest: int,
+    threads: int,
 ) -> int:
     """Return half of a window that holds `energy` of the light at both ends of the range and in its middle."""
     ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
@@ -185,7 +201,8 @@ def _enough(
                 f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the "
                 "light; stop down, allow larger windows, or ask for less of the light"
             )
-        sums = _sums(_means(pupil, spectrum, pixel, ends, half))
+        rule, means = _means(pupil, spectrum, pixel, ends, half, threads)
+        sums = rule.sums(means)
         if sums[:, -1].min() >= energy:
             return int(max((row >= energy).argmax() for row in sums)) + 1
         half = math.ceil(1.3 * half) + 1
@@ -197,37 +214,26 @@ def _means(
     pixel: float,
     defocus: NDArray[np.float64],
     half: int,
-) -> NDArray[np.float64]:
-    """Return the share of the light of a point in each pixel, shape ``(n, side, side)``."""
+    threads: int,
+) -> tuple[PixelRule, NDArray[np.float64]]:
+    """Return the share of the light of a point in each pixel of the octant, shape ``(n, cells)``, and its rule."""
     assert pupil.wavelength is not None
-    total = np.zeros((len(defocus), 2 * half + 1, 2 * half + 1))
+    total: Any = 0.0
     for wavelength, weight in spectrum:
+        step = math.pi * pixel * pupil.wavelength / (wavelength * pupil.scale)
+        rule = pixel_rule(half, step)
+        if defocus.size == 0:
+            break
         # Phases are path differences.
         wavefront = (pupil.wavelength / wavelength) * (Wavefront(defocus) + pupil.wavefront)
         there = replace(pupil, wavefront=wavefront, wavelength=wavelength, geometry=None)
-        step = math.pi * pixel / there.scale
-        rule = pixel_rule(half, step)
-        block = max(1, 2**22 // rule.v.size)
-        for first in range(0, len(defocus), block):
-            part = there[first : first + block]
-            means = rule.means(_METHOD.profile(part, rule.v).values)
-            total[first : first + block] += rule.unfold(means, half) * (
-                weight * step**2 / (4.0 * math.pi * there.transmission)
-            )
-    return total
-
-
-def _sums(windows: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the light within 0, 1, 2, ... pixels of the middle, in rows and columns, of each window."""
-    half = windows.shape[1] // 2
-    away = np.abs(np.arange(-half, half + 1))
-    ring = np.maximum(away[:, None], away).ravel()
-    rings = np.stack([np.bincount(ring, weights=w.ravel(), minlength=half + 1) for w in windows])
-    return np.asarray(np.cumsum(rings, axis=1))
+        share = weight * step**2 / (4.0 * math.pi * there.transmission)
+        total += share * _METHOD.means(there, step * rule.radii, rule.matrix, threads)
+    return rule, total
 
 
 def _interpolation_error(exact: NDArray[np.float64], middle: NDArray[np.float64]) -> float:
     """Return the largest difference half-way between windows, over the peak there; not in the first and last gap."""
     guess = (9.0 * (exact[1:-2] + exact[2:-1]) - exact[:-3] - exact[3:]) / 16.0
     inner = middle[1:-1]
-    return float((np.abs(guess - inner).max(axis=(1, 2)) / inner.max(axis=(1, 2))).max())
+    return float((np.abs(guess - inner).max(axis=1) / inner.max(axis=1)).max())

@@ -16,6 +16,8 @@ from lommel.pupil import Pupil
 
 BORDERS = ("reflect", "extend", "zero")
 
+_BEYOND = 16  # columns that the compiled core asks for beyond the image
+
 Spectrum = float | Sequence[tuple[float, float]]
 
 RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
@@ -90,10 +92,7 @@ class DepthBlur:
         if self.dtype not in (np.dtype(np.float32), np.dtype(np.float64)):
             raise TypeError(f"dtype must be float32 or float64, got {dtype!r}")
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-        distances = _depth(depth)
-        self.shape = distances.shape
-        self.defocus = lens.defocus(distances)
-        self.defocus.flags.writeable = False
+        self.place(depth)
         held = validation.real("energy", energy, least=0.5, below=0.9999 + 1e-12)
         fine = validation.real("tol", tol, least=1e-7, below=0.1 + 1e-12)
         most = (
@@ -113,9 +112,24 @@ class DepthBlur:
         for spectrum in spectra:
             if spectrum not in known:
                 known[spectrum] = build_bank(
-                    pupil, spectrum, self.pixel, reach, tol=fine, energy=held, largest=most, dtype=self.dtype
+                    pupil,
+                    spectrum,
+                    self.pixel,
+                    reach,
+                    tol=fine,
+                    energy=held,
+                    largest=most,
+                    dtype=self.dtype,
+                    threads=self.threads,
                 )
         self.banks = tuple(known[spectrum] for spectrum in spectra)
+
+    def place(self, depth: ArrayLike) -> None:
+        """Put the points at other depths, shape (height, width), metres, within the range of those given first."""
+        distances = _depth(depth)
+        self.shape = distances.shape
+        self.defocus = self.lens.defocus(distances)
+        self.defocus.flags.writeable = False
 
     @property
     def lost(self) -> float:
@@ -137,7 +151,8 @@ class DepthBlur:
         for plane, bank, to in zip(planes, self.banks, out, strict=True):
             margin, positions = self._positions(bank, weight)
             source = np.ascontiguousarray(self._padded(plane, margin))
-            room = np.zeros([side + 2 * bank.half for side in source.shape], dtype=self.dtype)
+            height, width = (side + 2 * bank.half for side in source.shape)
+            room = np.zeros((height, width + _BEYOND), dtype=self.dtype)
             _core.spread(bank.windows, bank.halves, bank.energies, positions, source, self.threads, room)
             cut = margin + bank.half
             to[:] = room[cut : cut + self.shape[0], cut : cut + self.shape[1]]

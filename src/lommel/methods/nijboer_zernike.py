@@ -84,6 +84,18 @@ class NijboerZernike(FieldMethod):
             raise self._not_met(-bounds.min())
         return Intensities(values, bounds, peaks)
 
+    def means(
+        self, pupil: Pupil, v: NDArray[np.float64], matrix: NDArray[np.float64], threads: int = 0
+    ) -> NDArray[np.float64]:
+        """Return ``I(v) @ matrix`` for the flattened stack, shape ``(n, sums)`` from a matrix ``(len(v), sums)``."""
+        _require_radial(pupil)
+        sums, bounds = _core.means(
+            pupil.coefficients(), pupil.obscuration, pupil.apodization, v, self.tol, matrix, threads
+        )
+        if bounds.min() < 0:
+            raise self._not_met(-bounds.min())
+        return sums
+
     def tightened(self) -> NijboerZernike:
         """Return the same method with half the tolerance."""
         return NijboerZernike(0.5 * self.tol)

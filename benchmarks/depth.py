@@ -1,0 +1,169 @@
+"""Blur by depth: against one fixed kernel for the whole image, and against a PSF by an FFT for every point."""
+
+from __future__ import annotations
+
+import math
+import time
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import lommel as lm
+from benchmarks.settings import Settings
+from benchmarks.targets import Measured
+from benchmarks.timing import Contender, Spread, race
+from lommel.imaging import RED_GREEN_BLUE, DepthBlur, FocusPlan
+
+TOL = 1e-4
+HEIGHT, WIDTH, SIDE, PIXEL = 500, 741, 33, 6.6e-6
+_THREADS = 2
+_FRAMES = 30
+_PATCH = 8  # side of what is judged, pixels
+_PART = 300  # points whose PSF the FFT computes
+_LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=1.7, wavelength=550e-9)
+
+
+@lru_cache(maxsize=1)
+def scene() -> tuple[NDArray[np.float32], NDArray[np.float64]]:
+    """Return light and depth: a floor, waves upon it, and boxes with edges; from sharp to windows of 33²."""
+    image = np.random.default_rng(0).random((HEIGHT, WIDTH, 3)).astype(np.float32)
+    y, x = np.mgrid[:HEIGHT, :WIDTH]
+    depth = 1.0 + 0.9 * y / HEIGHT + 0.6 * (np.sin(x / 90) + 1) + 0.3 * ((x // 120 + y // 150) % 2)
+    return image, depth
+
+
+def _made() -> DepthBlur:
+    return DepthBlur(_LENS, scene()[1], PIXEL, channels=RED_GREEN_BLUE, tol=TOL, threads=_THREADS)
+
+
+@lru_cache(maxsize=1)
+def _ready() -> DepthBlur:
+    blur = _made()
+    largest = 2 * max(bank.half for bank in blur.banks) + 1
+    if largest != SIDE:
+        raise AssertionError(f"the windows must be up to {SIDE}², got {largest}²")
+    return blur
+
+
+def _fixed() -> Contender:
+    from scipy.signal import oaconvolve
+
+    planes = [np.ascontiguousarray(plane) for plane in np.moveaxis(scene()[0], 2, 0)]
+    kernel = np.full((SIDE, SIDE), 1.0 / SIDE**2, np.float32)
+    config = f"scipy.signal.oaconvolve of each float32 channel with one fixed {SIDE}²"
+    return Contender(
+        "fixed",
+        lambda _: [oaconvolve(plane, kernel, mode="same") for plane in planes],
+        config,
+        values=lambda _: np.empty(0),
+    )
+
+
+def _exact() -> NDArray[np.float64]:
+    """Return a patch of the middle channel by the sum of exact windows."""
+    image, depth = scene()
+    bank, defocus = _ready().banks[1], _ready().defocus
+    half = bank.half
+    rows, columns = (slice(side // 2 - half, side // 2 + _PATCH + half) for side in (HEIGHT, WIDTH))
+    total = np.zeros((_PATCH + 4 * half,) * 2)
+    pupil = _LENS.pupil(depth[rows, columns].ravel())
+    there = lm.Pupil(
+        (_LENS.wavelength / RED_GREEN_BLUE[1]) * pupil.wavefront,
+        wavelength=RED_GREEN_BLUE[1],
+        f_number=_LENS.working_f_number,
+    )
+    windows = lm.psf(there, SIDE, PIXEL, integrate=True, dtype=np.float64).values.reshape(-1, SIDE, SIDE)
+    away = np.abs(np.arange(SIDE) - SIDE // 2)
+    ring = np.maximum(away[:, None], away)
+    wide = _PATCH + 2 * half
+    for k, window in enumerate(windows):
+        y, x = divmod(k, wide)
+        at = rows.start + y, columns.start + x
+        used = np.where(ring <= bank.halves[int(bank.positions(defocus[at]))], window, 0.0)
+        inside = used[SIDE // 2 - half : SIDE // 2 + half + 1, SIDE // 2 - half : SIDE // 2 + half + 1]
+        total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[at][1] * inside / inside.sum()
+    return total[2 * half : 2 * half + _PATCH, 2 * half : 2 * half + _PATCH]
+
+
+def _error(made: NDArray[Any]) -> float:
+    patch = made[HEIGHT // 2 : HEIGHT // 2 + _PATCH, WIDTH // 2 : WIDTH // 2 + _PATCH, 1]
+    exact = _exact()
+    return float(np.abs(patch - exact).max() / exact.max())
+
+
+def against_fixed(settings: Settings, *, bank: bool) -> Measured:
+    """Measure the blur against one fixed kernel; `bank`: with the making of its windows."""
+    image, blur = scene()[0], _ready()
+    if bank:
+        mine = Contender("depth", lambda _: _made().forward(image), "DepthBlur(...).forward(image)")
+    else:
+        mine = Contender("depth", lambda _: blur.forward(image), "DepthBlur.forward(image)")
+    other = _fixed()
+    result = race([mine, other], settings.rounds)
+    count = ", ".join(f"{b.count} windows" for b in blur.banks)
+    mean = np.mean([np.mean((2.0 * b.halves[b.positions(blur.defocus).astype(int)] + 1) ** 2) for b in blur.banks])
+    note = (
+        f"{mine.config}, {_THREADS} threads, {1e3 * result.median(mine.name):.0f} ms, {count}, {mean:.0f} pixels a "
+        f"window in the mean; {other.config}, {1e3 * result.median(other.name):.0f} ms; error over the largest value "
+        f"of {_PATCH}² pixels, against the sum of exact windows"
+    )
+    return Measured(result.ratio(mine.name, other.name), _error(result.values[mine.name]), note)
+
+
+def _by_fft(planes: NDArray[np.float32], defocus: NDArray[np.float64]) -> Any:
+    """Return a function that computes the PSF of some points by an FFT each, and adds them."""
+    from scipy.fft import fft2
+
+    n = 64
+    x = (np.arange(n) - n // 2) / (n // 4)
+    squares = (x[:, None] ** 2 + x**2).astype(np.float32)
+    inside = (squares <= 1.0).astype(np.float32)
+    points = np.random.default_rng(1).choice(defocus.size, _PART, replace=False)
+    out = np.zeros((HEIGHT + SIDE, WIDTH + SIDE), np.float32)
+    half = SIDE // 2
+    crop = np.r_[-half : half + 1]
+
+    def run(_: Any) -> NDArray[np.float32]:
+        for point in points:
+            phase = (2.0 * defocus.flat[point]).astype(np.float32) * squares
+            field = fft2(inside * np.exp(1j * phase).astype(np.complex64), workers=1, overwrite_x=True)
+            window = (field.real**2 + field.imag**2)[crop[:, None], crop]
+            y, x = divmod(int(point), WIDTH)
+            out[y : y + SIDE, x : x + SIDE] += planes[y, x] / window.sum() * window
+        return out
+
+    return run
+
+
+def against_points(settings: Settings) -> Measured:
+    """Measure the blur against a PSF by an FFT of 64² for every point, from some of them."""
+    image, blur = scene()[0], _ready()
+    mine = Contender("depth", lambda _: blur.forward(image), "DepthBlur.forward(image)")
+    config = f"scipy.fft.fft2 of 64² complex64 for each point, measured on {_PART} and scaled to {3 * HEIGHT * WIDTH}"
+    other = Contender("points", _by_fft(image[..., 1], blur.defocus), config, values=lambda _: np.empty(0))
+    result = race([mine, other], settings.rounds)
+    ratio, scale = result.ratio(other.name, mine.name), 3 * HEIGHT * WIDTH / _PART
+    scaled = Spread(scale * ratio.median, scale * ratio.low, scale * ratio.high, ratio.rounds)
+    return Measured(scaled, _error(result.values[mine.name]), f"{mine.config}, {_THREADS} threads; {config}")
+
+
+def focus_pull(settings: Settings) -> Measured:
+    """Measure the frames a second of a pull of the focus through the scene, every frame with windows of its own."""
+    image, depth = scene()
+    stored = (200.0 * image).astype(np.uint8)
+    plan = FocusPlan(stored, depth, _LENS, PIXEL, encoding="srgb", tol=TOL, threads=_THREADS, largest=64, keep=1)
+    out, rates, sides = np.empty_like(stored), [], set()
+    for _ in range(1 if settings.quick else 3):
+        start = time.perf_counter()
+        for distance in np.linspace(1.6, 1.9, _FRAMES):
+            sides.add(plan(focus_distance=float(distance), out=out).window)
+        rates.append(_FRAMES / (time.perf_counter() - start))
+    if not math.isfinite(min(rates)) or out.max() == 0:
+        raise AssertionError("the frames must hold light")
+    note = (
+        f"FocusPlan(...)(focus_distance=..., out=out), sRGB uint8, {_THREADS} threads, {_FRAMES} frames from 1.6 to "
+        f"1.9 m; windows of {min(sides)}² to {max(sides)}²"
+    )
+    return Measured(Spread.of(np.array(rates)), None, note)

@@ -1,0 +1,174 @@
+"""One scene, photographed again and again: only what the focus and the stop change is computed anew."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from lommel import validation
+from lommel.imaging.blur import DepthBlur, Spectrum
+from lommel.imaging.depth_of_field import Photograph, channels_of, fill_missing
+from lommel.imaging.encoding import from_light, to_light
+from lommel.lens import Lens
+
+
+class FocusPlan:
+    """A scene, and the lens that is focused on it: for live use, where focus and stop change from frame to frame.
+
+    Everything is checked and the image decoded once. A frame computes the windows of its focus, unless that focus is
+    among the last ones; then it spreads the light and encodes it. The answer is that of
+    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
+
+    Parameters
+    ----------
+    image, depth, lens, pixel, encoding
+        As of :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
+    wavelengths, missing, border, energy, tol, largest, dtype, threads
+        As there.
+    keep : int, default 4
+        How many settings of the lens are remembered, 1 to 1000: coming back to one costs no windows. A setting takes
+        some MiB, and 8 bytes for each point.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As :func:`lommel.imaging.depth_of_field`; and if the windows of `lens` as it is given exceed `largest`, since
+        they are computed at once.
+
+    Examples
+    --------
+    >>> lens = Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+    >>> plan = FocusPlan(np.ones((40, 60), np.float32), np.full((40, 60), 2.5), lens, 8e-6, encoding="linear")
+    >>> plan(focus_distance=2.5).window < plan(focus_distance=2.0).window
+    True
+    """
+
+    def __init__(
+        self,
+        image: ArrayLike,
+        depth: ArrayLike,
+        lens: Lens,
+        pixel: float,
+        *,
+        encoding: str,
+        wavelengths: Sequence[Spectrum] | None = None,
+        missing: str = "raise",
+        border: str = "reflect",
+        energy: float = 0.98,
+        tol: float = 1e-4,
+        largest: int | None = None,
+        dtype: DTypeLike = np.float32,
+        threads: int | None = None,
+        keep: int = 4,
+    ) -> None:
+        given = np.asarray(image)
+        if given.ndim not in (2, 3) or 0 in given.shape:
+            raise ValueError(
+                f"image must have the shape (height, width) or (height, width, channels), got {given.shape}"
+            )
+        distances = np.array(fill_missing(depth, missing))
+        if distances.shape != given.shape[:2]:
+            raise ValueError(f"depth must have the shape of the image, {given.shape[:2]}, got {distances.shape}")
+        if not isinstance(lens, Lens):
+            raise TypeError(f"lens must be a Lens, got {lens!r}")
+        self.lens = lens
+        self.shape, self.dtype = given.shape, given.dtype
+        self._encoding = encoding
+        self._light = to_light("image", given, encoding, dtype)
+        self._depth = distances
+        self._keep = validation.integer("keep", keep, least=1, most=1000)
+        self._pixel = pixel
+        self._options: dict[str, Any] = {
+            "channels": channels_of(given, lens, wavelengths),
+            "border": border,
+            "energy": energy,
+            "tol": tol,
+            "largest": largest,
+            "dtype": dtype,
+            "threads": threads,
+        }
+        self._known: OrderedDict[tuple[float, float], DepthBlur] = OrderedDict()
+        self.blur()
+
+    def lens_at(self, *, focus_distance: float | None = None, f_number: float | None = None) -> Lens:
+        """Return the lens at another focus (metres) or f-number (as engraved); None leaves that of `lens`.
+
+        Stopping down leaves the sensor where it is.
+        """
+        lens = self.lens
+        stop = {"aperture_diameter": lens.aperture_diameter} if f_number is None else {"f_number": f_number}
+        focus = {"sensor_distance": lens.sensor_distance} if focus_distance is None else {}
+        return Lens(
+            focal_length=lens.focal_length,
+            wavelength=lens.wavelength,
+            obscuration=lens.obscuration,
+            aberrations=lens.aberrations,
+            focus_distance=focus_distance,
+            **stop,
+            **focus,
+        )
+
+    def blur(self, *, focus_distance: float | None = None, f_number: float | None = None) -> DepthBlur:
+        """Return the linear operator at a focus and f-number; the last ones are remembered."""
+        lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
+        key = (lens.sensor_distance, lens.aperture_diameter)
+        if key in self._known:
+            self._known.move_to_end(key)
+            return self._known[key]
+        made = DepthBlur(lens, self._depth, self._pixel, **self._options)
+        self._known[key] = made
+        if len(self._known) > self._keep:
+            self._known.popitem(last=False)
+        return made
+
+    def __call__(
+        self,
+        *,
+        focus_distance: float | None = None,
+        f_number: float | None = None,
+        out: NDArray[Any] | None = None,
+    ) -> Photograph:
+        """Return the photograph at a focus and f-number.
+
+        Parameters
+        ----------
+        focus_distance : float, optional
+            Object distance in focus, metres, more than the focal length, may be infinite; by default that of the
+            lens. The sensor moves, and with it the working f-number.
+        f_number : float, optional
+            Focal length over the diameter of the aperture; by default that of the lens.
+        out : ndarray, optional
+            Where to write the values: of the shape and type of the image.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range, or the blur exceeds the largest window allowed. `out` is then untouched.
+        """
+        if out is not None:
+            self._check(out)
+        blur = self.blur(focus_distance=focus_distance, f_number=f_number)
+        values = from_light(blur.forward(self._light), self._encoding, self.dtype)
+        if out is not None:
+            np.copyto(out, values)
+            values = out
+        return Photograph(
+            values,
+            blur.lost,
+            max(bank.error for bank in blur.banks),
+            2 * max(bank.half for bank in blur.banks) + 1,
+        )
+
+    def _check(self, out: Any) -> None:
+        if not isinstance(out, np.ndarray):
+            raise TypeError(f"out must be an array, got {type(out).__name__}")
+        if out.shape != self.shape:
+            raise ValueError(f"out must have the shape of the image, {self.shape}, got {out.shape}")
+        if out.dtype != self.dtype:
+            raise TypeError(f"out must have the type of the image, {self.dtype}, got {out.dtype}")
+        if not out.flags.writeable:
+            raise ValueError("out must be writeable")

@@ -1,0 +1,206 @@
+"""Photographs of scenes that do not fit into memory: by tiles that overlap, with one bank for all."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from lommel import validation
+from lommel.imaging.blur import DepthBlur, Spectrum
+from lommel.imaging.depth_of_field import Photograph, channels_of, fill_missing
+from lommel.imaging.encoding import from_light, to_light
+from lommel.lens import Lens
+
+MISSING = ("raise", "infinity")
+_STRIP = 2**20  # points whose depths are looked at together
+
+
+class TileBlur:
+    """:func:`lommel.imaging.depth_of_field` of any part of a scene, with windows that are made once for all parts.
+
+    Can be sent to other processes.
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Of the whole image, (height, width) or (height, width, channels).
+    depths : (float, float)
+        Nearest and farthest distance in the scene, metres; may be infinite.
+    lens, pixel, encoding, wavelengths, border, energy, tol, largest, dtype, threads
+        As of :func:`lommel.imaging.depth_of_field`.
+    missing : {"raise", "infinity"}
+        As there; the nearest known depth may lie in another tile, so that it must be filled in beforehand.
+
+    Attributes
+    ----------
+    overlap : int
+        How many pixels a tile must know beyond those that it answers for, where the image goes on.
+    """
+
+    def __init__(
+        self,
+        shape: tuple[int, ...],
+        depths: tuple[float, float],
+        lens: Lens,
+        pixel: float,
+        *,
+        encoding: str,
+        wavelengths: Sequence[Spectrum] | None = None,
+        missing: str = "raise",
+        border: str = "reflect",
+        energy: float = 0.98,
+        tol: float = 1e-4,
+        largest: int | None = None,
+        dtype: DTypeLike = np.float32,
+        threads: int | None = None,
+    ) -> None:
+        self.missing = validation.choice("missing", missing, MISSING)
+        self.encoding = encoding
+        # Of the image only its axes matter here.
+        channels = channels_of(np.broadcast_to(np.float32(0.0), shape), lens, wavelengths)
+        self._whole = DepthBlur(
+            lens,
+            np.array([depths], dtype=np.float64),
+            pixel,
+            channels=channels,
+            border=border,
+            energy=energy,
+            tol=tol,
+            largest=max(1, min(shape[:2]) // 2) if largest is None else largest,
+            dtype=dtype,
+            threads=threads,
+        )
+        self._reach = (float(self._whole.defocus.min()), float(self._whole.defocus.max()))
+        self.overlap = max(bank.half for bank in self._whole.banks)
+
+    def __call__(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
+        """Return the photograph of a part; within `overlap` of a side where the image goes on it is not complete.
+
+        Raises
+        ------
+        ValueError
+            If a depth is beyond the range that was named, or missing.
+        """
+        blur = copy.copy(self._whole)
+        blur.place(fill_missing(depth, self.missing))
+        low, high = self._reach
+        if blur.defocus.min() < low or blur.defocus.max() > high:
+            raise ValueError(
+                f"depth must give C_d from {low:.6g} to {high:.6g} rad, as the depths named for the whole image, "
+                f"got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}"
+            )
+        light = to_light("image", image, self.encoding, blur.dtype)
+        return from_light(blur.forward(light), self.encoding, image.dtype)
+
+    def chunk(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
+        """Return the photograph of a part whose depth has as many axes as the image."""
+        return self(image, depth.reshape(depth.shape[:2]))
+
+    def photograph(self, values: NDArray[Any]) -> Photograph:
+        """Return values as a photograph, with what is known of their error."""
+        errors = [bank.error for bank in self._whole.banks]
+        return Photograph(values, self._whole.lost, max(errors), 2 * self.overlap + 1)
+
+
+def depth_of_field_by_tiles(
+    image: NDArray[Any],
+    depth: NDArray[Any],
+    lens: Lens,
+    pixel: float,
+    *,
+    encoding: str,
+    side: int = 512,
+    out: NDArray[Any] | None = None,
+    progress: Callable[[int, int], object] | None = None,
+    missing: str = "raise",
+    **options: Any,
+) -> Photograph:
+    """Do as :func:`lommel.imaging.depth_of_field` in little memory; the same but for rounding.
+
+    Parameters
+    ----------
+    image, depth : ndarray
+        May be memory maps, of which no more than a tile is read at a time; depth is read once more before.
+    lens, pixel, encoding
+        As of :func:`lommel.imaging.depth_of_field`.
+    side : int, default 512
+        Of the tiles, pixels, 16 to 16384. Memory beyond input and output is some hundred bytes a pixel of a tile.
+    out : ndarray, optional
+        Where to write the values, of the shape and type of `image`; may be a memory map. Shares none with them.
+    progress : callable, optional
+        Called as ``progress(done, tiles)`` after each tile.
+    missing : {"raise", "infinity"}, default "raise"
+        What a NaN in `depth` means. ("nearest" is not on offer: fill the depths beforehand.)
+    **options
+        wavelengths, border, energy, tol, largest, dtype, threads, as of :func:`lommel.imaging.depth_of_field`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As :func:`lommel.imaging.depth_of_field`, and if `out` does not fit. What had been written by then stays.
+    """
+    if not isinstance(image, np.ndarray) or image.ndim not in (2, 3) or 0 in image.shape:
+        raise ValueError(
+            f"image must be an array of the shape (height, width) or (height, width, channels), got {np.shape(image)}"
+        )
+    if not isinstance(depth, np.ndarray) or depth.shape != image.shape[:2]:
+        raise ValueError(f"depth must have the shape of the image, {image.shape[:2]}, got {np.shape(depth)}")
+    tile = validation.integer("side", side, least=16, most=validation.MAX_SIDE)
+    if out is None:
+        out = np.empty(image.shape, dtype=image.dtype)
+    elif not isinstance(out, np.ndarray) or out.shape != image.shape or out.dtype != image.dtype:
+        raise ValueError(f"out must be an array of the shape and type of the image, {image.shape} and {image.dtype}")
+    elif not out.flags.writeable or np.may_share_memory(out, image) or np.may_share_memory(out, depth):
+        raise ValueError("out must be writeable, and must not share memory with image or depth")
+    validation.choice("missing", missing, MISSING)
+    blur = TileBlur(
+        image.shape, depth_range(depth, missing), lens, pixel, encoding=encoding, missing=missing, **options
+    )
+    tiles = list(_tiles(image.shape[:2], tile, blur.overlap))
+    for done, (inside, around, within) in enumerate(tiles, 1):
+        out[inside] = blur(image[around], np.asarray(depth[around]))[within]
+        if progress is not None:
+            progress(done, len(tiles))
+    return blur.photograph(out)
+
+
+def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, float]:
+    """Return the nearest and the farthest distance, metres, looking at some rows at a time.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a distance is not a number above 0, or missing where none may be.
+    """
+    if depth.ndim != 2 or 0 in depth.shape:
+        raise ValueError(f"depth must have the shape (height, width), got {depth.shape}")
+    if depth.dtype.kind not in "iuf":
+        raise TypeError(f"depth must hold metres, got {depth.dtype}")
+    rows = max(1, _STRIP // depth.shape[1])
+    low, high = np.inf, -np.inf
+    for first in range(0, depth.shape[0], rows):
+        part = fill_missing(np.asarray(depth[first : first + rows]), "infinity" if missing == "infinity" else "raise")
+        low, high = np.minimum(low, part.min()), np.maximum(high, part.max())
+    if np.isnan(low):
+        raise ValueError("depth is NaN at some points; say what is there, see missing=")
+    return float(low), float(high)
+
+
+def _tiles(
+    shape: tuple[int, ...], side: int, overlap: int
+) -> Iterator[tuple[tuple[slice, slice], tuple[slice, slice], tuple[slice, slice]]]:
+    """Yield, for each tile, its place in the image, what it must know, and its place in that."""
+    for top in range(0, shape[0], side):
+        for left in range(0, shape[1], side):
+            inside, around, within = [], [], []
+            for start, size in ((top, shape[0]), (left, shape[1])):
+                stop = min(size, start + side)
+                first, last = max(0, start - overlap), min(size, stop + overlap)
+                inside.append(slice(start, stop))
+                around.append(slice(first, last))
+                within.append(slice(start - first, stop - first))
+            yield (inside[0], inside[1]), (around[0], around[1]), (within[0], within[1])

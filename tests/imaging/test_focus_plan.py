@@ -1,0 +1,107 @@
+"""A plan answers as depth_of_field() does, and computes only what changed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.imaging import FocusPlan, depth_of_field
+
+LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+PIXEL = 8e-6
+
+
+def scene(dtype=np.uint8):
+    rng = np.random.default_rng(0)
+    image = rng.random((40, 50, 3))
+    image = (image * 200).astype(dtype) if np.dtype(dtype).kind == "u" else image.astype(dtype)
+    return image, 1.7 + 0.6 * rng.random((40, 50))
+
+
+@pytest.mark.parametrize(("dtype", "encoding"), [(np.uint8, "srgb"), (np.uint16, "linear"), (np.float32, "linear")])
+@pytest.mark.parametrize(
+    "change", [{}, {"focus_distance": 2.2}, {"f_number": 8.0}, {"focus_distance": 1.9, "f_number": 5.6}]
+)
+def test_a_plan_gives_what_depth_of_field_gives_bit_for_bit(dtype, encoding, change):
+    image, depth = scene(dtype)
+    plan = FocusPlan(image, depth, LENS, PIXEL, encoding=encoding, border="extend", energy=0.97)
+    plan(focus_distance=2.1)
+    settings = {"focal_length": 50e-3, "wavelength": 550e-9, "f_number": 4.0} | change
+    if "focus_distance" not in change:
+        settings["sensor_distance"] = LENS.sensor_distance
+    expected = depth_of_field(
+        image, depth, lm.Lens(**settings), PIXEL, encoding=encoding, border="extend", energy=0.97
+    )
+    for out in (None, np.empty_like(image)):
+        made = plan(**change, out=out)
+        assert made.values.tobytes() == expected.values.tobytes()
+        assert (made.lost, made.error, made.window) == (expected.lost, expected.error, expected.window)
+        assert out is None or made.values is out
+
+
+def test_settings_are_remembered_and_the_oldest_is_dropped():
+    image, depth = scene()
+    plan = FocusPlan(image, depth, LENS, PIXEL, encoding="srgb", keep=2)
+    first, second = plan.blur(), plan.blur(focus_distance=2.2)
+    assert plan.blur() is first
+    assert plan.blur(focus_distance=2.2) is second
+    third = plan.blur(f_number=8.0)
+    assert plan.blur(focus_distance=2.2) is second
+    assert plan.blur(f_number=8.0) is third
+    assert plan.blur() is not first
+
+
+def test_what_is_done_to_the_inputs_afterwards_does_not_matter():
+    image, depth = scene(np.float32)
+    plan = FocusPlan(image, depth, LENS, PIXEL, encoding="linear")
+    before = plan().values.copy()
+    image[:], depth[:] = 0.0, 1.0
+    assert np.array_equal(plan().values, before)
+    assert plan(f_number=5.6).values.max() > 0.5
+
+
+def test_missing_depths_are_filled_once():
+    image, depth = scene()
+    holes = depth.copy()
+    holes[3:6, 7] = np.nan
+    plan = FocusPlan(image, holes, LENS, PIXEL, encoding="srgb", missing="nearest")
+    expected = depth_of_field(image, holes, plan.lens_at(f_number=5.6), PIXEL, encoding="srgb", missing="nearest")
+    assert np.array_equal(plan(f_number=5.6).values, expected.values)
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        ({"out": np.zeros((40, 50), np.uint8)}, ValueError, r"out must have the shape of the image, \(40, 50, 3\)"),
+        ({"out": np.zeros((40, 50, 3))}, TypeError, "out must have the type of the image, uint8, got float64"),
+        ({"out": [1]}, TypeError, "out must be an array, got list"),
+        ({"out": np.broadcast_to(np.uint8(0), (40, 50, 3))}, ValueError, "out must be writeable"),
+        ({"focus_distance": 0.04}, ValueError, "focus_distance must exceed the focal length"),
+        ({"focus_distance": np.nan}, ValueError, "focus_distance must be finite, got nan"),
+        ({"f_number": 0.0}, ValueError, "f_number must be > 0"),
+        ({"f_number": 0.7}, ValueError, "windows of more than 41 pixels"),
+    ],
+)
+def test_what_makes_no_frame_is_refused_by_name(change, error, message):
+    plan = FocusPlan(*scene(), LENS, PIXEL, encoding="srgb")
+    with pytest.raises(error, match=message):
+        plan(**change)
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        ({"keep": 0}, ValueError, "keep must be from 1 to 1000, got 0"),
+        ({"encoding": "gamma"}, ValueError, "encoding must be one of"),
+        ({"border": "wrap"}, ValueError, "border must be one of"),
+        ({"lens": 3}, TypeError, "lens must be a Lens, got 3"),
+        ({"depth": np.ones((5, 5))}, ValueError, "depth must have the shape of the image"),
+        ({"image": np.ones(5)}, ValueError, "image must have the shape"),
+    ],
+)
+def test_what_makes_no_plan_is_refused_by_name(change, error, message):
+    image, depth = scene()
+    given = {"image": image, "depth": depth, "lens": LENS, "pixel": PIXEL, "encoding": "srgb"} | change
+    with pytest.raises(error, match=message):
+        FocusPlan(**given)

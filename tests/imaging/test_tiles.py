@@ -1,0 +1,186 @@
+"""By tiles and by chunks as in one piece, in little memory."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.imaging import depth_of_field, depth_of_field_by_tiles, depth_of_field_of_chunks
+
+LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+PIXEL = 8e-6
+
+
+def scene(channels=3, dtype=np.float32):
+    rng = np.random.default_rng(0)
+    image = rng.random((70, 90, channels)[: 2 if channels == 1 else 3])
+    image = (image * 200).astype(dtype) if np.dtype(dtype).kind == "u" else image.astype(dtype)
+    return image, 1.7 + 0.7 * rng.random((70, 90))
+
+
+@pytest.mark.parametrize("border", ["reflect", "extend", "zero"])
+@pytest.mark.parametrize("side", [16, 33, 64, 128])
+@pytest.mark.parametrize("channels", [1, 3])
+def test_tiles_make_the_same_photograph_as_one_piece(border, side, channels):
+    image, depth = scene(channels)
+    whole = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", border=border)
+    tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, encoding="linear", border=border, side=side)
+    assert np.abs(tiled.values - whole.values).max() < 2e-6
+    assert (tiled.lost, tiled.error, tiled.window) == (whole.lost, whole.error, whole.window)
+    assert whole.window > 9
+
+
+def test_tiles_agree_to_double_precision_where_that_is_asked_for():
+    image, depth = scene(dtype=np.float64)
+    options = {"encoding": "linear", "dtype": np.float64}
+    whole = depth_of_field(image, depth, LENS, PIXEL, **options)
+    tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=20, **options)
+    assert np.abs(tiled.values - whole.values).max() < 1e-14
+
+
+def test_objects_at_infinity_and_holes_are_tiled_too():
+    image, depth = scene(dtype=np.uint8)
+    depth[5:9, 60:70] = np.nan
+    lens = lm.Lens(focal_length=20e-3, f_number=8.0, focus_distance=4.0, wavelength=550e-9)
+    options = {"encoding": "srgb", "missing": "infinity"}
+    whole = depth_of_field(image, depth, lens, PIXEL, **options)
+    tiled = depth_of_field_by_tiles(image, depth, lens, PIXEL, side=32, **options)
+    assert np.abs(tiled.values.astype(int) - whole.values).max() <= 1
+    assert np.mean(tiled.values != whole.values) < 1e-3
+
+
+def test_files_go_in_and_out_and_progress_is_told(tmp_path):
+    image, depth = scene(dtype=np.uint8)
+    np.save(tmp_path / "image.npy", image)
+    np.save(tmp_path / "depth.npy", depth)
+    out = np.lib.format.open_memmap(tmp_path / "out.npy", mode="w+", dtype=np.uint8, shape=image.shape)
+    told: list[tuple[int, int]] = []
+    made = depth_of_field_by_tiles(
+        np.load(tmp_path / "image.npy", mmap_mode="r"),
+        np.load(tmp_path / "depth.npy", mmap_mode="r"),
+        LENS,
+        PIXEL,
+        encoding="srgb",
+        side=40,
+        out=out,
+        progress=lambda done, tiles: told.append((done, tiles)),
+    )
+    assert made.values is out
+    assert told == [(k, 6) for k in range(1, 7)]
+    whole = depth_of_field(image, depth, LENS, PIXEL, encoding="srgb").values
+    assert np.abs(out.astype(int) - whole).max() <= 1
+
+
+def test_memory_is_that_of_a_tile_whatever_the_image():
+    code = """
+import json, tracemalloc
+import numpy as np
+import lommel as lm
+from lommel.imaging import depth_of_field_by_tiles
+lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+height, width = 1200, 1600
+image = np.random.default_rng(0).integers(0, 200, (height, width, 3), dtype=np.uint8)
+depth = np.linspace(1.7, 2.4, height * width, dtype=np.float32).reshape(height, width)
+out = np.empty_like(image)
+tracemalloc.start()
+depth_of_field_by_tiles(image, depth, lens, 8e-6, encoding="srgb", side=256, out=out)
+print(json.dumps(tracemalloc.get_traced_memory()[1] / 2**20))
+"""
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300, check=True)
+    # The whole image takes 22 MiB for one float32 copy; a tile of 256 with its margins, 1.1 MiB.
+    assert json.loads(result.stdout) < 40.0
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        ({"side": 8}, ValueError, "side must be from 16 to 16384, got 8"),
+        ({"missing": "nearest"}, ValueError, "missing must be one of 'raise', 'infinity', got 'nearest'"),
+        ({"out": np.zeros((70, 90, 3))}, ValueError, "out must be an array of the shape and type of the image"),
+        ({"image": [[1.0]]}, ValueError, "image must be an array of the shape"),
+        ({"depth": np.ones((7, 9))}, ValueError, r"depth must have the shape of the image, \(70, 90\), got \(7, 9\)"),
+        ({"depth": np.full((70, 90), np.nan)}, ValueError, "depth is NaN"),
+        ({"depth": np.full((70, 90), -1.0)}, ValueError, "depth must be > 0 metres, got -1.0"),
+        ({"depth": np.full((70, 90), "a")}, TypeError, "depth must hold metres"),
+        ({"image": np.full((70, 90, 3), np.nan)}, ValueError, "image must be finite, got nan"),
+        ({"encoding": "gamma"}, ValueError, "encoding must be one of"),
+    ],
+)
+def test_what_cannot_be_tiled_is_refused_by_name(change, error, message):
+    image, depth = scene()
+    given = {"image": image, "depth": depth, "lens": LENS, "pixel": PIXEL, "encoding": "linear"} | change
+    with pytest.raises(error, match=message):
+        depth_of_field_by_tiles(**given)
+
+
+def test_the_result_must_not_go_where_the_image_is():
+    image, depth = scene()
+    with pytest.raises(ValueError, match="must not share memory"):
+        depth_of_field_by_tiles(image, depth, LENS, PIXEL, encoding="linear", out=image)
+
+
+class TestChunks:
+    """With dask."""
+
+    @pytest.fixture
+    def da(self):
+        return pytest.importorskip("dask.array", reason="dask is missing")
+
+    @pytest.mark.parametrize("scheduler", ["synchronous", "threads", "processes"])
+    def test_chunks_make_the_same_photograph_wherever_they_are_computed(self, da, scheduler):
+        image, depth = scene()
+        whole = depth_of_field(image, depth, LENS, PIXEL, encoding="linear").values
+        lazy = depth_of_field_of_chunks(
+            da.from_array(image, chunks=(40, 30, 1)),
+            da.from_array(depth, chunks=(70, 45)),
+            LENS,
+            PIXEL,
+            encoding="linear",
+        )
+        assert isinstance(lazy, da.Array)
+        assert (lazy.shape, lazy.dtype) == (image.shape, image.dtype)
+        made = lazy.compute(scheduler=scheduler, num_workers=2)
+        assert np.abs(made - whole).max() < 2e-6
+
+    @pytest.mark.parametrize("chunk", [3, 17, 90])
+    def test_grey_images_and_chunks_of_any_size(self, da, chunk):
+        image, depth = scene(1)
+        whole = depth_of_field(image, depth, LENS, PIXEL, encoding="linear").values
+        arrays = (da.from_array(a, chunks=chunk) for a in (image, depth))
+        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, encoding="linear", depths=(1.6, 2.5), side=None)
+        alike = depth_of_field_of_chunks(*(da.from_array(a) for a in (image, depth)), LENS, PIXEL, encoding="linear")
+        # A wider range makes other windows, within tol of these.
+        assert np.abs(made.compute() - whole).max() < 1e-3
+        assert np.abs(alike.rechunk(chunk).compute() - whole).max() < 2e-6
+
+    def test_the_image_is_cut_as_asked(self, da):
+        image, depth = scene(dtype=np.uint8)
+        arrays = (da.from_array(a, chunks=10) for a in (image, depth))
+        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, encoding="srgb", side=48, missing="infinity")
+        assert made.chunks == ((48, 22), (48, 42), (3,))
+        whole = depth_of_field(image, depth, LENS, PIXEL, encoding="srgb").values
+        assert np.abs(made.compute().astype(int) - whole).max() <= 1
+
+    def test_a_depth_beyond_those_named_is_refused_when_it_is_met(self, da):
+        image, depth = scene()
+        arrays = (da.from_array(a, chunks=40) for a in (image, depth))
+        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, encoding="linear", depths=(1.9, 2.0))
+        with pytest.raises(ValueError, match="as the depths named for the whole image"):
+            made.compute(scheduler="synchronous")
+
+    def test_holes_are_refused_at_once(self, da):
+        image, depth = scene()
+        depth[3, 4] = np.nan
+        arrays = (da.from_array(a, chunks=40) for a in (image, depth))
+        with pytest.raises(ValueError, match="depth is NaN at some points"):
+            depth_of_field_of_chunks(*arrays, LENS, PIXEL, encoding="linear")
+
+    def test_arrays_of_numpy_are_refused(self, da):
+        image, depth = scene()
+        with pytest.raises(TypeError, match="image must be a dask array, got ndarray"):
+            depth_of_field_of_chunks(image, depth, LENS, PIXEL, encoding="linear")

@@ -131,8 +131,12 @@ def depth_of_field(
 
 def channels_of(image: NDArray[Any], lens: Lens, wavelengths: Sequence[Spectrum] | None) -> Sequence[Spectrum]:
     """Return the spectrum of each channel of an image."""
+    if not isinstance(lens, Lens):
+        raise TypeError(f"lens must be a Lens, got {lens!r}")
     count = 1 if image.ndim == 2 else image.shape[2]
     if wavelengths is not None:
+        if not isinstance(wavelengths, Sequence | np.ndarray):
+            raise TypeError(f"wavelengths must be a sequence, one for each channel, got {wavelengths!r}")
         if len(wavelengths) != count:
             raise ValueError(f"wavelengths must be one for each of the {count} channels, got {len(wavelengths)}")
         return wavelengths

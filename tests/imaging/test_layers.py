@@ -159,6 +159,20 @@ def test_occlusion_is_asked_for_by_a_truth_value():
         depth_of_field(image, np.full((5, 6), 2.0), LENS, PIXEL, encoding="linear", occlusion="yes")
 
 
+@pytest.mark.parametrize(
+    ("light", "error", "message"),
+    [
+        (np.zeros((4, 6)), ValueError, r"image must have the shape \(5, 6\), got \(4, 6\)"),
+        (np.zeros((5, 6), int), TypeError, "image must hold floats in proportion to light, got int64"),
+        (np.full((5, 6), np.nan), ValueError, "image must be finite, got nan"),
+    ],
+)
+def test_light_that_does_not_fit_is_refused(light, error, message):
+    blur = DepthBlur(LENS, np.full((5, 6), 2.0), PIXEL)
+    with pytest.raises(error, match=message):
+        occlude(blur, light)
+
+
 def test_photographs_are_taken_with_and_without_it():
     image = np.full((HEIGHT, WIDTH, 3), 220, np.uint8)
     image[:, BAR] = 40

@@ -28,9 +28,9 @@ def occlude(blur: DepthBlur, light: NDArray[Any]) -> NDArray[Any]:
 
     Coverages add up, up to all of the aperture, instead of being multiplied as those of independent screens would be
     (``T *= 1 - A``): points of one slanted surface lie in many layers and see disjoint parts of the aperture. A
-    product would leave such a surface transparent, and weigh its near points more; with the sum, the result is
-    that of :meth:`DepthBlur.forward` wherever nothing is hidden, but for what makes a white scene white where the
-    blur varies. Two separate screens before a third surface cover rather too much of it.
+    product would leave such a surface transparent, and weigh its near points more; with the sum, the result is that
+    of :meth:`lommel.imaging.DepthBlur.forward` wherever nothing is hidden, but for what makes a white scene white
+    where the blur varies. Two separate screens before a third surface cover rather too much of it.
 
     Where a near surface ends before a far one, the lens sees round it some of what the image does not show: points
     closer to the edge than the radii of their blurs differ. These are given a second point, behind, with light and
@@ -39,10 +39,10 @@ def occlude(blur: DepthBlur, light: NDArray[Any]) -> NDArray[Any]:
     point of it would draw streaks out of highlights. What neither covers, behind surfaces hidden twice or at slopes
     of depth near the limit, is filled by dividing by the sum of w.
 
-    Memory: about 100 bytes a point, and 30 a point and channel. Time, measured with windows of 17 pixels: five times
-    that of :meth:`DepthBlur.forward` for two layers, fifteen to twenty-five times for thirty, most of it passes over
-    the image, one set for each layer that is not empty; the larger the windows, the less these matter, and the
-    factor falls towards two to four.
+    Memory: 60 bytes a point, and 55 a point and channel (105 in float64). Time, as measured on one grey image over
+    that of :meth:`lommel.imaging.DepthBlur.forward`: with windows of 17 pixels 6 for two planes, 15 for a slanted one
+    of thirty layers, 26 for one with bars before it, most of it the distance transform of each layer; with windows of
+    51 pixels, and 64 layers, 3, 6 and 8.
 
     Parameters
     ----------
@@ -57,8 +57,9 @@ def occlude(blur: DepthBlur, light: NDArray[Any]) -> NDArray[Any]:
     Raises
     ------
     TypeError, ValueError
-        As :meth:`DepthBlur.forward`.
+        As :meth:`lommel.imaging.DepthBlur.forward`.
     """
+    blur.require(light)
     layer, radius = _layers(blur)
     behind = _behind(layer, radius)
     hidden_layer = np.where(behind >= 0, layer.ravel()[behind], -1)

@@ -144,6 +144,17 @@ def test_something_is_behind_a_point_where_a_farther_one_is_closer_than_their_ra
     assert np.all(layer.ravel()[behind.ravel()[found]] > layer.ravel()[found])
 
 
+def test_what_is_behind_is_that_of_the_nearest_edge_mirrored_there():
+    # Both the wall to the left and the sky to the right are within reach of every point between.
+    depth = np.full((9, 26), 2.0)
+    depth[:, 10:14], depth[:, 14:] = 1.0, np.inf
+    layer, radius = _layers(DepthBlur(LENS, depth, PIXEL, largest=40))
+    assert radius[0, 10] - radius[0, 0] > 4.0
+    behind = _behind(layer, radius)
+    assert list(behind[4, 10:14] - 4 * 26) == [8, 7, 16, 15]
+    assert np.all(behind[:, 14:] == -1)
+
+
 def test_a_scene_without_edges_hides_nothing_and_layers_are_bounded():
     smooth = DepthBlur(LENS, np.tile(np.linspace(1.8, 2.2, 40), (9, 1)), PIXEL, largest=20)
     assert np.all(_behind(*_layers(smooth)) == -1)

@@ -6,8 +6,10 @@ import re
 import runpy
 import sys
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
+import numpy as np
 import pytest
 
 import lommel as lm
@@ -54,6 +56,18 @@ def test_the_code_of_the_first_page_runs_from_top_to_bottom(monkeypatch, tmp_pat
     monkeypatch.chdir(tmp_path)
     exec(compile("".join(blocks), "start.md", "exec"), {})
     assert [path.name for path in tmp_path.iterdir()] == ["psf.tif"]
+
+
+def test_the_code_of_the_page_about_imaging_works():
+    text = (ROOT / "docs" / "imaging.md").read_text(encoding="utf-8")
+    (block,) = re.findall(r"^```python\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
+    names: dict[str, Any] = {}
+    exec(compile(block, "imaging.md", "exec"), names)
+    taken = names["photograph"].values
+    assert taken.dtype == np.uint8
+    # The object in focus is as it was, and the stripes behind it are gone.
+    assert np.abs(taken[25:55, 45:75].astype(int) - (40, 120, 60)).max() <= 1
+    assert np.ptp(taken[30, :30]) < 10 < np.ptp(names["image"][:, 0])
 
 
 def test_the_code_and_the_lens_file_of_the_page_about_the_field_work(monkeypatch, tmp_path, lenses):

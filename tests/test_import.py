@@ -93,6 +93,12 @@ def test_an_unknown_name_is_an_attribute_error():
         lm.fft  # noqa: B018
 
 
+def test_imaging_is_there_when_it_is_asked_for():
+    assert python("import sys, lommel; print('lommel.imaging' in sys.modules)") == "False\n"
+    assert python("import lommel as lm; print(lm.imaging.depth_of_field.__name__)") == "depth_of_field\n"
+    assert "imaging" in dir(lm)
+
+
 def test_the_version_is_that_of_the_metadata():
     assert lm.__version__ == version("lommel")
     assert "__version__" in dir(lm)

@@ -1,6 +1,9 @@
 // The compiled core without Python, for sanitizers: every path of the engine at odd sizes, and from many threads at once.
 // Returns 1 and says where if an answer is not what another path, or the standard library, makes of it.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <random>
 #include <thread>
@@ -11,6 +14,7 @@
 #include "lommel/huygens.hpp"
 #include "lommel/images.hpp"
 #include "lommel/profiles.hpp"
+#include "lommel/spread.hpp"
 #include "lommel/subpixel.hpp"
 #include "lommel/zernike_images.hpp"
 
@@ -201,6 +205,68 @@ void every_path_of_the_chordal_rule(unsigned seed) {
     }
 }
 
+// Spreading against collecting, and the light that both hold; arrays end where the interface says that they may.
+template <class T>
+void spreading_and_collecting(std::mt19937& random, std::size_t height, std::size_t width, std::size_t widest, int threads) {
+    using Spreader = lommel::Spreader<T>;
+    std::uniform_real_distribution<double> share(0.5, 1.5), place(-0.5, 5.5);
+    const std::size_t count = 6, side = 2 * widest + 1, wide = width + 2 * widest, high = height + 2 * widest;
+    const std::size_t stride = std::max((side + 15) / 16 * 16, (Spreader::padding + side - 1) / side);
+    std::vector<T> windows((count + 1) * side * stride, T(0)), image(height * width), taken(height * width);
+    std::vector<T> out(high * wide, T(0)), other(high * wide + Spreader::padding, T(0));
+    std::vector<std::int32_t> halves(count - 1);
+    std::vector<double> energies(count * (widest + 1), 0.0), positions(height * width);
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t y = 0; y < side; ++y) {
+            for (std::size_t x = 0; x < side; ++x) {
+                const T value = windows[(i * side + y) * stride + x] = static_cast<T>(share(random));
+                const std::size_t away = std::max(y > widest ? y - widest : widest - y, x > widest ? x - widest : widest - x);
+                for (std::size_t half = away; half <= widest; ++half) {
+                    energies[i * (widest + 1) + half] += static_cast<double>(value);
+                }
+            }
+        }
+    }
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        halves[i] = static_cast<std::int32_t>(random() % (widest + 1));
+    }
+    double light = 0.0, arrived = 0.0, one = 0.0, two = 0.0;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        image[i] = static_cast<T>(share(random));
+        positions[i] = place(random);
+        light += positions[i] < 0.0 ? 0.0 : static_cast<double>(image[i]);
+    }
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        other[i] = static_cast<T>(share(random));
+    }
+    const lommel::WindowBank<T> bank{windows.data(), halves.data(), energies.data(), count, widest, stride};
+    const Spreader spreader(bank, positions.data(), height, width, threads);
+    spreader.forward(image.data(), out.data());
+    spreader.adjoint(other.data(), taken.data());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        arrived += static_cast<double>(out[i]);
+        one += static_cast<double>(out[i]) * static_cast<double>(other[i]);
+    }
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        two += static_cast<double>(image[i]) * static_cast<double>(taken[i]);
+    }
+    const double allowed = (sizeof(T) == 4 ? 1e-5 : 1e-12) * (1.0 + light);
+    check(std::abs(arrived - light) <= allowed, "light that was spread", arrived - light);
+    check(std::abs(one - two) <= 2.0 * allowed, "transpose of spreading", one - two);
+}
+
+void every_path_of_the_spreader(unsigned seed) {
+    std::mt19937 random(seed);
+    for (const std::size_t widest : {std::size_t{0}, std::size_t{1}, std::size_t{4}, std::size_t{9}}) {
+        for (const int threads : {1, 3}) {
+            spreading_and_collecting<float>(random, 1, 1, widest, threads);
+            spreading_and_collecting<double>(random, 3, 17, widest, threads);
+            spreading_and_collecting<float>(random, 70, 5, widest, threads);
+            spreading_and_collecting<double>(random, 97, 31, widest, threads);
+        }
+    }
+}
+
 void pixels_off_the_grid_read_nothing_beyond_the_profile() {
     const double h = 0.25;
     std::vector<double> profile;
@@ -233,10 +299,12 @@ int main() {
         lommel::level_limit() = level;
         every_path_of_the_engine(1);
         every_path_of_the_chordal_rule(1);
+        every_path_of_the_spreader(1);
     }
     std::vector<std::thread> callers;
     for (unsigned seed = 2; seed < 6; ++seed) {
         callers.emplace_back(seed % 2 == 0 ? every_path_of_the_engine : every_path_of_the_chordal_rule, seed);
+        callers.emplace_back(every_path_of_the_spreader, seed);
     }
     for (std::thread& caller : callers) {
         caller.join();

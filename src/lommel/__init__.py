@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
+    from lommel import imaging as imaging
     from lommel.aperture import CatEye, Ellipse, Mask, Spider
     from lommel.fieldmap import FieldMap, PSFGrid
     from lommel.fitting import WavefrontFit, fit_opd, fit_radial, opd_map
@@ -150,6 +151,8 @@ def __getattr__(name: str) -> Any:
         from importlib.metadata import version
 
         return version("lommel")
+    if name == "imaging":
+        return import_module("lommel.imaging")
     if name not in _HOME:
         raise AttributeError(f"module 'lommel' has no attribute {name!r}")
     value = getattr(import_module(f"lommel.{_HOME[name]}"), name)
@@ -158,4 +161,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__, "__version__"})
+    return sorted({*globals(), *__all__, "__version__", "imaging"})

@@ -146,7 +146,7 @@ class DepthBlur:
         weight : ndarray of bool, shape (height, width), optional
             Which points take part.
         """
-        planes = self._planes(image, self.shape)
+        planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
         for plane, bank, to in zip(planes, self.banks, out, strict=True):
             margin, positions = self._positions(bank, weight)
@@ -160,7 +160,7 @@ class DepthBlur:
 
     def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``."""
-        planes = self._planes(image, self.shape)
+        planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
         for plane, bank, to in zip(planes, self.banks, out, strict=True):
             margin, positions = self._positions(bank, None)
@@ -170,16 +170,21 @@ class DepthBlur:
             to[:] = self._folded(taken, margin)
         return self._shaped(out, image)
 
-    def _planes(self, image: NDArray[Any], shape: tuple[int, ...]) -> NDArray[Any]:
+    def require(self, image: NDArray[Any]) -> None:
+        """Raise TypeError or ValueError, naming `image`, unless it is finite light of the shape of the depth."""
         array = np.asarray(image)
         count = len(self.banks)
-        wanted = (*shape, count) if array.ndim == 3 or count > 1 else shape
+        wanted = (*self.shape, count) if array.ndim == 3 or count > 1 else self.shape
         if array.shape != wanted:
             raise ValueError(f"image must have the shape {wanted}, got {array.shape}")
         if array.dtype.kind != "f":
             raise TypeError(f"image must hold floats in proportion to light, got {array.dtype}")
         if not np.all(np.isfinite(array)):
             raise ValueError(f"image must be finite, got {array[~np.isfinite(array)].flat[0]}")
+
+    def _planes(self, image: NDArray[Any]) -> NDArray[Any]:
+        self.require(image)
+        array = np.asarray(image)
         planes = array[None] if array.ndim == 2 else np.moveaxis(array, 2, 0)
         return np.ascontiguousarray(planes, dtype=self.dtype)
 

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel import validation
 from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur, Spectrum
 from lommel.imaging.encoding import from_light, to_light
+from lommel.imaging.layers import occlude
 from lommel.lens import Lens
 
 MISSING = ("raise", "nearest", "infinity")
@@ -50,6 +51,7 @@ def depth_of_field(
     pixel: float,
     *,
     encoding: str,
+    occlusion: bool = False,
     wavelengths: Sequence[Spectrum] | None = None,
     missing: str = "raise",
     border: str = "reflect",
@@ -61,8 +63,7 @@ def depth_of_field(
 ) -> Photograph:
     """Blur a sharp image as a lens would, each point by its own distance, with diffraction, aberration and colour.
 
-    Every point of the image spreads its own pixel-averaged PSF; see :class:`lommel.imaging.blur.DepthBlur`. Points
-    do not hide one another.
+    Every point of the image spreads its own pixel-averaged PSF; see :class:`lommel.imaging.blur.DepthBlur`.
 
     Parameters
     ----------
@@ -76,6 +77,9 @@ def depth_of_field(
         Pixel pitch, metres.
     encoding : {"srgb", "linear"}
         Of the values of `image`, and of the result.
+    occlusion : bool, default False
+        Whether near points hide far ones; see :func:`lommel.imaging.layers.occlude`. Without, light is only added:
+        what lies behind a near object bleeds over its edges.
     wavelengths : sequence, optional
         A wavelength (metres), or pairs of wavelength and weight, for each channel. By default that of the lens for a
         grey image, and 600, 540 and 460 nm for one of three channels.
@@ -94,6 +98,8 @@ def depth_of_field(
         If an argument is out of range, if shapes do not match, or if an image has two or four channels and no
         `wavelengths` are given: it may have alpha.
     """
+    if not isinstance(occlusion, bool | np.bool_):
+        raise TypeError(f"occlusion must be True or False, got {occlusion!r}")
     given = np.asarray(image)
     if given.ndim not in (2, 3) or 0 in given.shape:
         raise ValueError(f"image must have the shape (height, width) or (height, width, channels), got {given.shape}")
@@ -113,7 +119,8 @@ def depth_of_field(
         dtype=dtype,
         threads=threads,
     )
-    values = from_light(blur.forward(light), encoding, given.dtype)
+    seen = occlude(blur, light) if occlusion else blur.forward(light)
+    values = from_light(seen, encoding, given.dtype)
     return Photograph(
         values,
         blur.lost,
@@ -124,8 +131,12 @@ def depth_of_field(
 
 def channels_of(image: NDArray[Any], lens: Lens, wavelengths: Sequence[Spectrum] | None) -> Sequence[Spectrum]:
     """Return the spectrum of each channel of an image."""
+    if not isinstance(lens, Lens):
+        raise TypeError(f"lens must be a Lens, got {lens!r}")
     count = 1 if image.ndim == 2 else image.shape[2]
     if wavelengths is not None:
+        if not isinstance(wavelengths, Sequence | np.ndarray):
+            raise TypeError(f"wavelengths must be a sequence, one for each channel, got {wavelengths!r}")
         if len(wavelengths) != count:
             raise ValueError(f"wavelengths must be one for each of the {count} channels, got {len(wavelengths)}")
         return wavelengths

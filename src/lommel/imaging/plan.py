@@ -100,16 +100,15 @@ class FocusPlan:
         Stopping down leaves the sensor where it is.
         """
         lens = self.lens
-        stop = {"aperture_diameter": lens.aperture_diameter} if f_number is None else {"f_number": f_number}
-        focus = {"sensor_distance": lens.sensor_distance} if focus_distance is None else {}
         return Lens(
             focal_length=lens.focal_length,
             wavelength=lens.wavelength,
             obscuration=lens.obscuration,
             aberrations=lens.aberrations,
+            f_number=f_number,
+            aperture_diameter=lens.aperture_diameter if f_number is None else None,
             focus_distance=focus_distance,
-            **stop,
-            **focus,
+            sensor_distance=lens.sensor_distance if focus_distance is None else None,
         )
 
     def blur(self, *, focus_distance: float | None = None, f_number: float | None = None) -> DepthBlur:

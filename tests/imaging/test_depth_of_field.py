@@ -1,0 +1,155 @@
+"""Photographs: planes against convolution, light, colour, types, distances, and gaps in the depth."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.signal import fftconvolve
+
+import lommel as lm
+from lommel.imaging import RED_GREEN_BLUE, DepthBlur, depth_of_field
+from lommel.imaging.depth_of_field import fill_missing
+
+LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+PIXEL = 8e-6
+SCENE = np.random.default_rng(0).random((50, 60))
+
+
+def window(lens: lm.Lens, distance: float, blur: DepthBlur) -> np.ndarray:
+    """The PSF of one distance through the front door, cut and divided as the bank does."""
+    bank = blur.banks[0]
+    answer = lm.psf(
+        lens.pupil(distance),
+        2 * bank.half + 1,
+        PIXEL,
+        integrate=True,
+        method=lm.NijboerZernike(1e-9),
+        dtype=np.float64,
+    )
+    away = np.abs(np.arange(-bank.half, bank.half + 1))
+    half = bank.halves[int(bank.positions(lens.defocus(distance)))]
+    used = np.where(np.maximum(away[:, None], away) <= half, answer.values, 0.0)
+    return np.asarray(used / used.sum())
+
+
+@pytest.mark.parametrize("occlusion", [False, True])
+@pytest.mark.parametrize("distance", [1.7, 2.0, 3.1, np.inf])
+def test_a_plane_is_convolved_with_its_psf(distance, occlusion):
+    depth = np.full(SCENE.shape, distance)
+    given = {"border": "zero", "tol": 1e-6, "dtype": np.float64}
+    photograph = depth_of_field(SCENE, depth, LENS, PIXEL, encoding="linear", occlusion=occlusion, **given)
+    kernel = window(LENS, distance, DepthBlur(LENS, depth, PIXEL, **given))
+    assert np.abs(photograph.values - fftconvolve(SCENE, kernel, mode="same")).max() <= 1e-6
+
+
+@pytest.mark.parametrize("border", ["reflect", "extend"])
+def test_borders_are_what_they_are_called(border):
+    depth = np.full(SCENE.shape, 1.7)
+    given = {"border": border, "tol": 1e-6, "dtype": np.float64}
+    photograph = depth_of_field(SCENE, depth, LENS, PIXEL, encoding="linear", **given)
+    kernel = window(LENS, 1.7, DepthBlur(LENS, depth, PIXEL, **given))
+    padded = np.pad(SCENE, len(kernel) // 2, mode="symmetric" if border == "reflect" else "edge")
+    assert np.abs(photograph.values - fftconvolve(padded, kernel, mode="valid")).max() <= 1e-6
+
+
+def test_light_is_held_within_a_dark_border():
+    rng = np.random.default_rng(1)
+    image = np.zeros((60, 70))
+    image[20:40, 20:50] = rng.random((20, 30))
+    depth = rng.uniform(1.6, 2.8, (60, 70))
+    photograph = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", border="zero", dtype=np.float64)
+    assert photograph.window < 40
+    assert photograph.values.sum() == pytest.approx(image.sum(), rel=1e-6)
+    assert 0.0 < photograph.lost <= 0.02
+    assert photograph.error <= 1e-4
+
+
+def test_objects_at_infinity_are_the_limit_of_far_ones():
+    depth = np.where(np.arange(60) < 30, 3.0, np.inf) * np.ones((50, 1))
+    far = np.where(np.isinf(depth), 1e9, depth)
+    a, b = (depth_of_field(SCENE, d, LENS, PIXEL, encoding="linear", dtype=np.float64).values for d in (depth, far))
+    assert np.abs(a - b).max() < 1e-6
+    assert np.abs(a - SCENE).max() > 0.1
+
+
+@pytest.mark.parametrize("kind", [np.int32, np.uint8, np.float32])
+def test_depth_may_be_in_whole_metres(kind):
+    depth = np.where(np.arange(60) < 30, 2, 5) * np.ones((50, 1))
+    a, b = (depth_of_field(SCENE, d, LENS, PIXEL, encoding="linear").values for d in (depth, depth.astype(kind)))
+    assert np.array_equal(a, b)
+
+
+@pytest.mark.parametrize(
+    ("kind", "step"), [(np.uint8, 1 / 255), (np.uint16, 1 / 65535), (np.float16, 1e-3), (np.float32, 1e-6)]
+)
+@pytest.mark.parametrize("encoding", ["srgb", "linear"])
+def test_photographs_have_the_type_of_the_image(kind, step, encoding):
+    most = np.iinfo(kind).max if np.dtype(kind).kind == "u" else 1.0
+    image = (SCENE * most).astype(kind)
+    depth = np.full(SCENE.shape, 1.8)
+    values = depth_of_field(image, depth, LENS, PIXEL, encoding=encoding).values
+    exact = depth_of_field(image.astype(float) / most, depth, LENS, PIXEL, encoding=encoding, dtype=np.float64).values
+    assert values.dtype == kind
+    assert np.abs(values.astype(float) / most - exact).max() <= step
+
+
+def test_a_photograph_is_an_array():
+    photograph = depth_of_field(SCENE, np.full(SCENE.shape, 2.0), LENS, PIXEL, encoding="linear")
+    assert np.asarray(photograph).shape == SCENE.shape
+    assert np.array_equal(np.asarray(photograph, dtype=np.float32), photograph.values.astype(np.float32))
+
+
+def test_in_focus_shorter_wavelengths_blur_less():
+    point = np.zeros((41, 41, 3))
+    point[20, 20] = 1.0
+    slow = lm.Lens(focal_length=50e-3, f_number=22.0, focus_distance=2.0, wavelength=550e-9)
+    values = depth_of_field(point, np.full((41, 41), 2.0), slow, 3e-6, encoding="linear", energy=0.9).values
+    red, green, blue = values[20, 20]
+    assert RED_GREEN_BLUE[0] > RED_GREEN_BLUE[1] > RED_GREEN_BLUE[2]
+    assert red < green < blue
+    # Peaks go with the inverse square of the wavelength, but for the pixel's size and the light beyond the windows.
+    assert red / blue == pytest.approx((460 / 600) ** 2, rel=0.1)
+
+
+def test_channels_are_those_of_their_wavelengths():
+    colours = (480e-9, [(500e-9, 1.0), (640e-9, 3.0)])
+    image, depth = np.stack([SCENE, SCENE[::-1]], axis=2), np.full(SCENE.shape, 1.8)
+    both = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", wavelengths=colours).values
+    for index, colour in enumerate(colours):
+        one = depth_of_field(image[:, :, index], depth, LENS, PIXEL, encoding="linear", wavelengths=[colour]).values
+        assert np.array_equal(both[:, :, index], one)
+
+
+def test_gaps_in_the_depth_are_filled_as_asked():
+    depth = np.array([[1.0, np.nan, np.nan, 4.0], [1.0, 2.0, np.nan, 4.0]])
+    assert np.array_equal(fill_missing(depth, "nearest")[:, [0, 3]], [[1.0, 4.0], [1.0, 4.0]])
+    filled = fill_missing(depth, "nearest")
+    assert filled[0, 1] in (1.0, 2.0)
+    assert filled[0, 2] == 4.0
+    assert filled[1, 2] in (2.0, 4.0)
+    assert np.array_equal(fill_missing(depth, "infinity"), np.where(np.isnan(depth), np.inf, depth))
+    with pytest.raises(ValueError, match="missing must be one of"):
+        fill_missing(depth, "zero")
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        ({"depth": np.full(SCENE.shape, True)}, TypeError, "depth must hold metres, got bool"),
+        ({"image": SCENE.astype(np.int64)}, TypeError, "image must hold unsigned integers or floats, got int64"),
+        ({"dtype": np.float16}, TypeError, "dtype must be float32 or float64"),
+        ({"energy": 1.0}, ValueError, "energy must be"),
+        ({"tol": 0.0}, ValueError, "tol must be"),
+        ({"pixel": -1e-6}, ValueError, "pixel must be"),
+        ({"largest": 0}, ValueError, "largest must be"),
+        ({"threads": 0}, ValueError, "threads must be"),
+        ({"lens": "nikon"}, TypeError, "lens must be a Lens, got 'nikon'"),
+        ({"wavelengths": [[(500e-9, 0.0)]]}, ValueError, "a channel must have a wavelength with a weight"),
+        ({"wavelengths": 5e-7}, TypeError, "wavelengths must be a sequence, one for each channel, got 5e-07"),
+        ({"image": np.zeros((50, 60, 0))}, ValueError, "image must have the shape"),
+    ],
+)
+def test_arguments_out_of_range_are_refused_by_name(change, error, message):
+    given = {"image": SCENE, "depth": np.full(SCENE.shape, 2.0), "lens": LENS, "pixel": PIXEL} | change
+    with pytest.raises(error, match=message):
+        depth_of_field(encoding="linear", **given)

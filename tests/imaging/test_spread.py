@@ -1,0 +1,150 @@
+"""The compiled kernel that spreads windows: a matrix and its transpose, on all instructions, and what it refuses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from lommel import _core
+from lommel.imaging.bank import Bank
+
+LEVELS = ["portable", "avx2", "avx512"]
+SIZES = [(1, 1, 0), (1, 7, 1), (9, 1, 3), (5, 4, 8), (40, 3, 2), (33, 35, 5), (2, 70, 17)]
+
+
+@pytest.fixture(params=LEVELS)
+def level(request: pytest.FixtureRequest) -> Iterator[str]:
+    """Limit the instructions; above those of the processor the limit does nothing."""
+    _core.limit_instructions(request.param)
+    yield request.param
+    _core.limit_instructions("avx512")
+
+
+def bank(rng: np.random.Generator, half: int, count: int = 6, dtype: type = np.float64) -> Bank:
+    """A bank of noise, which has no symmetry that would hide a fault but that of up and down, which banks build on."""
+    side = 2 * half + 1
+    stride = max(-(-side // 16) * 16, -(-64 // (half + 1)))
+    windows = np.zeros((count + 1, half + 1, stride), dtype)
+    windows[:-1, :, :side] = rng.uniform(0.5, 1.5, (count, half + 1, side))
+    halves = rng.integers(0, half + 1, count - 1).astype(np.int32)
+    away = np.abs(np.arange(-half, half + 1))
+    ring = np.maximum(away[:, None], away)
+    whole = [np.concatenate([w[:0:-1, :side], w[:, :side]]) for w in windows[:-1]]
+    energies = np.stack([[w[ring <= h].sum(dtype=np.float64) for h in range(half + 1)] for w in whole])
+    return Bank(0.0, 1.0, windows, halves, energies, 0.0, 0.0)
+
+
+def room(b: Bank, image: np.ndarray) -> np.ndarray:
+    """What the kernel writes to: larger by a window, and by 16 columns that it may touch."""
+    height, width = (side + 2 * b.half for side in image.shape)
+    return np.zeros((height, width + 16), image.dtype)
+
+
+def spread(b: Bank, positions: np.ndarray, image: np.ndarray, threads: int = 0) -> np.ndarray:
+    out = room(b, image)
+    _core.spread(b.windows, b.halves, b.energies, positions, image, threads, out)
+    return out[:, :-16]
+
+
+def collect(b: Bank, positions: np.ndarray, image: np.ndarray, threads: int = 0) -> np.ndarray:
+    out = np.full(positions.shape, np.nan, image.dtype)
+    _core.collect(b.windows, b.halves, b.energies, positions, image, threads, out)
+    return out
+
+
+def some_positions(rng: np.random.Generator, height: int, width: int) -> np.ndarray:
+    """Inside the bank, at its ends, beyond it, and left out."""
+    positions = rng.uniform(0.0, 5.0, (height, width))
+    positions[rng.random((height, width)) < 0.2] = -1.0
+    positions[rng.random((height, width)) < 0.1] = 5.0
+    positions[rng.random((height, width)) < 0.1] = 0.0
+    positions[rng.random((height, width)) < 0.1] = 17.0
+    return positions
+
+
+@pytest.mark.parametrize(("height", "width", "half"), SIZES)
+def test_every_pixel_adds_its_window(level, height, width, half):
+    rng = np.random.default_rng(height + width)
+    b, positions, image = bank(rng, half), some_positions(rng, height, width), rng.standard_normal((height, width))
+    total = np.zeros((height + 2 * half, width + 2 * half))
+    for y in range(height):
+        for x in range(width):
+            if positions[y, x] >= 0.0:
+                total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[y, x] * b.window(positions[y, x])
+    assert np.abs(spread(b, positions, image) - total).max() <= 1e-12 * max(1.0, np.abs(total).max())
+    single = spread(
+        bank(np.random.default_rng(height + width), half, dtype=np.float32), positions, image.astype("f4")
+    )
+    assert np.abs(single - total).max() <= 1e-5 * max(1.0, np.abs(total).max())
+
+
+@pytest.mark.parametrize(("height", "width", "half"), SIZES)
+@pytest.mark.parametrize("threads", [1, 3])
+def test_collecting_is_the_transpose_of_spreading(level, height, width, half, threads):
+    rng = np.random.default_rng(height * width + half)
+    b, positions = bank(rng, half, count=4 + half), some_positions(rng, height, width)
+    a, c = rng.standard_normal((height, width)), rng.standard_normal((height + 2 * half, width + 2 * half))
+    forth, back = spread(b, positions, a, threads), collect(b, positions, c, threads)
+    size = np.linalg.norm(forth) * np.linalg.norm(c) + 1e-300
+    assert abs(np.vdot(forth, c) - np.vdot(a, back)) <= 1e-10 * size
+    assert np.all(back[positions < 0.0] == 0.0)
+
+
+@given(st.integers(1, 12), st.integers(1, 12), st.integers(0, 6), st.integers(4, 9), st.integers(0, 2**32 - 1))
+def test_collecting_is_the_transpose_of_spreading_for_any_bank(height, width, half, count, seed):
+    rng = np.random.default_rng(seed)
+    b, positions = bank(rng, half, count), some_positions(rng, height, width)
+    a, c = rng.standard_normal((height, width)), rng.standard_normal((height + 2 * half, width + 2 * half))
+    forth, back = spread(b, positions, a), collect(b, positions, c)
+    assert abs(np.vdot(forth, c) - np.vdot(a, back)) <= 1e-10 * (np.linalg.norm(forth) * np.linalg.norm(c) + 1e-300)
+
+
+def test_light_is_held():
+    rng = np.random.default_rng(2)
+    b, image = bank(rng, 4), rng.random((50, 30))
+    out = spread(b, rng.uniform(0.0, 5.0, (50, 30)), image)
+    assert out.sum() == pytest.approx(image.sum(), rel=1e-12)
+
+
+def test_spreading_adds_to_what_is_there():
+    rng = np.random.default_rng(3)
+    b, positions, image = bank(rng, 2), rng.uniform(0.0, 5.0, (6, 7)), rng.random((6, 7))
+    out = room(b, image) + 1.0
+    _core.spread(b.windows, b.halves, b.energies, positions, image, 0, out)
+    assert out[:, :-16] == pytest.approx(1.0 + spread(b, positions, image), rel=1e-14)
+
+
+def test_what_does_not_fit_is_refused():
+    b = bank(np.random.default_rng(4), 2)
+    positions, image, large = np.ones((6, 7)), np.ones((6, 7)), np.ones((10, 11))
+    wide = room(b, image)
+    _core.spread(b.windows, b.halves, b.energies, positions, image, 0, wide)
+    for bad in (np.nan, np.inf, -np.inf):
+        wrong = positions.copy()
+        wrong[3, 2] = bad
+        with pytest.raises(ValueError, match="positions must be finite"):
+            _core.spread(b.windows, b.halves, b.energies, wrong, image, 0, wide)
+        with pytest.raises(ValueError, match="positions must be finite"):
+            _core.collect(b.windows, b.halves, b.energies, wrong, large, 0, image)
+    with pytest.raises(ValueError, match="out must be larger than the image by a window"):
+        _core.spread(b.windows, b.halves, b.energies, positions, image, 0, image.copy())
+    with pytest.raises(ValueError, match="positions must match the image"):
+        _core.spread(b.windows, b.halves, b.energies, positions[1:].copy(), image, 0, wide)
+    with pytest.raises(ValueError, match="positions must match the image"):
+        _core.spread(b.windows, b.halves, b.energies, positions, image, -1, wide)
+    with pytest.raises(ValueError, match="the image must be larger than the positions by a window"):
+        _core.collect(b.windows, b.halves, b.energies, positions, image, 0, image.copy())
+    with pytest.raises(ValueError, match="out must match the positions"):
+        _core.collect(b.windows, b.halves, b.energies, positions, large, 0, large.copy())
+    with pytest.raises(ValueError, match="halves must fit in the windows"):
+        _core.spread(b.windows, b.halves + np.int32(3), b.energies, positions, image, 0, wide)
+    with pytest.raises(ValueError, match="one half an interval, one row of energies a window"):
+        _core.spread(b.windows, b.halves[1:].copy(), b.energies, positions, image, 0, wide)
+    with pytest.raises(ValueError, match="windows must be padded, 5 or more"):
+        _core.spread(b.windows[:4].copy(), b.halves, b.energies, positions, image, 0, wide)
+    with pytest.raises(TypeError, match="incompatible function arguments"):
+        _core.spread(b.windows, b.halves, b.energies, positions, image.astype("f4"), 0, wide)

@@ -2,5 +2,19 @@
 
 from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur
 from lommel.imaging.depth_of_field import Photograph, depth_of_field
+from lommel.imaging.depthmaps import read_depth
+from lommel.imaging.photo_output import write_photo
+from lommel.imaging.photos import Exif, PhotoError, Picture, read_photo
 
-__all__ = ["RED_GREEN_BLUE", "DepthBlur", "Photograph", "depth_of_field"]
+__all__ = [
+    "RED_GREEN_BLUE",
+    "DepthBlur",
+    "Exif",
+    "PhotoError",
+    "Photograph",
+    "Picture",
+    "depth_of_field",
+    "read_depth",
+    "read_photo",
+    "write_photo",
+]

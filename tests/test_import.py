@@ -40,6 +40,8 @@ ORDER = [
     {"report"},
     {"paper"},
     {"tables"},
+    {"cli_parts"},
+    {"cli_imaging"},
     {"cli"},
 ]
 RANK = {name: rank for rank, names in enumerate(ORDER) for name in names}

@@ -1,25 +1,21 @@
-"""The command line: ``lommel psf``, ``lommel compare``, ``lommel info``, ``lommel paper``."""
+"""The command line: ``lommel psf``, ``lommel compare``, ``lommel info``, ``lommel paper``; see also cli_imaging."""
 
 from __future__ import annotations
 
 import dataclasses
-import functools
-import json
 import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 try:
     import click
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+    from lommel.cli_imaging import blur, focus_pull
+    from lommel.cli_parts import Length, one_line_errors, print_json, progress
 except ImportError as missing:  # pragma: no cover
     sys.exit(f'The command line needs {missing.name}: install "lommel[cli]".')
-
-from lommel.units import parse_length
 
 if TYPE_CHECKING:
     from lommel.lensfile import Instrument
@@ -40,16 +36,6 @@ METHOD_NAMES = (
 )
 
 
-class _Length(click.ParamType[float]):
-    name = "length"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        try:
-            return parse_length(value)
-        except ValueError as error:
-            self.fail(str(error), param, ctx)
-
-
 class _Shape(click.ParamType[Any]):
     name = "pixels"
 
@@ -63,30 +49,12 @@ class _Shape(click.ParamType[Any]):
         return sides[0] if len(sides) == 1 else tuple(sides)
 
 
-def _one_line_errors(command: Callable[..., None]) -> Callable[..., None]:
-    """Turn what a user can cause into one line on standard error and exit code 2."""
-
-    @functools.wraps(command)
-    def guarded(*args: Any, **kwargs: Any) -> None:
-        try:
-            command(*args, **kwargs)
-        except (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError) as error:
-            if isinstance(error, OSError) and error.strerror:
-                message = f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-            else:
-                message = str(error) or type(error).__name__
-            click.echo(f"Error: {message}", err=True)
-            sys.exit(2)
-
-    return guarded
-
-
 def _lens_command(command: Callable[..., None]) -> Callable[..., None]:
     """Add what every command takes: the lens file, what overrides it, and --json."""
     parts = [
         click.argument("lens", type=click.Path(dir_okay=False, path_type=Path)),
-        click.option("--object-distance", type=_Length(), help='Instead of the file\'s: "1.5 m", "inf".'),
-        click.option("--pixel", type=_Length(), help='Pixel pitch, instead of the file\'s: "3.45 um".'),
+        click.option("--object-distance", type=Length(), help='Instead of the file\'s: "1.5 m", "inf".'),
+        click.option("--pixel", type=Length(), help='Pixel pitch, instead of the file\'s: "3.45 um".'),
         click.option("--shape", type=_Shape(), help="Window in pixels, instead of the file's: 65 or 64x128."),
         click.option("--json", "as_json", is_flag=True, help="Print what the tables show as JSON."),
     ]
@@ -108,7 +76,12 @@ def main() -> None:
       lommel psf     lens.toml -o psf.tif -o psf.png    the PSF, as data and as a picture
       lommel compare lens.toml --figure compare.png     every method against the reference
       lommel paper   out                                every figure and number of the paper
+      lommel blur    photo.jpg depth.tif lens.toml --focus "1 m" -o out.jpg    a photograph
     """  # noqa: D301 (\b is meant)
+
+
+main.add_command(blur)
+main.add_command(focus_pull)
 
 
 @main.command()
@@ -128,7 +101,7 @@ def main() -> None:
 @click.option("--normalize", default="energy", show_default=True, type=click.Choice(["energy", "strehl", "peak"]),
               help="Fraction of all light per pixel, or 1 = unaberrated peak, or 1 = largest value.")  # fmt: skip
 @click.option("--dtype", type=click.Choice(["float32", "float64"]), help="Of the values.")
-@_one_line_errors
+@one_line_errors
 def psf(
     lens: Path,
     object_distance: float | None,
@@ -169,7 +142,7 @@ def psf(
         options = {"method": method, "normalize": normalize, "dtype": dtype}
         _psf_over_field(instrument, field, options, outputs, figure, as_json)
         return
-    with _progress(f"{instrument.shape[0]} x {instrument.shape[1]} pixels"):
+    with progress(f"{instrument.shape[0]} x {instrument.shape[1]} pixels"):
         start = time.perf_counter()
         answer = compute(
             instrument.pupil(),
@@ -190,7 +163,7 @@ def psf(
             _save_figure(axes.figure, figure)
     written = [str(path) for path in (*outputs, *([figure] if figure else []))]
     if as_json:
-        _print_json(facts | {"files": written})
+        print_json(facts | {"files": written})
         return
     tables.print_lens(facts)
     tables.print_psf(answer, facts["psf"])
@@ -214,7 +187,7 @@ def _psf_over_field(
     rows, columns = field
     field_map, sensor = instrument.field(), instrument.sensor
     assert sensor is not None  # as long as there is a map
-    with _progress(f"{rows} x {columns} PSFs of {instrument.shape[0]} x {instrument.shape[1]} pixels"):
+    with progress(f"{rows} x {columns} PSFs of {instrument.shape[0]} x {instrument.shape[1]} pixels"):
         start = time.perf_counter()
         grid = field_map.grid(rows, columns, sensor=sensor, shape=instrument.shape, pixel=instrument.pixel, **options)
         facts = report.describe_field(instrument, grid, time.perf_counter() - start)
@@ -226,7 +199,7 @@ def _psf_over_field(
             _save_figure(axes.figure, figure)
     written = [str(path) for path in (*outputs, *([figure] if figure else []))]
     if as_json:
-        _print_json(facts | {"files": written})
+        print_json(facts | {"files": written})
         return
     tables.print_field(grid, facts)
     for name in written:
@@ -235,7 +208,7 @@ def _psf_over_field(
 
 @main.command()
 @_lens_command
-@_one_line_errors
+@one_line_errors
 def info(lens: Path, object_distance: float | None, pixel: float | None, shape: Any, as_json: bool) -> None:
     """Print what is known about a lens.
 
@@ -252,7 +225,7 @@ def info(lens: Path, object_distance: float | None, pixel: float | None, shape: 
 
     facts = report.describe_lens(_instrument(lens, object_distance, pixel, shape))
     if as_json:
-        _print_json(facts)
+        print_json(facts)
     else:
         tables.print_lens(facts)
 
@@ -261,7 +234,7 @@ def info(lens: Path, object_distance: float | None, pixel: float | None, shape: 
 @_lens_command
 @click.option("--figure", type=click.Path(dir_okay=False, path_type=Path),
               help="Write the PSFs and their slices side by side: .png, .pdf, .svg.")  # fmt: skip
-@_one_line_errors
+@one_line_errors
 def compare(
     lens: Path,
     object_distance: float | None,
@@ -292,7 +265,7 @@ def compare(
         _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape)
     pupil = instrument.pupil()
-    with _progress("", total=len(METHODS) + 1) as started:
+    with progress("", total=len(METHODS) + 1) as started:
         methods = [
             # The paper's form at its best, so that nobody compares with it at its worst.
             ClosedForm.best(pupil, instrument.shape, instrument.pixel)
@@ -306,7 +279,7 @@ def compare(
 
             _save_figure(plot.compare(answers, report.reference_name(pupil)), figure)
     if as_json:
-        _print_json({"name": instrument.name, "reference": report.reference_name(pupil), "rows": rows})
+        print_json({"name": instrument.name, "reference": report.reference_name(pupil), "rows": rows})
     else:
         tables.print_comparison(instrument, rows, report.reference_name(pupil))
         if figure is not None:
@@ -318,7 +291,7 @@ def compare(
 @click.option("--figure", "figures", multiple=True, type=click.Choice([*"1234567", "17", "100"]),
               help="One, without the table; may be repeated. 17: Eq. (17); 100: where the forms hold.")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print settings, errors and the table as JSON.")
-@_one_line_errors
+@one_line_errors
 def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
     """Regenerate every figure and number of the paper, in OUTDIR, in about half a minute.
 
@@ -335,10 +308,10 @@ def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
     from lommel.paper.write import FIGURES, reproduce
 
     wanted = [int(number) for number in figures] or None
-    with _progress("", total=len(wanted) if wanted else len(FIGURES) + 1) as started:
+    with progress("", total=len(wanted) if wanted else len(FIGURES) + 1) as started:
         made = reproduce(outdir, wanted, started)
     if as_json:
-        _print_json(made)
+        print_json(made)
         return
     if made["table"] is not None:
         tables.print_numbers(made["table"])
@@ -418,23 +391,6 @@ def _instrument(path: Path, object_distance: float | None, pixel: float | None, 
     return dataclasses.replace(instrument, **changes)
 
 
-@contextmanager
-def _progress(description: str, total: int | None = None) -> Iterator[Callable[[str], None]]:
-    """Show a bar on standard error, if that is a terminal; yields what announces each step."""
-    columns = [SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()]
-    console = Console(stderr=True)
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
-        task = bar.add_task(description, total=total)
-        count = 0
-
-        def started(name: str) -> None:
-            nonlocal count
-            bar.update(task, description=name, completed=count)
-            count += 1
-
-        yield started
-
-
 def _figure_format(path: Path) -> str:
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in ("png", "pdf", "svg"):
@@ -451,7 +407,3 @@ def _save_figure(figure: Any, path: Path) -> None:
     buffer = io.BytesIO()
     figure.savefig(buffer, format=_figure_format(path), dpi=150)
     write_atomically(path, buffer.getvalue())
-
-
-def _print_json(data: dict[str, Any]) -> None:
-    click.echo(json.dumps(data, indent=2, allow_nan=False))

@@ -129,7 +129,7 @@ def test_the_light_of_a_window_is_the_ensquared_energy(pixel, half):
 
 def test_a_large_window_lies_between_the_circles_inside_and_around_it():
     pixel, half = 0.7, 20
-    rule = pixel_rule(half, math.pi * pixel)
+    rule, step = pixel_rule(half, math.pi * pixel), math.pi * pixel
     total = (
         rule.unfold(airy(step * rule.radii)[None] @ rule.matrix, half).sum()
         * (math.pi * pixel) ** 2

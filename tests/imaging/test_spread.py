@@ -25,7 +25,7 @@ def level(request: pytest.FixtureRequest) -> Iterator[str]:
 
 
 def bank(rng: np.random.Generator, half: int, count: int = 6, dtype: type = np.float64) -> Bank:
-    """A bank of noise, which has no symmetry that would hide a fault but that of up and down, which banks build on."""
+    """A bank of noise, without symmetries that would hide a fault but the one that banks build on, of up and down."""
     side = 2 * half + 1
     stride = max(-(-side // 16) * 16, -(-64 // (half + 1)))
     windows = np.zeros((count + 1, half + 1, stride), dtype)

@@ -1,0 +1,150 @@
+"""Frames to files: numbered photographs, animations, stacks; all of them or none."""
+
+from __future__ import annotations
+
+import io
+import re
+import tempfile
+from collections.abc import Iterable
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel import validation
+from lommel.imaging import photo_output
+from lommel.imaging.photos import library
+
+_NUMBER = re.compile(r"%0?\d*d")
+_ANIMATIONS = {".gif": "gif", ".png": "png", ".apng": "png", ".webp": "webp"}
+SUFFIXES = (*_ANIMATIONS, ".tif", ".tiff")
+
+
+def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
+    """Return a path that frames can be written to, with a number such as ``%03d`` or none; ValueError otherwise."""
+    target = Path(path)
+    numbers = _NUMBER.findall(target.name)
+    if len(numbers) != target.name.count("%") or len(numbers) > 1 or "%" in str(target.parent):
+        raise ValueError(
+            f"{name} may have one number such as %03d in its last part and no other %, got {str(path)!r}"
+        )
+    if numbers:
+        return photo_output.check_suffix(target, name)
+    if target.suffix.lower() not in SUFFIXES:
+        raise ValueError(
+            f"{name} must have a number such as %03d, or end in {', '.join(SUFFIXES)} for one file, got {str(path)!r}"
+        )
+    return target
+
+
+def is_animation(path: str | PathLike[str]) -> bool:
+    """Return whether frames would be written to one file of 8 bits."""
+    target = Path(path)
+    return not _NUMBER.search(target.name) and target.suffix.lower() in _ANIMATIONS
+
+
+def write_frames(
+    path: str | PathLike[str],
+    frames: Iterable[NDArray[Any]],
+    *,
+    fps: float = 12.0,
+    quality: int = 95,
+) -> list[Path]:
+    """Write frames, and return the files written; nothing is left of a failure.
+
+    Parameters
+    ----------
+    path : path
+        With a number such as ``%03d``: one photograph a frame, counted from 1, as
+        :func:`lommel.imaging.write_photo` has them. Without: an animation, .gif (256 colours a frame), .png or .apng
+        (exact), .webp; or a TIFF stack. Animations have 8 bits.
+    frames : iterable of ndarray
+        Stored values, all of one shape and type; taken one after another, so that they may be made meanwhile.
+    fps : float, default 12
+        Frames a second of an animation, which repeats for ever.
+    quality : int, default 95
+        Of JPEG and WebP, 1 to 100.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, there are no frames, or they differ in shape or type.
+    OSError
+        If a file cannot be written.
+    """
+    from lommel.files import write_atomically
+
+    target = check_pattern(path)
+    duration = 1000.0 / validation.real("fps", fps, above=0.0, below=1000.0)
+    validation.integer("quality", quality, least=1, most=100)
+    if _NUMBER.search(target.name):
+        return _numbered(target, _alike(frames), quality)
+    kept = list(_alike(frames))
+    if target.suffix.lower() in (".tif", ".tiff"):
+        write_atomically(target, _stack(kept))
+    else:
+        write_atomically(target, _animation(target, kept, duration, quality))
+    return [target]
+
+
+def _alike(frames: Iterable[NDArray[Any]]) -> Iterable[NDArray[Any]]:
+    first = None
+    for frame in frames:
+        first = frame if first is None else first
+        if (frame.shape, frame.dtype) != (first.shape, first.dtype):
+            raise ValueError(f"frames must be alike, got {first.shape} {first.dtype} and {frame.shape} {frame.dtype}")
+        yield frame
+    if first is None:
+        raise ValueError("there must be at least one frame")
+
+
+def _numbered(target: Path, frames: Iterable[NDArray[Any]], quality: int) -> list[Path]:
+    """Write all frames to a folder beside the target, then move them into place."""
+    try:
+        room = tempfile.TemporaryDirectory(dir=target.parent, prefix=".frames.")
+    except OSError as error:
+        raise type(error)(error.errno, error.strerror, str(target)) from None
+    with room as folder:
+        made = []
+        for number, frame in enumerate(frames, 1):
+            made.append(target.with_name(target.name % number))
+            (Path(folder) / made[-1].name).write_bytes(photo_output.encoded(target, frame, quality))
+        for path in made:
+            if path.is_dir():
+                raise IsADirectoryError(f"{path} is a directory")
+        for path in made:
+            (Path(folder) / path.name).replace(path)
+    return made
+
+
+def _stack(frames: list[NDArray[Any]]) -> bytes:
+    buffer = io.BytesIO()
+    photometric = "rgb" if frames[0].ndim == 3 else "minisblack"
+    library("tifffile").imwrite(buffer, np.stack(frames), photometric=photometric, metadata=None)
+    return buffer.getvalue()
+
+
+def _animation(target: Path, frames: list[NDArray[Any]], duration: float, quality: int) -> bytes:
+    if frames[0].dtype != np.uint8:
+        raise ValueError(
+            f"{target.name} holds 8 bits, not {frames[0].dtype}; frames of more go to .tif or are numbered"
+        )
+    form = _ANIMATIONS[target.suffix.lower()]
+    if form == "webp" and not library("PIL.features").check("webp"):
+        raise ImportError("this Pillow has no WebP; write .png, .gif or .tif")
+    image = library("PIL.Image")
+    pictures = [image.fromarray(frame) for frame in frames]
+    buffer = io.BytesIO()
+    options: dict[str, Any] = {"quality": quality} if form == "webp" else {}
+    pictures[0].save(
+        buffer,
+        format=form,
+        save_all=True,
+        append_images=pictures[1:],
+        duration=duration if form == "png" else round(duration),
+        loop=0,
+        **options,
+    )
+    return buffer.getvalue()

@@ -1,0 +1,272 @@
+"""`lommel blur` and `lommel focus-pull`, run as a user runs them, and their files read back."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image
+
+import lommel as lm
+from lommel.imaging import depth_of_field
+from lommel.imaging.encoding import from_light, to_light
+
+LENS = """\
+name = "soft"
+[lens]
+focal_length = "50 mm"
+f_number = 2
+focus_distance = "2 m"
+wavelength = "550 nm"
+[aberrations]
+W040 = 3.0
+[sensor]
+pixel = "40 um"
+shape = 33
+"""
+GIVEN = ("--focal-length", "50mm", "--f-number", "2", "--focus", "2 m", "--pixel", "40um")
+RNG = np.random.default_rng(7)
+# Noise of one colour: formats for pictures keep light better than colour.
+PHOTO = (RNG.integers(40, 200, (30, 36, 1)) * [1.0, 0.8, 0.6]).astype(np.uint8)
+DEPTH = 1.9 + 0.3 * np.linspace(0.0, 1.0, 30 * 36).reshape(30, 36)
+BLUR = "blur photo.png depth.npy"
+FULL = f"{BLUR} lens.toml -o out.png"
+PULL = "focus-pull photo.png depth.npy lens.toml --frames 3"
+BAD = [
+    ("blur photo.png", "Missing argument 'DEPTH'"),
+    (f"{BLUR} lens.toml", "Missing option '-o'"),
+    (f"{BLUR} lens.toml -o out.bmp", "--output must end in .png, .jpg, .jpeg, .tif, .tiff, got 'out.bmp'"),
+    ("blur nowhere.png depth.npy lens.toml -o out.png", "nowhere.png: No such file or directory"),
+    ("blur broken.png depth.npy lens.toml -o out.png", "broken.png cannot be read as a PNG photograph"),
+    ("blur alpha.png depth.npy lens.toml -o out.png", "it has alpha; flatten it first"),
+    ("blur lens.toml depth.npy lens.toml -o out.png", "lens.toml is not a PNG, JPEG or TIFF file"),
+    ("blur photo.png lens.toml lens.toml -o out.png", "lens.toml is not a NPY, PFM, TIFF or PNG file"),
+    (
+        "blur photo.png small.npy lens.toml -o out.png",
+        "must have the size of the upright photo, 36 x 30, got",
+    ),
+    ("blur photo.png depth.png lens.toml -o out.png", "depth.png holds levels (uint16); say how many metres"),
+    ("blur photo.png holes.npy lens.toml -o out.png", "depth is NaN at"),
+    (
+        f"{BLUR} -o out.png --focus 2m --pixel 40um",
+        "give a lens file or --focal-length: photo.png has none",
+    ),
+    (f"{BLUR} -o out.png --focus 2m --focal-length 50mm --f-number 2", "give --pixel or --pixel-from-exif"),
+    (f"{BLUR} -o out.png --focal-length 50mm --f-number 2 --pixel 40um", "without a lens file give --focus"),
+    (
+        "blur camera.png depth.npy --focus 2m --pixel 40um --f-number 2.8 -o out.png",
+        "--f-number f/2.8 contradicts the EXIF of camera.png, f/2; to leave that out give --no-exif",
+    ),
+    (
+        "blur camera.png depth.npy --focus 2m --pixel 40um --focal-length 35mm -o out.png",
+        "--focal-length 35 mm contradicts the EXIF of camera.png, 50 mm",
+    ),
+    (
+        "blur camera.png depth.npy --focus 2m --pixel 40um --no-exif -o out.png",
+        "give a lens file or --focal-length",
+    ),
+    (f"{FULL} --no-exif --pixel-from-exif", "--pixel-from-exif contradicts --no-exif"),
+    (f"{FULL} --pixel 40um --pixel-from-exif", "give one of --pixel and --pixel-from-exif"),
+    (f"{FULL} --focal-length 35mm", "--focal-length has no meaning with a lens file"),
+    (f"{FULL} --f-number 1.4", "--f-number must be at least that of lens.toml, f/2"),
+    (f"{FULL} --f-number nan", "--f-number must be finite, got nan"),
+    (f"{FULL} --focus 10mm", "focus_distance must exceed the focal length 0.05 m"),
+    (f"{FULL} --wavelengths 550nm", "--wavelengths must be three, got 1"),
+    (f"{FULL} --wavelengths 550,540,530", "wavelength is in metres and must be from 1e-12 to 1e-2"),
+    (f"{FULL} --wavelengths red", "'red' is not a length"),
+    (f"{FULL} --energy 2", "energy must be"),
+    (f"{FULL} --tol 0", "tol must be"),
+    (f"{FULL} --bits float", "out.png holds 8 or 16 bits, not float32"),
+    (f"{FULL} --quality 0 ", "quality must be from 1 to 100, got 0"),
+    (f"{FULL} --largest 1", "windows of more than 3 pixels"),
+    (f"{BLUR} lens.toml -o nowhere/out.png", "nowhere/out.png: No such file or directory"),
+    (f"{BLUR} lens.toml -o taken.png", "'taken.png' is a directory"),
+    (f"{PULL} --from 2m -o f-%03d.png", "Missing option '--to'"),
+    (f"{PULL} --from 2m --to 3m -o f.jpg", "--output must have a number such as %03d, or end in .gif"),
+    (f"{PULL} --from 2m --to 3m -o %03d-%03d.png", "--output may have one number such as %03d"),
+    (f"{PULL} --from 2m --to 3m -o f%s.png", "--output may have one number such as %03d"),
+    (f"{PULL} --from 0m --to 3m -o f-%03d.png", "--from must be > 0 metres, got 0"),
+    (f"{PULL} --from 2m --to 3m --fps 0 -o f.gif", "fps must be > 0"),
+    (f"{PULL} --from 2m --to 3m --bits 16 -o f.gif", ".gif holds 8 bits; give --bits 8"),
+    (f"{PULL} --from 2m --to 3m --bits 16 -o f-%03d.jpg", "holds 8 bits, not uint16"),
+    (f"{PULL} --from 2m --to 3m -o nowhere/f-%03d.png", "nowhere/f-%03d.png: No such file or directory"),
+    # The third frame is too far out of focus, the first two are not.
+    (f"{PULL} --from 2m --to 0.2m --largest 14 -o f-%03d.png", "windows of more than 29 pixels"),
+    (f"{PULL} --from 2m --to 0.2m --largest 14 -o f.gif", "windows of more than 29 pixels"),
+]
+
+
+def exif(f_number: float, film: int = 900) -> bytes:
+    tags = Image.Exif()
+    tags[0x8769] = {0x920A: 50.0, 0x829D: f_number, 0xA405: film}
+    return tags.tobytes()
+
+
+@pytest.fixture
+def folder(tmp_path):
+    Image.fromarray(PHOTO).save(tmp_path / "photo.png")
+    Image.fromarray(PHOTO).save(tmp_path / "camera.png", exif=exif(2.0))
+    Image.fromarray(PHOTO[..., 0]).save(tmp_path / "grey.png")
+    Image.fromarray(np.round(DEPTH * 1000).astype(np.uint16)).save(tmp_path / "depth.png")
+    Image.new("RGBA", (36, 30)).save(tmp_path / "alpha.png")
+    np.save(tmp_path / "depth.npy", DEPTH)
+    np.save(tmp_path / "holes.npy", np.where(DEPTH < 2.0, np.nan, DEPTH))
+    np.save(tmp_path / "small.npy", DEPTH[1:])
+    (tmp_path / "lens.toml").write_text(LENS)
+    (tmp_path / "broken.png").write_bytes((tmp_path / "photo.png").read_bytes()[:1000])
+    (tmp_path / "taken.png").mkdir()
+    return tmp_path
+
+
+def expected(image: np.ndarray = PHOTO, depth: np.ndarray = DEPTH, **changes: object) -> np.ndarray:
+    lens = {"focal_length": 50e-3, "f_number": 2.0, "focus_distance": 2.0, "wavelength": 540e-9}
+    lens |= {name: changes.pop(name) for name in list(changes) if name in (*lens, "aberrations")}
+    options = {"pixel": 40e-6, "encoding": "linear"} | changes
+    light = to_light("image", image, "srgb", np.float32)
+    blurred = depth_of_field(light, depth, lm.Lens(**lens), **options).values
+    return from_light(np.clip(blurred, 0.0, 1.0), "srgb", image.dtype)
+
+
+def ran(result: subprocess.CompletedProcess[str]) -> str:
+    assert result.returncode == 0, result.stderr
+    assert result.stderr == ""
+    return result.stdout
+
+
+def test_a_shell_blurs_a_photo_as_python_does(run_lommel, folder):
+    told = ran(run_lommel("blur", "photo.png", "depth.npy", *GIVEN, "-o", "out.png", folder=folder))
+    assert told.splitlines()[-1] == "wrote out.png"
+    np.testing.assert_array_equal(np.asarray(Image.open(folder / "out.png")), expected())
+
+
+def test_a_lens_file_has_its_aberrations_and_they_shrink_with_the_stop(call_lommel, folder):
+    arguments = ("blur", "photo.png", "depth.npy", "lens.toml")
+    radius = 2.0 / 2.8
+    stopped = lm.Wavefront.from_seidel(W040=3.0 * radius**4)
+    for options, changes in (
+        ([], {"aberrations": lm.Wavefront.from_seidel(W040=3.0)}),
+        (["--f-number", "2.8"], {"f_number": 2.8, "aberrations": stopped}),
+        (["--focus", "inf", "--largest", "30"], {"focus_distance": np.inf, "largest": 30}),
+    ):
+        ran(call_lommel(*arguments, *options, "-o", "out.png", folder=folder))
+        wanted = {"wavelength": 550e-9, "aberrations": lm.Wavefront.from_seidel(W040=3.0)} | changes
+        found = np.asarray(Image.open(folder / "out.png")).astype(int)
+        assert np.abs(found - expected(**wanted)).max() <= 1
+
+
+def test_exif_tells_what_no_option_does(call_lommel, folder):
+    ran(call_lommel("blur", "camera.png", "depth.npy", "--focus", "2 m", "--pixel", "40um", "-o", "a.png",
+                    folder=folder))  # fmt: skip
+    np.testing.assert_array_equal(np.asarray(Image.open(folder / "a.png")), expected())
+    told = ran(call_lommel("blur", "camera.png", "depth.npy", "--focus", "2 m", "--pixel-from-exif", "--json",
+                           "-o", "b.png", folder=folder))  # fmt: skip
+    assert json.loads(told)["pixel"] == pytest.approx(np.hypot(36e-3, 24e-3) / 18 / np.hypot(36, 30))
+
+
+def test_levels_of_depth_have_a_scale_and_holes_are_filled_where_asked(call_lommel, folder):
+    ran(call_lommel("blur", "photo.png", "depth.png", *GIVEN, "--depth-scale", "1e-3", "-o", "a.png", folder=folder))
+    rounded = np.round(DEPTH * 1000) / 1000
+    np.testing.assert_array_equal(np.asarray(Image.open(folder / "a.png")), expected(depth=rounded))
+    ran(call_lommel("blur", "photo.png", "holes.npy", *GIVEN, "--missing", "nearest", "-o", "b.png", folder=folder))
+    filled = expected(depth=np.where(DEPTH < 2.0, np.nan, DEPTH), missing="nearest")
+    np.testing.assert_array_equal(np.asarray(Image.open(folder / "b.png")), filled)
+
+
+@pytest.mark.parametrize(
+    ("name", "bits", "dtype"),
+    [
+        ("a.tif", "float", np.float32),
+        ("a.tif", "16", np.uint16),
+        ("a.png", "16", np.uint16),
+        ("a.jpg", None, np.uint8),
+    ],
+)
+def test_the_output_has_the_bits_asked_for(call_lommel, folder, name, bits, dtype):
+    options = () if bits is None else ("--bits", bits)
+    told = ran(call_lommel("blur", "grey.png", "depth.npy", *GIVEN, *options, "--json", "-o", name, folder=folder))
+    values = tifffile.imread(folder / name) if name == "a.tif" else np.asarray(Image.open(folder / name))
+    assert values.dtype == dtype
+    floats = values if dtype == np.float32 else values / np.iinfo(dtype).max
+    light = floats if dtype == np.float32 else to_light("a", floats.astype(np.float64), "srgb", np.float64)
+    as_eight = from_light(np.asarray(light), "srgb", np.uint8).astype(int)
+    off = np.abs(as_eight - expected(PHOTO[..., 0], wavelength=550e-9))
+    assert off.max() <= (8 if name == "a.jpg" else 0)
+    assert json.loads(told)["encoding"]["output"] == ("linear" if bits == "float" else "srgb")
+
+
+def test_what_is_brighter_than_white_stays_white_and_is_told(call_lommel, folder):
+    # A bright far wall spreads over a near bar: where they meet, light adds up.
+    near = np.zeros((30, 36), bool)
+    near[:, 12:20] = True
+    Image.fromarray(np.full((30, 36), 255, np.uint8)).save(folder / "white.png")
+    np.save(folder / "edge.npy", np.where(near, 2.0, 4.0))
+    arguments = ("blur", "white.png", "edge.npy", *GIVEN, "-o", "a.png")
+    told = ran(call_lommel(*arguments, folder=folder))
+    assert "clipped at white" in told
+    share = json.loads(ran(call_lommel(*arguments, "--json", folder=folder)))["clipped"]
+    assert 0.0 < share < 0.5
+    assert np.asarray(Image.open(folder / "a.png")).max() == 255
+
+
+def test_a_focus_pull_is_numbered_or_one_file_with_the_same_frames(call_lommel, folder):
+    arguments = (*PULL.split(), "--from", "1.8 m", "--to", "2.6 m")
+    for name in ("f-%02d.png", "a.tif", "a.apng", "a.gif", "a.webp"):
+        told = ran(call_lommel(*arguments, "-o", name, folder=folder))
+        assert told.count("wrote ") == (3 if "%" in name else 1)
+    # Equally spaced in dioptres.
+    focus = [1.8, 2.0 / (1.0 / 1.8 + 1.0 / 2.6), 2.6]
+    soft = lm.Wavefront.from_seidel(W040=3.0)
+    wanted = [expected(focus_distance=s, wavelength=550e-9, aberrations=soft) for s in focus]
+    stack = tifffile.imread(folder / "a.tif")
+    for k in range(3):
+        np.testing.assert_array_equal(np.asarray(Image.open(folder / f"f-{k + 1:02d}.png")), wanted[k])
+        np.testing.assert_array_equal(stack[k], wanted[k])
+    for name in ("a.apng", "a.gif", "a.webp"):
+        with Image.open(folder / name) as file:
+            assert file.n_frames == 3
+            for k in range(3):
+                file.seek(k)
+                frame = np.asarray(file.convert("RGB")).astype(int)
+                off = [np.abs(frame - image).mean() for image in wanted]
+                assert np.argmin(off) == k
+                assert off[k] <= {"a.apng": 0.0, "a.gif": 6.0, "a.webp": 6.0}[name]
+    told = json.loads(ran(call_lommel(*arguments, "--json", "-o", "a.gif", folder=folder)))
+    assert told["focus_distances"] == pytest.approx(focus)
+
+
+@pytest.mark.parametrize(("arguments", "error"), BAD, ids=[arguments for arguments, _ in BAD])
+def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(call_lommel, folder, arguments, error):
+    before = sorted(folder.rglob("*"))
+    result = call_lommel(*arguments.split(), folder=folder)
+    assert result.returncode == 2
+    assert result.stdout == ""
+    *usage, last = [line for line in result.stderr.splitlines() if line]
+    assert last.startswith("Error: ")
+    assert error in last
+    assert all(line.startswith(("Usage: lommel", "Try 'lommel")) for line in usage)
+    assert sorted(folder.rglob("*")) == before
+
+
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupted_focus_pull_leaves_nothing(folder, sent):
+    before = sorted(folder.rglob("*"))
+    command = [Path(sys.executable).with_name("lommel"), "focus-pull", "photo.png", "depth.npy", "lens.toml"]
+    options = ["--from", "1.8 m", "--to", "2.6 m", "--frames", "9999", "-o", "f-%04d.png"]
+    with subprocess.Popen([*map(str, command), *options], cwd=folder, stderr=subprocess.PIPE, text=True) as running:
+        until = time.monotonic() + 60.0
+        while not any(".frames." in str(path.parent) for path in folder.rglob("*.png")):
+            assert time.monotonic() < until
+            assert running.poll() is None
+            time.sleep(0.02)
+        os.kill(running.pid, sent)
+        assert running.wait(60) == 1
+        assert running.stderr.read().strip() == "Aborted!"
+    assert sorted(folder.rglob("*")) == before

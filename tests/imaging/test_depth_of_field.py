@@ -8,7 +8,7 @@ from scipy.signal import fftconvolve
 
 import lommel as lm
 from lommel.imaging import RED_GREEN_BLUE, DepthBlur, depth_of_field
-from lommel.imaging.depth_of_field import fill_missing
+from lommel.imaging.scene import fill_missing
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 8e-6

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from lommel.imaging.encoding import from_light, to_light
+from lommel.imaging.encoding import clipped_share, from_light, to_light
 
 WHOLE = {np.uint8: np.arange(2**8, dtype=np.uint8), np.uint16: np.arange(2**16, dtype=np.uint16)}
 
@@ -51,11 +51,14 @@ def test_linear_light_may_be_negative():
     assert np.array_equal(from_light(to_light("image", values, "linear", np.float64), "linear", np.float64), values)
 
 
-@pytest.mark.parametrize("light", [1.01, 300.0, -0.02])
+@pytest.mark.parametrize(("light", "stored"), [(1.01, 1.0), (300.0, 1.0), (-0.02, 0.0)])
 @pytest.mark.parametrize("kind", [np.uint8, np.uint16])
-def test_integers_that_cannot_hold_the_light_are_not_clipped(light, kind):
-    with pytest.raises(OverflowError, match=rf"do not fit in {np.dtype(kind)}, whose white is 1"):
-        from_light(np.array([0.5, light]), "linear", kind)
+def test_integers_clip_what_they_cannot_hold_and_the_share_is_told(light, stored, kind):
+    both = np.array([0.5, light])
+    assert from_light(both, "linear", kind)[1] == stored * np.iinfo(kind).max
+    assert clipped_share(both, kind) == 0.5
+    assert clipped_share(both, np.float32) == 0.0
+    assert clipped_share(np.array([0.0, 1.0]), kind) == 0.0
 
 
 def test_rounding_at_white_is_forgiven():

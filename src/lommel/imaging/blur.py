@@ -85,6 +85,8 @@ class DepthBlur:
             raise TypeError(f"lens must be a Lens, got {lens!r}")
         if not lens.aberrations.radial or lens.aberrations.shape != ():
             raise ValueError("lens must have radially symmetric aberrations, and one set of them")
+        if lens.spider or lens.vignetting or lens.mask:
+            raise ValueError("lens must have a round aperture, without spider, vignetting and mask")
         self.lens = lens
         self.pixel = validation.pixel(pixel, metric=True)
         self.border = validation.choice("border", border, BORDERS)

@@ -43,10 +43,8 @@ def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -
 def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[Any]:
     """Return stored values of `dtype` from light; the inverse of :func:`to_light`.
 
-    Raises
-    ------
-    OverflowError
-        If an integer type cannot hold the brightest value; nothing is clipped but rounding.
+    In an integer type what is brighter than white is white, as on a sensor that is full, and what is below 0 is 0;
+    :func:`clipped_share` tells how much that is.
     """
     kind = np.dtype(dtype)
     values = light
@@ -57,8 +55,13 @@ def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[
         return values.astype(kind, copy=False)
     most = np.iinfo(kind).max
     scaled = np.rint(values.astype(np.float64) * most)
-    if scaled.size and (scaled.max() > most + 1 or scaled.min() < -1):
-        raise OverflowError(
-            f"values from {values.min():.4g} to {values.max():.4g} do not fit in {kind}, whose white is 1"
-        )
     return np.clip(scaled, 0, most).astype(kind)
+
+
+def clipped_share(light: NDArray[Any], dtype: DTypeLike) -> float:
+    """Return the share of values that an integer type clips by more than its rounding; 0 for floats."""
+    kind = np.dtype(dtype)
+    if kind.kind != "u" or light.size == 0:
+        return 0.0
+    level = 1.0 / np.iinfo(kind).max
+    return float(np.mean((light > 1.0 + level) | (light < -level)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,8 +12,9 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel import validation
 from lommel.imaging.blur import DepthBlur, Spectrum
-from lommel.imaging.depth_of_field import Photograph, channels_of, fill_missing
-from lommel.imaging.encoding import from_light, to_light
+from lommel.imaging.encoding import to_light
+from lommel.imaging.layers import occlude
+from lommel.imaging.scene import Photograph, channels_of, fill_missing, photograph
 from lommel.lens import Lens
 
 
@@ -27,7 +29,7 @@ class FocusPlan:
     ----------
     image, depth, lens, pixel, encoding
         As of :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
-    wavelengths, missing, border, energy, tol, largest, dtype, threads
+    occlusion, wavelengths, missing, border, energy, tol, largest, dtype, threads
         As there.
     keep : int, default 4
         How many settings of the lens are remembered, 1 to 1000: coming back to one costs no windows. A setting takes
@@ -55,6 +57,7 @@ class FocusPlan:
         pixel: float,
         *,
         encoding: str,
+        occlusion: bool = False,
         wavelengths: Sequence[Spectrum] | None = None,
         missing: str = "raise",
         border: str = "reflect",
@@ -65,6 +68,8 @@ class FocusPlan:
         threads: int | None = None,
         keep: int = 4,
     ) -> None:
+        if not isinstance(occlusion, bool | np.bool_):
+            raise TypeError(f"occlusion must be True or False, got {occlusion!r}")
         given = np.asarray(image)
         if given.ndim not in (2, 3) or 0 in given.shape:
             raise ValueError(
@@ -77,7 +82,7 @@ class FocusPlan:
             raise TypeError(f"lens must be a Lens, got {lens!r}")
         self.lens = lens
         self.shape, self.dtype = given.shape, given.dtype
-        self._encoding = encoding
+        self._encoding, self._occlusion = encoding, bool(occlusion)
         self._light = to_light("image", given, encoding, dtype)
         self._depth = distances
         self._keep = validation.integer("keep", keep, least=1, most=1000)
@@ -151,16 +156,12 @@ class FocusPlan:
         if out is not None:
             self._check(out)
         blur = self.blur(focus_distance=focus_distance, f_number=f_number)
-        values = from_light(blur.forward(self._light), self._encoding, self.dtype)
-        if out is not None:
-            np.copyto(out, values)
-            values = out
-        return Photograph(
-            values,
-            blur.lost,
-            max(bank.error for bank in blur.banks),
-            2 * max(bank.half for bank in blur.banks) + 1,
-        )
+        seen = occlude(blur, self._light) if self._occlusion else blur.forward(self._light)
+        made = photograph(seen, blur, self._encoding, self.dtype)
+        if out is None:
+            return made
+        np.copyto(out, made.values)
+        return replace(made, values=out)
 
     def _check(self, out: Any) -> None:
         if not isinstance(out, np.ndarray):

@@ -11,8 +11,8 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel import validation
 from lommel.imaging.blur import DepthBlur, Spectrum
-from lommel.imaging.depth_of_field import Photograph, channels_of, fill_missing
 from lommel.imaging.encoding import from_light, to_light
+from lommel.imaging.scene import Photograph, channels_of, fill_missing
 from lommel.lens import Lens
 
 MISSING = ("raise", "infinity")

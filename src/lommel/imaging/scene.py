@@ -1,0 +1,93 @@
+"""What a photograph is made from and what it is: the checks that all ways to make one share."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from lommel import validation
+from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur, Spectrum
+from lommel.imaging.encoding import clipped_share, from_light
+from lommel.lens import Lens
+
+MISSING = ("raise", "nearest", "infinity")
+
+
+@dataclass(frozen=True, eq=False)
+class Photograph:
+    """What :func:`lommel.imaging.depth_of_field` returns; an array where one is wanted.
+
+    Attributes
+    ----------
+    values : ndarray
+        Of the shape, type and encoding of the image that was given.
+    lost : float
+        Largest share of the light of a point that its window did not hold, and that was spread over the window.
+    error : float
+        Largest error of interpolated windows over their peak that was found.
+    window : int
+        Side of the largest window, pixels.
+    clipped : float
+        Share of values that were above white and are white now, as on a sensor; 0 where the type holds them.
+    """
+
+    values: NDArray[Any]
+    lost: float
+    error: float
+    window: int
+    clipped: float = 0.0
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        """Return the values."""
+        return np.array(self.values, dtype=dtype, copy=copy)
+
+
+def photograph(seen: NDArray[Any], blur: DepthBlur, encoding: str, dtype: DTypeLike) -> Photograph:
+    """Return light as a photograph of `dtype`, with what is known of its error."""
+    return Photograph(
+        from_light(seen, encoding, dtype),
+        blur.lost,
+        max(bank.error for bank in blur.banks),
+        2 * max(bank.half for bank in blur.banks) + 1,
+        clipped_share(seen, dtype),
+    )
+
+
+def channels_of(image: NDArray[Any], lens: Lens, wavelengths: Sequence[Spectrum] | None) -> Sequence[Spectrum]:
+    """Return the spectrum of each channel of an image."""
+    if not isinstance(lens, Lens):
+        raise TypeError(f"lens must be a Lens, got {lens!r}")
+    count = 1 if image.ndim == 2 else image.shape[2]
+    if wavelengths is not None:
+        if not isinstance(wavelengths, Sequence | np.ndarray):
+            raise TypeError(f"wavelengths must be a sequence, one for each channel, got {wavelengths!r}")
+        if len(wavelengths) != count:
+            raise ValueError(f"wavelengths must be one for each of the {count} channels, got {len(wavelengths)}")
+        return wavelengths
+    if count == 1:
+        return (lens.wavelength,)
+    if count == 3:
+        return RED_GREEN_BLUE
+    hint = "; drop the alpha channel" if count in (2, 4) else ""
+    raise ValueError(f"an image of {count} channels needs wavelengths, one for each{hint}")
+
+
+def fill_missing(depth: ArrayLike, missing: str) -> NDArray[Any]:
+    """Return depths whose NaNs are filled as `missing` says."""
+    validation.choice("missing", missing, MISSING)
+    distances = np.asarray(depth)
+    if distances.dtype.kind != "f" or missing == "raise" or not np.isnan(distances).any():
+        return distances
+    unknown = np.isnan(distances)
+    if unknown.all():
+        raise ValueError("depth is NaN everywhere")
+    if missing == "infinity":
+        return np.where(unknown, np.inf, distances)
+    from scipy.ndimage import distance_transform_edt
+
+    nearest = distance_transform_edt(unknown, return_distances=False, return_indices=True)
+    return np.asarray(distances[tuple(nearest)])

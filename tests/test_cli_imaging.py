@@ -131,7 +131,7 @@ def expected(image: np.ndarray = PHOTO, depth: np.ndarray = DEPTH, **changes: ob
     lens |= {name: changes.pop(name) for name in list(changes) if name in (*lens, "aberrations")}
     options = {"pixel": 40e-6, "encoding": "linear"} | changes
     light = to_light("image", image, "srgb", np.float32)
-    blurred = depth_of_field(light, depth, lm.Lens(**lens), **options).values
+    blurred = depth_of_field(light, depth, lm.Lens(**lens), occlusion=True, **options).values
     return from_light(np.clip(blurred, 0.0, 1.0), "srgb", image.dtype)
 
 
@@ -202,13 +202,13 @@ def test_the_output_has_the_bits_asked_for(call_lommel, folder, name, bits, dtyp
     assert json.loads(told)["encoding"]["output"] == ("linear" if bits == "float" else "srgb")
 
 
-def test_what_is_brighter_than_white_stays_white_and_is_told(call_lommel, folder):
+def test_without_occlusion_light_adds_up_beyond_white_and_is_told(call_lommel, folder):
     # A bright far wall spreads over a near bar: where they meet, light adds up.
     near = np.zeros((30, 36), bool)
     near[:, 12:20] = True
     Image.fromarray(np.full((30, 36), 255, np.uint8)).save(folder / "white.png")
     np.save(folder / "edge.npy", np.where(near, 2.0, 4.0))
-    arguments = ("blur", "white.png", "edge.npy", *GIVEN, "-o", "a.png")
+    arguments = ("blur", "white.png", "edge.npy", *GIVEN, "--no-occlusion", "-o", "a.png")
     told = ran(call_lommel(*arguments, folder=folder))
     assert "clipped at white" in told
     share = json.loads(ran(call_lommel(*arguments, "--json", folder=folder)))["clipped"]

@@ -20,8 +20,8 @@ from skimage.data import stereo_motorcycle
 
 import lommel as lm
 from lommel.imaging import DepthBlur
-from lommel.imaging.depth_of_field import fill_missing
 from lommel.imaging.encoding import from_light, to_light
+from lommel.imaging.scene import fill_missing
 
 left, _, disparity = stereo_motorcycle()
 known = np.isfinite(disparity)

@@ -58,6 +58,8 @@ def _photo_command(command: Callable[..., None]) -> Callable[..., None]:
                      help="Of the photo's values. By default integers are sRGB, floats linear."),
         click.option("--border", type=click.Choice(kinds["border"]), default="reflect", show_default=True,
                      help="What lies beyond the edges of the photo."),
+        click.option("--occlusion/--no-occlusion", default=True, show_default=True,
+                     help="Near points hide far ones; without, light is only added, which is quicker."),
         click.option("--energy", type=float, default=0.98, show_default=True,
                      help="Share of the light of each point that its window must hold."),
         click.option("--tol", type=float, default=1e-4, show_default=True,
@@ -248,7 +250,7 @@ def _prepare(output: Path, options: dict[str, Any]) -> _Job:
     # Values of the same kind stay encoded as they are; others become what readers will take them for.
     kept = (dtype.kind == "f") == (picture.values.dtype.kind == "f")
     encoding = picture.encoding if kept else "linear" if dtype.kind == "f" else "srgb"
-    settings = {name: options[name] for name in ("border", "energy", "tol", "largest", "missing")}
+    settings = {name: options[name] for name in ("border", "occlusion", "energy", "tol", "largest", "missing")}
     settings["wavelengths"] = wavelengths
     return _Job(picture, picture.light(), depth, encoding, dtype, pixel, parts, focus, settings)
 

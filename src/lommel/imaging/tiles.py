@@ -11,7 +11,7 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel import validation
 from lommel.imaging.blur import DepthBlur, Spectrum
-from lommel.imaging.encoding import from_light, to_light
+from lommel.imaging.encoding import clipped_share, from_light, to_light
 from lommel.imaging.scene import Photograph, channels_of, fill_missing
 from lommel.lens import Lens
 
@@ -78,7 +78,11 @@ class TileBlur:
         self.overlap = max(bank.half for bank in self._whole.banks)
 
     def __call__(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
-        """Return the photograph of a part; within `overlap` of a side where the image goes on it is not complete.
+        """Return the photograph of a part, stored as the image is; see :meth:`light`."""
+        return from_light(self.light(image, depth), self.encoding, image.dtype)
+
+    def light(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
+        """Return the light of a part; within `overlap` of a side where the image goes on it is not complete.
 
         Raises
         ------
@@ -93,17 +97,16 @@ class TileBlur:
                 f"depth must give C_d from {low:.6g} to {high:.6g} rad, as the depths named for the whole image, "
                 f"got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}"
             )
-        light = to_light("image", image, self.encoding, blur.dtype)
-        return from_light(blur.forward(light), self.encoding, image.dtype)
+        return blur.forward(to_light("image", image, self.encoding, blur.dtype))
 
     def chunk(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
         """Return the photograph of a part whose depth has as many axes as the image."""
         return self(image, depth.reshape(depth.shape[:2]))
 
-    def photograph(self, values: NDArray[Any]) -> Photograph:
-        """Return values as a photograph, with what is known of their error."""
+    def photograph(self, values: NDArray[Any], clipped: float) -> Photograph:
+        """Return values as a photograph, with what is known of their error and the share that was clipped."""
         errors = [bank.error for bank in self._whole.banks]
-        return Photograph(values, self._whole.lost, max(errors), 2 * self.overlap + 1)
+        return Photograph(values, self._whole.lost, max(errors), 2 * self.overlap + 1, clipped)
 
 
 def depth_of_field_by_tiles(
@@ -161,11 +164,14 @@ def depth_of_field_by_tiles(
         image.shape, depth_range(depth, missing), lens, pixel, encoding=encoding, missing=missing, **options
     )
     tiles = list(_tiles(image.shape[:2], tile, blur.overlap))
+    clipped = 0.0
     for done, (inside, around, within) in enumerate(tiles, 1):
-        out[inside] = blur(image[around], np.asarray(depth[around]))[within]
+        seen = blur.light(image[around], np.asarray(depth[around]))[within]
+        out[inside] = from_light(seen, encoding, image.dtype)
+        clipped += clipped_share(seen, image.dtype) * seen.size / out.size
         if progress is not None:
             progress(done, len(tiles))
-    return blur.photograph(out)
+    return blur.photograph(out, clipped)
 
 
 def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, float]:

@@ -211,18 +211,20 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
     using Spreader = lommel::Spreader<T>;
     std::uniform_real_distribution<double> share(0.5, 1.5), place(-0.5, 5.5);
     const std::size_t count = 6, side = 2 * widest + 1, wide = width + 2 * widest, high = height + 2 * widest;
-    const std::size_t stride = std::max((side + 15) / 16 * 16, (Spreader::padding + side - 1) / side);
-    std::vector<T> windows((count + 1) * side * stride, T(0)), image(height * width), taken(height * width);
-    std::vector<T> out(high * wide, T(0)), other(high * wide + Spreader::padding, T(0));
+    const std::size_t rows = widest + 1, stride = std::max((side + 15) / 16 * 16, (Spreader::padding + rows - 1) / rows);
+    const std::size_t broad = wide + Spreader::beyond;
+    std::vector<T> windows((count + 1) * rows * stride, T(0)), image(height * width), taken(height * width);
+    std::vector<T> out(high * broad, T(0)), other(high * wide + Spreader::padding, T(0));
     std::vector<std::int32_t> halves(count - 1);
     std::vector<double> energies(count * (widest + 1), 0.0), positions(height * width);
     for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t y = 0; y < side; ++y) {
+        // Stored from the middle row down; those above are alike.
+        for (std::size_t y = 0; y < rows; ++y) {
             for (std::size_t x = 0; x < side; ++x) {
-                const T value = windows[(i * side + y) * stride + x] = static_cast<T>(share(random));
-                const std::size_t away = std::max(y > widest ? y - widest : widest - y, x > widest ? x - widest : widest - x);
+                const T value = windows[(i * rows + y) * stride + x] = static_cast<T>(share(random));
+                const std::size_t away = std::max(y, x > widest ? x - widest : widest - x);
                 for (std::size_t half = away; half <= widest; ++half) {
-                    energies[i * (widest + 1) + half] += static_cast<double>(value);
+                    energies[i * (widest + 1) + half] += (y == 0 ? 1.0 : 2.0) * static_cast<double>(value);
                 }
             }
         }
@@ -236,16 +238,17 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
         positions[i] = place(random);
         light += positions[i] < 0.0 ? 0.0 : static_cast<double>(image[i]);
     }
-    for (std::size_t i = 0; i < out.size(); ++i) {
+    for (std::size_t i = 0; i < high * wide; ++i) {
         other[i] = static_cast<T>(share(random));
     }
     const lommel::WindowBank<T> bank{windows.data(), halves.data(), energies.data(), count, widest, stride};
     const Spreader spreader(bank, positions.data(), height, width, threads);
     spreader.forward(image.data(), out.data());
     spreader.adjoint(other.data(), taken.data());
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        arrived += static_cast<double>(out[i]);
-        one += static_cast<double>(out[i]) * static_cast<double>(other[i]);
+    for (std::size_t i = 0; i < high * wide; ++i) {
+        const double value = static_cast<double>(out[i / wide * broad + i % wide]);
+        arrived += value;
+        one += value * static_cast<double>(other[i]);
     }
     for (std::size_t i = 0; i < image.size(); ++i) {
         two += static_cast<double>(image[i]) * static_cast<double>(taken[i]);

@@ -41,10 +41,10 @@ def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -
 
 
 def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[Any]:
-    """Return stored values of `dtype` from light; the inverse of :func:`to_light`.
+    """Return stored values of `dtype` from light; the inverse of :func:`lommel.imaging.encoding.to_light`.
 
     In an integer type what is brighter than white is white, as on a sensor that is full, and what is below 0 is 0;
-    :func:`clipped_share` tells how much that is.
+    :func:`lommel.imaging.encoding.clipped_share` tells how much that is.
     """
     kind = np.dtype(dtype)
     values = light

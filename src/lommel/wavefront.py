@@ -121,7 +121,8 @@ class Wavefront(Descriptions):
 
     def edge_terms(self) -> dict[tuple[int, int], NDArray[np.float64]]:
         """Return all Zernike coefficients, radians at the edge, by (n, m), without the constant."""
-        legendre = self.coefficients @ zernike.powers_to_legendre(self.coefficients.shape[-1])[1:].T
+        matrix = zernike.powers_to_legendre(self.coefficients.shape[-1])[1:]
+        legendre = (self.coefficients @ matrix.T).astype(np.float64)
         radial = {(2 * k + 2, 0): legendre[..., k] for k in range(legendre.shape[-1])}
         return radial | dict(self.nonradial)
 

@@ -288,3 +288,13 @@ def test_phases_beyond_all_sense_are_refused_as_such(method):
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1e300}))
     with pytest.raises(ValueError, match="phases must be at most 1e6 radians"):
         lm.psf(pupil, 9, 0.5, method=method)
+
+
+@pytest.mark.parametrize("method", [lm.NijboerZernike, lm.ChordalGauss])
+def test_radial_terms_of_high_degree_whose_powers_cancel_are_certified_or_refused(method):
+    # R_20^0 is kept as powers of rho of up to 1e6, which cancel to 1.
+    wavefront = lm.Wavefront.zernike({(20, 0): 8.0, (3, 1): 1.0}, normalization="edge")
+    pupil = lm.Pupil(wavefront)
+    assert_within_bound(pupil, lm.psf(pupil, 17, 0.4, method=method(1e-6), dtype=np.float64))
+    with pytest.raises(lm.ToleranceError, match="cannot be met"):
+        lm.psf(pupil, 17, 0.4, method=method(1e-11), dtype=np.float64)

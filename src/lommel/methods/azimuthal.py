@@ -63,7 +63,7 @@ def expand(pupil: Pupil, grid: Grid, shift: tuple[float, float] = (0.0, 0.0)) ->
     """Return the terms of a stack, its axis moved by `shift` (rows, columns) of a pixel."""
     wavefront = pupil.wavefront.flattened()
     powers = wavefront.coefficients
-    piston = powers @ zernike.powers_to_legendre(powers.shape[-1])[0]
+    piston = (powers @ zernike.powers_to_legendre(powers.shape[-1])[0]).astype(np.float64)
     found = {(0, 0): piston} | {term: c for term, c in wavefront.edge_terms().items() if np.any(c)}
     step, flat = grid.step(pupil), (len(powers),)
     axes = []
@@ -89,6 +89,22 @@ def expand(pupil: Pupil, grid: Grid, shift: tuple[float, float] = (0.0, 0.0)) ->
     n, m = (np.array([term[i] for term in terms], dtype=np.int32) for i in (0, 1))
     together = [np.ascontiguousarray(np.stack([c.get(t, zero) for t in terms], axis=-1)) for c in (outer, inner)]
     return Terms(n, m, *together, *axes)
+
+
+def phase_rounding(pupil: Pupil, peaks: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Bound, over the peak of I, what rounding does when powers of rho become Zernike terms; shape (n,).
+
+    A wavefront keeps its radial part as powers, which cancel where their degree is high. An error of the phase
+    reaches U undiminished at most, and I doubled over the root of the peak.
+    """
+    powers = np.abs(pupil.coefficients())
+    matrix = np.abs(zernike.powers_to_legendre(powers.shape[1])).astype(np.float64)
+    unit = (powers.shape[1] + 3) * float(np.finfo(np.longdouble).eps)
+    legendre = powers @ matrix.T
+    error = unit * legendre.sum(axis=1) + 2.0**-50 * np.abs(pupil.wavefront.flattened().coefficients @ matrix.T).sum(
+        axis=1
+    )
+    return np.asarray(error * (2.0 / np.sqrt(peaks) + error / peaks))
 
 
 def render(
@@ -129,7 +145,13 @@ def render(
         )
         if unmet:
             return Rendered(values, scales, bounds, peaks, unmet)
-    return Rendered(values, scales, bounds, peaks, 0.0)
+    added = (2.0 if scale is None else 1.0) * phase_rounding(pupil, peaks)
+    if (bounds + added).max() <= tol:
+        return Rendered(values, scales, bounds + added, peaks, 0.0)
+    if added.max() > 0.4 * tol:
+        return Rendered(values, scales, bounds, peaks, float((bounds + added).max()))
+    # Proven with nothing to spare: with half the tolerance there is.
+    return render(pupil, grid, scale, dtype, 0.5 * tol, out=values, shift=shift, threads=threads)
 
 
 def averaged(

@@ -170,17 +170,22 @@ def scaled(
 
 
 @lru_cache(maxsize=32)
-def powers_to_legendre(terms: int) -> NDArray[np.float64]:
+def powers_to_legendre(terms: int) -> NDArray[np.longdouble]:
     """Return the matrix, shape ``(terms + 1, terms)``, from coefficients of t, t^2, ... to those of R_0^0, R_2^0, ...
 
-    With t = rho^2: ``t^k = sum_j (2 j + 1) k!^2 / ((k - j)! (k + j + 1)!) R_2j^0``. The first row is the constant.
+    With t = rho^2: ``t^k = sum_j (2 j + 1) k!^2 / ((k - j)! (k + j + 1)!) R_2j^0``. The first row is the constant. In
+    extended precision where the platform has it, since powers of high degree cancel.
     """
     f = math.factorial
     made = np.array(
         [
-            [(2 * j + 1) * f(k) ** 2 / (f(k - j) * f(k + j + 1)) if j <= k else 0.0 for k in range(1, terms + 1)]
+            [
+                np.longdouble((2 * j + 1) * f(k) ** 2) / np.longdouble(f(k - j) * f(k + j + 1)) if j <= k else 0.0
+                for k in range(1, terms + 1)
+            ]
             for j in range(terms + 1)
-        ]
+        ],
+        dtype=np.longdouble,
     )
     made.flags.writeable = False
     return made

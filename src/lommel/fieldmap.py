@@ -250,8 +250,7 @@ class FieldMap:
         method : Method, optional
             By default what :func:`lommel.psf` takes by default.
         """
-        chosen: dict[str, Any] = {} if method is None else {"method": method}
-        return psf(self.pupil(x, y), shape, pixel, **chosen, **options)
+        return psf(self.pupil(x, y), shape, pixel, method=method, **options)
 
     def grid(
         self,

@@ -22,7 +22,6 @@ struct ActiveOrders {
     };
     std::array<std::vector<Order>, 4> of;
     bool sines = false;  // whether any B_m is not negligible
-    std::size_t count() const { return of[0].size() + of[1].size() + of[2].size() + of[3].size(); }
 
     void add(std::size_t m) {
         std::vector<Order>& list = of[m % 4];

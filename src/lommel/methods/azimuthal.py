@@ -97,13 +97,12 @@ def phase_rounding(pupil: Pupil, peaks: NDArray[np.float64]) -> NDArray[np.float
     A wavefront keeps its radial part as powers, which cancel where their degree is high. An error of the phase
     reaches U undiminished at most, and I doubled over the root of the peak.
     """
-    powers = np.abs(pupil.coefficients())
-    matrix = np.abs(zernike.powers_to_legendre(powers.shape[1])).astype(np.float64)
-    unit = (powers.shape[1] + 3) * float(np.finfo(np.longdouble).eps)
-    legendre = powers @ matrix.T
-    error = unit * legendre.sum(axis=1) + 2.0**-50 * np.abs(pupil.wavefront.flattened().coefficients @ matrix.T).sum(
-        axis=1
-    )
+    powers = pupil.coefficients()
+    # No entry is negative.
+    matrix = zernike.powers_to_legendre(powers.shape[1]).astype(np.float64)
+    products = (powers.shape[1] + 3) * float(np.finfo(np.longdouble).eps) * (np.abs(powers) @ matrix.T)
+    # What they add up to is rounded once more, to double precision.
+    error = (products + 2.0**-50 * np.abs(powers @ matrix.T)).sum(axis=1)
     return np.asarray(error * (2.0 / np.sqrt(peaks) + error / peaks))
 
 

@@ -17,7 +17,7 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 
 # Each imports only what stands before it, or beside it in a package of its own.
 ORDER = [
-    {"validation", "units", "_core"},
+    {"validation", "units", "atomic", "_core"},
     {"special"},
     {"descriptions"},
     {"wavefront", "aperture"},

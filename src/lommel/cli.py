@@ -402,8 +402,8 @@ def _save_figure(figure: Any, path: Path) -> None:
     """Write a figure through a temporary name."""
     import io
 
-    from lommel.files import write_atomically
+    from lommel import atomic
 
     buffer = io.BytesIO()
     figure.savefig(buffer, format=_figure_format(path), dpi=150)
-    write_atomically(path, buffer.getvalue())
+    atomic.write(path, buffer.getvalue())

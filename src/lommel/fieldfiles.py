@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
-import tempfile
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -13,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import files, validation
+from lommel import atomic, files, validation
 from lommel.fieldmap import PSFGrid
 from lommel.files import FileError
 from lommel.psf import PSF
@@ -64,13 +62,13 @@ def save(grid: PSFGrid, path: str | PathLike[str]) -> None:
         return
     text = json.dumps(description, allow_nan=False)
     if suffix == ".npz":
-        files.write_atomically(target, files._npz(psf, text))
+        atomic.write(target, files._npz(psf, text))
         return
     factor, unit = (1e6, "µm") if grid.unit == "m" else (1.0, "reference frame")
     y, x = (part.ravel() * factor for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
     planes = {"PositionX": x.tolist(), "PositionY": y.tolist()}
     planes |= dict.fromkeys(("PositionXUnit", "PositionYUnit"), [unit] * x.size)
-    files.write_atomically(target, files._tiff(psf, text, planes))
+    atomic.write(target, files._tiff(psf, text, planes))
 
 
 def load(path: str | PathLike[str]) -> PSFGrid:
@@ -108,17 +106,12 @@ def _zarr() -> Any:
 
 
 def _write_zarr(grid: PSFGrid, target: Path, description: dict[str, Any]) -> None:
-    """Write a Zarr store to a temporary folder next to `target` and move it into place."""
     zarr = _zarr()
     if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
         raise ValueError(f"path must be new or a Zarr store, got {str(target)!r}, which is something else")
-    try:
-        temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=f".{target.name}."))
-    except OSError as error:
-        raise type(error)(error.errno, error.strerror, str(target)) from None
-    try:
-        made = temporary / "new"
-        group = zarr.create_group(made, zarr_format=3, attributes={"lommel": description})
+
+    def fill(folder: Path) -> None:
+        group = zarr.create_group(folder, zarr_format=3, attributes={"lommel": description})
         shape = grid.values.shape
         dimensions = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
         # A chunk for each PSF: what is read together.
@@ -139,24 +132,8 @@ def _write_zarr(grid: PSFGrid, target: Path, description: dict[str, Any]) -> Non
                 attributes={"units": grid.unit},
             )
             axis[...] = positions
-        _open_to_others(made)
-        if target.exists():
-            # Two renames: there is no moment at which neither store exists.
-            target.replace(temporary / "old")
-        made.replace(target)
-    finally:
-        old = temporary / "old"
-        if old.exists() and not target.exists():
-            old.replace(target)
-        shutil.rmtree(temporary, ignore_errors=True)
 
-
-def _open_to_others(folder: Path) -> None:
-    """Give a folder and what is in it the permissions that the umask allows; zarr makes files private or not."""
-    mask = os.umask(0)
-    os.umask(mask)
-    for path in (folder, *folder.rglob("*")):
-        path.chmod((0o777 if path.is_dir() else 0o666) & ~mask)
+    atomic.write_folder(target, fill)
 
 
 def _read_zarr(source: Path) -> tuple[PSF, dict[str, Any]]:

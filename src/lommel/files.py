@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-import os
-import tempfile
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -13,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel import atomic, validation
 from lommel.grid import Grid
 from lommel.methods import method_from_dict
 from lommel.psf import PSF
@@ -42,7 +40,8 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
 
     Derivatives go into ``.npz`` only. The description is JSON: version, pupil (wavefront, obscuration, wavelength,
     f-number, lens distances), method with all its options, normalisation, pixel, error bound. The file is written
-    under a temporary name and moved into place, so that a failure leaves what was there before.
+    under a temporary name and moved into place, so that a failure leaves what was there before; links are followed
+    and permissions kept (:func:`lommel.atomic.together`).
 
     Raises
     ------
@@ -60,7 +59,7 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
         raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
     if psf.derivatives and writer is not _npz:
         raise ValueError(f"path must end in .npz for a PSF with derivatives, got {str(path)!r}")
-    write_atomically(target, writer(psf, json.dumps(describe(psf), allow_nan=False)))
+    atomic.write(target, writer(psf, json.dumps(describe(psf), allow_nan=False)))
 
 
 def load(path: str | PathLike[str]) -> PSF:
@@ -120,26 +119,6 @@ def describe(psf: PSF) -> dict[str, Any]:
         "shape": list(psf.shape),
         "dtype": str(psf.values.dtype),
     }
-
-
-def write_atomically(target: Path, data: bytes) -> None:
-    """Write `data` to a temporary file next to `target` and move it into place."""
-    try:
-        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-    except OSError as error:
-        # Told with the name that was asked for.
-        raise type(error)(error.errno, error.strerror, str(target)) from None
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        # mkstemp makes files private; a new file has what the umask allows.
-        mask = os.umask(0)
-        os.umask(mask)
-        Path(temporary).chmod(0o666 & ~mask)
-        Path(temporary).replace(target)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
 
 
 def rebuild(values: NDArray[Any], description: dict[str, Any], slopes: dict[str, NDArray[Any]]) -> PSF:

@@ -13,7 +13,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from lommel import faults, validation
+from lommel import atomic, faults, validation
 from lommel.descriptions import NORMALIZATIONS
 from lommel.special import zernike
 from lommel.units import _LENGTHS, parse_length
@@ -177,8 +177,6 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable) -> None:
     OSError
         If the file cannot be written.
     """
-    from lommel.files import write_atomically
-
     if not isinstance(table, ZernikeTable):
         raise TypeError(f"table must be a ZernikeTable, got {table!r}")
     target = Path(path)
@@ -200,7 +198,7 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable) -> None:
         text = "\n".join(
             [*head, "n,m,value" if pair else "index,value", *(f"{k},{c!r}" for k, c in terms.items()), ""]
         )
-    write_atomically(target, text.encode())
+    atomic.write(target, text.encode())
 
 
 def build(

@@ -211,7 +211,7 @@ class Mask:
     _digest: bytes = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        given = np.asarray(self.values)
+        given = validation.array("values", self.values)
         if given.dtype == np.bool_:
             given = given.astype(np.float64)
         if given.ndim != 2 or given.shape[0] != given.shape[1] or not 2 <= given.shape[0] <= MAX_SIDE:
@@ -241,7 +241,7 @@ class Mask:
         if not callable(function):
             raise TypeError(f"function must be callable, got {function!r}")
         at = cell_centers(n)
-        return cls(np.broadcast_to(np.asarray(function(at[None, :], at[:, None])), (n, n)))
+        return cls(np.broadcast_to(validation.array("function", function(at[None, :], at[:, None])), (n, n)))
 
     @property
     def side(self) -> int:

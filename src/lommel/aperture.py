@@ -278,7 +278,8 @@ class Mask:
     def from_dict(cls, description: Mapping[str, Any]) -> Mask:
         """Rebuild a mask from :meth:`to_dict`."""
         side = validation.integer("side", description["side"], least=2, most=MAX_SIDE)
-        data = zlib.decompress(base64.b64decode(description["values"], validate=True))
+        packed = base64.b64decode(description["values"], validate=True)
+        data = zlib.decompressobj().decompress(packed, 8 * side * side + 1)
         return cls(np.frombuffer(data, "<f8").reshape(side, side))
 
 

@@ -33,7 +33,12 @@ def shown(value: Any) -> str:
         text = " ".join(_brief.repr(value).split())
     except ValueError:  # of an integer with more digits than Python writes
         text = f"<{type(value).__name__}>"
-    return text if len(text) <= _SHOWN else f"{text[: _SHOWN - 20]}...{text[-17:]}"
+    return brief(text)
+
+
+def brief(text: str, most: int = _SHOWN) -> str:
+    """Return a text that is too long for a message without its middle."""
+    return text if len(text) <= most else f"{text[: most - 20]}...{text[-17:]}"
 
 
 def line(text: object) -> str:

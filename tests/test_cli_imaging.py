@@ -80,7 +80,7 @@ BAD = [
     (f"{FULL} --f-number nan", "--f-number must be finite, got nan"),
     (f"{FULL} --focus 10mm", "focus_distance must exceed the focal length 0.05 m"),
     (f"{FULL} --wavelengths 550nm", "--wavelengths must be three, got 1"),
-    (f"{FULL} --wavelengths 550,540,530", "wavelength is in metres and must be from 1e-12 to 1e-2"),
+    (f"{FULL} --wavelengths 550m,540m,530m", "wavelength is in metres and must be from 1e-12 to 1e-2"),
     (f"{FULL} --wavelengths red", "'red' is not a length"),
     (f"{FULL} --energy 2", "energy must be"),
     (f"{FULL} --tol 0", "tol must be"),

@@ -11,7 +11,7 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from lommel import reading
 from lommel.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
-from lommel.entries import Angle, Length, Number, Section
+from lommel.entries import Angle, Length, Number, Section, beside
 
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff")
 
@@ -81,7 +81,7 @@ class _Mask(Section):
         if "holds" not in info.data:
             return value  # its own fault is told
         try:
-            values = read_transmission((info.context or {}).get("folder", Path()) / value)
+            values = read_transmission(beside(info.context, value))
         except OSError as error:
             raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
         mask = Mask(values)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import math
 import zlib
 from os import PathLike
 from pathlib import Path
@@ -269,7 +270,9 @@ def _npz(psf: PSF, description: dict[str, Any]) -> bytes:
 
 def _read_npz(data: bytes) -> _Contents:
     arrays = reading.npz(data)
-    return arrays, str(arrays.pop("description"))
+    text = str(arrays.pop("description")(reading.MAX_PIXELS))
+    most = math.prod(json.loads(text)["shape"])
+    return {name: read(most) for name, read in arrays.items()}, text
 
 
 def _png(psf: PSF, description: dict[str, Any]) -> bytes:
@@ -293,6 +296,9 @@ def _read_png(data: bytes) -> _Contents:
     # Opened as what it is: Pillow's limit on the size of pictures from strangers is not for a PSF.
     _images("PIL.Image")
     with _images("PIL.PngImagePlugin").PngImageFile(io.BytesIO(data)) as file:
+        text = str(file.info["lommel"])  # which stands before the picture
+        if list(file.size[::-1]) != json.loads(text)["shape"]:
+            raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, other than it says")
         reading.pixels(*file.size)
         file.load()
-        return {"values": np.asarray(file, dtype=np.uint16)}, file.text["lommel"]
+        return {"values": np.asarray(file, dtype=np.uint16)}, text

@@ -11,8 +11,9 @@ import struct
 import warnings
 import zipfile
 import zlib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -44,7 +45,7 @@ def contents(path: Path, most: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> 
     if status.st_size > most:
         raise OSError(errno.EFBIG, f"has {status.st_size} bytes; the limit is {most}", str(path))
     with path.open("rb") as file:
-        return file.read(most)
+        return file.read(status.st_size)
 
 
 def text(path: Path) -> str:
@@ -88,27 +89,28 @@ def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.
         raise ValueError(f"its header is not that of an array: {str(error) or type(error).__name__}") from None
     if kind.hasobject:
         raise ValueError("it holds Python objects, a pickle")
-    if min(shape, default=1) < 0 or math.prod(shape) > most:
-        raise ValueError(f"it has {' x '.join(map(str, shape))} values; the limit is {most}")
+    if min(shape, default=1) < 0 or math.prod(shape) * kind.itemsize > 8 * most:
+        raise ValueError(f"it has {' x '.join(map(str, shape))} values of {kind}; the limit is {most}")
     return file.tell(), shape, fortran, kind
 
 
-def npz(data: bytes, most: int = validation.MAX_VALUES) -> dict[str, NDArray[Any]]:
-    """Return the arrays of a .npz file by name."""
-    found: dict[str, NDArray[Any]] = {}
-    with zipfile.ZipFile(io.BytesIO(data)) as archive:
-        for member in archive.infolist():
-            name = member.filename.removesuffix(".npy")
-            if name in found or member.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-                raise ValueError(f"{validation.shown(name)} comes twice, or compressed in an unknown way")
-            with archive.open(member) as file:
-                head = file.read(_HEADER)
-                start, shape, _, kind = _npy_header(head, most)
-                size = start + math.prod(shape) * kind.itemsize
-                if size != member.file_size:
-                    raise ValueError(f"{validation.shown(name)} takes {size} bytes, got {member.file_size}")
-                found[name] = npy(head + file.read(), most)[0]
-    return found
+def npz(data: bytes) -> dict[str, Callable[[int], NDArray[Any]]]:
+    """Return what reads the arrays of a .npz file, by name, each with a limit on its values."""
+
+    def read(member: zipfile.ZipInfo, most: int) -> NDArray[Any]:
+        with archive.open(member) as file:
+            head = file.read(_HEADER)
+            start, shape, _, kind = _npy_header(head, most)
+            size = start + math.prod(shape) * kind.itemsize
+            if size != member.file_size:
+                raise ValueError(f"{validation.shown(member.filename)} takes {size} bytes, got {member.file_size}")
+            return npy(head + file.read(), most)[0]
+
+    archive = zipfile.ZipFile(io.BytesIO(data))
+    members = {member.filename.removesuffix(".npy"): member for member in archive.infolist()}
+    if any(member.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED) for member in members.values()):
+        raise ValueError("it is compressed in an unknown way")
+    return {name: partial(read, member) for name, member in members.items()}
 
 
 def tiff(data: bytes) -> None:

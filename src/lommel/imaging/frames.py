@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import io
+import os
 import re
 from collections.abc import Iterable
 from os import PathLike
@@ -99,6 +101,8 @@ def _alike(frames: Iterable[NDArray[Any]]) -> Iterable[NDArray[Any]]:
 
 def _numbered(target: Path, frames: Iterable[NDArray[Any]], quality: int) -> list[Path]:
     """Write all frames, then move them into place."""
+    if not target.parent.is_dir():  # before the first frame is made
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
     made = []
     with atomic.together() as put:
         for number, frame in enumerate(frames, 1):

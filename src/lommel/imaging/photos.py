@@ -199,6 +199,10 @@ def _read_tiff(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
         if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
             raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
         values, axes, profile = page.asarray(), page.axes, page.iccprofile
+    if values.shape != page.shape:
+        raise ValueError(
+            f"its values are of an unknown kind, {page.bitspersample} bits of the format {page.sampleformat}"
+        )
     if axes == "SYX":
         values = np.moveaxis(values, 0, 2)
     elif axes not in ("YX", "YXS"):
@@ -206,7 +210,8 @@ def _read_tiff(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
     if values.dtype not in (np.uint8, np.uint16) and values.dtype.kind != "f":
         raise ValueError(f"it holds {values.dtype}, neither uint8, uint16 nor floats")
     tags = library("PIL.Image").Exif()
-    tags.load(data)
+    if data[2:4] in (b"*\0", b"\0*"):  # Pillow knows those of at most 4 GB
+        tags.load(data)
     return values.astype(values.dtype.newbyteorder("="), copy=False), tags, profile
 
 

@@ -17,7 +17,7 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 
 # Each imports only what stands before it, or beside it in a package of its own.
 ORDER = [
-    {"validation", "atomic", "_core"},
+    {"validation", "atomic", "optional", "_core"},
     {"units"},
     {"reading"},
     {"special"},
@@ -43,8 +43,9 @@ ORDER = [
     {"paper"},
     {"tables"},
     {"cli_parts"},
-    {"cli_imaging"},
+    {"cli_imaging", "cli_methods"},
     {"cli"},
+    {"__main__"},
 ]
 RANK = {name: rank for rank, names in enumerate(ORDER) for name in names}
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import atomic, files, reading, validation
+from lommel import atomic, files, optional, reading, validation
 from lommel.fieldmap import PSFGrid
 from lommel.files import FileError
 from lommel.psf import PSF
@@ -47,7 +47,7 @@ def save(grid: PSFGrid, path: str | PathLike[str]) -> None:
         If the suffix is unknown, for derivatives in anything but ``.npz``, or if there is something at the path of
         a ``.zarr`` that is no Zarr store.
     ImportError
-        If tifffile (``lommel[images]``) or zarr (``lommel[zarr]``) is not installed.
+        If tifffile or zarr is not installed.
     OSError
         If it cannot be written.
     """
@@ -99,11 +99,7 @@ def load(path: str | PathLike[str]) -> PSFGrid:
 
 
 def _zarr() -> Any:
-    try:
-        import zarr
-    except ImportError:
-        raise ImportError('this format needs zarr: install "lommel[zarr]"') from None
-    return zarr
+    return optional.library("zarr", "this format needs", "zarr")
 
 
 def _write_zarr(grid: PSFGrid, target: Path, description: dict[str, Any]) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import atomic, reading, validation
+from lommel import atomic, optional, reading, validation
 from lommel.grid import Grid
 from lommel.methods import method_from_dict
 from lommel.psf import PSF
@@ -51,7 +51,7 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
     ValueError
         If the suffix is unknown, for a PNG of a stack, or for derivatives in anything but ``.npz``.
     ImportError
-        If tifffile or Pillow is not installed (``lommel[images]``).
+        If tifffile or Pillow is not installed.
     OSError
         If the file cannot be written.
     """
@@ -198,10 +198,7 @@ def _values(stored: NDArray[Any], kind: str, picture: Any = None) -> NDArray[Any
 
 
 def _images(name: str) -> Any:
-    try:
-        return __import__(name, fromlist=["_"])
-    except ImportError:
-        raise ImportError(f'this format needs {name.split(".", maxsplit=1)[0]}: install "lommel[images]"') from None
+    return optional.library(name, "this format needs", "images")
 
 
 def _text(psf: PSF, description: dict[str, Any], **slopes: NDArray[Any]) -> str:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from importlib import import_module
 from typing import Any
 
 from lommel import validation
 from lommel.imaging.tiles import TileBlur
 from lommel.lens import Lens
+from lommel.optional import library
 
 
 def depth_of_field_of_chunks(
@@ -25,8 +25,8 @@ def depth_of_field_of_chunks(
 ) -> Any:
     """Do as :func:`lommel.imaging.depth_of_field` for dask arrays; the same but for rounding.
 
-    The windows are made at once, for all chunks; all else when the result is computed. Needs
-    ``pip install "lommel[dask]"``.
+    The windows are made at once, for all chunks; all else when the result is computed. Needs dask,
+    ``pip install "dask[array]"``.
 
     Parameters
     ----------
@@ -59,8 +59,7 @@ def depth_of_field_of_chunks(
         As :func:`lommel.imaging.depth_of_field`; when it is computed, if an image or a depth is not what it must be.
     """
     # Typed in part only.
-    dask: Any = import_module("dask")
-    da: Any = import_module("dask.array")
+    dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
 
     for name, array in (("image", image), ("depth", depth)):
         if not isinstance(array, da.Array):

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import reading, validation
+from lommel import optional, reading, validation
 from lommel.imaging.encoding import ENCODINGS, to_light
 
 _SIGNATURES = {
@@ -118,7 +118,7 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
         If the file is damaged, of another format, animated, has more than 16384^2 pixels, or has alpha, a colour
         space but grey and RGB, or values but uint8, uint16 and floats.
     ImportError
-        If Pillow or tifffile is not installed (``lommel[images]``).
+        If Pillow or tifffile is not installed.
     OSError
         If it cannot be read.
     """
@@ -227,7 +227,4 @@ def _exif(tags: dict[int, Any]) -> Exif:
 
 def library(name: str) -> Any:
     """Return an optional library for images."""
-    try:
-        return __import__(name, fromlist=["_"])
-    except ImportError:
-        raise ImportError(f'photographs need {name.split(".", maxsplit=1)[0]}: install "lommel[images]"') from None
+    return optional.library(name, "photographs need", "images")

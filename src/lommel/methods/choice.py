@@ -35,7 +35,7 @@ def choose(pupil: Pupil, grid: Grid) -> Method:
         return _MATRIX if small and not grid.integrate else SERIES
     if find_spec("finufft") is None:
         raise ValueError(
-            "method must be named for a pupil with a spider, vignetting or a mask where finufft is missing: install "
-            '"lommel[nufft]", or pass method=MatrixFourier(...)'
+            "method must be named for a pupil with a spider, vignetting or a mask where finufft is missing: "
+            "pip install finufft, or pass method=MatrixFourier(...)"
         )
     return _SUM

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel import optional, validation
 from lommel.grid import Grid
 from lommel.methods.method import Intensities, Method, ToleranceError
 from lommel.methods.sampling import samples_needed
@@ -29,7 +29,7 @@ class NonuniformFFT(Method):
     r"""Gauss quadrature over the clear aperture, transformed onto the pixels by FINUFFT (type 1, two dimensions).
 
     Supports every pupil: any wavefront, spiders, vignetting, masks, apodization. Needs the optional library finufft,
-    ``pip install "lommel[nufft]"``.
+    ``pip install finufft``.
 
     Parameters
     ----------
@@ -146,8 +146,4 @@ def edge_amplitudes(pupil: Pupil) -> list[tuple[int, float]]:
 
 def library() -> Any:
     """Return finufft, or say how to get it."""
-    try:
-        import finufft
-    except ImportError:
-        raise ImportError('NonuniformFFT needs finufft: install "lommel[nufft]"') from None
-    return finufft
+    return optional.library("finufft", "NonuniformFFT needs", "nufft")

@@ -1,0 +1,37 @@
+"""Libraries that only parts of the package need: fetched where they are used, named where they are missing."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+_TO_INSTALL = {"PIL": "pillow", "dask": '"dask[array]"'}
+
+
+def library(name: str, user: str, extra: str) -> Any:
+    """Return an optional module.
+
+    Parameters
+    ----------
+    name : str
+        Of the module, such as "PIL.Image".
+    user : str
+        What needs it, with its verb: "plots need".
+    extra : str
+        Which extra of this package brings it.
+
+    Raises
+    ------
+    ImportError
+        If it is missing; the message says how to get it.
+    """
+    try:
+        return import_module(name)
+    except ImportError:
+        raise ImportError(f"{user} {how_to_get(name, extra)}") from None
+
+
+def how_to_get(name: str, extra: str) -> str:
+    """Return what is needed and how to install it, in words that hold wherever this package came from."""
+    top = name.partition(".")[0]
+    return f'{top}: pip install {_TO_INSTALL.get(top, top)} (the extra "{extra}" of lommel brings it)'

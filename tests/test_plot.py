@@ -77,11 +77,51 @@ def test_an_unknown_stretch_is_refused(image, stretch):
     assert repr(stretch) in str(caught.value)
 
 
-def test_a_stack_is_refused_with_its_shape():
-    stack = lm.psf(lm.Pupil(lm.Wavefront([1.0, 2.0])), 5, 0.5)
-    with pytest.raises(ValueError, match=r"a single PSF can be drawn, got a stack of shape \(2, 5, 5\)"):
+def test_new_axes_say_how_large_pixels_are_how_they_see_and_what_a_value_is(image):
+    axes = image.plot()
+    how = "averaged over each pixel" if image.sampling == "pixel" else "sampled at pixel centres"
+    assert axes.get_title() == f"6 × 9 pixels of 2 µm, {how}"
+    bar = next(other for other in axes.figure.axes if other is not axes)
+    assert bar.get_ylabel() == "fraction of all light per pixel"
+    # Axes that are someone's own stay as they are.
+    _, own = plt.subplots()
+    image.plot(own)
+    assert own.get_title() == ""
+    assert own.figure.axes == [own]
+    averaged = lm.psf(lm.Pupil(), 5, 0.5, integrate=True, normalize="peak").plot()
+    assert averaged.get_title() == "5 × 5 pixels of 0.5 λN, averaged over each pixel"
+    assert averaged.figure.axes[1].get_ylabel() == "1 = largest value"
+
+
+@pytest.mark.parametrize(("shape", "panels"), [((3,), (1, 3)), ((2, 4), (2, 4)), ((10,), (2, 8)), ((1,), (1, 1))])
+def test_a_stack_is_drawn_side_by_side_on_one_scale(shape, panels):
+    stack = lm.psf(lm.Pupil(lm.Wavefront(np.linspace(0.0, 5.0, int(np.prod(shape))).reshape(shape))), 9, 0.5)
+    drawn = stack.plot()
+    assert drawn.shape == shape
+    for index in np.ndindex(shape):
+        (picture,) = drawn[index].get_images()
+        np.testing.assert_array_equal(picture.get_array(), stack.values[index])
+        assert picture.norm.vmax == stack.values.max()
+        assert drawn[index].get_title() == ", ".join(map(str, index))
+        place = drawn[index].get_subplotspec()
+        assert place.get_gridspec().get_geometry() == panels
+    drawn.flat[0].figure.canvas.draw()
+
+
+def test_a_stack_takes_no_axes_and_a_large_one_is_to_be_indexed():
+    stack = lm.psf(lm.Pupil(lm.Wavefront(np.arange(65.0))), 5, 0.5)
+    with pytest.raises(ValueError, match=r"at most 64 PSFs can be drawn, got a stack of shape \(65,\); index it"):
         stack.plot()
-    stack[0].plot()
+    with pytest.raises(ValueError, match="ax must be None for a stack"):
+        stack[:2].plot(plt.subplots()[1])
+
+
+@pytest.mark.parametrize("draw", [lm.PSF.plot, lambda image: plot.compare({"a": image}, "a")])
+def test_without_matplotlib_it_is_said_how_to_get_it(image, draw, monkeypatch):
+    for name in ("matplotlib", "matplotlib.pyplot", "matplotlib.figure"):
+        monkeypatch.setitem(__import__("sys").modules, name, None)
+    with pytest.raises(ImportError, match=r'plots need matplotlib: pip install matplotlib \(the extra "plot"'):
+        draw(image)
 
 
 @pytest.mark.parametrize("shape", [1, (1, 7), (7, 1), 2, 300], ids=str)

@@ -92,6 +92,14 @@ def test_iterating_a_stack_gives_its_images():
     assert [float(image.pupil.wavefront.defocus) for image in images] == [0.0, 1.0, 2.0]
 
 
+def test_a_stack_is_as_long_as_its_first_axis_and_a_single_image_has_no_length():
+    stack = lm.psf(lm.Pupil(lm.Wavefront(np.zeros((2, 3)))), 3, 0.5)
+    assert (len(stack), len(stack[0])) == (2, 3)
+    with pytest.raises(TypeError, match="a single PSF has no length"):
+        len(stack[0, 0])
+    assert stack[0, 0]
+
+
 def test_a_single_image_cannot_be_indexed():
     with pytest.raises(TypeError, match="single"):
         lm.psf(lm.Pupil(), 3, 0.5)[0]

@@ -192,6 +192,11 @@ class FieldMap:
         return self.pupil_without_wavefront.unit
 
     @property
+    def seidel(self) -> dict[str, float]:
+        """Seidel coefficients in waves at :attr:`reach` of a map made of them, else none; without what was added."""
+        return dict(self._known.waves) if isinstance(self._known, interpolation.Seidel) else {}
+
+    @property
     def reach(self) -> float:
         """Distance from the axis of the farthest position in the map."""
         return self._known.reach
@@ -316,6 +321,10 @@ class PSFGrid:
     def unit(self) -> str:
         """Unit of positions: ``"m"`` or ``"lambda*N"``."""
         return self.psf.unit
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return len(self.psf)
 
     def __getitem__(self, index: Any) -> PSF:
         """Return part of the stack."""

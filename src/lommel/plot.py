@@ -6,8 +6,10 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel import validation
+from lommel.optional import library
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -16,31 +18,97 @@ if TYPE_CHECKING:
     from lommel.fieldmap import PSFGrid
     from lommel.psf import PSF
 
+MEANING = {
+    "energy": "fraction of all light per pixel",
+    "strehl": "1 = unaberrated peak",
+    "peak": "1 = largest value",
+}
+"""What a value is, by the normalisation."""
+
+HOW = {"pixel": "averaged over each pixel", "center": "sampled at pixel centres"}
+"""How values see their pixels, by :attr:`lommel.PSF.sampling`."""
+
+_USER = ("plots need", "plot")
+_MOST = 64  # PSFs of a stack in one figure
 _FLOOR = 1e-5  # of the peak: the bottom of logarithmic scales
 
 
-def plot(psf: PSF, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
-    """Draw a single PSF.
+def plot(psf: PSF, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+    """Draw a single PSF, or a stack of them side by side, all on one scale.
 
     Parameters
     ----------
     psf : PSF
+        Of a stack at most 64 are drawn: one of shape (rows, columns) so, others in rows of eight at most.
     ax : matplotlib Axes, optional
-        By default those of a new figure.
+        Of a single PSF. By default those of a new figure, which has a title and a bar that says what a value is.
     stretch : {"sqrt", "linear", "log"}
         Of the grey levels; "log" goes down to 1e-5 of the peak.
+
+    Returns
+    -------
+    matplotlib Axes, or for a stack an ndarray of Axes of its shape
+
+    Raises
+    ------
+    ValueError
+        For a stack of more than 64, or `ax` for a stack.
+    ImportError
+        If matplotlib is not installed.
     """
-    _single(psf)
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
-    axes = _axes(ax)
-    peak = float(psf.values.max()) or 1.0
+    if psf.pupil.shape != ():
+        return _stack(psf, ax, stretch)
+    axes = _draw(psf, _new_axes() if ax is None else ax, _norm(stretch, float(psf.values.max()) or 1.0))
+    if ax is None:
+        axes.set_title(_title(psf), fontsize=9)
+        axes.figure.colorbar(axes.images[0], ax=axes, label=MEANING[psf.normalize])
+    return axes
+
+
+def _stack(psf: PSF, ax: Axes | None, stretch: str) -> NDArray[Any]:
+    """Draw each PSF of a stack, titled by its index."""
+    shape = psf.pupil.shape
+    count = int(np.prod(shape))
+    if ax is not None:
+        raise ValueError(f"ax must be None for a stack, which takes many, got a stack of shape {shape}")
+    if count > _MOST:
+        raise ValueError(f"at most {_MOST} PSFs can be drawn, got a stack of shape {shape}; index it, as psf[:8]")
+    columns = shape[1] if len(shape) == 2 else min(count, 8)
+    rows = -(-count // columns)
+    figure = _pyplot().figure(figsize=(min(2.0 * columns, 14.0) + 1.2, 2.0 * rows + 0.8), layout="constrained")
+    norm = _norm(stretch, float(psf.values.max()) or 1.0)
+    drawn = np.empty(shape, dtype=object)
+    for k, index in enumerate(np.ndindex(shape)):
+        axes = drawn[index] = _draw(psf[index], figure.add_subplot(rows, columns, k + 1), norm)
+        axes.set_title(", ".join(map(str, index)), fontsize=8)
+        axes.tick_params(labelsize=7)
+        if k % columns:
+            axes.set_ylabel("")
+            axes.set_yticklabels([])
+        if k + columns < count:
+            axes.set_xlabel("")
+            axes.set_xticklabels([])
+    figure.suptitle(_title(psf), fontsize=9)
+    figure.colorbar(drawn.flat[0].images[0], ax=drawn.ravel().tolist(), label=MEANING[psf.normalize])
+    return drawn
+
+
+def _title(psf: PSF) -> str:
+    factor, unit = _scale(psf)
+    height, width = psf.shape[-2:]
+    return f"{height} × {width} pixels of {psf.pixel * factor:.4g} {unit}, {HOW[psf.sampling]}"
+
+
+def _draw(psf: PSF, axes: Axes, norm: Any) -> Axes:
+    """Draw the values of a single PSF on axes with its lengths."""
     factor, unit = _scale(psf)
     height, width = psf.shape
     half = 0.5 * psf.pixel * factor
     x, y = psf.grid.x * factor, psf.grid.y * factor
     extent = (x[0] - half, x[-1] + half, y[-1] + half, y[0] - half)
     interpolation = "nearest" if max(height, width) < 256 else "antialiased"
-    axes.imshow(psf.values, extent=extent, cmap="magma", norm=_norm(stretch, peak), interpolation=interpolation)
+    axes.imshow(psf.values, extent=extent, cmap="magma", norm=norm, interpolation=interpolation)
     axes.set_xlabel(f"x ({unit})")
     axes.set_ylabel(f"y ({unit})")
     return axes
@@ -56,12 +124,10 @@ def compare(answers: Mapping[str, PSF], reference: str) -> Figure:
     reference : str
         The one that the errors are taken from.
     """
-    from matplotlib.figure import Figure as NewFigure
-
     if reference not in answers:
         raise ValueError(f"reference must be one of {', '.join(answers)}, got {reference!r}")
     columns = max(len(answers), 3)
-    figure = NewFigure(figsize=(2.2 * columns, 7.2), layout="constrained")
+    figure: Figure = library("matplotlib.figure", *_USER).Figure(figsize=(2.2 * columns, 7.2), layout="constrained")
     parts: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.6))
     pictures, graphs = parts
     for k, (name, psf) in enumerate(answers.items()):
@@ -112,8 +178,7 @@ def field(grid: PSFGrid, ax: Axes | None = None, *, stretch: str = "sqrt") -> Ax
     stretch : {"sqrt", "linear", "log"}
         Of the levels; "log" goes down to 1e-5 of the largest value.
     """
-    import matplotlib as mpl
-
+    mpl = library("matplotlib", *_USER)
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
     rows, columns, height, width = grid.values.shape
     axes = _field_axes(grid) if ax is None else ax
@@ -169,27 +234,20 @@ def _scale_bar(axes: Axes, length: float, label: str) -> None:
     axes.text(0.99 - length, 1.04, label, transform=place, ha="right", va="center", fontsize=8)
 
 
-def _field_axes(grid: PSFGrid) -> Axes:
+def _field_axes(grid: PSFGrid) -> Any:
     """Return axes of a new figure of the shape of the sensor."""
-    import matplotlib.pyplot as plt
-
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
-    return plt.subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
+    return _pyplot().subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
 
 
-def _axes(ax: Axes | None) -> Axes:
-    if ax is not None:
-        return ax
-    import matplotlib.pyplot as plt
+def _new_axes() -> Any:
+    return _pyplot().subplots(layout="constrained")[1]
 
-    return plt.subplots(layout="constrained")[1]
+
+def _pyplot() -> Any:
+    return library("matplotlib.pyplot", *_USER)
 
 
 def _scale(psf: PSF) -> tuple[float, str]:
     return (1e6, "µm") if psf.unit == "m" else (1.0, "λN")
-
-
-def _single(psf: PSF) -> None:
-    if psf.values.ndim != 2:
-        raise ValueError(f"a single PSF can be drawn, got a stack of shape {psf.shape}")

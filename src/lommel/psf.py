@@ -412,8 +412,11 @@ class PSF:
         intensity = method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
         return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
 
-    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
-        """Draw the values on matplotlib axes and return these; see :func:`lommel.plot.plot`."""
+    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+        """Draw the values on matplotlib axes and return these, an array of them for a stack.
+
+        See :func:`lommel.plot.plot`.
+        """
         from lommel import plot
 
         return plot.plot(self, ax, stretch=stretch)
@@ -430,6 +433,16 @@ class PSF:
         from lommel import files
 
         return files.load(path)
+
+    def __len__(self) -> int:
+        """Return how many PSFs, or stacks of them, the first axis of a stack holds."""
+        if self.pupil.shape == ():
+            raise TypeError("a single PSF has no length; its pixels are in `values`")
+        return self.pupil.shape[0]
+
+    def __bool__(self) -> bool:
+        """Return True, whether it has a length or not."""
+        return True
 
     def __getitem__(self, index: Any) -> PSF:
         """Return part of a stack, as NumPy indexes arrays of the shape of its pupils."""

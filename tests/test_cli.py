@@ -12,6 +12,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel.methods import METHODS
+from lommel.plot import HOW
 from lommel.units import format_length
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
@@ -183,7 +184,7 @@ def test_compare_has_a_row_for_every_method(compared):
 
 def test_the_table_of_compare_shows_what_its_json_says(compared):
     _, text, data = compared
-    assert text.startswith(f"{data['name']}\n6 x 7 pixels of 2.5 um\n")
+    assert text.startswith(f"{data['name']}\n6 x 7 pixels of 2.5 um, {HOW[data['sampling']]}\n")
     shown = {line.split()[0]: line for line in text.splitlines()[3:]}
     assert set(shown) == {row["method"] for row in data["rows"]} | {"wrote"}
     for row in data["rows"]:
@@ -224,7 +225,7 @@ def test_methods_and_their_options_are_chosen_by_name(call_lommel, lenses, tmp_p
 @pytest.mark.parametrize(
     ("command", "example"),
     [
-        ([], "  lommel psf     lens.toml -o psf.tif -o psf.png    the PSF, as data and as a picture"),
+        ([], "  lommel psf     lens.toml -o psf.tif -o psf.png    # the PSF, as data and as a picture"),
         (["psf"], '  lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz'),
         (["info"], '  lommel info camera.toml --object-distance "3 m"'),
         (["compare"], "  lommel compare camera.toml --figure methods.png"),
@@ -316,7 +317,7 @@ def test_compare_judges_vanes_by_the_finest_method_that_takes_them(call_lommel, 
     arguments = ("compare", lenses["newtonian-off-axis"], "--shape", "24")
     shown = call_lommel(*arguments, "--figure", "a.png", folder=tmp_path)
     assert (shown.returncode, shown.stderr) == (0, "")
-    assert "24 x 24 pixels of 1.1 um, judged by NonuniformFFT(tol=1e-11)" in shown.stdout
+    assert f"24 x 24 pixels of 1.1 um, {HOW['pixel']}; judged by NonuniformFFT(tol=1e-11)" in shown.stdout
     data = json.loads(call_lommel(*arguments, "--json", folder=tmp_path).stdout)
     assert data["reference"] == "NonuniformFFT(tol=1e-11)"
     rows = {row["method"]: row for row in data["rows"]}

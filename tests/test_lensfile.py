@@ -145,11 +145,14 @@ def fault(load, *changes: str, text: str = PLAIN) -> str:
         ('distance = "-1 m"', "object.distance (line 11)", "must be positive"),
         ('pixel = "-1 um"', "sensor.pixel (line 14)", "must be positive"),
         ("pixel = 3.45", "sensor.pixel (line 14)", "'3.45' is a length without a unit"),
+        ('wavelength = "550 m"', "lens.wavelength (line 8)", 'for 550 nm write "550 nm"'),
+        ('pixel = "3.45 m"', "sensor.pixel (line 14)", 'for 3.45 um write "3.45 um"'),
         ("shape = 0", "sensor.shape (line 15)", "must be from 1 to 16384, got 0"),
         ("shape = [1, 2, 3]", "sensor.shape (line 15)", "(height, width)"),
         ("shape = 2.5", "sensor.shape (line 15)", "integer, got 2.5"),
         ('shape = "33"', "sensor.shape (line 15)", "integer, got '33'"),
         ("shape = [33, true]", "sensor.shape (line 15)", "integer, got True"),
+        ("shape = 33\nintegrate = 1", "sensor.integrate (line 16)", "valid boolean"),
         ("name = 5", "name (line 1)", "string"),
         ('source = ["a"]', "source (line 2)", "string"),
     ],
@@ -162,10 +165,30 @@ def test_a_bad_entry_is_told_with_its_key_and_line(load, change, where, what):
     assert "\n" not in message
 
 
-@pytest.mark.parametrize("key", ["name", "focal_length", "wavelength", "pixel", "shape"])
+@pytest.mark.parametrize(
+    ("line", "integrate"), [("", None), ("integrate = true", True), ("integrate = false", False)]
+)
+def test_a_file_may_say_whether_its_pixels_average(load, line, integrate):
+    assert load(text=PLAIN.replace("shape = 33", f"shape = 33\n{line}")).integrate is integrate
+
+
+def test_a_file_without_a_name_has_that_of_the_file(load):
+    assert load(text=PLAIN.replace('name = "camera"', "")).name == "lens"
+
+
+@pytest.mark.parametrize("distance", ["1.5 m", "1.9 m", "2 m"])
+def test_a_file_without_a_shape_has_a_window_for_about_98_per_cent_of_the_light(load, distance):
+    found = load(text=PLAIN.replace("shape = 33", "").replace("1.5 m", distance))
+    assert found.shape is None
+    assert found.window[0] == found.window[1] >= 33
+    assert 0.975 < lm.psf(found.pupil(), found.window, found.pixel, integrate=True).energy < 0.999
+    assert load().window == (33, 33)
+
+
+@pytest.mark.parametrize("key", ["focal_length", "wavelength", "pixel"])
 def test_a_missing_entry_is_named(load, key):
     message = fault(load, text=PLAIN.replace(f"{key} =", "# "))
-    section = {"focal_length": "lens.", "wavelength": "lens.", "pixel": "sensor.", "shape": "sensor."}.get(key, "")
+    section = {"focal_length": "lens.", "wavelength": "lens.", "pixel": "sensor."}[key]
     assert message == f"{section}{key}: is missing"
 
 
@@ -270,7 +293,7 @@ def test_what_cannot_be_read_is_an_os_error_with_its_name(tmp_path):
 def test_an_empty_file_lacks_everything_which_is_a_value_error(load):
     assert issubclass(LensFileError, ValueError)
     missing = fault(load, text="").split("\n  ")[1:]
-    assert missing == ["name: is missing", "lens: is missing", "sensor: is missing"]
+    assert missing == ["lens: is missing", "sensor: is missing"]
 
 
 ZERNIKE = """\

@@ -3,66 +3,50 @@
 from __future__ import annotations
 
 import dataclasses
-import re
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from lommel.validation import shown
+from lommel.optional import how_to_get
 
 try:
     import click
 
     from lommel.cli_imaging import blur, focus_pull
-    from lommel.cli_parts import Length, one_line_errors, print_json, progress
+    from lommel.cli_methods import METHOD_NAMES, build_method, chosen, methods
+    from lommel.cli_parts import Length, Shape, one_line_errors, print_json, progress
 except ImportError as missing:  # pragma: no cover
-    sys.exit(f'The command line needs {missing.name}: install "lommel[cli]".')
+    sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
 
 if TYPE_CHECKING:
     from lommel.lensfile import Instrument
-    from lommel.methods import Method
-
-METHOD_NAMES = (
-    "nijboer-zernike",
-    "hankel",
-    "lommel-series",
-    "huygens-fresnel",
-    "fraunhofer",
-    "matrix-fourier",
-    "nonuniform-fft",
-    "closed-form",
-    "tuned-closed-form",
-    "geometric",
-    "chordal-gauss",
-)
 
 
-class _Shape(click.ParamType[Any]):
-    name = "pixels"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        if not isinstance(value, str):
-            return value
-        found = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX\s]\s*(\d{1,9}))?\s*", value, re.ASCII)
-        if found is None:
-            self.fail(f"{shown(value)} is not a size; write 65 or 64x128 (height x width)", param, ctx)
-        return int(found[1]) if found[2] is None else (int(found[1]), int(found[2]))
-
-
-def _lens_command(command: Callable[..., None]) -> Callable[..., None]:
+def _lens_command(command: Callable[..., None], *more: Callable[..., Any]) -> Callable[..., None]:
     """Add what every command takes: the lens file, what overrides it, and --json."""
     parts = [
         click.argument("lens", type=click.Path(dir_okay=False, path_type=Path)),
         click.option("--object-distance", type=Length(), help='Instead of the file\'s: "1.5 m", "inf".'),
         click.option("--pixel", type=Length(), help='Pixel pitch, instead of the file\'s: "3.45 um".'),
-        click.option("--shape", type=_Shape(), help="Window in pixels, instead of the file's: 65 or 64x128."),
+        click.option("--shape", type=Shape(), help="Window in pixels, instead of the file's: 65 or 64x128."),
+        *more,
         click.option("--json", "as_json", is_flag=True, help="Print what the tables show as JSON."),
     ]
     for part in reversed(parts):
         command = part(command)
     return command
+
+
+def _psf_command(command: Callable[..., None]) -> Callable[..., None]:
+    """Add what every command takes that makes PSFs."""
+    return _lens_command(
+        command,
+        click.option("--integrate/--sample", default=None,
+                     help="Average over the area of each pixel, as a sensor does and is the default, or sample its "
+                     "centre; instead of the file's."),
+    )  # fmt: skip
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
@@ -74,23 +58,24 @@ def main() -> None:
 
     \b
     Examples:
-      lommel info    lens.toml                          what is known without an image
-      lommel psf     lens.toml -o psf.tif -o psf.png    the PSF, as data and as a picture
-      lommel compare lens.toml --figure compare.png     every method against the reference
-      lommel paper   out                                every figure and number of the paper
-      lommel blur    photo.jpg depth.tif lens.toml --focus "1 m" -o out.jpg    a photograph
+      lommel info    lens.toml                          # what is known without an image
+      lommel psf     lens.toml -o psf.tif -o psf.png    # the PSF, as data and as a picture
+      lommel compare lens.toml --figure compare.png     # every method against the reference
+      lommel methods                                    # what they are, and their options
+      lommel paper   out                                # every figure and number of the paper
+      lommel blur    photo.jpg depth.tif lens.toml --focus "2 m" -o out.jpg    # a photograph
     """  # noqa: D301 (\b is meant)
 
 
-main.add_command(blur)
-main.add_command(focus_pull)
+for command in (blur, focus_pull, methods):
+    main.add_command(command)
 
 
 @main.command()
-@_lens_command
+@_psf_command
 @click.option("-o", "--output", "outputs", multiple=True, type=click.Path(dir_okay=False, path_type=Path),
               help=".tif (OME), .npy, .npz or .png; may be repeated. With --field .tif, .zarr or .npz.")  # fmt: skip
-@click.option("--field", type=_Shape(), metavar="ROWSxCOLUMNS",
+@click.option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
               help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
 @click.option("--plot", "figure", type=click.Path(dir_okay=False, path_type=Path),
               help="A figure with axes and scale: .png, .pdf, .svg.")  # fmt: skip
@@ -109,6 +94,7 @@ def psf(
     object_distance: float | None,
     pixel: float | None,
     shape: Any,
+    integrate: bool | None,
     as_json: bool,
     outputs: tuple[Path, ...],
     field: Any,
@@ -138,21 +124,22 @@ def psf(
             raise ValueError(f"--output must end in {', '.join(files.SUFFIXES)}, got {str(path)!r}")
     if figure is not None:
         _figure_format(figure)
-    instrument = _instrument(lens, object_distance, pixel, shape)
-    method = _chosen(instrument, settings, tol) if method_name == "auto" else build_method(method_name, settings, tol)
+    instrument = _instrument(lens, object_distance, pixel, shape, integrate)
+    method = chosen(instrument, settings, tol) if method_name == "auto" else build_method(method_name, settings, tol)
     if field is not None:
-        options = {"method": method, "normalize": normalize, "dtype": dtype}
+        options = {"method": method, "normalize": normalize, "dtype": dtype, "integrate": bool(instrument.integrate)}
         _psf_over_field(instrument, field, options, outputs, figure, as_json)
         return
-    with progress(f"{instrument.shape[0]} x {instrument.shape[1]} pixels"):
+    with progress(f"{instrument.window[0]} x {instrument.window[1]} pixels"):
         start = time.perf_counter()
         answer = compute(
             instrument.pupil(),
-            instrument.shape,
+            instrument.window,
             instrument.pixel,
             method=method,
             normalize=normalize,
             dtype=dtype,
+            integrate=bool(instrument.integrate),
         )
         seconds = time.perf_counter() - start
         facts = report.describe_lens(instrument) | {"psf": report.describe_psf(answer, seconds)}
@@ -160,8 +147,7 @@ def psf(
             answer.save(path)
         if figure is not None:
             axes = answer.plot()
-            axes.set_title(instrument.name, fontsize=9)
-            axes.figure.colorbar(axes.images[0], ax=axes, label=tables.MEANING[normalize])
+            axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9)
             _save_figure(axes.figure, figure)
     written = [str(path) for path in (*outputs, *([figure] if figure else []))]
     if as_json:
@@ -189,9 +175,11 @@ def _psf_over_field(
     rows, columns = field
     field_map, sensor = instrument.field(), instrument.sensor
     assert sensor is not None  # as long as there is a map
-    with progress(f"{rows} x {columns} PSFs of {instrument.shape[0]} x {instrument.shape[1]} pixels"):
+    with progress(f"{rows} x {columns} PSFs of {instrument.window[0]} x {instrument.window[1]} pixels"):
         start = time.perf_counter()
-        grid = field_map.grid(rows, columns, sensor=sensor, shape=instrument.shape, pixel=instrument.pixel, **options)
+        grid = field_map.grid(
+            rows, columns, sensor=sensor, shape=instrument.window, pixel=instrument.pixel, **options
+        )
         facts = report.describe_field(instrument, grid, time.perf_counter() - start)
         for path in outputs:
             grid.save(path)
@@ -233,7 +221,7 @@ def info(lens: Path, object_distance: float | None, pixel: float | None, shape: 
 
 
 @main.command()
-@_lens_command
+@_psf_command
 @click.option("--figure", type=click.Path(dir_okay=False, path_type=Path),
               help="Write the PSFs and their slices side by side: .png, .pdf, .svg.")  # fmt: skip
 @one_line_errors
@@ -242,6 +230,7 @@ def compare(
     object_distance: float | None,
     pixel: float | None,
     shape: Any,
+    integrate: bool | None,
     as_json: bool,
     figure: Path | None,
 ) -> None:
@@ -265,25 +254,27 @@ def compare(
 
     if figure is not None:
         _figure_format(figure)
-    instrument = _instrument(lens, object_distance, pixel, shape)
+    instrument = _instrument(lens, object_distance, pixel, shape, integrate)
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as started:
         methods = [
             # The paper's form at its best, so that nobody compares with it at its worst.
-            ClosedForm.best(pupil, instrument.shape, instrument.pixel)
+            ClosedForm.best(pupil, instrument.window, instrument.pixel)
             if kind is ClosedForm and pupil.radial
             else kind()
             for kind in METHODS.values()
         ]
         rows, answers = report.compare(instrument, methods, started)
+        reference = report.reference_name(pupil)
+        sampling = answers[reference].sampling
         if figure is not None:
             from lommel import plot
 
-            _save_figure(plot.compare(answers, report.reference_name(pupil)), figure)
+            _save_figure(plot.compare(answers, reference), figure)
     if as_json:
-        print_json({"name": instrument.name, "reference": report.reference_name(pupil), "rows": rows})
+        print_json({"name": instrument.name, "reference": reference, "sampling": sampling, "rows": rows})
     else:
-        tables.print_comparison(instrument, rows, report.reference_name(pupil))
+        tables.print_comparison(instrument, rows, reference, sampling)
         if figure is not None:
             click.echo(f"wrote {figure}")
 
@@ -321,64 +312,9 @@ def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
         click.echo(f"wrote {name}")
 
 
-def _chosen(instrument: Instrument, settings: tuple[str, ...], tol: float | None) -> Method | None:
-    """Return None, for the choice of :func:`lommel.psf`, or where a tolerance is named a method that keeps it."""
-    from lommel.methods import NijboerZernike, NonuniformFFT
-
-    if settings:
-        raise ValueError(f"--set needs --method, whose option it is, got --set {settings[0]}")
-    if tol is None:
-        return None
-    return NijboerZernike(tol) if instrument.pupil().circular else NonuniformFFT(tol)
-
-
-def build_method(name: str, settings: tuple[str, ...] = (), tol: float | None = None) -> Method:
-    """Return a method from its command-line name and ``NAME=VALUE`` settings."""
-    from lommel.methods import ERFS, METHODS
-
-    kind = METHODS[name]
-    known = {item.name for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
-    options: dict[str, Any] = {} if tol is None else {"tol": tol}
-    for setting in settings:
-        key, equals, text = setting.partition("=")
-        if not equals:
-            raise ValueError(f"--set takes NAME=VALUE, got {setting!r}")
-        if key == "erf":
-            erf, colon, count = text.partition(":")
-            if erf not in ERFS:
-                raise ValueError(
-                    f"--set erf must be one of {', '.join(ERFS)}, with a count after a colon, got {text!r}"
-                )
-            if colon and not dataclasses.fields(ERFS[erf]):
-                raise ValueError(f"--set erf={erf} takes no count, got {text!r}")
-            options[key] = ERFS[erf](*([_value(count)] if colon else []))
-        elif key in options:
-            raise ValueError(f"{key} is given twice")
-        else:
-            options[key] = _value(text)
-    for key in options:
-        if key not in known:
-            allowed = f"its options are {', '.join(sorted(known))}" if known else "it has none"
-            raise ValueError(f"{name} has no option {key!r}; {allowed}")
-    return kind(**options)
-
-
-def _value(text: str) -> Any:
-    """Return the number, pair, truth value or word that a text stands for."""
-    if "," in text:
-        return tuple(_value(part) for part in text.split(","))
-    words = {"none": None, "true": True, "false": False}
-    if text.lower() in words:
-        return words[text.lower()]
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return text
-
-
-def _instrument(path: Path, object_distance: float | None, pixel: float | None, shape: Any) -> Instrument:
+def _instrument(
+    path: Path, object_distance: float | None, pixel: float | None, shape: Any, integrate: bool | None = None
+) -> Instrument:
     from lommel import validation
     from lommel.lensfile import load_instrument
 
@@ -390,6 +326,8 @@ def _instrument(path: Path, object_distance: float | None, pixel: float | None, 
         changes["pixel"] = validation.pixel(pixel, metric=True)
     if shape is not None:
         changes["shape"] = validation.image_shape(shape)
+    if integrate is not None:
+        changes["integrate"] = integrate
     return dataclasses.replace(instrument, **changes)
 
 

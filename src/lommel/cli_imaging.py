@@ -201,7 +201,10 @@ class _Job:
 
         if focus is None and not self.focus:
             raise ValueError(f"without a lens file give {name}")
-        return Lens(**self.parts, **(self.focus if focus is None else {"focus_distance": focus}))
+        try:
+            return Lens(**self.parts, **(self.focus if focus is None else {"focus_distance": focus}))
+        except ValueError as error:
+            raise ValueError(str(error).replace("focus_distance", name)) from None
 
     def photograph(self, lens: Lens) -> Photograph:
         """Return what the lens makes of it, as light."""

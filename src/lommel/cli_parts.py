@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import json
 import os
+import re
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -15,8 +16,8 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
-from lommel.units import parse_length
-from lommel.validation import brief, line
+from lommel.units import parse_length, with_units
+from lommel.validation import brief, line, shown
 
 
 class Length(click.ParamType[float]):
@@ -30,6 +31,21 @@ class Length(click.ParamType[float]):
             return parse_length(value)
         except ValueError as error:
             self.fail(str(error), param, ctx)
+
+
+class Shape(click.ParamType[Any]):
+    """A number, or two with an x between them."""
+
+    name = "pixels"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return an int or a tuple of them."""
+        if not isinstance(value, str):
+            return value
+        found = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX\s]\s*(\d{1,9}))?\s*", value, re.ASCII)
+        if found is None:
+            self.fail(f"{shown(value)} is not a size; write 65 or 64x128 (height x width)", param, ctx)
+        return int(found[1]) if found[2] is None else (int(found[1]), int(found[2]))
 
 
 def one_line_errors(command: Callable[..., None]) -> Callable[..., None]:
@@ -67,10 +83,32 @@ def _told(error: Exception) -> str:
     if isinstance(error, OSError) and error.strerror:
         return f"{line(error.filename)}: {error.strerror}" if error.filename else error.strerror
     if isinstance(error, _CAUSED):
-        return str(error) or type(error).__name__
+        return _with_options(str(error) or type(error).__name__)
     return (
         f"this is a fault of lommel, not yours: {type(error).__name__}: {brief(line(error), 200)}; please report it, "
         "with what LOMMEL_TRACEBACK=1 shows"
+    )
+
+
+def _with_options(message: str) -> str:
+    """Return what the library says, with the options of the running command for its arguments and methods."""
+    from lommel.methods import METHODS
+
+    context = click.get_current_context(silent=True)
+    options = {name for part in (context.command.params if context else ()) for name in part.opts}
+    names = {kind.__name__: name for name, kind in METHODS.items()}
+
+    def told(found: re.Match[str]) -> str:
+        name, equals, value = found.groups()
+        option = "--" + name.replace("_", "-")
+        if option not in options or not (equals or "_" in name):
+            return found[0]
+        return option + (" " if equals and value else "")
+
+    # What only names look like: "see missing=", "tol=1e-9", "object_distance"; not what was given as --set tol=1.
+    message = re.sub(r"(?<!--set )\b([a-z][a-z_]*)(=)?(?=([\w'])?)", told, message)
+    return re.sub(
+        r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
     )
 
 

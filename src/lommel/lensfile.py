@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
 from pathlib import Path
@@ -27,7 +27,7 @@ from lommel.entries import Distance, Length, Number, Section, SignedLength, besi
 from lommel.fieldmap import FieldMap
 from lommel.lens import Lens
 from lommel.pupil import Pupil
-from lommel.units import parse_radius
+from lommel.units import parse_radius, with_units
 from lommel.wavefront import Wavefront
 from lommel.zernikefile import ZernikeTable
 
@@ -47,14 +47,16 @@ class Instrument:
     lens : Lens
     object_distance, pixel : float
         Metres.
-    shape : tuple of int
-        Height and width of the window, in pixels.
+    shape : tuple of int, or None
+        Height and width of the window, in pixels, where the file names them; see :attr:`window`.
     radii : dict of str to float
         Radii of interest on the sensor (metres) by the text that named them; for encircled energies.
     sensor : tuple of float, or None
         Height and width of the whole sensor, metres, where the file says what changes over the field.
     aberrations_of_field : FieldMap, or None
         What the field adds to the wavefront of the lens.
+    integrate : bool or None
+        Whether pixels average or sample, as of :func:`lommel.psf`; None where the file does not say.
     """
 
     name: str
@@ -62,10 +64,16 @@ class Instrument:
     lens: Lens
     object_distance: float
     pixel: float
-    shape: tuple[int, int]
+    shape: tuple[int, int] | None
     radii: dict[str, float]
     sensor: tuple[float, float] | None = None
     aberrations_of_field: FieldMap | None = field(default=None, repr=False)
+    integrate: bool | None = None
+
+    @property
+    def window(self) -> tuple[int, int]:
+        """Height and width of the window: `shape`, or a square for about 98 % of the light, see `wide_enough`."""
+        return self.shape or (max(33, min(wide_enough(self.pupil(), self.pixel), 1025)),) * 2
 
     def pupil(self) -> Pupil:
         """Return the pupil for the object of the file."""
@@ -84,6 +92,16 @@ class Instrument:
         return self.aberrations_of_field + self.pupil().wavefront
 
 
+def wide_enough(pupil: Pupil, pixel: float) -> int:
+    """Return the odd side, in pixels, of a square about the axis that holds some 98 % of the light.
+
+    Beyond the rays diffraction spreads ``2 / pi^2`` of the light per lambda*N of distance from the edge of their
+    blur, and more the longer the rim of the aperture is for its area.
+    """
+    tail = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
+    return 2 * min(math.ceil((float(pupil.geometric_radius()) + tail) / pixel), validation.MAX_SIDE // 2 - 1) + 1
+
+
 def _shape(value: Any) -> tuple[int, int]:
     try:
         return validation.image_shape(value)
@@ -92,7 +110,18 @@ def _shape(value: Any) -> tuple[int, int]:
 
 
 def _pitch(value: float) -> float:
-    return validation.pixel(value, metric=True)
+    return _told_with_units(lambda: validation.pixel(value, metric=True))
+
+
+def _wavelength(value: float) -> float:
+    return _told_with_units(lambda: validation.wavelength(value))
+
+
+def _told_with_units(check: Callable[[], float]) -> float:
+    try:
+        return check()
+    except ValueError as error:
+        raise ValueError(with_units(str(error))) from None
 
 
 def _radius(value: Any) -> str | float:
@@ -109,7 +138,7 @@ class _Lens(Section):
     aperture_diameter: Length | None = None
     focus_distance: Distance | None = None
     sensor_distance: Length | None = None
-    wavelength: Annotated[Length, AfterValidator(validation.wavelength)]
+    wavelength: Annotated[Length, AfterValidator(_wavelength)]
     obscuration: Annotated[Number, Field(ge=0, lt=1)] = 0.0
 
 
@@ -135,7 +164,8 @@ class _Object(Section):
 
 class _Sensor(Section):
     pixel: Annotated[Length, AfterValidator(_pitch)]
-    shape: Annotated[tuple[int, int], BeforeValidator(_shape)]
+    shape: Annotated[tuple[int, int], BeforeValidator(_shape)] | None = None
+    integrate: Annotated[bool, Field(strict=True)] | None = None
 
 
 _SEIDEL = ("W131", "W222", "W220", "W311")
@@ -223,7 +253,7 @@ class _Report(Section):
 
 
 class _File(Section):
-    name: str
+    name: str | None = None
     source: str = ""
     lens: _Lens
     aperture: ApertureSection = ApertureSection()
@@ -238,13 +268,14 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     """Read a lens file.
 
     Lengths are texts with a unit (``"50 mm"``, ``"inf"``), angles also numbers of radians. Sections and keys:
-    ``name``, ``source``; ``[lens]`` focal_length, f_number or aperture_diameter, focus_distance or
-    sensor_distance, wavelength, obscuration; ``[aberrations]`` defocus and spherical (C_d, C_s, radians),
-    W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131,
-    W222, W220, W311 (waves at the edge of the field) with field, a pair [x, y] over that edge, and a section
-    ``[aberrations.zernike]``, all of which add; ``[object]`` distance; ``[sensor]`` pixel, shape; ``[report]``
-    encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what changes over the sensor and adds to
-    all of this.
+    ``name`` (by default that of the file) and ``source``; ``[lens]`` focal_length, f_number or aperture_diameter,
+    focus_distance or sensor_distance, wavelength, obscuration; ``[aberrations]`` defocus and spherical (C_d, C_s,
+    radians), W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus),
+    W131, W222, W220, W311 (waves at the edge of the field) with field, a pair [x, y] over that edge, and a section
+    ``[aberrations.zernike]``, all of which add; ``[object]`` distance; ``[sensor]`` pixel, shape (by default a
+    window that holds about 98 % of the light) and integrate, whether its pixels average over their area, which they
+    do by default; ``[report]`` encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what
+    changes over the sensor and adds to all of this.
 
     ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
     them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
@@ -291,7 +322,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
         file = _File.model_validate(raw, context=context)
         if not found:
             with np.errstate(over="raise", divide="raise", invalid="raise"):
-                return _instrument(file, table)
+                return _instrument(file, table, source.stem)
     except ValidationError as error:
         every = error.errors(include_url=False, include_context=False, include_input=False)
         count = len(every) + len(found)
@@ -333,7 +364,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
     return table, []
 
 
-def _instrument(file: _File, table: ZernikeTable | None) -> Instrument:
+def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrument:
     wavelength = file.lens.wavelength
     a = file.aberrations
     rms = 2.0 * math.pi * a.spherical_rms / wavelength
@@ -360,8 +391,16 @@ def _instrument(file: _File, table: ZernikeTable | None) -> Instrument:
     except ValueError as error:
         raise ValueError(f"aperture: {error}" if shapes else str(error)) from None
     radii = {str(text): parse_radius(text, lens.focal_length) for text in file.report.encircled_energy}
+    sensor = file.sensor
     found = Instrument(
-        file.name, file.source, lens, file.object.distance, file.sensor.pixel, file.sensor.shape, radii
+        stem if file.name is None else file.name,
+        file.source,
+        lens,
+        file.object.distance,
+        sensor.pixel,
+        sensor.shape,
+        radii,
+        integrate=sensor.integrate,
     )
     if file.field is None:
         return found

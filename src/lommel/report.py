@@ -10,12 +10,11 @@ from typing import Any
 from lommel import metrics, quality, spot, transfer
 from lommel.encircled import MAX_RADIUS, encircled
 from lommel.fieldmap import PSFGrid
-from lommel.lensfile import Instrument
+from lommel.lensfile import Instrument, wide_enough
 from lommel.methods import Hankel, Method, NijboerZernike, NonuniformFFT
 from lommel.psf import PSF, psf
 from lommel.pupil import Pupil
 from lommel.special import zernike
-from lommel.units import format_length
 
 
 def describe_lens(instrument: Instrument) -> dict[str, Any]:
@@ -27,7 +26,9 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     symmetric: these are None. "encircled_energy_error" bounds the error of all, None where the method has no bound or
     the pupil is radial, whose energies are within 1e-6. The "fwhm" is the mean of those along x and y.
     "mtf_at_nyquist" is that of the lens, "mtf_at_nyquist_with_pixel" that of the lens and of pixels that average;
-    they and "mtf50" are None for an aperture that is not round.
+    they and "mtf50" are None for an aperture that is not round. "field" is None, or what the wavefront is at some
+    places between the axis and the corner of the sensor; all else is then that of the axis. What cannot be computed
+    is None, too, for the reasons in "refused".
     """
     lens, pupil = instrument.lens, instrument.pupil()
     radii = dict(instrument.radii)
@@ -36,8 +37,19 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     if blur > 0:
         radii.setdefault("geometric blur radius", blur)
     way = NijboerZernike()
-    seen, error, image = _energies(pupil, list(radii.values()))
-    ideal, other_error, _ = _energies(pupil.unaberrated(), list(radii.values()))
+    refused: dict[str, None] = {}
+    at = list(radii.values())
+
+    def known(work: Callable[[], Any]) -> Any:
+        try:
+            return work()
+        except (ValueError, ArithmeticError) as reason:
+            refused[str(reason)] = None
+            return None
+
+    nothing: list[None] = [None] * len(at)
+    seen, error, image = known(lambda: _energies(pupil, at)) or (nothing, None, None)
+    ideal, other_error, _ = known(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None, None)
     nyquist, round_ = 0.5 / instrument.pixel, pupil.circular
     return {
         "name": instrument.name,
@@ -56,22 +68,19 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "spherical": float(pupil.wavefront.spherical),
         "higher": [float(c) for c in pupil.wavefront.higher],
         "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
-        "zernike": [
-            {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
-            for (n, m), c in sorted(pupil.wavefront.to_zernike(unit="waves").items(), key=_noll)
-        ],
+        "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
         "airy_radius": airy,
         "geometric_radius": blur,
         "strehl": float(quality.strehl(pupil)),
         "marechal": float(quality.marechal(pupil)),
         "rms_waves": float(quality.rms(pupil, unit="waves")),
-        "fwhm": float(spot.radial_fwhm(way, pupil) if image is None else image.fwhm()),
+        "fwhm": known(lambda: float(spot.radial_fwhm(way, pupil) if image is None else image.fwhm())),
         "cutoff": pupil.cutoff,
-        "mtf50": float(transfer.mtf_frequency(pupil)) if round_ else None,
+        "mtf50": known(lambda: float(transfer.mtf_frequency(pupil))) if round_ else None,
         "nyquist": nyquist,
-        "mtf_at_nyquist": float(transfer.mtf(pupil, nyquist)) if round_ else None,
+        "mtf_at_nyquist": known(lambda: float(transfer.mtf(pupil, nyquist))) if round_ else None,
         "mtf_at_nyquist_with_pixel": (
-            float(transfer.mtf(pupil, nyquist, pixel=instrument.pixel)) if round_ else None
+            known(lambda: float(transfer.mtf(pupil, nyquist, pixel=instrument.pixel))) if round_ else None
         ),
         "aperture": {
             "spider": None if lens.spider is None else lens.spider.to_dict(),
@@ -79,12 +88,46 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
             "mask": None if lens.mask is None else {"side": lens.mask.side},
         },
         "clear_area": pupil.area,
+        "field": None if instrument.aberrations_of_field is None else _field(instrument),
         "encircled_energy": [
             {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
             for (name, radius), a, b in zip(radii.items(), seen, ideal, strict=True)
         ],
         "encircled_energy_error": max((e for e in (error, other_error) if e is not None), default=None),
+        "refused": list(refused),
     }
+
+
+def _field(instrument: Instrument) -> dict[str, Any]:
+    """Return what there is to say of the field, from the axis to a corner of the sensor."""
+    assert instrument.sensor is not None  # as long as there is a map
+    field, (height, width) = instrument.field(), instrument.sensor
+    places = []
+    for part in (0.0, 0.5, 0.7, 1.0):
+        x, y = 0.5 * part * width, 0.5 * part * height
+        try:
+            pupil = field.pupil(x, y)
+        except ValueError:  # beyond the map
+            continue
+        terms = pupil.wavefront.to_zernike(unit="waves")
+        places.append(
+            {
+                "part": part,
+                "distance": math.hypot(x, y),
+                "strehl": float(quality.strehl(pupil)),
+                "rms_waves": float(quality.rms(pupil, unit="waves")),
+                "zernike": _terms({term: c for term, c in terms.items() if term[0] > 1}),
+            }
+        )
+    seidel = {name: waves for name, waves in field.seidel.items() if waves}
+    return {"sensor": [height, width], "reach": field.reach, "seidel": seidel, "places": places}
+
+
+def _terms(terms: dict[tuple[int, int], Any]) -> list[dict[str, Any]]:
+    return [
+        {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
+        for (n, m), c in sorted(terms.items(), key=_noll)
+    ]
 
 
 def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None, PSF | None]:
@@ -96,16 +139,25 @@ def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], flo
 
 
 def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
-    """Return what there is to say about a computed PSF."""
+    """Return what there is to say about a computed PSF.
+
+    "sum" is that of all values where these are fractions of the light and sample pixels too wide for it to be the
+    light in the window, else None. "wide_enough" is the side of a window that holds some 98 % of the light, where
+    this one does not hold 95 % and is smaller, else None.
+    """
+    energy, side = float(answer.energy), wide_enough(answer.pupil, answer.pixel)
     return {
         "method": answer.method.to_dict(),
         "sampling": answer.sampling,
+        "pixel_over_lambda_N": answer.pixel / answer.pupil.scale,
+        "sum": float(answer.values.sum(dtype=float)) if _sums_to_nothing(answer) else None,
+        "wide_enough": side if energy < 0.95 and min(answer.shape) < side else None,
         "shape": list(answer.shape),
         "pixel": answer.pixel,
         "dtype": str(answer.values.dtype),
         "normalize": answer.normalize,
         "peak": float(answer.values.max()),
-        "energy": float(answer.energy),
+        "energy": energy,
         "error_bound": answer.error_bound,
         "seconds": seconds,
     }
@@ -124,6 +176,8 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dic
         "peak": largest.astype(float).tolist(),
         "method": psf.method.to_dict(),
         "sampling": psf.sampling,
+        "pixel_over_lambda_N": psf.pixel / psf.pupil.scale,
+        "sum": psf.values.sum(axis=(-2, -1), dtype=float).tolist() if _sums_to_nothing(psf) else None,
         "shape": list(psf.shape),
         "pixel": psf.pixel,
         "dtype": str(psf.values.dtype),
@@ -131,6 +185,11 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dic
         "error_bound": psf.error_bound,
         "seconds": seconds,
     }
+
+
+def _sums_to_nothing(answer: PSF) -> bool:
+    """Return whether values that are fractions of the light sample pixels wider than its finest fringes."""
+    return answer.normalize == "energy" and answer.sampling == "center" and answer.pixel > 0.5 * answer.pupil.scale
 
 
 def compare(
@@ -150,7 +209,14 @@ def compare(
     judge = reference(pupil)
 
     def answer(method: Method) -> PSF:
-        return psf(pupil, instrument.shape, instrument.pixel, method=method, dtype="float64")
+        return psf(
+            pupil,
+            instrument.window,
+            instrument.pixel,
+            method=method,
+            dtype="float64",
+            integrate=bool(instrument.integrate),
+        )
 
     started(reference_name(pupil))
     truth, seconds = timed(lambda: answer(judge))
@@ -207,8 +273,3 @@ def _noll(item: tuple[tuple[int, int], Any]) -> int:
 
 def _finite(value: float) -> float | None:
     return None if math.isinf(value) else value
-
-
-def length_or_infinity(metres: float | None) -> str:
-    """Return a length for a table; None stands for infinity."""
-    return "infinity" if metres is None else format_length(metres)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from rich.console import Console
 from rich.table import Table
 
-from lommel.report import length_or_infinity
+from lommel.plot import HOW, MEANING
 from lommel.units import format_length
 
 if TYPE_CHECKING:
@@ -17,13 +17,6 @@ if TYPE_CHECKING:
     from lommel.lensfile import Instrument
     from lommel.psf import PSF
 
-
-MEANING = {
-    "energy": "fraction of all light per pixel",
-    "strehl": "1 = unaberrated peak",
-    "peak": "1 = largest value",
-}
-"""What a value is, by the normalisation."""
 
 _NOTES = {
     "HuygensFresnel": "differs by what the Fresnel approximation leaves out",
@@ -40,12 +33,13 @@ def _console() -> Console:
 def print_lens(facts: dict[str, Any]) -> None:
     """Print what :func:`lommel.report.describe_lens` says."""
     waves = ", ".join(f"{name} = {value:.4g}" for name, value in facts["waves"].items())
+    focused, seen = _told_apart(facts["focus_distance"], facts["object_distance"])
     lines = [
         ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
          + (f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else "")),
         *_aperture(facts),
-        ("focused at", length_or_infinity(facts["focus_distance"])),
-        ("object at", length_or_infinity(facts["object_distance"])),
+        ("focused at", focused),
+        ("object at", seen),
         ("wavelength", format_length(facts["wavelength"])),
         ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
          f" (working f/{facts['working_f_number']:.4g})"),
@@ -60,12 +54,14 @@ def print_lens(facts: dict[str, Any]) -> None:
         ("Strehl ratio (on axis)", f"{facts['strehl']:.4g}"),
         ("Marechal's estimate", f"{facts['marechal']:.4g}"
          + (" (holds where it is above 0.3)" if facts["marechal"] < 0.3 else "")),
-        ("full width at half", format_length(facts["fwhm"])),
+        ("full width at half", "-" if facts["fwhm"] is None else format_length(facts["fwhm"])),
         *([
             ("MTF falls to 50 % at", f"{_per_mm(facts['mtf50'])} (cutoff {_per_mm(facts['cutoff'])})"),
+        ] if facts["mtf50"] is not None else []),
+        *([
             ("MTF at Nyquist", f"{facts['mtf_at_nyquist']:.4g} at {_per_mm(facts['nyquist'])},"
              f" with the pixel {facts['mtf_at_nyquist_with_pixel']:.4g}"),
-        ] if facts["mtf50"] is not None else []),
+        ] if facts["mtf_at_nyquist_with_pixel"] is not None else []),
     ]  # fmt: skip
     table = Table(show_header=False, box=None, pad_edge=False)
     table.add_column(style="cyan")
@@ -90,12 +86,42 @@ def print_lens(facts: dict[str, Any]) -> None:
     if any(term["m"] for term in facts["zernike"]):
         console.print()
         console.print(terms)
+    if facts["field"] is not None:
+        _print_field_of_lens(console, facts["field"])
     console.print()
     console.print(energies)
     if facts["encircled_energy_error"] is not None:
         console.print(f"errors below {facts['encircled_energy_error']:.1g}", style="dim")
     elif any(facts["aperture"].values()):
         console.print("no error bound", style="dim")
+    for reason in facts["refused"]:
+        console.print(f"not all could be computed: {reason}", style="dim")
+
+
+def _told_apart(*distances: float | None) -> list[str]:
+    """Return lengths with as many digits as it takes to tell those apart that differ."""
+    for digits in range(4, 13):
+        texts = ["infinity" if d is None else format_length(d, digits=digits) for d in distances]
+        if len(set(texts)) == len(set(distances)):
+            break
+    return texts
+
+
+def _print_field_of_lens(console: Console, field: dict[str, Any]) -> None:
+    seidel = ", ".join(f"{name} = {waves:.4g}" for name, waves in field["seidel"].items())
+    if seidel:
+        seidel = f": {seidel} waves {format_length(field['reach'])} from the axis"
+    table = Table(box=None, pad_edge=False, title=f"Over the field{seidel}", title_justify="left")
+    for name in ("from the axis", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)"):
+        table.add_column(name, justify="left" if name.startswith("largest") else "right")
+    for place in field["places"]:
+        largest = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:3]
+        terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
+        distance = format_length(place["distance"], like=field["reach"])
+        table.add_row(distance, f"{place['strehl']:.4g}", f"{place['rms_waves']:.4g}", terms)
+    console.print()
+    console.print(table)
+    console.print("along a diagonal of the sensor; all else is of the axis", style="dim")
 
 
 def _aperture(facts: dict[str, Any]) -> list[tuple[str, str]]:
@@ -131,7 +157,7 @@ def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
     for row in (
         ("method", repr(answer.method)),
         ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"),
-        ("sampled at", "pixel centres" if facts["sampling"] == "center" else "pixels, averaged over each"),
+        ("pixels", f"{HOW[facts['sampling']]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"),
         ("largest value", f"{facts['peak']:.4g}"),
         ("energy in the window", f"{facts['energy']:.2%}"),
         ("error bound", bound),
@@ -141,6 +167,17 @@ def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
     console = _console()
     console.print()
     console.print(table)
+    if facts["sum"] is not None:
+        console.print(
+            f"The values sum to {facts['sum']:.4g}, not to the light in the window: samples this far apart are no "
+            "share of it. A sensor averages: --integrate."
+        )
+    if facts["wide_enough"] is not None:
+        side = facts["wide_enough"]
+        console.print(
+            f"The window holds {facts['energy']:.0%} of the light; {side} x {side} pixels would hold about 98 %: "
+            f"--shape {side}."
+        )
 
 
 def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
@@ -150,21 +187,29 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
     table = Table(show_header=False, box=None, pad_edge=False)
     table.add_column(style="cyan")
     table.add_column()
+    sums = [value for row in facts["sum"] or [[0.0]] for value in row]
+    least, most = min(sums), max(sums)
     for row in (
         ("sensor", f"{format_length(facts['sensor'][0])} x {format_length(facts['sensor'][1])} (height x width)"),
         ("method", repr(grid.psf.method)),
         ("values", f"{rows} x {columns} PSFs of {height} x {width} {facts['dtype']}, {MEANING[facts['normalize']]}"),
-        ("pixel", format_length(facts["pixel"])),
+        ("pixel", f"{format_length(facts['pixel'])}, {HOW[facts['sampling']]}"),
+        *(
+            [("sums of the values", f"{least:.4g} to {most:.4g}: samples this far apart are no share of the light")]
+            if facts["sum"] is not None
+            else []
+        ),
         ("error bound", bound),
         ("time", f"{1e3 * facts['seconds']:.1f} ms"),
     ):
         table.add_row(*row)
     peaks = Table(box=None, pad_edge=False, title="Largest value at y (down) and x (across)", title_justify="left")
     peaks.add_column("", style="cyan", justify="right", no_wrap=True)
+    reach = max(facts["sensor"])
     for x in facts["x"]:
-        peaks.add_column(format_length(x), justify="right", no_wrap=True)
+        peaks.add_column(format_length(x, like=reach), justify="right", no_wrap=True)
     for y, values in zip(facts["y"], facts["peak"], strict=True):
-        peaks.add_row(format_length(y), *(f"{value:.4g}" for value in values))
+        peaks.add_row(format_length(y, like=reach), *(f"{value:.4g}" for value in values))
     console = _console()
     console.print(facts["name"], style="bold")
     console.print(table)
@@ -172,9 +217,10 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
     console.print(peaks)
 
 
-def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], reference: str) -> None:
+def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], reference: str, sampling: str) -> None:
     """Print the rows of :func:`lommel.report.compare`, judged by the `reference` of this name."""
-    size = f"{instrument.shape[0]} x {instrument.shape[1]} pixels of {format_length(instrument.pixel)}"
+    height, width = instrument.window
+    size = f"{height} x {width} pixels of {format_length(instrument.pixel)}, {HOW[sampling]}"
     table = Table(box=None, pad_edge=False)
     for name in ("method", "time", "MSE", "peak error", "error bound"):
         table.add_column(name, justify="left" if name == "method" else "right", no_wrap=True)
@@ -199,8 +245,18 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], referen
     console = _console()
     console.print(instrument.name, style="bold")
     # A reference with a row of its own is marked there.
-    console.print(size if any(row["method"] == reference for row in rows) else f"{size}, judged by {reference}")
+    console.print(size if any(row["method"] == reference for row in rows) else f"{size}; judged by {reference}")
     console.print(table)
+
+
+def print_methods(rows: list[dict[str, Any]]) -> None:
+    """Print the rows of ``lommel methods``."""
+    table = Table(box=None, pad_edge=False, show_lines=False)
+    for name in ("method", "what it is", "options (defaults)"):
+        table.add_column(name, no_wrap=name == "method")
+    for row in rows:
+        table.add_row(row["name"], row["what"], " ".join(f"{name}={value}" for name, value in row["options"].items()))
+    _console().print(table)
 
 
 def print_numbers(rows: list[dict[str, Any]]) -> None:

@@ -63,16 +63,23 @@ def parse_radius(text: str | float, focal_length: float) -> float:
     return _parse(text, _LENGTHS, "length", "5 um", others=_ANGLES)
 
 
-def format_length(metres: float) -> str:
-    """Return a length with a unit that suits it: ``"3.45 um"``."""
+def format_length(metres: float, *, like: float | None = None, digits: int = 4) -> str:
+    """Return a length with a unit that suits it, or that suits another length: ``"3.45 um"``."""
     if math.isinf(metres):
         return "infinity" if metres > 0 else "-infinity"
+    size = abs(metres if like is None else like)
     for name in ("m", "mm", "um", "nm"):
-        if abs(metres) >= 0.99995 * _LENGTHS[name]:
+        if size >= 0.99995 * _LENGTHS[name]:
             break
     else:
-        name = "m" if metres == 0 else "nm"
-    return f"{metres / _LENGTHS[name]:.4g} {name}"
+        name = "m" if size == 0 else "nm"
+    return f"{metres / _LENGTHS[name]:.{digits}g} {name}"
+
+
+def with_units(message: str) -> str:
+    """Return a message of the library with lengths as they are written at the edges, ``"3.45 um"`` for 3.45e-6."""
+    units = {"6": "um", "9": "nm"}
+    return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda found: f'write "{found[1]} {units[found[2]]}"', message)
 
 
 def _parse(text: str | float, units: dict[str, float], kind: str, example: str, others: Iterable[str] = ()) -> float:

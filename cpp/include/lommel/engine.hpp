@@ -59,8 +59,9 @@ struct Expansion {
         truncation = by_phase <= by_window ? ellipses.tail(terms) : window_tail(terms, reach);
         const std::size_t nodes = ellipses.nodes(terms, 0.1 * error);
         if (nodes > max_terms) {
-            throw PhaseTooLarge("phases this large take " + std::to_string(nodes) +
-                                " quadrature nodes, more than the limit of " + std::to_string(max_terms));
+            throw PhaseTooLarge("aberrations this large take a series of " + std::to_string(nodes) +
+                                " nodes, more than the limit of " + std::to_string(max_terms) +
+                                "; Geometric, which leaves diffraction out, has none");
         }
         rule = LegendreRules::get(nodes, terms);
         quadrature = ellipses.quadrature(2 * rule->half, terms);

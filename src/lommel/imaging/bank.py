@@ -199,7 +199,7 @@ def _enough(
         if half > largest:
             raise ValueError(
                 f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the "
-                "light; stop down, allow larger windows, or ask for less of the light"
+                f"light; stop down, allow larger windows (largest={half} or more), or ask for less of it (energy=)"
             )
         rule, means = _means(pupil, spectrum, pixel, ends, half, threads)
         sums = rule.sums(means)

@@ -1,0 +1,175 @@
+"""README and the pages: what they show runs as it is written, and what they state is so."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import tomllib
+import warnings
+from importlib.util import find_spec
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image
+
+import lommel as lm
+from lommel.cli import main
+from lommel.methods import METHODS
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+# Packages that the pages speak of and the environment of the tests has not.
+ELSEWHERE = ("optiland",)
+
+
+def blocks(path: Path, language: str) -> list[tuple[str, str]]:
+    """Return the blocks of a language, each on its own line numbers, and which line it begins at."""
+    text = path.read_text(encoding="utf-8")
+    found = re.finditer(rf"^```{language}\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
+    lines = [(text.count("\n", 0, block.start()) + 1, block[1]) for block in found]
+    return [("\n" * line + code, f"{path.name}:{line}") for line, code in lines]
+
+
+def commands(path: Path) -> list[str]:
+    """Return the command lines of a page."""
+    return [line for code, _ in blocks(path, "sh") for line in code.replace("\\\n", " ").splitlines()]
+
+
+HELP = [
+    line.strip()
+    for command in (main, *main.commands.values())
+    for line in (command.help or "").splitlines()
+    if line.strip().startswith("lommel ")
+]
+SHOWN = [(path.name, line) for path in PAGES for line in commands(path)] + [("--help", line) for line in HELP]
+LINES = [(name, words) for name, line in SHOWN if (words := shlex.split(line, comments=True))]
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch) -> Path:
+    """The files that the pages name, as small as they may be, in the folder that tests run in."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    lenses = {path.stem: path.read_text(encoding="utf-8") for path in (ROOT / "examples" / "lenses").glob("*.toml")}
+    for name, lens in (("lens", "phone"), ("hubble", "hubble-1990"), ("camera", "camera-field")):
+        (tmp_path / f"{name}.toml").write_text(lenses[lens], encoding="utf-8")
+    y, x = np.mgrid[:48, :64]
+    image = np.where((x // 8 + y // 8)[..., None] % 2, (200, 120, 40), (60, 140, 220)).astype(np.uint8)
+    photo, exif = Image.fromarray(image), Image.Exif()
+    exif.get_ifd(0x8769).update({0x829D: 1.8, 0x920A: 4.0})  # f-number and focal length, millimetres
+    photo.save("photo.jpg", exif=exif)
+    photo.save("photo.png")
+    distance = np.where(x < 32, 1.9, 2.1)
+    tifffile.imwrite("depth.tif", distance.astype(np.float32))
+    Image.fromarray((1e3 * distance).astype(np.uint16)).save("depth.png")
+    v, u = np.mgrid[-1:1:33j, -1:1:33j]
+    np.save("opd.npy", 1e-7 * (u * u + v * v))
+    np.save("measured.npy", u * u + v * v < 0.9)
+    lm.save_zernike("table.csv", lm.Wavefront(defocus=1.0, nonradial={(3, 1): 0.4}))
+    return tmp_path
+
+
+@pytest.mark.parametrize("path", [path for path in PAGES if blocks(path, "python")], ids=lambda path: path.stem)
+def test_the_code_of_a_page_runs_from_top_to_bottom(path, folder, capsys):
+    names: dict[str, Any] = {}
+    for code, where in blocks(path, "python"):
+        if missing := [name for name in ELSEWHERE if f"from {name}" in code and find_spec(name) is None]:
+            assert len(missing) == 1
+            continue
+        with warnings.catch_warnings():
+            if any(name in code for name in ELSEWHERE):
+                warnings.simplefilter("ignore")  # what they warn of is not ours
+            exec(compile(code, where, "exec"), names)
+        plt.close("all")
+    if path.stem == "imaging":
+        taken = names["photograph"].values
+        assert taken.dtype == np.uint8
+        # The object in focus is as it was, and the stripes behind it are gone.
+        assert np.abs(taken[25:55, 45:75].astype(int) - (40, 120, 60)).max() <= 1
+        assert np.ptp(taken[30, :30]) < 10 < np.ptp(names["image"][:, 0])
+
+
+@pytest.mark.parametrize("line", sorted({shlex.join(words) for _, words in LINES if words[0] == "lommel"}))
+def test_a_command_of_the_pages_or_of_help_runs_and_writes_what_it_names(line, folder, call_lommel):
+    words = shlex.split(line)
+    if words[1] == "paper":
+        pytest.skip("takes half a minute; see test_paper.py")
+    result = call_lommel(*words[1:], folder=folder)
+    assert result.returncode == 0, result.stderr
+    for option, name in pairwise(words):
+        if option in ("-o", "--plot", "--figure"):
+            assert (folder / name.replace("%03d", "001")).exists(), name
+
+
+def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_package():
+    targets = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), flags=re.MULTILINE))
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    for name, words in LINES:
+        if words[0] == "make":
+            assert words[1] in targets, (name, words)
+        elif words[0] == "pip":
+            assert words[1] == "install", (name, words)
+            for extra in re.findall(r"\[(\w+)\]", words[2]):
+                assert extra in extras, (name, words)
+        elif words[0] != "lommel":
+            assert words[0] == ".venv/bin/python", (name, words)
+            assert words[1] == "-m" or (ROOT / words[1]).exists(), (name, words)
+
+
+def test_the_lens_files_of_the_page_about_the_field_work(folder):
+    sections = [code for code, _ in blocks(ROOT / "docs" / "field.md", "toml")]
+    assert len(sections) == 2
+    before = Path("camera.toml").read_text(encoding="utf-8").partition("[field]")[0]
+    for section in sections:
+        (folder / "own.toml").write_text(before + section, encoding="utf-8")
+        assert lm.load_instrument(folder / "own.toml").field().reach > 0.02
+
+
+def number(cell: str) -> float:
+    """The number of a cell such as 2.0e-4 or 21 %."""
+    return 0.01 * float(cell.removesuffix("%")) if cell.endswith("%") else float(cell)
+
+
+def error_table() -> dict[str, list[str]]:
+    """The cells of the table of errors in docs/choose.md, by row and without its first column."""
+    text = (ROOT / "docs" / "choose.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (-?\d+, \d+) \| (.*) \|$", text, flags=re.MULTILINE)
+    return {name: cells.split(" | ") for name, cells in rows}
+
+
+def test_the_errors_of_methods_without_a_bound_are_those_of_the_table():
+    table = error_table()
+    assert list(table) == ["0, 0", "3, 0", "10, 0", "20, 0", "-5, 8"]
+    for row, cells in table.items():
+        defocus, spherical = map(float, row.split(","))
+        pupil = lm.Pupil(lm.Wavefront(defocus, spherical))
+        truth = lm.psf(pupil, 64, 0.25, method=lm.Hankel(), dtype="float64")
+        ways = (lm.MatrixFourier(256), lm.Fraunhofer(256), lm.ClosedForm(), lm.ClosedForm.best(pupil, 64, 0.25))
+        for cell, method in zip(cells, ways, strict=True):
+            error = lm.peak_error(lm.psf(pupil, 64, 0.25, method=method, dtype="float64"), truth)
+            assert error == pytest.approx(number(cell), rel=0.06), (row, method)
+
+
+def test_the_ranges_beside_the_methods_are_those_of_the_table_of_errors():
+    columns = list(zip(*error_table().values(), strict=True))
+    spans = [(min(column, key=number), max(column, key=number)) for column in columns]
+    wanted = [f"{least.removesuffix(' %') if most.endswith('%') else least} to {most}" for least, most in spans]
+    readme, page = ((ROOT / name).read_text(encoding="utf-8") for name in ("README.md", "docs/choose.md"))
+    for name, span in zip(("MatrixFourier", "Fraunhofer", "ClosedForm", "ClosedForm.best"), wanted, strict=True):
+        row = next(line for line in readme.splitlines() if line.startswith(f"| `{name}("))
+        assert span in row, (row, span)
+        if name != "ClosedForm.best":
+            row = next(line for line in page.splitlines() if line.startswith(f"| {{py:class}}`~lommel.{name}`"))
+            assert span in row, (row, span)
+
+
+@pytest.mark.parametrize("name", ["README.md", "docs/choose.md"])
+def test_every_method_has_a_row_in_the_tables_of_methods(name):
+    text = (ROOT / name).read_text(encoding="utf-8")
+    for kind in METHODS.values():
+        assert re.search(rf"^\| .*{kind.__name__}", text, flags=re.MULTILINE), kind

@@ -57,7 +57,7 @@ BAD = [
     ("psf coma.toml -m hankel -o a.tif", "Hankel supports radially symmetric pupils only"),
     ("psf {phone} --shape 0", "shape must be from 1 to 16384, got 0"),
     ("psf {phone} --shape 64by64", "'64by64' is not a size; write 65 or 64x128"),
-    ("psf {phone} --shape 5x5x5", "shape must be an integer or (height, width), got (5, 5, 5)"),
+    ("psf {phone} --shape 5x5x5", "'5x5x5' is not a size; write 65 or 64x128"),
     ("psf {phone} --shape=", "shape"),
     ("psf {phone} --pixel 3.45", "'3.45' is a length without a unit; write for example '550 nm'"),
     ("psf {phone} --pixel 3.45m", 'for 3.45 um write "3.45 um"'),

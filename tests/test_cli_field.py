@@ -77,7 +77,7 @@ def test_the_json_is_what_python_knows(call_lommel, lenses, expected, tmp_path):
     ("arguments", "what"),
     [
         (["--field", "5"], "--field must be ROWSxCOLUMNS such as 5x7, got 5"),
-        (["--field", "5x7x9"], "--field must be ROWSxCOLUMNS such as 5x7, got (5, 7, 9)"),
+        (["--field", "5x7x9"], "'5x7x9' is not a size; write 65 or 64x128"),
         (["--field", "axb"], "'axb' is not a size"),
         (["--field", "0x7"], "rows must be from 1 to 1000, got 0"),
         (["--field", "2x2", "-o", "a.png"], "--output must end in .tif, .tiff, .zarr, .npz for a grid of PSFs, got"),

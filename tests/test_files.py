@@ -121,11 +121,21 @@ def test_other_programs_read_the_values(which, tmp_path, request):
 def test_the_picture_is_sixteen_bit_grey_with_the_square_root_of_the_values(single, tmp_path):
     single.save(tmp_path / "a.png")
     with Image.open(tmp_path / "a.png") as picture:
-        assert picture.size == (8, 9)
+        assert picture.size == (57 * 8, 57 * 9)  # 57 being the least that makes nine 512 or more
         assert picture.mode.startswith("I;16")
         assert picture.text["Software"] == f"lommel {lm.__version__}"
         grey = np.asarray(picture)
-    np.testing.assert_allclose(grey, 65535 * np.sqrt(single.values / single.values.max()), atol=0.51)
+    levels = np.kron(single.values / single.values.max(), np.ones((57, 57)))
+    np.testing.assert_allclose(grey, 65535 * np.sqrt(levels), atol=0.51)
+
+
+@pytest.mark.parametrize(("side", "scale"), [(1, 512), (33, 16), (511, 2), (512, 1), (513, 1)])
+def test_a_picture_is_enlarged_by_the_whole_number_that_makes_it_512_pixels_or_more(side, scale, tmp_path):
+    psf = lm.psf(lm.Pupil(), (side, 1), 0.5)
+    psf.save(tmp_path / "a.png")
+    with Image.open(tmp_path / "a.png") as picture:
+        assert picture.size == (scale, scale * side)
+    assert lm.peak_error(lm.PSF.load(tmp_path / "a.png"), psf) < 1.6e-5
 
 
 @pytest.mark.parametrize(

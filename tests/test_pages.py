@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
+import subprocess
+import sys
 import tomllib
 import warnings
 from importlib.util import find_spec
@@ -116,9 +119,27 @@ def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_packa
             assert words[1] == "install", (name, words)
             for extra in re.findall(r"\[(\w+)\]", words[2]):
                 assert extra in extras, (name, words)
+        elif "_LOMMEL_COMPLETE" in " ".join(words):
+            assert re.search(r"=(bash|zsh|fish)_source( |$)", words[-1] if words[0] == "eval" else words[0])
         elif words[0] != "lommel":
             assert words[0] == ".venv/bin/python", (name, words)
             assert words[1] == "-m" or (ROOT / words[1]).exists(), (name, words)
+
+
+def test_the_lens_file_of_the_page_about_the_command_line_is_the_first_example(folder):
+    ((code, _),) = blocks(ROOT / "docs" / "command-line.md", "toml")
+    Path("own.toml").write_text(code, encoding="utf-8")
+    shown, example = (lm.load_instrument(path) for path in ("own.toml", "examples/lenses/nifty-fifty.toml"))
+    assert shown.pupil() == example.pupil()
+    assert (shown.pixel, shown.window, shown.integrate) == (example.pixel, example.window, True)
+
+
+@pytest.mark.parametrize("shell", ["zsh", "fish"])
+def test_shells_are_told_how_to_complete(shell, tmp_path):
+    script = Path(sys.executable).with_name("lommel")
+    environment = os.environ | {"_LOMMEL_COMPLETE": f"{shell}_source"}
+    result = subprocess.run([str(script)], env=environment, capture_output=True, text=True, timeout=300, check=True)
+    assert "_lommel_completion" in result.stdout
 
 
 def test_the_lens_files_of_the_page_about_the_field_work(folder):

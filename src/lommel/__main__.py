@@ -2,4 +2,5 @@
 
 from lommel.cli import main
 
-main(prog_name="python -m lommel")
+if __name__ == "__main__":
+    main(prog_name="python -m lommel")

@@ -22,6 +22,7 @@ except ImportError as missing:  # pragma: no cover
 
 if TYPE_CHECKING:
     from lommel.lensfile import Instrument
+    from lommel.psf import PSF
 
 
 def _lens_command(command: Callable[..., None], *more: Callable[..., Any]) -> Callable[..., None]:
@@ -74,7 +75,8 @@ for command in (blur, focus_pull, methods):
 @main.command()
 @_psf_command
 @click.option("-o", "--output", "outputs", multiple=True, type=click.Path(dir_okay=False, path_type=Path),
-              help=".tif (OME), .npy, .npz or .png; may be repeated. With --field .tif, .zarr or .npz.")  # fmt: skip
+              help="The values: .tif (OME), .npy or .npz; or a grey picture to look at: .png, the square root of the "
+              "values, enlarged to 512 pixels or more. Repeatable. With --field .tif, .zarr or .npz.")  # fmt: skip
 @click.option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
               help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
 @click.option("--plot", "figure", type=click.Path(dir_okay=False, path_type=Path),
@@ -155,8 +157,19 @@ def psf(
         return
     tables.print_lens(facts)
     tables.print_psf(answer, facts["psf"])
-    for name in written:
-        click.echo(f"wrote {name}")
+    for path in outputs:
+        click.echo(f"wrote {path}{_of_picture(answer) if path.suffix.lower() == '.png' else ''}")
+    if figure is not None:
+        click.echo(f"wrote {figure}")
+
+
+def _of_picture(answer: PSF) -> str:
+    from lommel.files import png_scale
+
+    scale = png_scale(answer)
+    height, width = (scale * side for side in answer.shape)
+    each = f"{scale} x {scale} for each of the PSF, " if scale > 1 else ""
+    return f": {width} x {height} pixels, {each}square root of the values, 16 bit"
 
 
 def _psf_over_field(

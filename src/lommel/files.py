@@ -24,6 +24,8 @@ SUFFIXES = (".tif", ".tiff", ".npy", ".npz", ".png")
 _MARK = b"\n#lommel "  # between the array and the description in a .npy file
 _SLOPE = "derivative "  # before the name of a derivative in a .npz file
 _PNG_LEVELS = 65535
+_PNG_SIDE = 512
+"""Of pictures: what is smaller is enlarged to it or more, by a whole number."""
 
 
 _Contents = tuple[dict[str, NDArray[Any]], str]  # values and derivatives, description
@@ -37,8 +39,9 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
     """Write a PSF; the suffix chooses the format.
 
     ``.tif``: OME-TIFF with the physical pixel size, all values. ``.npy``: the array, with the description behind
-    it, where NumPy does not look. ``.npz``: ``values`` and ``description``. ``.png``: a picture, 16-bit grey,
-    the square root of the values over their peak (a single PSF only; values come back to 1.6e-5 of the peak).
+    it, where NumPy does not look. ``.npz``: ``values`` and ``description``. ``.png``: a picture to look at,
+    16-bit grey, the square root of the values over their peak, enlarged by the whole number that makes the longer
+    side 512 pixels or more (a single PSF only; :func:`load` gives its values back to 1.6e-5 of the peak).
 
     Derivatives go into ``.npz`` only. The description is JSON: version, pupil (wavefront, obscuration, wavelength,
     f-number, lens distances), method with all its options, normalisation, pixel, error bound, and a checksum of all
@@ -281,11 +284,12 @@ def _png(psf: PSF, description: dict[str, Any]) -> bytes:
         raise ValueError("a .png needs a positive value; every value of this PSF is 0")
     shares = np.maximum(psf.values.astype(np.float64), 0.0) / peak
     grey = np.rint(np.sqrt(shares) * _PNG_LEVELS).astype(np.uint16)
-    picture = {"png": {"peak": peak, "stretch": "sqrt", "levels": _PNG_LEVELS}}
+    scale = png_scale(psf)
+    picture = {"png": {"peak": peak, "stretch": "sqrt", "levels": _PNG_LEVELS, "scale": scale}}
     info.add_text("Software", description["software"])
     info.add_text("lommel", json.dumps(sealed(description | picture, {"values": grey})))
     buffer = io.BytesIO()
-    image.fromarray(grey).save(buffer, format="png", pnginfo=info)
+    image.fromarray(_enlarged(grey, scale)).save(buffer, format="png", pnginfo=info)
     return buffer.getvalue()
 
 
@@ -294,8 +298,23 @@ def _read_png(data: bytes) -> _Contents:
     _images("PIL.Image")
     with _images("PIL.PngImagePlugin").PngImageFile(io.BytesIO(data)) as file:
         text = str(file.info["lommel"])  # which stands before the picture
-        if list(file.size[::-1]) != json.loads(text)["shape"]:
+        description = json.loads(text)
+        scale = validation.integer("scale", description["png"]["scale"], least=1, most=_PNG_SIDE)
+        if list(file.size[::-1]) != [scale * side for side in description["shape"]]:
             raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, other than it says")
         reading.pixels(*file.size)
         file.load()
-        return {"values": np.asarray(file, dtype=np.uint16)}, text
+        grey = np.asarray(file, dtype=np.uint16)
+    values = np.ascontiguousarray(grey[::scale, ::scale])
+    if not np.array_equal(_enlarged(values, scale), grey):
+        raise ValueError("its pixels are not enlarged as it says")
+    return {"values": values}, text
+
+
+def png_scale(psf: PSF) -> int:
+    """Return how many pixels a side stand for one of a PSF in a picture."""
+    return -(-_PNG_SIDE // max(psf.shape[-2:]))
+
+
+def _enlarged(grey: NDArray[Any], scale: int) -> NDArray[Any]:
+    return np.repeat(np.repeat(grey, scale, axis=0), scale, axis=1)

@@ -21,6 +21,7 @@ extensions = [
     "numpydoc",
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
+    "sphinx_copybutton",
     "sphinx_gallery.gen_gallery",
     "sphinx-mathjax-offline",
 ]
@@ -44,6 +45,7 @@ sphinx_gallery_conf = {
     "examples_dirs": "../examples/gallery",
     "gallery_dirs": "gallery",
     "filename_pattern": r"\.py$",
+    "subsection_order": [f"../examples/gallery/{part}" for part in ("cameras", "wavefronts", "telescopes", "methods")],
     "within_subsection_order": "FileNameSortKey",
     "backreferences_dir": "gallery/uses",
     "doc_module": ("lommel",),
@@ -61,10 +63,9 @@ html_title = f"lommel {release}"
 html_static_path = ["_static"]
 html_css_files = ["lommel.css"]
 html_show_sourcelink = False
-# Pages without pages below them need no list of these.
-_ALONE = ("index", "start", "choose", "field", "conventions", "theory", "certificate", "paper", "benchmarks")
-_ALONE += ("changelog",)
-html_sidebars: dict[str, list[str]] = {page: [] for page in _ALONE}
+# Pages that belong to no section need no list of those beside them.
+html_sidebars: dict[str, list[str]] = {page: [] for page in ("index", "start", "changelog")}
+copybutton_exclude = ".linenos, .gp, .go"
 html_copy_source = False
 html_theme_options = {
     "navbar_align": "left",
@@ -94,15 +95,15 @@ if set(lommel.__all__) - _listed:
 
 def leave_out(_app: Any, docname: str, source: list[str]) -> None:
     """Take pages that other targets write off the table of contents where they are not there."""
-    if docname == "index":
+    if docname == "inside":
         for page in ("paper", "benchmarks"):
             if not (HERE / f"{page}.md").exists():
-                source[0] = source[0].replace(f"{page.title()} <{page}>\n", "")
+                source[0] = source[0].replace(f"{page}\n", "")
 
 
 def index_again(*_: Any) -> list[str]:
-    """Have the index read each time, since it depends on which pages there are."""
-    return ["index"]
+    """Have the list of these read each time, since it depends on which pages there are."""
+    return ["inside"]
 
 
 def setup(app: Any) -> None:

@@ -14,7 +14,7 @@ import pytest
 from matplotlib.figure import Figure
 
 ROOT = Path(__file__).resolve().parent.parent
-GALLERY = sorted((ROOT / "examples" / "gallery").glob("*.py"))
+GALLERY = sorted((ROOT / "examples" / "gallery").rglob("*.py"))
 SCRIPT = pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
 
 

@@ -47,7 +47,7 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
     f-number, lens distances), method with all its options, normalisation, pixel, error bound, and a checksum of all
     of this and of the values, without which nothing loads. The file is written
     under a temporary name and moved into place, so that a failure leaves what was there before; links are followed
-    and permissions kept (:func:`lommel.atomic.together`).
+    and permissions kept.
 
     Raises
     ------

@@ -129,7 +129,7 @@ def psf(
     instrument = _instrument(lens, object_distance, pixel, shape, integrate)
     method = chosen(instrument, settings, tol) if method_name == "auto" else build_method(method_name, settings, tol)
     if field is not None:
-        options = {"method": method, "normalize": normalize, "dtype": dtype, "integrate": bool(instrument.integrate)}
+        options = {"method": method, "normalize": normalize, "dtype": dtype, "integrate": instrument.integrate}
         _psf_over_field(instrument, field, options, outputs, figure, as_json)
         return
     with progress(f"{instrument.window[0]} x {instrument.window[1]} pixels"):
@@ -141,7 +141,7 @@ def psf(
             method=method,
             normalize=normalize,
             dtype=dtype,
-            integrate=bool(instrument.integrate),
+            integrate=instrument.integrate,
         )
         seconds = time.perf_counter() - start
         facts = report.describe_lens(instrument) | {"psf": report.describe_psf(answer, seconds)}

@@ -215,7 +215,7 @@ def compare(
             instrument.pixel,
             method=method,
             dtype="float64",
-            integrate=bool(instrument.integrate),
+            integrate=instrument.integrate,
         )
 
     started(reference_name(pupil))

@@ -112,10 +112,13 @@ def test_one_sum_for_each_radius_is_one_sum_for_every_pixel(defocus: float, node
             method=HuygensFresnel(symmetry=symmetry, nodes=nodes),
             normalize="strehl",
             dtype=np.float64,
+            integrate=integrate,
         ).values
+        for integrate in (False, True)
         for symmetry in (True, False)
     ]
     assert np.abs(images[0] - images[1]).max() <= 1e-11
+    assert np.abs(images[2] - images[3]).max() <= 2e-6
 
 
 @given(

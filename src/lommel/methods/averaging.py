@@ -76,8 +76,8 @@ def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, *, normalize:
                 f"samples must be exact to {finer:.2g} of the peak: {fault}"
             ) from None
         tops = total.max(axis=(1, 2))
-        own = (2.0 + taps.error) * taps.error * ceiling
-        own += (2 * taps.weights.size + 8) * 2.0**-53 * taps.gain**2 * peaks
+        rounding = (2 * taps.weights.size + 8) * 2.0**-53 * taps.gain**2 * peaks
+        own = (2.0 + taps.error) * taps.error * ceiling + rounding
         found = tops if normalize else np.maximum(tops, lowest * peaks)
         if not found.min() > 0:
             break

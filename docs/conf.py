@@ -45,7 +45,9 @@ sphinx_gallery_conf = {
     "examples_dirs": "../examples/gallery",
     "gallery_dirs": "gallery",
     "filename_pattern": r"\.py$",
-    "subsection_order": [f"../examples/gallery/{part}" for part in ("cameras", "wavefronts", "telescopes", "methods")],
+    "subsection_order": [
+        f"../examples/gallery/{part}" for part in ("cameras", "wavefronts", "telescopes", "methods")
+    ],
     "within_subsection_order": "FileNameSortKey",
     "backreferences_dir": "gallery/uses",
     "doc_module": ("lommel",),

@@ -180,10 +180,23 @@ def test_lengths_in_lambda_N_and_in_metres_give_the_same_image():
     wavefront = lm.Wavefront(defocus=9.0, spherical=-4.0)
     metric = lm.Pupil(wavefront, obscuration=0.2, wavelength=633e-9, f_number=5.6)
     one = lm.psf(lm.Pupil(wavefront, obscuration=0.2), 15, 0.4, dtype="float64")
-    two = lm.psf(metric, 15, 0.4 * 633e-9 * 5.6, dtype="float64")
+    two = lm.psf(metric, 15, 0.4 * 633e-9 * 5.6, dtype="float64", integrate=False)
     np.testing.assert_allclose(one.values, two.values, rtol=1e-9, atol=0)
     assert (one.unit, two.unit) == ("lambda*N", "m")
     assert one.encircled_energy(2.0) == pytest.approx(two.encircled_energy(2.0 * metric.scale))
+
+
+def test_a_pixel_in_metres_averages_over_its_area_and_one_in_lambda_N_samples_its_centre():
+    wavefront = lm.Wavefront(defocus=2.0)
+    metric = lm.Pupil(wavefront, wavelength=500e-9, f_number=2.0)
+    one, two = lm.psf(lm.Pupil(wavefront), 9, 2.0), lm.psf(metric, 9, 2e-6)
+    assert (one.sampling, two.sampling) == ("center", "pixel")
+    sampled = lm.psf(metric, 9, 2e-6, integrate=False)
+    averaged = lm.psf(lm.Pupil(wavefront), 9, 2.0, integrate=True)
+    np.testing.assert_allclose(one.values, sampled.values, rtol=1e-5, atol=1e-7)
+    np.testing.assert_allclose(two.values, averaged.values, rtol=1e-5, atol=1e-7)
+    assert two.values.sum() == pytest.approx(two.energy, abs=1e-5)
+    assert abs(one.values.sum() - one.energy) > 0.1
 
 
 def test_the_image_does_not_change_when_every_length_grows_alike():

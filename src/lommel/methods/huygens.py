@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from lommel import _core, validation
 from lommel.grid import Grid
+from lommel.methods.averaging import filtered, filtered_by
 from lommel.methods.method import FieldMethod, FieldValues, Intensities
 from lommel.pupil import Geometry, Pupil
 from lommel.special.legendre import gauss_legendre
@@ -74,10 +75,14 @@ class HuygensFresnel(FieldMethod):
         if self.symmetry:
             return super().intensity(pupil, grid, threads)
         if grid.integrate:
-            raise ValueError("integrate=True needs HuygensFresnel(symmetry=True)")
+            taps = filtered_by(grid.step(pupil), 1e-9)
+            return Intensities(filtered(lambda fine: self._samples(pupil, fine), grid, taps), None)
+        return Intensities(self._samples(pupil, grid), None)
+
+    def _samples(self, pupil: Pupil, grid: Grid) -> NDArray[np.float64]:
         y, x = (part.ravel() for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
         field = self._sums(pupil, x, y, half=False)
-        return Intensities((field.real**2 + field.imag**2).reshape(-1, *grid.shape), None)
+        return np.asarray(field.real**2 + field.imag**2).reshape(-1, *grid.shape)
 
     def _sums(
         self, pupil: Pupil, x: NDArray[np.float64], y: NDArray[np.float64], *, half: bool

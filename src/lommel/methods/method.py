@@ -134,6 +134,10 @@ class Method(ABC):
         """Return the same method with half the tolerance, if it has one."""
         return self
 
+    def along_radius(self, pupil: Pupil) -> RadialMethod | None:
+        """Return the method where a profile along the radius describes the whole PSF of `pupil`, else None."""
+        return None
+
     def images(
         self,
         pupil: Pupil,
@@ -211,6 +215,14 @@ class RadialMethod(Method):
     @abstractmethod
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return I at rising v for the flattened stack, shape ``(n, len(v))``."""
+
+    def along_radius(self, pupil: Pupil) -> RadialMethod | None:
+        """Return the method itself for a radial pupil, else None."""
+        return self if pupil.radial else None
+
+    def stretch(self, pupil: Pupil) -> float:
+        """Return the exponential type of U in v: how much faster than at the wavelength of the pupil it varies."""
+        return 1.0
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""

@@ -122,7 +122,8 @@ def test_every_method_has_a_row_in_the_comparison_of_every_example(lens_file):
     only_defocus = not np.any(instrument.pupil().wavefront.coefficients[..., 1:])
     for row in rows:
         expected = row["method"] != "LommelSeries" or only_defocus
-        assert (row["method"] in answers) == (row["reason"] is None) == expected
+        assert (row["reason"] is None) == expected
+        assert (row["method"] in answers) == (expected and row["method"] != "HuygensFresnel")
     certified = {row["method"]: row for row in rows}["NijboerZernike"]
     assert certified["peak_error"] <= certified["error_bound"] <= 1e-6
 

@@ -254,9 +254,9 @@ def compare(
     a pupil are named with the reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. That of
-    HuygensFresnel is the Fresnel approximation of all the others; Geometric averages over pixels; ClosedForm has the
-    tangent-line centre and the erf that serve this window best. Times are those
-    of a second call.
+    HuygensFresnel is the Fresnel approximation of all the others, and is of samples at the centres of the pixels;
+    ClosedForm has the tangent-line centre and the erf of least mean square error in this window. Times are those of a
+    second call, where the first takes less than a second.
 
     \b
     Example:

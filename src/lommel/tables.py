@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 _NOTES = {
     "HuygensFresnel": "differs by what the Fresnel approximation leaves out",
-    "Geometric": "averages over pixels, no diffraction",
+    "Geometric": "no diffraction",
 }
 
 
@@ -232,6 +232,8 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], referen
     for row in rows:
         # "X supports defocus only; this pupil ..." stands beside the name of X.
         reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
+        if row["sampling"] not in (None, sampling) and row["method"] in _NOTES:
+            reason = f"{HOW[row['sampling']]}; {_NOTES[row['method']]}"
         note = reason or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
         spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
         table.add_row(

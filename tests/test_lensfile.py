@@ -73,9 +73,13 @@ def test_numbers_without_a_unit_are_metres(load):
     assert (plain.pixel, plain.object_distance) == (3.45e-6, 1.5)
 
 
-def test_an_object_is_at_infinity_unless_told_otherwise(load):
-    assert load(text=PLAIN.replace('[object]\ndistance = "1.5 m"\n', "")).object_distance == math.inf
+def test_an_object_is_in_focus_unless_told_otherwise(load):
+    without = PLAIN.replace('[object]\ndistance = "1.5 m"\n', "")
+    assert load(text=without).object_distance == load().lens.focus_distance == pytest.approx(2.0)
     assert load('distance = "inf"').object_distance == math.inf
+    inside = without.replace('focus_distance = "2 m"', 'sensor_distance = "10 mm"')
+    with pytest.raises(LensFileError, match=r"object.distance: must be given where the sensor lies inside"):
+        load(text=inside)
 
 
 def test_a_sensor_has_a_side_or_a_height_and_a_width(load):

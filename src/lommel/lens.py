@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -134,20 +134,74 @@ class Lens:
         vergence = 1.0 / self.focal_length - 1.0 / self.sensor_distance
         return math.inf if abs(vergence) < 1e-15 / self.focal_length else 1.0 / vergence
 
-    def defocus(self, object_distance: ArrayLike = math.inf) -> NDArray[np.float64]:
+    def focused(self, focus_distance: float) -> Lens:
+        """Return the lens focused at a distance (metres, may be infinite): the sensor moves, all else stays."""
+        s = validation.real("focus_distance", focus_distance, above=0.0, infinite=True, unit="metres")
+        return self._with(focus_distance=s, sensor_distance=None)
+
+    def stopped(self, f_number: float) -> Lens:
+        """Return the lens with its aperture at another f-number, as engraved; the sensor stays where it is.
+
+        What else there is keeps its size: the wavefront is that of the middle of the aperture, and the obscuration
+        and the vanes are larger over its radius.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the f-number is no positive number, if the obscuration leaves nothing clear, if a lens with aberrations
+            is opened wider, where they are not known, or if it has vignetting or a mask.
+        """
+        stop = validation.real("f_number", f_number, above=0.0)
+        ratio = stop / self.f_number
+        if self.vignetting or self.mask:
+            raise ValueError(
+                "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
+                "the aperture: make a lens with those of the other stop"
+            )
+        known = not self.aberrations.coefficients.any() and self.aberrations.radial
+        if ratio < 1.0 - 1e-9 and not known:
+            raise ValueError(
+                f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its aberrations are "
+                f"known, got f/{stop:g}"
+            )
+        return self._with(
+            f_number=stop,
+            aperture_diameter=None,
+            obscuration=self.obscuration * ratio,
+            aberrations=self.aberrations if known else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
+            spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
+        )
+
+    def _with(self, **changes: Any) -> Lens:
+        """Return the lens with other arguments: fields, or what the constructor takes in their stead."""
+        return replace(self, **changes)
+
+    def defocus(self, object_distance: ArrayLike | None = None) -> NDArray[np.float64]:
         """Return C_d in radians for objects at `object_distance` (metres from the lens, may be infinite).
 
-        ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, with the 1/s of a finite object
-        distance s). Positive where the sensor, at d, lies between the lens and the image of the object.
-        The aberrations of the lens are not included.
+        By default for one in focus. ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, with the 1/s
+        of a finite object distance s). Positive where the sensor, at d, lies between the lens and the image of the
+        object. The aberrations of the lens are not included.
         """
-        s = _object_distance(object_distance)
+        s = self._object_distance(object_distance)
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length + 1.0 / s
         return np.asarray(math.pi / (2.0 * self.wavelength) * vergence * (0.5 * self.aperture_diameter) ** 2)
 
-    def pupil(self, object_distance: ArrayLike = math.inf) -> Pupil:
-        """Return the pupil for an object at `object_distance` (metres); an array gives a stack of pupils."""
-        s = _object_distance(object_distance)
+    def pupil(self, object_distance: ArrayLike | None = None) -> Pupil:
+        """Return the pupil for an object at `object_distance`; an array gives a stack of pupils.
+
+        Parameters
+        ----------
+        object_distance : array_like, optional
+            Metres from the lens, may be infinite. By default the distance in focus.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a distance is not above 0, or does not broadcast with the aberrations; without a distance, if the
+            sensor lies inside the focal plane, where no object is in focus.
+        """
+        s = self._object_distance(object_distance)
         try:
             np.broadcast_shapes(s.shape, self.aberrations.shape)
         except ValueError:
@@ -173,15 +227,21 @@ class Lens:
             mask=self.mask,
         )
 
-
-def _object_distance(value: ArrayLike) -> NDArray[np.float64]:
-    distance = np.asarray(value)
-    if distance.dtype.kind not in "iuf":
-        raise TypeError(f"object_distance must be a number of metres, got {value!r}")
-    distance = distance.astype(np.float64)
-    if distance.size == 0:
-        raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
-    bad = ~(distance > 0.0)
-    if bad.any():
-        raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
-    return distance
+    def _object_distance(self, value: ArrayLike | None) -> NDArray[np.float64]:
+        if value is None:
+            value = focus = self.focus_distance
+            if focus < 0.0:
+                raise ValueError(
+                    "object_distance must be given: no object is in focus, for the sensor at "
+                    f"{self.sensor_distance:g} m lies inside the focal plane at {self.focal_length:g} m"
+                )
+        distance = np.asarray(value)
+        if distance.dtype.kind not in "iuf":
+            raise TypeError(f"object_distance must be a number of metres, got {value!r}")
+        distance = distance.astype(np.float64)
+        if distance.size == 0:
+            raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
+        bad = ~(distance > 0.0)
+        if bad.any():
+            raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
+        return distance

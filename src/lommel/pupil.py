@@ -36,6 +36,11 @@ class Geometry:
     sensor_distance: float
     object_distance: tuple[float, ...]
 
+    def in_focus(self) -> Geometry:
+        """Return the same lens with one object, in focus: behind the lens where its distance is negative."""
+        vergence = 1.0 / self.focal_length - 1.0 / self.sensor_distance
+        return replace(self, object_distance=(1.0 / vergence if vergence else math.inf,))
+
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types, an infinite distance as None (JSON has no infinity)."""
         distances = [None if math.isinf(s) else s for s in self.object_distance]
@@ -274,16 +279,7 @@ class Pupil:
 
     def unaberrated(self) -> Pupil:
         """Return the same aperture, in focus and without aberration."""
-        return Pupil(
-            Wavefront(),
-            obscuration=self.obscuration,
-            wavelength=self.wavelength,
-            f_number=self.f_number,
-            apodization=self.apodization,
-            spider=self.spider,
-            vignetting=self.vignetting,
-            mask=self.mask,
-        )
+        return replace(self, wavefront=Wavefront(), geometry=self.geometry and self.geometry.in_focus())
 
     def __getitem__(self, index: Any) -> Pupil:
         """Return part of a stack, as NumPy indexes arrays of its shape."""

@@ -81,12 +81,14 @@ class DepthBlur:
         dtype: DTypeLike = np.float32,
         threads: int | None = None,
     ) -> None:
-        if not isinstance(lens, Lens):
-            raise TypeError(f"lens must be a Lens, got {lens!r}")
+        require_lens(lens, "lens, depth, pixel")
         if not lens.aberrations.radial or lens.aberrations.shape != ():
             raise ValueError("lens must have radially symmetric aberrations, and one set of them")
         if lens.spider or lens.vignetting or lens.mask:
-            raise ValueError("lens must have a round aperture, without spider, vignetting and mask")
+            raise ValueError(
+                "lens must have a round aperture for photographs, without spider, vignetting and mask: leave these "
+                "out, or ask lommel.psf for the image of single points"
+            )
         self.lens = lens
         self.pixel = validation.pixel(pixel, metric=True)
         self.border = validation.choice("border", border, BORDERS)
@@ -216,6 +218,12 @@ class DepthBlur:
         out = np.zeros((self.shape[1], self.shape[0]), dtype=taken.dtype)
         np.add.at(out, columns, folded.T)
         return out.T
+
+
+def require_lens(lens: Any, order: str) -> None:
+    """Raise TypeError unless `lens` is one, saying in which `order` arguments are given."""
+    if not isinstance(lens, Lens):
+        raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order is {order}")
 
 
 def _depth(depth: ArrayLike) -> NDArray[np.float64]:

@@ -35,9 +35,7 @@ def window(lens: lm.Lens, distance: float, blur: DepthBlur) -> np.ndarray:
         method=lm.NijboerZernike(1e-9),
         dtype=np.float64,
     )
-    away = np.abs(np.arange(-bank.half, bank.half + 1))
-    half = bank.halves[int(bank.positions(lens.defocus(distance)))]
-    used = np.where(np.maximum(away[:, None], away) <= half, answer.values, 0.0)
+    used = bank.used(lens.defocus(distance)) * answer.values
     return np.asarray(used / used.sum())
 
 

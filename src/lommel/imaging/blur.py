@@ -148,7 +148,7 @@ class DepthBlur:
         image : ndarray of float
             Light; the last axis holds the channels if there are several.
         weight : ndarray of bool, shape (height, width), optional
-            Which points take part.
+            Which points take part: the others spread nothing.
         """
         planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
@@ -162,12 +162,15 @@ class DepthBlur:
             to[:] = room[cut : cut + self.shape[0], cut : cut + self.shape[1]]
         return self._shaped(out, image)
 
-    def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``."""
+    def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
+        """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
+
+        With the same `weight` in both; points that take no part receive 0.
+        """
         planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
         for plane, bank, to in zip(planes, self.banks, out, strict=True):
-            margin, positions = self._positions(bank, None)
+            margin, positions = self._positions(bank, weight)
             room = np.pad(plane, margin + bank.half)
             taken = np.empty(positions.shape, dtype=self.dtype)
             _core.collect(bank.windows, bank.halves, bank.energies, positions, room, self.threads, taken)
@@ -199,6 +202,9 @@ class DepthBlur:
         """Return the margin of the border, and where each point is in the bank, below 0 for those left out."""
         positions = np.maximum(bank.positions(self.defocus), 0.0)
         if weight is not None:
+            if not isinstance(weight, np.ndarray) or weight.dtype != np.bool_ or weight.shape != self.shape:
+                got = f"{np.asarray(weight).dtype} of the shape {np.shape(weight)}"
+                raise TypeError(f"weight must be an array of bool of the shape {self.shape}, got {got}")
             positions = np.where(weight, positions, -1.0)
         margin = 0 if self.border == "zero" else bank.half
         return margin, np.ascontiguousarray(self._padded(positions, margin))

@@ -132,7 +132,10 @@ LENS_PARTS = {
     "wavelength": 550e-9,
     "obscuration": 0.2,
     "aberrations": lm.Wavefront(1.0, 2.0, nonradial={(3, 1): 3.0}),
-} | SHAPES
+    **SHAPES,
+    "model": "aplanatic",
+    "corrected_for": "focus",
+}
 
 
 def _parts(thing):
@@ -175,9 +178,11 @@ def test_nothing_that_a_pupil_is_made_of_is_forgotten():
     assert not any(value is None or value == defaults[name] for name, value in _parts(pupil).items())
     kept = {name: getattr(lens, name) for name in ("obscuration", "wavelength", *SHAPES)}
     assert kept.items() <= _parts(pupil).items()
+    kept_distances = {"model": "aplanatic", "corrected_for": "focus", "focal_length": 0.05, "sensor_distance": 0.052}
+    assert kept_distances.items() <= vars(pupil.geometry).items()
     one, focus = lens.pupil(2.0), lens.pupil()
     made = {
-        "__getitem__": (pupil[1], {"wavefront": one.wavefront, "geometry": one.geometry}),
+        "__getitem__": (pupil[1], {"wavefront": pupil.wavefront[1], "geometry": one.geometry}),
         "unaberrated": (pupil.unaberrated(), {"wavefront": lm.Wavefront(), "geometry": focus.geometry}),
         "from_dict": (lm.Pupil.from_dict(pupil.to_dict()), {"mask": lm.Mask(np.full((4, 4), 0.5))}),
     }

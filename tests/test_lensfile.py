@@ -65,6 +65,15 @@ def test_a_file_says_what_the_python_would(load):
     assert (instrument.name, instrument.source, instrument.radii) == ("camera", "nobody", {})
 
 
+def test_a_lens_has_a_model(load):
+    lens = load('model = "aplanatic"', 'corrected_for = "focus"').lens
+    assert (lens.model, lens.corrected_for) == ("aplanatic", "focus")
+    with pytest.raises(LensFileError, match=r"lens.model \(line 9\): .*'paraxial' or 'aplanatic'"):
+        load('model = "thick"')
+    with pytest.raises(LensFileError, match="the sine of the angle of its rim would be"):
+        load('model = "aplanatic"', "f_number = 0.4")
+
+
 def test_numbers_without_a_unit_are_metres(load):
     plain = load(
         "focal_length = 0.05", "focus_distance = 2", "wavelength = 550e-9", "pixel = 3.45e-6", "distance = 1.5"

@@ -11,8 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Mask, Spider
+from lommel.aplanatic import expansion
 from lommel.pupil import Geometry, Pupil
 from lommel.wavefront import Wavefront
+
+MODELS = ("paraxial", "aplanatic")
+CORRECTED_FOR = ("object", "focus")
 
 
 @dataclass(frozen=True, init=False)
@@ -36,6 +40,19 @@ class Lens:
         Added to the defocus of every object distance.
     spider, vignetting, mask : optional
         What narrows the aperture, as of :class:`lommel.Pupil`.
+    model : {"paraxial", "aplanatic"}, default "paraxial"
+        How defocus is turned into phase. "paraxial": the paper's Eq. 1-3, parabolas for spheres. "aplanatic": a lens
+        that obeys Abbe's sine condition, so that a ray leaves for the axial point of the sensor at an angle whose
+        sine is rho times ``aperture radius / sensor distance`` (1 / 2N, N the working f-number), and the exact path
+        difference between reference spheres. Light is uniform over rho.
+    corrected_for : {"object", "focus"}, default "object"
+        Of an aplanatic lens: which point it images without aberration. No lens that obeys the sine condition does so
+        for points at two distances from it (Herschel's condition contradicts Abbe's), so one must say. "object": the
+        object, whatever its distance, as of a lens that is corrected for all and whose sensor is out of place. The
+        spheres are those round the image of the object and round the axial point of the sensor. "focus": the point in
+        focus, as of a lens at rest whose object is out of place, above all a microscope's. The spheres are those
+        round the object and round the point in focus, and the sine of the angle there is rho times
+        ``aperture radius / focus distance``.
 
     Raises
     ------
@@ -58,6 +75,8 @@ class Lens:
     spider: Spider | None
     vignetting: Ellipse | CatEye | None
     mask: Mask | None
+    model: str
+    corrected_for: str
 
     def __init__(
         self,
@@ -73,6 +92,8 @@ class Lens:
         spider: Spider | None = None,
         vignetting: Ellipse | CatEye | None = None,
         mask: Mask | None = None,
+        model: str = "paraxial",
+        corrected_for: str = "object",
     ) -> None:
         f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
         if (f_number is None) == (aperture_diameter is None):
@@ -112,11 +133,15 @@ class Lens:
             "spider": spider,
             "vignetting": vignetting,
             "mask": mask,
+            "model": validation.choice("model", model, MODELS),
+            "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
         }
         # What is no such shape, or leaves nothing clear, is told now.
         Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
         for name, value in values.items():
             object.__setattr__(self, name, value)
+        if model == "aplanatic":
+            self.phase(0.0)  # a rim out of reach is told now
 
     @property
     def f_number(self) -> float:
@@ -181,11 +206,31 @@ class Lens:
 
         By default for one in focus. ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, with the 1/s
         of a finite object distance s). Positive where the sensor, at d, lies between the lens and the image of the
-        object. The aberrations of the lens are not included.
+        object. The aberrations of the lens are not included; nor is what makes a lens aplanatic, see :meth:`phase`.
         """
         s = self._object_distance(object_distance)
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length + 1.0 / s
         return np.asarray(math.pi / (2.0 * self.wavelength) * vergence * (0.5 * self.aperture_diameter) ** 2)
+
+    def phase(self, defocus: ArrayLike) -> Wavefront:
+        """Return the wavefront of a defocus C_d (radians, of any shape), without the aberrations of the lens.
+
+        The defocus itself if the model is paraxial. Else the powers of rho^2 in which the exact path difference is
+        expanded, with a bound on what they leave out; see :func:`lommel.aplanatic.expansion`.
+        """
+        c = validation.real_array("defocus", defocus)
+        if self.model == "paraxial":
+            return Wavefront(c)
+        radius = 0.5 * self.aperture_diameter
+        vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c.ravel()
+        powers, error = expansion(radius, self._geometry.sphere, vergence, self.wavelength)
+        first, second, *rest = (power.reshape(c.shape) for power in powers.T)
+        return Wavefront(0.5 * first, second, rest, error=error)
+
+    @property
+    def _geometry(self) -> Geometry:
+        radius = 0.5 * self.aperture_diameter
+        return Geometry(radius, self.focal_length, self.sensor_distance, (), self.model, self.corrected_for)
 
     def pupil(self, object_distance: ArrayLike | None = None) -> Pupil:
         """Return the pupil for an object at `object_distance`; an array gives a stack of pupils.
@@ -209,12 +254,9 @@ class Lens:
                 "object_distance must broadcast with the aberrations, "
                 f"got shapes {s.shape} and {self.aberrations.shape}"
             ) from None
-        wavefront = Wavefront(self.defocus(s)) + self.aberrations
-        geometry = Geometry(
-            0.5 * self.aperture_diameter,
-            self.focal_length,
-            self.sensor_distance,
-            tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist()),
+        wavefront = self.phase(self.defocus(s)) + self.aberrations
+        geometry = replace(
+            self._geometry, object_distance=tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
         )
         return Pupil(
             wavefront,

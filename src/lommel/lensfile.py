@@ -110,6 +110,8 @@ class _Lens(Section):
     sensor_distance: Length | None = None
     wavelength: Annotated[Length, AfterValidator(validation.wavelength)]
     obscuration: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    model: Literal["paraxial", "aplanatic"] = "paraxial"
+    corrected_for: Literal["object", "focus"] = "object"
 
 
 class _Aberrations(Section):
@@ -238,7 +240,8 @@ def load_instrument(path: str | PathLike[str]) -> Instrument:
 
     Lengths are texts with a unit (``"50 mm"``, ``"inf"``) or numbers of metres. Sections and keys:
     ``name``, ``source``; ``[lens]`` focal_length, f_number or aperture_diameter, focus_distance or
-    sensor_distance, wavelength, obscuration; ``[aberrations]`` defocus and spherical (C_d, C_s, radians),
+    sensor_distance, wavelength, obscuration, model ("paraxial" or "aplanatic") and corrected_for ("object" or
+    "focus"), see :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians),
     W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131,
     W222, W220, W311 (waves at the edge of the field) with field, a pair [x, y] over that edge, and a section
     ``[aberrations.zernike]``, all of which add; ``[object]`` distance, by default that in focus; ``[sensor]`` pixel,

@@ -32,7 +32,9 @@ def exact(pupil: lm.Pupil, defocus: float, side: int, wavelength: float = 550e-9
 def bank(request: pytest.FixtureRequest) -> tuple[lm.Pupil, Bank]:
     """A bank from behind the focus to before it."""
     pupil = PUPILS[request.param]
-    made = build_bank(pupil, GREEN, PIXEL, (-9.0, 14.0), tol=1e-4, energy=0.95, largest=60, dtype=np.float64)
+    made = build_bank(
+        pupil, lm.Wavefront, GREEN, PIXEL, (-9.0, 14.0), tol=1e-4, energy=0.95, largest=60, dtype=np.float64
+    )
     return pupil, made
 
 
@@ -77,9 +79,19 @@ def test_energies_are_the_sums_of_the_windows(bank):
 
 @pytest.mark.parametrize("tol", [1e-2, 1e-4, 1e-6])
 def test_the_tolerance_is_kept_and_a_smaller_one_takes_more_windows(tol):
-    made = build_bank(PUPILS["plain"], GREEN, PIXEL, (1.0, 8.0), tol=tol, energy=0.9, largest=60, dtype=np.float64)
+    made = build_bank(
+        PUPILS["plain"], lm.Wavefront, GREEN, PIXEL, (1.0, 8.0), tol=tol, energy=0.9, largest=60, dtype=np.float64
+    )
     coarse = build_bank(
-        PUPILS["plain"], GREEN, PIXEL, (1.0, 8.0), tol=10 * tol, energy=0.9, largest=60, dtype=np.float64
+        PUPILS["plain"],
+        lm.Wavefront,
+        GREEN,
+        PIXEL,
+        (1.0, 8.0),
+        tol=10 * tol,
+        energy=0.9,
+        largest=60,
+        dtype=np.float64,
     )
     for defocus in np.random.default_rng(0).uniform(1.0, 8.0, 12):
         true = made.used(defocus) * exact(PUPILS["plain"], defocus, 2 * made.half + 1)
@@ -90,7 +102,9 @@ def test_the_tolerance_is_kept_and_a_smaller_one_takes_more_windows(tol):
 def test_a_spectrum_is_the_sum_of_its_wavelengths_at_equal_path_differences():
     spectrum = ((500e-9, 0.3), (620e-9, 0.7))
     pupil = PUPILS["spherical"]
-    made = build_bank(pupil, spectrum, PIXEL, (2.0, 6.0), tol=1e-5, energy=0.95, largest=60, dtype=np.float64)
+    made = build_bank(
+        pupil, lm.Wavefront, spectrum, PIXEL, (2.0, 6.0), tol=1e-5, energy=0.95, largest=60, dtype=np.float64
+    )
     for defocus in (2.0, 3.7, 6.0):
         true = sum(share * exact(pupil, defocus, 2 * made.half + 1, at) for at, share in spectrum)
         true = made.used(defocus) * true
@@ -98,7 +112,7 @@ def test_a_spectrum_is_the_sum_of_its_wavelengths_at_equal_path_differences():
 
 
 def test_windows_are_no_larger_than_the_blur_takes():
-    made = build_bank(PUPILS["plain"], GREEN, PIXEL, (0.0, 40.0), tol=1e-3, energy=0.9, largest=60)
+    made = build_bank(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL, (0.0, 40.0), tol=1e-3, energy=0.9, largest=60)
     assert made.windows.dtype == np.float32
     assert made.halves[1] < 3
     assert made.halves[-2] > 8
@@ -108,7 +122,9 @@ def test_windows_are_no_larger_than_the_blur_takes():
 @pytest.mark.parametrize("name", PUPILS)
 def test_a_window_changes_little_where_the_defocus_does(name):
     """At each window of the bank, and wherever a new ring begins, the step is that of a smooth function."""
-    made = build_bank(PUPILS[name], GREEN, PIXEL, (-9.0, 14.0), tol=1e-4, energy=0.98, largest=60, dtype=np.float64)
+    made = build_bank(
+        PUPILS[name], lm.Wavefront, GREEN, PIXEL, (-9.0, 14.0), tol=1e-4, energy=0.98, largest=60, dtype=np.float64
+    )
     knots = made.start + made.spacing * np.arange(1, made.count - 1)
     whole = np.arange(1, made.half)
     rings = [
@@ -125,14 +141,16 @@ def test_a_window_changes_little_where_the_defocus_does(name):
 
 
 def test_one_distance_makes_a_bank_too():
-    made = build_bank(PUPILS["plain"], GREEN, PIXEL, (5.0, 5.0), tol=1e-6, energy=0.95, largest=60, dtype=np.float64)
+    made = build_bank(
+        PUPILS["plain"], lm.Wavefront, GREEN, PIXEL, (5.0, 5.0), tol=1e-6, energy=0.95, largest=60, dtype=np.float64
+    )
     true = made.used(5.0) * exact(PUPILS["plain"], 5.0, 2 * made.half + 1)
     assert np.abs(made.window(5.0) * true.sum() - true).max() <= 2e-6 * true.max()
 
 
 def test_banks_that_would_be_too_large_are_refused_with_what_to_do(monkeypatch):
     with pytest.raises(ValueError, match=r"the blur takes windows of more than 21 pixels a side to hold 0.95 of"):
-        build_bank(PUPILS["plain"], GREEN, PIXEL, (0.0, 60.0), tol=1e-3, energy=0.95, largest=10)
+        build_bank(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL, (0.0, 60.0), tol=1e-3, energy=0.95, largest=10)
     monkeypatch.setattr("lommel.imaging.bank._MAX_WINDOWS", 200)
     with pytest.raises(ValueError, match=r"exceeds the limits of 200 windows .* ask for a larger tol than 1e-07"):
-        build_bank(PUPILS["plain"], GREEN, PIXEL, (0.0, 20.0), tol=1e-7, energy=0.9, largest=60)
+        build_bank(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL, (0.0, 20.0), tol=1e-7, energy=0.9, largest=60)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -86,6 +86,7 @@ class Bank:
 
 def build_bank(
     pupil: Pupil,
+    phase: Callable[[NDArray[np.float64]], Wavefront],
     spectrum: Sequence[tuple[float, float]],
     pixel: float,
     defocus: tuple[float, float],
@@ -102,6 +103,8 @@ def build_bank(
     ----------
     pupil : Pupil
         In focus, with the aberrations of the lens, at its wavelength; radially symmetric.
+    phase : callable
+        Makes wavefronts of defocus, as :meth:`lommel.Lens.phase`.
     spectrum : sequence of (wavelength, weight)
         Of the channel; weights sum to 1.
     pixel : float
@@ -124,13 +127,13 @@ def build_bank(
         If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
     """
     low, high = defocus
-    half = _enough(pupil, spectrum, pixel, defocus, energy, largest, threads)
+    half = _enough(pupil, phase, spectrum, pixel, defocus, energy, largest, threads)
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / 6.0, 0.05)
     start = low - spacing
 
     def means(positions: NDArray[np.float64]) -> NDArray[np.float64]:
-        return _means(pupil, spectrum, pixel, start + spacing * positions, half, threads)[1]
+        return _means(pupil, phase, spectrum, pixel, start + spacing * positions, half, threads)[1]
 
     exact = means(np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64))
     while True:
@@ -152,7 +155,7 @@ def build_bank(
     first = max(0, math.floor((low - start) / spacing) - 1)
     last = min(len(exact), math.ceil((high - start) / spacing) + 3)
     first = max(0, min(first, last - 4))
-    rule = _means(pupil, spectrum, pixel, np.empty(0), half, threads)[0]
+    rule = _means(pupil, phase, spectrum, pixel, np.empty(0), half, threads)[0]
     return _packed(rule, exact[first:last], start + first * spacing, spacing, error, energy, dtype)
 
 
@@ -209,6 +212,7 @@ def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any
 
 def _enough(
     pupil: Pupil,
+    phase: Callable[[NDArray[np.float64]], Wavefront],
     spectrum: Sequence[tuple[float, float]],
     pixel: float,
     defocus: tuple[float, float],
@@ -218,7 +222,7 @@ def _enough(
 ) -> int:
     """Return half of a window that holds `energy` of the light at both ends of the range and in its middle."""
     ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
-    blur = replace(pupil, wavefront=Wavefront(ends) + pupil.wavefront, geometry=None).geometric_radius().max()
+    blur = replace(pupil, wavefront=phase(ends) + pupil.wavefront, geometry=None).geometric_radius().max()
     half = math.ceil(float(blur) / pixel) + 1
     while True:
         if half > largest:
@@ -226,7 +230,7 @@ def _enough(
                 f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the "
                 "light; stop down, allow larger windows, or ask for less of the light"
             )
-        rule, means = _means(pupil, spectrum, pixel, ends, half, threads)
+        rule, means = _means(pupil, phase, spectrum, pixel, ends, half, threads)
         sums = rule.sums(means)
         if sums[:, -1].min() >= energy:
             return int(max((row >= energy).argmax() for row in sums)) + 1
@@ -235,6 +239,7 @@ def _enough(
 
 def _means(
     pupil: Pupil,
+    phase: Callable[[NDArray[np.float64]], Wavefront],
     spectrum: Sequence[tuple[float, float]],
     pixel: float,
     defocus: NDArray[np.float64],
@@ -250,7 +255,7 @@ def _means(
         if defocus.size == 0:
             break
         # Phases are path differences.
-        wavefront = (pupil.wavelength / wavelength) * (Wavefront(defocus) + pupil.wavefront)
+        wavefront = (pupil.wavelength / wavelength) * (phase(defocus) + pupil.wavefront)
         there = replace(pupil, wavefront=wavefront, wavelength=wavelength, geometry=None)
         share = weight * step**2 / (4.0 * math.pi * there.transmission)
         total += share * _METHOD.means(there, step * rule.radii, rule.matrix, threads)

@@ -117,6 +117,7 @@ class DepthBlur:
             if spectrum not in known:
                 known[spectrum] = build_bank(
                     pupil,
+                    lens.phase,
                     spectrum,
                     self.pixel,
                     reach,

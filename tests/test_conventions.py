@@ -121,9 +121,9 @@ def test_one_wave_of_a_seidel_coefficient_is_two_pi_at_the_edge_of_the_pupil(nam
 
 
 def test_C_d_is_positive_where_the_sensor_lies_between_the_lens_and_its_focus():
-    assert round_lens(sensor_distance=0.099).defocus() > 0
-    assert round_lens(sensor_distance=0.1).defocus() == 0
-    assert round_lens(sensor_distance=0.101).defocus() < 0
+    assert round_lens(sensor_distance=0.099).defocus(math.inf) > 0
+    assert round_lens(sensor_distance=0.1).defocus(math.inf) == 0
+    assert round_lens(sensor_distance=0.101).defocus(math.inf) < 0
 
 
 def test_an_object_nearer_than_the_focus_gives_a_positive_C_d():
@@ -135,7 +135,7 @@ def test_an_object_nearer_than_the_focus_gives_a_positive_C_d():
 
 
 def test_equation_3_holds_for_an_object_at_infinity():
-    assert round_lens(sensor_distance=1 / 10.02).defocus() == pytest.approx(2 * math.pi)
+    assert round_lens(sensor_distance=1 / 10.02).defocus(math.inf) == pytest.approx(2 * math.pi)
     assert round_lens(sensor_distance=1 / 9.99).defocus(math.inf) == pytest.approx(-math.pi)
 
 
@@ -155,7 +155,7 @@ def test_a_positive_C_s_focuses_the_rim_beyond_the_middle():
     spot = lens.pupil().airy_radius
     nearer, farther = (
         lm.psf(
-            round_lens(sensor_distance=1 / vergence, aberrations=lens.aberrations).pupil(), 3, 1e-6
+            round_lens(sensor_distance=1 / vergence, aberrations=lens.aberrations).pupil(math.inf), 3, 1e-6
         ).encircled_energy(spot)
         for vergence in (10.05, 9.95)
     )

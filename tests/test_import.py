@@ -32,7 +32,7 @@ ORDER = [
     {"quality"},
     {"psf"},
     {"imaging", "fieldmap"},
-    {"fieldtable", "adapters"},
+    {"fieldtable", "adapters", "instrument"},
     {"entries"},
     {"aperturefile"},
     {"lensfile"},

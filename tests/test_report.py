@@ -11,7 +11,7 @@ import pytest
 
 import lommel as lm
 from lommel import report
-from lommel.lensfile import wide_enough
+from lommel.instrument import wide_enough
 from lommel.plot import HOW
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)

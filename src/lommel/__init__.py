@@ -14,8 +14,9 @@ if TYPE_CHECKING:
     from lommel.fieldmap import FieldMap, PSFGrid
     from lommel.fitting import WavefrontFit, fit_opd, fit_radial, opd_map
     from lommel.grid import Grid
+    from lommel.instrument import Instrument
     from lommel.lens import Lens
-    from lommel.lensfile import Instrument, load_instrument
+    from lommel.lensfile import load_instrument
     from lommel.methods import (
         ChordalGauss,
         ClosedForm,
@@ -49,7 +50,7 @@ _HOME = {
     "Spider": "aperture",
     "Grid": "grid",
     "Lens": "lens",
-    "Instrument": "lensfile",
+    "Instrument": "instrument",
     "load_instrument": "lensfile",
     "best_focus": "metrics",
     "mse": "metrics",

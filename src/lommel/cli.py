@@ -21,7 +21,7 @@ except ImportError as missing:  # pragma: no cover
     sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
 
 if TYPE_CHECKING:
-    from lommel.lensfile import Instrument
+    from lommel.instrument import Instrument
     from lommel.psf import PSF
 
 
@@ -254,9 +254,10 @@ def compare(
     a pupil are named with the reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. That of
-    HuygensFresnel is the Fresnel approximation of all the others, and is of samples at the centres of the pixels;
-    ClosedForm has the tangent-line centre and the erf of least mean square error in this window. Times are those of a
-    second call, where the first takes less than a second.
+    HuygensFresnel, of a paraxial lens, is the Fresnel approximation of all the others, and is of samples at the
+    centres of the pixels; ClosedForm has the tangent-line centre and the erf of least mean square error in this
+    window. Times are those of a second call, where the first takes less than a second. What the other model of the
+    lens would change is told below.
 
     \b
     Example:
@@ -285,9 +286,10 @@ def compare(
 
             _save_figure(plot.compare(answers, reference), figure)
     if as_json:
-        print_json({"name": instrument.name, "reference": reference, "sampling": sampling, "rows": rows})
+        named = {"name": instrument.name, "reference": reference, "sampling": sampling}
+        print_json(named | {"rows": rows, "other_model": report.other_model(instrument)})
     else:
-        tables.print_comparison(instrument, rows, reference, sampling)
+        tables.print_comparison(instrument, rows, reference, sampling, report.other_model(instrument))
         if figure is not None:
             click.echo(f"wrote {figure}")
 

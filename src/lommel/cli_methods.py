@@ -10,7 +10,7 @@ import click
 from lommel.cli_parts import one_line_errors, print_json
 
 if TYPE_CHECKING:
-    from lommel.lensfile import Instrument
+    from lommel.instrument import Instrument
     from lommel.methods import Method
 
 METHOD_NAMES = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
@@ -25,6 +25,7 @@ from lommel import faults, fieldtable, reading, validation, zernikefile
 from lommel.aperturefile import ApertureSection
 from lommel.entries import Distance, Length, Number, Section, SignedLength, beside
 from lommel.fieldmap import FieldMap
+from lommel.instrument import Instrument
 from lommel.lens import Lens
 from lommel.pupil import Pupil
 from lommel.units import parse_radius, with_units
@@ -34,72 +35,6 @@ from lommel.zernikefile import ZernikeTable
 
 class LensFileError(ValueError):
     """A lens file that cannot be used; the message names every fault with its key and line."""
-
-
-@dataclass(frozen=True)
-class Instrument:
-    """What a lens file describes: a lens, the object it looks at, and its sensor.
-
-    Attributes
-    ----------
-    name, source : str
-        What it is, and where its figures come from.
-    lens : Lens
-    object_distance, pixel : float
-        Metres.
-    shape : tuple of int, or None
-        Height and width of the window, in pixels, where the file names them; see :attr:`window`.
-    radii : dict of str to float
-        Radii of interest on the sensor (metres) by the text that named them; for encircled energies.
-    sensor : tuple of float, or None
-        Height and width of the whole sensor, metres, where the file says what changes over the field.
-    aberrations_of_field : FieldMap, or None
-        What the field adds to the wavefront of the lens.
-    integrate : bool or None
-        Whether pixels average or sample, as of :func:`lommel.psf`; None where the file does not say.
-    """
-
-    name: str
-    source: str
-    lens: Lens
-    object_distance: float
-    pixel: float
-    shape: tuple[int, int] | None
-    radii: dict[str, float]
-    sensor: tuple[float, float] | None = None
-    aberrations_of_field: FieldMap | None = field(default=None, repr=False)
-    integrate: bool | None = None
-
-    @property
-    def window(self) -> tuple[int, int]:
-        """Height and width of the window: `shape`, or a square for about 98 % of the light, see `wide_enough`."""
-        return self.shape or (max(33, min(wide_enough(self.pupil(), self.pixel), 1025)),) * 2
-
-    def pupil(self) -> Pupil:
-        """Return the pupil for the object of the file."""
-        return self.lens.pupil(self.object_distance)
-
-    def field(self) -> FieldMap:
-        """Return the map of the field for the object of the file: the aberrations of the field and of the lens.
-
-        Raises
-        ------
-        ValueError
-            If the file has no section [field].
-        """
-        if self.aberrations_of_field is None:
-            raise ValueError(f"the lens file of {self.name!r} must have a section [field] for PSFs over the field")
-        return self.aberrations_of_field + self.pupil().wavefront
-
-
-def wide_enough(pupil: Pupil, pixel: float) -> int:
-    """Return the odd side, in pixels, of a square about the axis that holds some 98 % of the light.
-
-    Beyond the rays diffraction spreads ``2 / pi^2`` of the light per lambda*N of distance from the edge of their
-    blur, and more the longer the rim of the aperture is for its area.
-    """
-    tail = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
-    return 2 * min(math.ceil((float(pupil.geometric_radius()) + tail) / pixel), validation.MAX_SIDE // 2 - 1) + 1
 
 
 def _shape(value: Any) -> tuple[int, int]:
@@ -140,6 +75,8 @@ class _Lens(Section):
     sensor_distance: Length | None = None
     wavelength: Annotated[Length, AfterValidator(_wavelength)]
     obscuration: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    model: Literal["paraxial", "aplanatic"] = "paraxial"
+    corrected_for: Literal["object", "focus"] = "object"
 
 
 class _Aberrations(Section):
@@ -159,7 +96,7 @@ class _Aberrations(Section):
 
 
 class _Object(Section):
-    distance: Distance = math.inf
+    distance: Distance | None = None  # that in focus
 
 
 class _Sensor(Section):
@@ -269,13 +206,14 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
 
     Lengths are texts with a unit (``"50 mm"``, ``"inf"``), angles also numbers of radians. Sections and keys:
     ``name`` (by default that of the file) and ``source``; ``[lens]`` focal_length, f_number or aperture_diameter,
-    focus_distance or sensor_distance, wavelength, obscuration; ``[aberrations]`` defocus and spherical (C_d, C_s,
-    radians), W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus),
-    W131, W222, W220, W311 (waves at the edge of the field) with field, a pair [x, y] over that edge, and a section
-    ``[aberrations.zernike]``, all of which add; ``[object]`` distance; ``[sensor]`` pixel, shape (by default a
-    window that holds about 98 % of the light) and integrate, whether its pixels average over their area, which they
-    do by default; ``[report]`` encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what
-    changes over the sensor and adds to all of this.
+    focus_distance or sensor_distance, wavelength, obscuration, model ("paraxial" or "aplanatic") and corrected_for
+    ("object" or "focus"), see :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians),
+    W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131,
+    W222, W220, W311 (waves at the edge of the field) with field, a pair [x, y] over that edge, and a section
+    ``[aberrations.zernike]``, all of which add; ``[object]`` distance, by default that in focus; ``[sensor]``
+    pixel, shape (by default a window that holds about 98 % of the light) and integrate, whether its pixels average
+    over their area, which they do by default; ``[report]`` encircled_energy, a list of radii on the sensor or of
+    angles; ``[field]`` what changes over the sensor and adds to all of this.
 
     ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
     them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
@@ -391,16 +329,14 @@ def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrumen
     except ValueError as error:
         raise ValueError(f"aperture: {error}" if shapes else str(error)) from None
     radii = {str(text): parse_radius(text, lens.focal_length) for text in file.report.encircled_energy}
-    sensor = file.sensor
+    distance = lens.focus_distance if file.object.distance is None else file.object.distance
+    if distance < 0.0:
+        raise ValueError(
+            "object.distance: must be given where the sensor lies inside the focal plane: no object is in focus"
+        )
+    name, sensor = stem if file.name is None else file.name, file.sensor
     found = Instrument(
-        stem if file.name is None else file.name,
-        file.source,
-        lens,
-        file.object.distance,
-        sensor.pixel,
-        sensor.shape,
-        radii,
-        integrate=sensor.integrate,
+        name, file.source, lens, distance, sensor.pixel, sensor.shape, radii, integrate=sensor.integrate
     )
     if file.field is None:
         return found

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel import validation
 from lommel.grid import Grid
 from lommel.methods.choice import SERIES, choose
-from lommel.methods.method import Images, Method, RadialMethod, ToleranceError
+from lommel.methods.method import Images, Method, RadialMethod, ToleranceError, widened
 from lommel.pupil import Pupil
 
 if TYPE_CHECKING:
@@ -194,6 +194,7 @@ class Plan:
                 raise
             method = SERIES
             made = images(method)
+        made = widened(made, pupil, method, normalized=normalize == "peak")
         rounding = 2.0**-24 if self.dtype == np.float32 else 2.0**-53
         slopes, slope_bounds = {}, {}
         if made.slopes is not None:

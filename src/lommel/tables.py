@@ -14,12 +14,12 @@ from lommel.units import format_length
 
 if TYPE_CHECKING:
     from lommel.fieldmap import PSFGrid
-    from lommel.lensfile import Instrument
+    from lommel.instrument import Instrument
     from lommel.psf import PSF
 
 
 _NOTES = {
-    "HuygensFresnel": "differs by what the Fresnel approximation leaves out",
+    "HuygensFresnel": "takes the lens for a flat, thin one, without the Fresnel approximation",
     "Geometric": "no diffraction",
 }
 
@@ -44,6 +44,8 @@ def print_lens(facts: dict[str, Any]) -> None:
         ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
          f" (working f/{facts['working_f_number']:.4g})"),
         ("pixel", format_length(facts["pixel"])),
+        ("model", _model(facts)),
+        ("other model", model_in_words(facts["other_model"])),
         ("defocus C_d", f"{facts['defocus']:.4g} rad"),
         ("spherical C_s", f"{facts['spherical']:.4g} rad"),
         *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(facts["higher"])],
@@ -122,6 +124,21 @@ def _print_field_of_lens(console: Console, field: dict[str, Any]) -> None:
     console.print()
     console.print(table)
     console.print("along a diagonal of the sensor; all else is of the axis", style="dim")
+
+
+def _model(facts: dict[str, Any]) -> str:
+    side = f", corrected for the {facts['corrected_for']}" if facts["model"] == "aplanatic" else ""
+    return f"{facts['model']}{side}"
+
+
+def model_in_words(other: dict[str, Any]) -> str:
+    """Return in a line what :func:`lommel.report.other_model` says."""
+    if other["reason"] is not None:
+        return f"{other['model']}: {other['reason']}"
+    return (
+        f"{_model(other)}: differs by {other['peak_error']:.2g} of the peak, geometric blur radius "
+        f"{format_length(other['geometric_radius'])}"
+    )
 
 
 def _aperture(facts: dict[str, Any]) -> list[tuple[str, str]]:
@@ -217,8 +234,10 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
     console.print(peaks)
 
 
-def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], reference: str, sampling: str) -> None:
-    """Print the rows of :func:`lommel.report.compare`, judged by the `reference` of this name."""
+def print_comparison(
+    instrument: Instrument, rows: list[dict[str, Any]], reference: str, sampling: str, other: dict[str, Any]
+) -> None:
+    """Print the rows of :func:`lommel.report.compare`, judged by the `reference` of this name, and `other_model`."""
     height, width = instrument.window
     size = f"{height} x {width} pixels of {format_length(instrument.pixel)}, {HOW[sampling]}"
     table = Table(box=None, pad_edge=False)
@@ -232,9 +251,11 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], referen
     for row in rows:
         # "X supports defocus only; this pupil ..." stands beside the name of X.
         reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
-        if row["sampling"] not in (None, sampling) and row["method"] in _NOTES:
-            reason = f"{HOW[row['sampling']]}; {_NOTES[row['method']]}"
         note = reason or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
+        if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
+            note = "the same model, without its expansion in powers of rho"
+        if row["sampling"] not in (None, sampling):
+            note = f"{HOW[row['sampling']]}; {note}"
         spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
         table.add_row(
             row["method"],
@@ -249,6 +270,7 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], referen
     # A reference with a row of its own is marked there.
     console.print(size if any(row["method"] == reference for row in rows) else f"{size}; judged by {reference}")
     console.print(table)
+    console.print(f"model: {instrument.lens.model}; {model_in_words(other)}")
 
 
 def print_methods(rows: list[dict[str, Any]]) -> None:

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from lommel import validation
+from lommel.imaging.blur import require_lens
 from lommel.imaging.tiles import TileBlur
 from lommel.lens import Lens
 from lommel.optional import library
@@ -61,6 +62,7 @@ def depth_of_field_of_chunks(
     # Typed in part only.
     dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
 
+    require_lens(lens, "image, depth, lens, pixel")
     for name, array in (("image", image), ("depth", depth)):
         if not isinstance(array, da.Array):
             raise TypeError(f"{name} must be a dask array, got {type(array).__name__}")

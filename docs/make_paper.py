@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from lommel.files import write_atomically
+from lommel import atomic
 from lommel.methods import ClosedForm
 from lommel.paper import numbers
 from lommel.paper.write import FIGURES, reproduce
@@ -113,7 +113,7 @@ def main() -> None:
         made = reproduce(Path(folder), started=print, dpi=85)
         for number in FIGURES:
             picture = (Path(folder) / f"figure-{number}.png").read_bytes()
-            write_atomically(HERE / "paper" / f"figure-{number}.png", small(picture, number))
+            atomic.write(HERE / "paper" / f"figure-{number}.png", small(picture, number))
     parts.append(numbers.markdown(made["table"]))
     for number, plan in FIGURES.items():
         name = {17: "Eq. 17", 100: "Beyond the paper"}.get(number, f"Fig. {number}")
@@ -123,7 +123,7 @@ def main() -> None:
         "\n## Errata\n\nFound by integrating what stands under each integral of the appendix by quadrature; "
         "equations\n(18) to (20) are correct as printed.\n\n" + errata()
     )
-    write_atomically(HERE / "paper.md", "".join(parts).encode())
+    atomic.write(HERE / "paper.md", "".join(parts).encode())
 
 
 if __name__ == "__main__":

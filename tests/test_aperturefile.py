@@ -93,7 +93,7 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_p
         ('[aperture.mask]\nfile = "lens.toml"\n', "must end in .npy, .png, .tif, .tiff, got 'lens.toml'"),
         ('[aperture.mask]\nfile = "junk.npy"\n', "'junk.npy' is no array"),
         ('[aperture.mask]\nfile = "junk.png"\n', "'junk.png' is no picture"),
-        ('[aperture.mask]\nfile = "colour.png"\n', "must be a grey picture, got one of the mode RGB"),
+        ('[aperture.mask]\nfile = "colour.png"\n', "must be a grey picture, got one in colour"),
         ('[aperture.mask]\nfile = "oblong.npy"\n', "values must be a square array"),
         ('[aperture.mask]\nfile = "nan.npy"\n', "values"),
         ("[aperture.mask]\nfile = 3\n", "must be the name of a file"),

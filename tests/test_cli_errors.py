@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
 NOLL = """\
 name = "a"
 [lens]
-focal_length = 0.1
+focal_length = "100 mm"
 f_number = 4
 wavelength = "500 nm"
 [sensor]
@@ -55,7 +57,7 @@ BAD = [
     ("psf {phone} --shape 64by64", "'64by64' is not a size; write 65 or 64x128"),
     ("psf {phone} --shape 5x5x5", "shape must be an integer or (height, width), got (5, 5, 5)"),
     ("psf {phone} --shape=", "shape"),
-    ("psf {phone} --pixel 3.45", "for 3.45 um give 3.45e-6"),
+    ("psf {phone} --pixel 3.45", "'3.45' is a length without a unit; write for example '550 nm'"),
     ("psf {phone} --pixel 3.45kg", "unknown unit 'kg'"),
     ("psf {phone} --pixel inf", "pixel must be finite, got inf"),
     ("psf {phone} --pixel 0um", "pixel must be > 0 metres, got 0"),
@@ -173,3 +175,42 @@ def test_without_a_command_the_usage_is_shown(run_lommel, tmp_path):
     assert "Usage: lommel" in result.stderr
     for command in ("psf", "info", "compare"):
         assert f"\n  {command} " in result.stderr
+
+
+@pytest.mark.parametrize("traced", [False, True])
+def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
+    traced, call_lommel, lenses, tmp_path, monkeypatch
+):
+    from lommel import report
+
+    def broken(*_):
+        raise AttributeError("'int' object\nhas no attribute")
+
+    monkeypatch.setattr(report, "describe_lens", broken)
+    monkeypatch.delenv("LOMMEL_TRACEBACK", raising=False)
+    if traced:
+        monkeypatch.setenv("LOMMEL_TRACEBACK", "1")
+        with pytest.raises(AttributeError):
+            call_lommel("info", lenses["phone"], folder=tmp_path)
+        return
+    result = call_lommel("info", lenses["phone"], folder=tmp_path)
+    assert result.returncode == 1
+    (line,) = result.stderr.splitlines()
+    assert "a fault of lommel, not yours: AttributeError: 'int' object\\nhas no attribute; please report it" in line
+    assert "LOMMEL_TRACEBACK=1" in line
+
+
+@pytest.mark.parametrize(("target", "code"), [(">&-", 0), (">/dev/full", 2), ("| true", 0)])
+def test_output_that_cannot_be_written_is_no_traceback(target, code, lenses, tmp_path):
+    command = f"{Path(sys.executable).with_name('lommel')} info {lenses['phone']} {target}"
+    result = subprocess.run(["/bin/sh", "-c", command], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert result.returncode == code
+    assert len(result.stderr.splitlines()) == (code > 0)
+    assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize("size", ["1_0", "٣٣", "1x2x3", "", "-5", "5.0", "9" * 12])
+def test_a_size_is_written_in_plain_digits(size, call_lommel, lenses, tmp_path):
+    result = call_lommel("psf", lenses["phone"], f"--shape={size}", folder=tmp_path)
+    assert result.returncode == 2
+    assert "is not a size; write 65 or 64x128" in result.stderr

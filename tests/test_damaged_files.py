@@ -79,7 +79,7 @@ def test_python_objects_are_never_unpickled(tmp_path):
             return sys.exit, (99,)
 
     np.save(tmp_path / "a.npy", np.array([Trap()], dtype=object), allow_pickle=True)
-    np.savez(tmp_path / "a.npz", values=np.array([Trap()], dtype=object), description=np.array("{}"))
+    np.savez(tmp_path / "a.npz", values=np.array([Trap()], dtype=object), description=np.array('{"shape": [1]}'))
     for name in ("a.npy", "a.npz"):
         with pytest.raises(FileError, match="pickle"):
             lm.PSF.load(tmp_path / name)
@@ -162,3 +162,82 @@ def test_a_picture_loads_however_large_it_is(tmp_path, monkeypatch):
     monkeypatch.setattr(Image, "MAX_IMAGE_PIXELS", 16)
     PSF.save(tmp_path / "a.png")
     assert lm.PSF.load(tmp_path / "a.png").shape == (9, 9)
+
+
+def rewritten(path, **changes: object) -> None:
+    """Write a .npz anew with other arrays, or another description."""
+    with np.load(path) as archive:
+        parts = dict(archive) | changes
+    np.savez(path, **parts)
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        (lambda v: v * -5, "must be >= 0"),
+        (lambda v: v.astype(np.float64), "must be float32, got float64"),
+        (lambda v: v.astype(np.complex64), "must be float32, got complex64"),
+        (lambda v: v.astype("U"), "9 x 9 values of <U32; the limit is 81"),
+        (lambda v: (v * 1e9).astype(np.int64), "must be float32, got int64"),
+        (lambda v: np.where(v == v.max(), np.nan, v), "must be finite, got nan"),
+        (lambda v: np.where(v == v.max(), np.inf, v), "must be finite, got inf"),
+        (lambda v: np.nextafter(v, np.float32(1)), "its checksum is another"),
+        (lambda v: v[::-1, ::-1].T.copy() if v[0, 1] != v[1, 0] else v * 0, "its checksum is another"),
+    ],
+)
+def test_values_that_were_not_saved_are_refused(change, why, tmp_path):
+    PSF.save(tmp_path / "a.npz")
+    rewritten(tmp_path / "a.npz", values=change(PSF.values))
+    with pytest.raises(FileError, match=why):
+        lm.PSF.load(tmp_path / "a.npz")
+
+
+def test_a_description_without_a_checksum_or_changed_by_hand_is_refused(tmp_path):
+    PSF.save(tmp_path / "a.npz")
+    with np.load(tmp_path / "a.npz") as archive:
+        description = json.loads(str(archive["description"]))
+    rewritten(tmp_path / "a.npz", description=np.array(json.dumps(description | {"error_bound": 1e-12})))
+    with pytest.raises(FileError, match="its checksum is another: it is damaged, or was changed"):
+        lm.PSF.load(tmp_path / "a.npz")
+    del description["checksum"]
+    rewritten(tmp_path / "a.npz", description=np.array(json.dumps(description)))
+    with pytest.raises(FileError, match="it has no checksum, so nobody knows whether it is whole; save it anew"):
+        lm.PSF.load(tmp_path / "a.npz")
+
+
+def test_derivatives_that_were_not_saved_are_refused(tmp_path):
+    psf = lm.psf(PSF.pupil, 5, 5e-7, derivatives=["defocus"])
+    psf.save(tmp_path / "a.npz")
+    np.testing.assert_array_equal(lm.PSF.load(tmp_path / "a.npz").derivatives["defocus"], psf.derivatives["defocus"])
+    rewritten(tmp_path / "a.npz", **{"derivative defocus": -psf.derivatives["defocus"]})
+    with pytest.raises(FileError, match="checksum"):
+        lm.PSF.load(tmp_path / "a.npz")
+
+
+@pytest.mark.parametrize("suffix", [".tif", ".npy"])
+def test_any_bit_of_the_values_that_turns_is_noticed(suffix, tmp_path):
+    file = tmp_path / f"a{suffix}"
+    PSF.save(file)
+    data = file.read_bytes()
+    start = data.index(PSF.values.tobytes())
+    for bit in range(0, 8 * PSF.values.nbytes, 29):
+        damaged = bytearray(data)
+        damaged[start + bit // 8] ^= 1 << bit % 8
+        file.write_bytes(damaged)
+        with pytest.raises(FileError, match=r"its checksum is another|must be finite|must be >= 0"):
+            lm.PSF.load(file)
+
+
+def test_the_values_of_a_picture_are_those_of_its_levels(tmp_path):
+    PSF.save(tmp_path / "a.png")
+    with Image.open(tmp_path / "a.png") as picture:
+        text, grey = picture.text["lommel"], np.asarray(picture).astype(np.uint16)
+    from PIL.PngImagePlugin import PngInfo
+
+    info = PngInfo()
+    info.add_text("lommel", text)
+    Image.fromarray(grey).save(tmp_path / "a.png", pnginfo=info)
+    assert lm.PSF.load(tmp_path / "a.png").shape == (9, 9)
+    Image.fromarray(grey // 2).save(tmp_path / "a.png", pnginfo=info)
+    with pytest.raises(FileError, match="checksum"):
+        lm.PSF.load(tmp_path / "a.png")

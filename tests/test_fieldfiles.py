@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import os
 import shutil
 
 import numpy as np
@@ -223,3 +224,25 @@ def test_without_zarr_the_package_to_install_is_named(grid, tmp_path, monkeypatc
     with pytest.raises(ImportError, match=r'install "lommel\[zarr\]"'):
         fieldfiles.save(grid, tmp_path / "a.zarr")
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("what", ["values", "positions", "pipe", "missing"])
+def test_a_damaged_zarr_store_is_refused(what, tmp_path):
+    grid = lm.FieldMap.from_seidel(1.0, W131=0.5).grid(2, 2, sensor=(1.0, 1.0), shape=5, pixel=0.5)
+    store = tmp_path / "a.zarr"
+    grid.save(store)
+    np.testing.assert_array_equal(lm.PSFGrid.load(store).values, grid.values)
+    chunk = next(path for path in (store / "values" / "c").rglob("*") if path.is_file())
+    if what == "values":
+        data = bytearray(chunk.read_bytes())
+        data[5] ^= 1
+        chunk.write_bytes(data)
+    elif what == "positions":
+        meta = store / "zarr.json"
+        meta.write_text(meta.read_text().replace('"sensor": [\n', '"sensor": [\n2.', 1))
+    else:
+        chunk.unlink()
+        if what == "pipe":
+            os.mkfifo(chunk)
+    with pytest.raises(FileError, match=r"checksum|regular|bytes|grid of PSFs written by lommel"):
+        lm.PSFGrid.load(store)

@@ -16,14 +16,14 @@ PLAIN = {"unit": "waves", "normalization": "rms", "direction": "x"}
 
 
 def test_a_table_has_heights_as_lengths_and_coefficients_by_index():
-    table = read_rows(["height", "Z4", "Z8"], [["0 mm", 0.5, 0], ["5 mm", 0.25, 1], [0.01, -1, "0.3"]], "noll")
+    table = read_rows(["height", "Z4", "Z8"], [["0 mm", 0.5, 0], ["5 mm", 0.25, 1], ["1 cm", -1, "0.3"]], "noll")
     assert table == FieldTable({"height": (0.0, 0.005, 0.01)}, {4: (0.5, 0.25, -1.0), 8: (0.0, 1.0, 0.3)}, "noll")
 
 
 def test_a_csv_file_says_the_same(tmp_path):
     file = tmp_path / "field.csv"
     file.write_text(
-        '\ufeff# a lens\nx, y, Z4\r\n0 mm,0,1e-1\n\n1 mm, 2 mm ,0.2\n"-3 mm",0.001,-.3\n', encoding="utf-8"
+        '\ufeff# a lens\nx, y, Z4\r\n0 mm,0,1e-1\n\n1 mm, 2 mm ,0.2\n"-3 mm",1000 um,-.3\n', encoding="utf-8"
     )
     table = read_csv(file, "fringe")
     assert table == FieldTable({"x": (0.0, 1e-3, -3e-3), "y": (0.0, 2e-3, 1e-3)}, {4: (0.1, 0.2, -0.3)}, "fringe")
@@ -92,7 +92,7 @@ def test_every_fault_is_told_at_once_up_to_twelve():
         (b"", "field.csv is empty; its first line must name the columns"),
         (b"# nothing\n\n", "field.csv is empty"),
         (b"height,Z4\n0,1\n\n1 mm,x\n", "field.csv line 4, Z4: must be a number, got 'x'"),
-        (b"height,Z4\n\xff,1\n", "field.csv is not a text in UTF-8"),
+        (b"height,Z4\n\xff,1\n", "field.csv: not UTF-8 text"),
     ],
 )
 def test_a_faulty_file_is_told_with_its_name_and_line(data, what, tmp_path):

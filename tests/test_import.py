@@ -17,7 +17,9 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 
 # Each imports only what stands before it, or beside it in a package of its own.
 ORDER = [
-    {"validation", "units", "_core"},
+    {"validation", "atomic", "_core"},
+    {"units"},
+    {"reading"},
     {"special"},
     {"descriptions"},
     {"wavefront", "aperture"},

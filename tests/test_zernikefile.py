@@ -140,7 +140,7 @@ def test_a_phase_needs_to_know_its_wavelength():
         ('"nm"', '"furlong"', "unit (line 2): must be one of radians, waves, metres"),
         ('normalization = "rms"\n', "", "normalization: is missing; it is one of rms, edge"),
         ('"rms"', '"peak"', "normalization (line 3): must be one of rms, edge, got 'peak'"),
-        ('"632.8 nm"', "632.8", "wavelength (line 4): wavelength is in metres"),
+        ('"632.8 nm"', "632.8", "wavelength (line 4): '632.8' is a length without a unit"),
         ('"632.8 nm"', '"632.8 ns"', "wavelength (line 4): '632.8 ns' has the unknown unit 'ns'"),
         ("normalization", "normalisation", "normalisation (line 3): unknown key; did you mean normalization?"),
         ("[terms]", "[coefficients]", "coefficients (line 6): unknown key; known are order, unit"),

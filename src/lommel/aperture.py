@@ -211,7 +211,7 @@ class Mask:
     _digest: bytes = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        given = np.asarray(self.values)
+        given = validation.array("values", self.values)
         if given.dtype == np.bool_:
             given = given.astype(np.float64)
         if given.ndim != 2 or given.shape[0] != given.shape[1] or not 2 <= given.shape[0] <= MAX_SIDE:
@@ -241,7 +241,7 @@ class Mask:
         if not callable(function):
             raise TypeError(f"function must be callable, got {function!r}")
         at = cell_centers(n)
-        return cls(np.broadcast_to(np.asarray(function(at[None, :], at[:, None])), (n, n)))
+        return cls(np.broadcast_to(validation.array("function", function(at[None, :], at[:, None])), (n, n)))
 
     @property
     def side(self) -> int:
@@ -278,7 +278,8 @@ class Mask:
     def from_dict(cls, description: Mapping[str, Any]) -> Mask:
         """Rebuild a mask from :meth:`to_dict`."""
         side = validation.integer("side", description["side"], least=2, most=MAX_SIDE)
-        data = zlib.decompress(base64.b64decode(description["values"], validate=True))
+        packed = base64.b64decode(description["values"], validate=True)
+        data = zlib.decompressobj().decompress(packed, 8 * side * side + 1)
         return cls(np.frombuffer(data, "<f8").reshape(side, side))
 
 

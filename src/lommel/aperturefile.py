@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from lommel.aperture import MAX_VANES, CatEye, Ellipse, Mask, Spider
-from lommel.entries import Angle, Length, Number, Section
+from lommel import reading
+from lommel.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
+from lommel.entries import Angle, Length, Number, Section, beside
 
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff")
 
@@ -80,7 +81,7 @@ class _Mask(Section):
         if "holds" not in info.data:
             return value  # its own fault is told
         try:
-            values = read_transmission((info.context or {}).get("folder", Path()) / value)
+            values = read_transmission(beside(info.context, value))
         except OSError as error:
             raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
         mask = Mask(values)
@@ -132,18 +133,17 @@ def read_transmission(path: Path) -> NDArray[Any]:
         raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {path.name!r}")
     if suffix == ".npy":
         try:
-            return np.asarray(np.load(path, allow_pickle=False))
-        except (ValueError, EOFError) as error:
-            raise ValueError(f"{path.name!r} is no array: {error}") from None
-    from PIL import Image, UnidentifiedImageError
+            return reading.npy(reading.contents(path), MAX_SIDE**2)[0]
+        except ValueError as error:
+            raise ValueError(f"{path.name!r} is no array: {reading.reason(error)}") from None
+    from lommel.imaging.photos import PhotoError, read_raster
 
     try:
-        with Image.open(path) as picture:
-            values, mode = np.asarray(picture), picture.mode
-    except (UnidentifiedImageError, SyntaxError) as error:
-        raise ValueError(f"{path.name!r} is no picture: {error}") from None
-    if values.ndim != 2 or mode == "P":
-        raise ValueError(f"{path.name!r} must be a grey picture, got one of the mode {mode}")
+        values = read_raster(path)[0]
+    except PhotoError as error:
+        raise ValueError(f"{path.name!r} is no picture: {reading.reason(error)}") from None
+    if values.ndim != 2:
+        raise ValueError(f"{path.name!r} must be a grey picture, got one in colour")
     if values.dtype.kind == "u":
         return np.asarray(values / np.iinfo(values.dtype).max)
     return values

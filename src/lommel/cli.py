@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from lommel.validation import shown
 
 try:
     import click
@@ -42,11 +45,10 @@ class _Shape(click.ParamType[Any]):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not isinstance(value, str):
             return value
-        try:
-            sides = [int(side) for side in value.lower().replace("x", " ").split()]
-        except ValueError:
-            self.fail(f"{value!r} is not a size; write 65 or 64x128 (height x width)", param, ctx)
-        return sides[0] if len(sides) == 1 else tuple(sides)
+        found = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX\s]\s*(\d{1,9}))?\s*", value, re.ASCII)
+        if found is None:
+            self.fail(f"{shown(value)} is not a size; write 65 or 64x128 (height x width)", param, ctx)
+        return int(found[1]) if found[2] is None else (int(found[1]), int(found[2]))
 
 
 def _lens_command(command: Callable[..., None]) -> Callable[..., None]:
@@ -403,8 +405,8 @@ def _save_figure(figure: Any, path: Path) -> None:
     """Write a figure through a temporary name."""
     import io
 
-    from lommel.files import write_atomically
+    from lommel import atomic
 
     buffer = io.BytesIO()
     figure.savefig(buffer, format=_figure_format(path), dpi=150)
-    write_atomically(path, buffer.getvalue())
+    atomic.write(path, buffer.getvalue())

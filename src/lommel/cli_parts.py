@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import functools
 import json
+import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import click
@@ -14,6 +16,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from lommel.units import parse_length
+from lommel.validation import brief, line
 
 
 class Length(click.ParamType[float]):
@@ -30,21 +33,45 @@ class Length(click.ParamType[float]):
 
 
 def one_line_errors(command: Callable[..., None]) -> Callable[..., None]:
-    """Turn what a user can cause into one line on standard error and exit code 2."""
+    """Turn what a user can cause into one line on standard error and exit code 2, and what is a bug into exit code 1.
+
+    With the environment variable LOMMEL_TRACEBACK set, Python's traceback is shown instead.
+    """
 
     @functools.wraps(command)
     def guarded(*args: Any, **kwargs: Any) -> None:
+        if sys.stdout is None:  # closed by who does not want to see it
+            sys.stdout = Path(os.devnull).open("w")  # noqa: SIM115
         try:
             command(*args, **kwargs)
-        except (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError) as error:
-            if isinstance(error, OSError) and error.strerror:
-                message = f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-            else:
-                message = str(error) or type(error).__name__
-            click.echo(f"Error: {message}", err=True)
-            sys.exit(2)
+            sys.stdout.flush()  # now, where what fails can still be told
+        except (click.ClickException, click.exceptions.Exit, click.Abort):
+            raise
+        except BrokenPipeError:
+            # Who reads the output has seen enough; nothing is to be written when Python ends either.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            sys.exit(1)
+        except Exception as error:
+            if os.environ.get("LOMMEL_TRACEBACK"):
+                raise
+            click.echo(f"Error: {_told(error)}", err=True)
+            sys.exit(2 if isinstance(error, _CAUSED) else 1)
 
     return guarded
+
+
+_CAUSED = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryError)
+
+
+def _told(error: Exception) -> str:
+    if isinstance(error, OSError) and error.strerror:
+        return f"{line(error.filename)}: {error.strerror}" if error.filename else error.strerror
+    if isinstance(error, _CAUSED):
+        return str(error) or type(error).__name__
+    return (
+        f"this is a fault of lommel, not yours: {type(error).__name__}: {brief(line(error), 200)}; please report it, "
+        "with what LOMMEL_TRACEBACK=1 shows"
+    )
 
 
 @contextmanager

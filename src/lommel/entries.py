@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from pathlib import Path
+from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
 from lommel.units import parse_angle, parse_length
+from lommel.validation import shown
 
 
 def _positive(value: float) -> float:
@@ -28,6 +30,16 @@ Length = Annotated[Distance, AfterValidator(finite)]
 SignedLength = Annotated[float, BeforeValidator(parse_length), AfterValidator(finite)]
 Number = Annotated[float, Field(strict=True), AfterValidator(finite)]
 Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
+
+
+def beside(context: dict[str, Any] | None, name: str) -> Path:
+    """Return the path of a file that a lens file names; ValueError if it may not be there."""
+    given = context or {}
+    folder = Path(given.get("folder", Path()))
+    path = folder / name
+    if given.get("folder_only") and not path.resolve().is_relative_to(folder.resolve()):
+        raise ValueError(f"must lie in the folder of the lens file, got {shown(name)}")
+    return path
 
 
 class Section(BaseModel):

@@ -5,21 +5,31 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from pathlib import Path
+
+from lommel.validation import line
+
+TOLD = 12
+"""How many faults of a file are told at once."""
 
 
 def line_of(text: str, keys: Sequence[str]) -> int | None:
     """Return the number of the line of a TOML file that sets `keys`, where it is written in the plain way."""
-    wanted = list(keys)
-    section: list[str] = []
-    for number, line in enumerate(text.splitlines(), 1):
-        if header := re.match(r"\s*\[\s*([\w.\"-]+)\s*\]", line):
-            section = header[1].replace('"', "").split(".")
-            if section == wanted:
-                return number
-        elif (entry := re.match(r"\s*(\"[^\"]*\"|[\w-]+)\s*=", line)) and [*section, entry[1].strip('"')] == wanted:
-            return number
-    return None
+    return _lines(text).get(tuple(keys))
+
+
+@lru_cache(maxsize=2)
+def _lines(text: str) -> dict[tuple[str, ...], int]:
+    found: dict[tuple[str, ...], int] = {}
+    section: tuple[str, ...] = ()
+    for number, written in enumerate(text.splitlines(), 1):
+        if header := re.match(r"\s*\[\s*([\w.\"-]+)\s*\]", written):
+            section = tuple(header[1].replace('"', "").split("."))
+            found.setdefault(section, number)
+        elif entry := re.match(r"\s*(\"[^\"]*\"|[\w-]+)\s*=", written):
+            found.setdefault((*section, entry[1].strip('"')), number)
+    return found
 
 
 def place(text: str, keys: Sequence[str]) -> str:
@@ -31,10 +41,13 @@ def place(text: str, keys: Sequence[str]) -> str:
 
 def unknown_key(key: str, known: Iterable[str]) -> str:
     """Return what to say about a key that is not among those known."""
-    near = difflib.get_close_matches(key, known := list(known), n=1)
+    near = difflib.get_close_matches(key[:60], known := list(known), n=1)
     return "unknown key" + (f"; did you mean {near[0]}?" if near else f"; known are {', '.join(known)}")
 
 
-def together(path: Path, faults: Sequence[str]) -> str:
-    """Return one message about all faults of a file, in one line if there is one."""
-    return f"{path}: " + (faults[0] if len(faults) == 1 else "".join(f"\n  {fault}" for fault in faults))
+def together(path: Path, faults: Sequence[str], count: int | None = None) -> str:
+    """Return one message about the first faults of a file, in one line if there is one; `count` is of all of them."""
+    count, told = len(faults) if count is None else count, [line(fault) for fault in faults[:TOLD]]
+    if count > TOLD:
+        told.append(f"and {count - TOLD} more")
+    return f"{line(path)}: " + (told[0] if count == 1 else "".join(f"\n  {fault}" for fault in told))

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import os
-import shutil
-import tempfile
+import stat
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -13,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import files, validation
+from lommel import atomic, files, reading, validation
 from lommel.fieldmap import PSFGrid
 from lommel.files import FileError
 from lommel.psf import PSF
@@ -60,17 +58,16 @@ def save(grid: PSFGrid, path: str | PathLike[str]) -> None:
     field = {"x": grid.x.tolist(), "y": grid.y.tolist(), "sensor": list(grid.sensor), "unit": grid.unit}
     description = files.describe(psf) | {_KEY: field}
     if suffix == ".zarr":
-        _write_zarr(grid, target, description)
+        _write_zarr(grid, target, files.sealed(description, {"values": grid.values}))
         return
-    text = json.dumps(description, allow_nan=False)
     if suffix == ".npz":
-        files.write_atomically(target, files._npz(psf, text))
+        atomic.write(target, files._npz(psf, description))
         return
     factor, unit = (1e6, "µm") if grid.unit == "m" else (1.0, "reference frame")
     y, x = (part.ravel() * factor for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
     planes = {"PositionX": x.tolist(), "PositionY": y.tolist()}
     planes |= dict.fromkeys(("PositionXUnit", "PositionYUnit"), [unit] * x.size)
-    files.write_atomically(target, files._tiff(psf, text, planes))
+    atomic.write(target, files._tiff(psf, description, planes))
 
 
 def load(path: str | PathLike[str]) -> PSFGrid:
@@ -93,9 +90,11 @@ def load(path: str | PathLike[str]) -> PSFGrid:
         if psf.pupil.shape != (y.size, x.size):
             raise ValueError(f"positions of shape {(y.size, x.size)} for PSFs of shape {psf.pupil.shape}")
     except KeyError:
-        raise FileError(f"{source} is not a grid of PSFs: no positions; PSF.load reads it") from None
+        raise FileError(f"{validation.line(source)} is not a grid of PSFs: no positions; PSF.load reads it") from None
     except (ValueError, TypeError) as error:
-        raise FileError(f"{source} is not a grid of PSFs written by lommel: {error}") from error
+        raise FileError(
+            f"{validation.line(source)} is not a grid of PSFs written by lommel: {reading.reason(error)}"
+        ) from error
     return PSFGrid(psf, x, y, (height, width))
 
 
@@ -108,17 +107,12 @@ def _zarr() -> Any:
 
 
 def _write_zarr(grid: PSFGrid, target: Path, description: dict[str, Any]) -> None:
-    """Write a Zarr store to a temporary folder next to `target` and move it into place."""
     zarr = _zarr()
     if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
         raise ValueError(f"path must be new or a Zarr store, got {str(target)!r}, which is something else")
-    try:
-        temporary = Path(tempfile.mkdtemp(dir=target.parent, prefix=f".{target.name}."))
-    except OSError as error:
-        raise type(error)(error.errno, error.strerror, str(target)) from None
-    try:
-        made = temporary / "new"
-        group = zarr.create_group(made, zarr_format=3, attributes={"lommel": description})
+
+    def fill(folder: Path) -> None:
+        group = zarr.create_group(folder, zarr_format=3, attributes={"lommel": description})
         shape = grid.values.shape
         dimensions = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
         # A chunk for each PSF: what is read together.
@@ -127,6 +121,7 @@ def _write_zarr(grid: PSFGrid, target: Path, description: dict[str, Any]) -> Non
             shape=shape,
             chunks=(1, 1, *shape[2:]),
             dtype=grid.values.dtype,
+            compressors=None,  # so that its size is known before it is read
             dimension_names=list(dimensions),
         )
         store[...] = grid.values
@@ -139,24 +134,8 @@ def _write_zarr(grid: PSFGrid, target: Path, description: dict[str, Any]) -> Non
                 attributes={"units": grid.unit},
             )
             axis[...] = positions
-        _open_to_others(made)
-        if target.exists():
-            # Two renames: there is no moment at which neither store exists.
-            target.replace(temporary / "old")
-        made.replace(target)
-    finally:
-        old = temporary / "old"
-        if old.exists() and not target.exists():
-            old.replace(target)
-        shutil.rmtree(temporary, ignore_errors=True)
 
-
-def _open_to_others(folder: Path) -> None:
-    """Give a folder and what is in it the permissions that the umask allows; zarr makes files private or not."""
-    mask = os.umask(0)
-    os.umask(mask)
-    for path in (folder, *folder.rglob("*")):
-        path.chmod((0o777 if path.is_dir() else 0o666) & ~mask)
+    atomic.write_folder(target, fill)
 
 
 def _read_zarr(source: Path) -> tuple[PSF, dict[str, Any]]:
@@ -164,11 +143,30 @@ def _read_zarr(source: Path) -> tuple[PSF, dict[str, Any]]:
     if not source.exists():
         raise FileNotFoundError(2, os.strerror(2), str(source))
     try:
+        size = _size(source)
         group = zarr.open_group(source, mode="r")
         description: dict[str, Any] = dict(group.attrs["lommel"])
-        values: NDArray[Any] = np.asarray(group["values"][...])
-        return files.rebuild(values, description, {}), description
+        store = group["values"]
+        if store.compressors or store.filters or store.shards or store.nbytes > size:
+            raise ValueError(f"its values take {store.nbytes} bytes, plainly stored, got {size}")
+        values: NDArray[Any] = np.asarray(store[...])
+        return files.rebuild({"values": values}, description), description
     except Exception as error:
         raise FileError(
-            f"{source} is not a grid of PSFs written by lommel: {error or type(error).__name__}"
+            f"{validation.line(source)} is not a grid of PSFs written by lommel: {reading.reason(error)}"
         ) from error
+
+
+def _size(folder: Path) -> int:
+    """Return the bytes of all files in a folder, which must hold nothing else but folders."""
+    total = 0
+    for path in folder.rglob("*"):
+        if path.is_dir() and not path.is_symlink():
+            continue
+        status = path.lstat()
+        if not stat.S_ISREG(status.st_mode):
+            raise ValueError(f"{path.name} is no regular file")
+        if path.name == "zarr.json" and status.st_size > reading.MAX_PIXELS:
+            raise ValueError(f"its description has {status.st_size} bytes; the limit is {reading.MAX_PIXELS}")
+        total += status.st_size
+    return total

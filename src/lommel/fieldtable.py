@@ -13,14 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from lommel import validation
+from lommel import reading, validation
+from lommel.faults import TOLD
 from lommel.fieldmap import FieldMap
 from lommel.pupil import Pupil
 from lommel.special import zernike
 from lommel.units import parse_length
 from lommel.wavefront import Wavefront
-
-_TOLD = 12  # faults of a table are told at once, up to so many
 
 
 @dataclass(frozen=True)
@@ -82,14 +81,13 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     """
     source = Path(path)
     try:
-        text = source.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{source.name} is not a text in UTF-8: {error}") from None
-    numbered = [
-        (number, [cell.strip() for cell in row])
-        for number, row in enumerate(csv.reader(text.splitlines()), 1)
-        if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
-    ]
+        numbered = [
+            (number, [cell.strip() for cell in row])
+            for number, row in enumerate(csv.reader(reading.text(source).splitlines()), 1)
+            if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
+        ]
+    except (ValueError, csv.Error) as error:
+        raise ValueError(f"{source.name}: {reading.reason(error)}") from None
     if not numbered:
         raise ValueError(f"{source.name} is empty; its first line must name the columns")
     rows = [(f"{source.name} line {number}", row) for number, row in numbered[1:]]
@@ -99,8 +97,8 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
 def read_rows(columns: Sequence[str], rows: Iterable[Sequence[Any]], order: str) -> FieldTable:
     """Return a table from names of columns and rows of cells.
 
-    The first column is ``height``, or the first two are ``x`` and ``y``: lengths, as texts with a unit or numbers of
-    metres. The others are Zernike indices such as ``Z4``, with numbers.
+    The first column is ``height``, or the first two are ``x`` and ``y``: lengths, texts with a unit, or 0. The
+    others are Zernike indices such as ``Z4``, with numbers.
 
     Raises
     ------
@@ -111,15 +109,16 @@ def read_rows(columns: Sequence[str], rows: Iterable[Sequence[Any]], order: str)
 
 
 def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], order: str) -> FieldTable:
-    places = ("height",) if columns[0] == "height" else ("x", "y")
+    places = ("height",) if columns and columns[0] == "height" else ("x", "y")
     if tuple(columns[: len(places)]) != places:
-        raise ValueError(f"the first columns must be height, or x and y, got {', '.join(columns[:2])}")
+        got = validation.brief(validation.line(", ".join(columns[:2]))) or "none"
+        raise ValueError(f"the first columns must be height, or x and y, got {got}")
     faults: list[str] = []
     indices: list[int] = []
     for name in columns[len(places) :]:
         try:
             if not (found := re.fullmatch(r"Z(\d{1,5})", name)):
-                raise ValueError(f"column {name!r} must be a Zernike index such as Z4")
+                raise ValueError(f"column {validation.shown(name)} must be a Zernike index such as Z4")
             zernike.term(int(found[1]), order)
             if int(found[1]) in indices:
                 raise ValueError(f"column {name} comes twice")
@@ -142,8 +141,8 @@ def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], or
     if not rows:
         faults.append("there must be a row for each position, got none")
     if faults:
-        more = f"; and {len(faults) - _TOLD} more" if len(faults) > _TOLD else ""
-        raise ValueError("; ".join(faults[:_TOLD]) + more)
+        more = f"; and {len(faults) - TOLD} more" if len(faults) > TOLD else ""
+        raise ValueError("; ".join(faults[:TOLD]) + more)
     whole = [tuple(values) for values in cells]
     count = len(places)
     return FieldTable(
@@ -157,7 +156,7 @@ def _cell(cell: Any, kind: str) -> float:
         return validation.real("a position", parse_length(cell), unit="metres")
     value = _number(cell) if isinstance(cell, str) else cell
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise ValueError(f"must be a number, got {cell!r}")
+        raise ValueError(f"must be a number, got {validation.shown(cell)}")
     return validation.real("a coefficient", value)
 
 

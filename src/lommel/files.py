@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import io
 import json
-import os
-import tempfile
+import math
+import zlib
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel import atomic, reading, validation
 from lommel.grid import Grid
 from lommel.methods import method_from_dict
 from lommel.psf import PSF
@@ -26,7 +26,7 @@ _SLOPE = "derivative "  # before the name of a derivative in a .npz file
 _PNG_LEVELS = 65535
 
 
-_Contents = tuple[NDArray[Any], str, dict[str, NDArray[Any]]]  # values, description, derivatives
+_Contents = tuple[dict[str, NDArray[Any]], str]  # values and derivatives, description
 
 
 class FileError(ValueError):
@@ -41,8 +41,10 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
     the square root of the values over their peak (a single PSF only; values come back to 1.6e-5 of the peak).
 
     Derivatives go into ``.npz`` only. The description is JSON: version, pupil (wavefront, obscuration, wavelength,
-    f-number, lens distances), method with all its options, normalisation, pixel, error bound. The file is written
-    under a temporary name and moved into place, so that a failure leaves what was there before.
+    f-number, lens distances), method with all its options, normalisation, pixel, error bound, and a checksum of all
+    of this and of the values, without which nothing loads. The file is written
+    under a temporary name and moved into place, so that a failure leaves what was there before; links are followed
+    and permissions kept (:func:`lommel.atomic.together`).
 
     Raises
     ------
@@ -60,7 +62,7 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
         raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
     if psf.derivatives and writer is not _npz:
         raise ValueError(f"path must end in .npz for a PSF with derivatives, got {str(path)!r}")
-    write_atomically(target, writer(psf, json.dumps(describe(psf), allow_nan=False)))
+    atomic.write(target, writer(psf, describe(psf)))
 
 
 def load(path: str | PathLike[str]) -> PSF:
@@ -89,15 +91,17 @@ def load_described(path: str | PathLike[str]) -> tuple[PSF, dict[str, Any]]:
     reader = readers.get(source.suffix.lower())
     if reader is None:
         raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
-    data = source.read_bytes()
+    data = reading.contents(source)
     try:
-        values, text, slopes = reader(data)
+        arrays, text = reader(data)
         description = json.loads(text)
-        return rebuild(values, description, slopes), description
+        return rebuild(arrays, description), description
     except ImportError:
         raise
     except Exception as error:
-        raise FileError(f"{source} is not a PSF written by lommel: {error or type(error).__name__}") from error
+        raise FileError(
+            f"{validation.line(source)} is not a PSF written by lommel: {reading.reason(error)}"
+        ) from error
 
 
 def describe(psf: PSF) -> dict[str, Any]:
@@ -122,41 +126,36 @@ def describe(psf: PSF) -> dict[str, Any]:
     }
 
 
-def write_atomically(target: Path, data: bytes) -> None:
-    """Write `data` to a temporary file next to `target` and move it into place."""
-    try:
-        handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
-    except OSError as error:
-        # Told with the name that was asked for.
-        raise type(error)(error.errno, error.strerror, str(target)) from None
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-        # mkstemp makes files private; a new file has what the umask allows.
-        mask = os.umask(0)
-        os.umask(mask)
-        Path(temporary).chmod(0o666 & ~mask)
-        Path(temporary).replace(target)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
+def sealed(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> dict[str, Any]:
+    """Return a description with the checksum of the arrays of a file and of all else that it says."""
+    return description | {"checksum": _checksum(description, arrays)}
 
 
-def rebuild(values: NDArray[Any], description: dict[str, Any], slopes: dict[str, NDArray[Any]]) -> PSF:
-    """Return the PSF of its values, what :func:`describe` says of it, and its derivatives."""
+def _checksum(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> str:
+    said = {key: value for key, value in description.items() if key != "checksum"}
+    total = zlib.crc32(json.dumps(said, sort_keys=True, allow_nan=False).encode())
+    for name in sorted(arrays):
+        values = arrays[name]
+        plain = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
+        total = zlib.crc32(plain.data.cast("B") if plain.size else b"", zlib.crc32(name.encode(), total))
+    return f"crc32 {total:08x}"
+
+
+def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any]) -> PSF:
+    """Return the PSF of the arrays of a file, by name, and of what :func:`sealed` says of them."""
     pupil, method = Pupil.from_dict(description["pupil"]), method_from_dict(description["method"])
     method.require(pupil)
-    bound = description["error_bound"]
+    bound, picture = description["error_bound"], description.get("png")
     if bound is not None:
-        bound = validation.real("error_bound", bound, least=0.0)
-    if description["dtype"] not in ("float32", "float64"):
-        raise ValueError(f"dtype must be float32 or float64, got {description['dtype']!r}")
+        # A picture adds half a level of the square root, at its steepest.
+        bound = validation.real("error_bound", bound, least=0.0) + (1.0 / _PNG_LEVELS if picture else 0.0)
+    kind = validation.choice("dtype", description["dtype"], ("float32", "float64"))
     scale = validation.real_array("scale", description["scale"], least=0.0)
     shape = tuple(description["shape"])
     if shape[:-2] != pupil.shape or scale.shape != pupil.shape or len(shape) != len(pupil.shape) + 2:
         raise ValueError(f"values of shape {shape} and scales of {scale.shape} for pupils of {pupil.shape}")
-    return PSF(
-        values=values.reshape(shape).astype(description["dtype"], copy=False),
+    made = PSF(
+        values=_values(arrays["values"], kind, picture).reshape(shape),
         grid=Grid(
             shape[-2:],
             description["pixel"],
@@ -168,9 +167,34 @@ def rebuild(values: NDArray[Any], description: dict[str, Any], slopes: dict[str,
         normalize=validation.choice("normalize", description["normalize"], ("energy", "strehl", "peak")),
         error_bound=bound,
         scale=scale,
-        derivatives={name: d.reshape(shape) for name, d in slopes.items()},
+        derivatives={
+            name.removeprefix(_SLOPE): _values(slope, kind).reshape(shape)
+            for name, slope in arrays.items()
+            if name.startswith(_SLOPE)
+        },
         derivative_bounds=dict(description["derivative_bounds"]),
     )
+    # Values that are computed as sums may lie below 0 by their error.
+    least = -(bound or 0.0) * float(scale.max())
+    if float(made.values.min()) < least:
+        raise ValueError(f"its values must be >= 0, got {made.values.min():g}")
+    if "checksum" not in description:
+        raise ValueError("it has no checksum, so nobody knows whether it is whole; save it anew")
+    if description["checksum"] != _checksum(description, arrays):
+        raise ValueError("its checksum is another: it is damaged, or was changed after it was written")
+    return made
+
+
+def _values(stored: NDArray[Any], kind: str, picture: Any = None) -> NDArray[Any]:
+    """Return what a file stores as values, which must be of the stated kind and finite."""
+    if picture:
+        peak = validation.real("peak", picture["peak"], above=0.0)
+        return np.asarray(peak * (stored.astype(np.float64) / _PNG_LEVELS) ** 2, dtype=kind)
+    if stored.dtype.newbyteorder("=") != np.dtype(kind):
+        raise ValueError(f"its values must be {kind}, got {stored.dtype}")
+    if not np.isfinite(stored).all():
+        raise ValueError(f"its values must be finite, got {stored[~np.isfinite(stored)].flat[0]}")
+    return stored.astype(kind, copy=False)
 
 
 def _images(name: str) -> Any:
@@ -180,7 +204,11 @@ def _images(name: str) -> Any:
         raise ImportError(f'this format needs {name.split(".", maxsplit=1)[0]}: install "lommel[images]"') from None
 
 
-def _tiff(psf: PSF, text: str, planes: dict[str, Any] | None = None) -> bytes:
+def _text(psf: PSF, description: dict[str, Any], **slopes: NDArray[Any]) -> str:
+    return json.dumps(sealed(description, {"values": psf.values} | slopes), allow_nan=False)
+
+
+def _tiff(psf: PSF, description: dict[str, Any], planes: dict[str, Any] | None = None) -> bytes:
     """Return an OME-TIFF; `planes` are lists of OME attributes of its pages, which are then no stack in depth."""
     tifffile = _images("tifffile")
     metric = psf.unit == "m"
@@ -193,7 +221,7 @@ def _tiff(psf: PSF, text: str, planes: dict[str, Any] | None = None) -> bytes:
         "PhysicalSizeY": size,
         "PhysicalSizeYUnit": unit,
         "Name": "point spread function",
-        "Description": text,
+        "Description": _text(psf, description),
     }
     if planes:
         metadata["Plane"] = planes
@@ -206,54 +234,59 @@ def _tiff(psf: PSF, text: str, planes: dict[str, Any] | None = None) -> bytes:
 def _read_tiff(data: bytes) -> _Contents:
     from xml.etree import ElementTree as ET
 
-    with _images("tifffile").TiffFile(io.BytesIO(data)) as file:
+    tifffile = _images("tifffile")
+    reading.tiff(data)
+    with reading.quietly(), tifffile.TiffFile(io.BytesIO(data)) as file:
         if not file.ome_metadata:
             raise ValueError("no OME description")
         description = ET.fromstring(file.ome_metadata).find(".//{*}Image/{*}Description")
         if description is None or not description.text:
             raise ValueError("no description of how it was made")
-        return file.asarray(), description.text, {}
+        if file.series[0].nbytes > len(data):
+            raise ValueError(f"its pages have {file.series[0].nbytes} bytes, more than the file")
+        return {"values": file.asarray()}, description.text
 
 
-def _npy(psf: PSF, text: str) -> bytes:
+def _npy(psf: PSF, description: dict[str, Any]) -> bytes:
     buffer = io.BytesIO()
     np.save(buffer, psf.values, allow_pickle=False)
-    return buffer.getvalue() + _MARK + text.encode()
+    return buffer.getvalue() + _MARK + _text(psf, description).encode()
 
 
 def _read_npy(data: bytes) -> _Contents:
-    buffer = io.BytesIO(data)
-    values = np.load(buffer, allow_pickle=False)
-    rest = buffer.read()
+    values, rest = reading.npy(data)
     if not rest.startswith(_MARK):
         raise ValueError("no description of how it was made")
-    return values, rest.removeprefix(_MARK).decode(), {}
+    return {"values": values}, rest.removeprefix(_MARK).decode()
 
 
-def _npz(psf: PSF, text: str) -> bytes:
+def _npz(psf: PSF, description: dict[str, Any]) -> bytes:
     buffer = io.BytesIO()
-    arrays: dict[str, Any] = {f"{_SLOPE}{name}": values for name, values in psf.derivatives.items()}
-    np.savez_compressed(buffer, values=psf.values, description=np.array(text), **arrays)
+    slopes: dict[str, Any] = {f"{_SLOPE}{name}": values for name, values in psf.derivatives.items()}
+    text = np.array(_text(psf, description, **slopes))
+    np.savez_compressed(buffer, values=psf.values, description=text, **slopes)
     return buffer.getvalue()
 
 
 def _read_npz(data: bytes) -> _Contents:
-    with np.load(io.BytesIO(data), allow_pickle=False) as file:
-        slopes = {name.removeprefix(_SLOPE): file[name] for name in file.files if name.startswith(_SLOPE)}
-        return file["values"], str(file["description"]), slopes
+    arrays = reading.npz(data)
+    text = str(arrays.pop("description")(reading.MAX_PIXELS))
+    most = math.prod(json.loads(text)["shape"])
+    return {name: read(most) for name, read in arrays.items()}, text
 
 
-def _png(psf: PSF, text: str) -> bytes:
+def _png(psf: PSF, description: dict[str, Any]) -> bytes:
     image, info = _images("PIL.Image"), _images("PIL.PngImagePlugin").PngInfo()
     if psf.values.ndim != 2:
         raise ValueError(f"a .png holds a single PSF, got a stack of shape {psf.shape}")
     peak = float(psf.values.max())
     if peak <= 0:
         raise ValueError("a .png needs a positive value; every value of this PSF is 0")
-    grey = np.rint(np.sqrt(psf.values.astype(np.float64) / peak) * _PNG_LEVELS).astype(np.uint16)
-    described = json.loads(text) | {"png": {"peak": peak, "stretch": "sqrt", "levels": _PNG_LEVELS}}
-    info.add_text("Software", described["software"])
-    info.add_text("lommel", json.dumps(described))
+    shares = np.maximum(psf.values.astype(np.float64), 0.0) / peak
+    grey = np.rint(np.sqrt(shares) * _PNG_LEVELS).astype(np.uint16)
+    picture = {"png": {"peak": peak, "stretch": "sqrt", "levels": _PNG_LEVELS}}
+    info.add_text("Software", description["software"])
+    info.add_text("lommel", json.dumps(sealed(description | picture, {"values": grey})))
     buffer = io.BytesIO()
     image.fromarray(grey).save(buffer, format="png", pnginfo=info)
     return buffer.getvalue()
@@ -263,12 +296,9 @@ def _read_png(data: bytes) -> _Contents:
     # Opened as what it is: Pillow's limit on the size of pictures from strangers is not for a PSF.
     _images("PIL.Image")
     with _images("PIL.PngImagePlugin").PngImageFile(io.BytesIO(data)) as file:
+        text = str(file.info["lommel"])  # which stands before the picture
+        if list(file.size[::-1]) != json.loads(text)["shape"]:
+            raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, other than it says")
+        reading.pixels(*file.size)
         file.load()
-        text = file.text["lommel"]
-        grey = np.asarray(file, dtype=np.float64)
-    description = json.loads(text)
-    picture = description.pop("png")
-    if description["error_bound"] is not None:
-        # Half a level of the square root, at its steepest.
-        description["error_bound"] += 1.0 / picture["levels"]
-    return picture["peak"] * (grey / picture["levels"]) ** 2, json.dumps(description), {}
+        return {"values": np.asarray(file, dtype=np.uint16)}, text

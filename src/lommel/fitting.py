@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -136,14 +135,16 @@ def fit_opd(
     Parameters
     ----------
     opd : array_like, shape (..., height, width)
-        The measurement; x rises with the columns and y with the rows. Without `mask`, NaN marks pixels without one.
+        The measurement; x rises with the columns and y with the rows. NaN marks pixels without one, where there is
+        neither `mask` nor a masked array.
     unit : {"radians", "waves", "metres"}
         Of `opd`; metres need `wavelength`. The sign is that of the phase: flip that of a map that counts a
         lengthened path as negative.
     wavelength : float, optional
         Metres.
     mask : array_like of bool, shape (height, width) or that of `opd`, optional
-        True where the measurement counts. An obscuration or a vane is masked out.
+        True where the measurement counts. An obscuration or a vane is masked out. What a masked array hides counts
+        neither way.
     degree : int, default 8
         All terms with n up to this are fitted, 1 to 20: (degree + 1) (degree + 2) / 2 of them.
     center : (float, float), optional
@@ -168,7 +169,7 @@ def fit_opd(
     scale = radians_per(unit, wavelength)
     limit = _tolerance(tol)
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)
-    maps = _maps(opd)
+    maps, mask = _maps(opd, mask)
     height, width = maps.shape[-2:]
     x, y = _pupil_coordinates((height, width), center, radius)
     inside = x * x + y * y <= 1.0
@@ -307,29 +308,32 @@ def _tolerance(tol: float | None) -> float:
     return math.inf if tol is None else validation.real("tol", tol, above=0.0)
 
 
-def _maps(opd: ArrayLike) -> _Floats:
-    try:
-        given = np.asarray(opd)
-    except ValueError:  # a ragged sequence
-        given = np.asarray(None)
+def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[_Floats, ArrayLike | None]:
+    """Return the maps, and where they count: the mask that is given, less what the maps mask themselves."""
+    if isinstance(opd, np.ma.MaskedArray) and np.ma.is_masked(opd):
+        bare = ~np.ma.getmaskarray(opd)
+        mask = bare if mask is None else _truths(mask, bare.shape) & bare
+        opd = np.asarray(opd.data)
+    given = validation.array("opd", opd)
     if given.dtype.kind not in "iuf":
         raise TypeError(f"opd must hold real numbers, got an array of {given.dtype}")
     if given.ndim < 2 or given.size == 0:
         raise ValueError(f"opd must have the shape (..., height, width) and not be empty, got {given.shape}")
-    return given.astype(np.float64)
+    return given.astype(np.float64), mask
+
+
+def _truths(mask: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    given = validation.array("mask", mask)
+    if given.dtype != np.bool_:
+        raise TypeError(f"mask must hold booleans, got an array of {given.dtype}")
+    if given.shape not in (shape[-2:], shape):
+        raise ValueError(f"mask must have the shape {shape[-2:]} or that of opd, got {given.shape}")
+    return given
 
 
 def _valid(maps: _Floats, mask: ArrayLike | None, inside: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return which pixels count: inside the pupil, and in the mask or else not NaN."""
-    if mask is None:
-        used = inside & ~np.isnan(maps)
-    else:
-        given: NDArray[Any] = np.asarray(mask)
-        if given.dtype != np.bool_:
-            raise TypeError(f"mask must hold booleans, got an array of {given.dtype}")
-        if given.shape not in (maps.shape[-2:], maps.shape):
-            raise ValueError(f"mask must have the shape {maps.shape[-2:]} or that of opd, got {given.shape}")
-        used = inside & given
+    used = inside & ~np.isnan(maps) if mask is None else inside & _truths(mask, maps.shape)
     bad = np.argwhere(used & ~np.isfinite(maps))
     if len(bad):
         shown = ", ".join(str(tuple(place.tolist())) for place in bad[:3]) + (", ..." if len(bad) > 3 else "")

@@ -277,10 +277,10 @@ class Lens:
                     "object_distance must be given: no object is in focus, for the sensor at "
                     f"{self.sensor_distance:g} m lies inside the focal plane at {self.focal_length:g} m"
                 )
-        distance = np.asarray(value)
+        distance = validation.array("object_distance", value)
         if distance.dtype.kind not in "iuf":
-            raise TypeError(f"object_distance must be a number of metres, got {value!r}")
-        distance = distance.astype(np.float64)
+            raise TypeError(f"object_distance must be a number of metres, got {validation.shown(value)}")
+        distance = np.array(distance, dtype=np.float64)
         if distance.size == 0:
             raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
         bad = ~(distance > 0.0)

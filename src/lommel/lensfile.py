@@ -10,6 +10,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
 
+import numpy as np
 from pydantic import (
     AfterValidator,
     BeforeValidator,
@@ -20,9 +21,9 @@ from pydantic import (
     model_validator,
 )
 
-from lommel import faults, fieldtable, validation, zernikefile
+from lommel import faults, fieldtable, reading, validation, zernikefile
 from lommel.aperturefile import ApertureSection
-from lommel.entries import Distance, Length, Number, Section, SignedLength
+from lommel.entries import Distance, Length, Number, Section, SignedLength, beside
 from lommel.fieldmap import FieldMap
 from lommel.lens import Lens
 from lommel.pupil import Pupil
@@ -177,7 +178,7 @@ class _Field(Section):
         if "order" not in info.data:
             return value
         try:
-            return fieldtable.read_csv((info.context or {}).get("folder", Path()) / value, info.data["order"])
+            return fieldtable.read_csv(beside(info.context, value), info.data["order"])
         except OSError as error:
             raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
 
@@ -235,10 +236,10 @@ class _File(Section):
     report: _Report = _Report()
 
 
-def load_instrument(path: str | PathLike[str]) -> Instrument:
+def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> Instrument:
     """Read a lens file.
 
-    Lengths are texts with a unit (``"50 mm"``, ``"inf"``) or numbers of metres. Sections and keys:
+    Lengths are texts with a unit (``"50 mm"``, ``"inf"``), angles also numbers of radians. Sections and keys:
     ``name``, ``source``; ``[lens]`` focal_length, f_number or aperture_diameter, focus_distance or
     sensor_distance, wavelength, obscuration, model ("paraxial" or "aplanatic") and corrected_for ("object" or
     "focus"), see :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians),
@@ -264,6 +265,14 @@ def load_instrument(path: str | PathLike[str]) -> Instrument:
     Tables may say order ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"), normalization ("rms",
     "edge"), and direction, "x" or "y", that heights are along.
 
+    Parameters
+    ----------
+    path : path
+    folder_only : bool, default False
+        Refuse what lies outside of the folder of the lens file. A lens file may name tables and masks anywhere, and
+        what is wrong with these is told with some of their contents: a service that takes lens files from strangers
+        should refuse.
+
     Raises
     ------
     LensFileError
@@ -273,23 +282,32 @@ def load_instrument(path: str | PathLike[str]) -> Instrument:
     """
     source = Path(path)
     try:
-        text = source.read_text(encoding="utf-8-sig")
+        text = reading.text(source)
         raw = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
-        raise LensFileError(f"{source}: not valid TOML: {error}") from None
-    table, found = _zernike(raw, text, source.parent)
+    except (ValueError, RecursionError) as error:
+        raise LensFileError(f"{validation.line(source)}: not valid TOML: {reading.reason(error)}") from None
+    if not isinstance(folder_only, bool):
+        raise TypeError(f"folder_only must be True or False, got {validation.shown(folder_only)}")
+    context = {"folder": source.parent, "folder_only": folder_only}
+    table, found = _zernike(raw, text, context)
     try:
-        file = _File.model_validate(raw, context={"folder": source.parent})
+        file = _File.model_validate(raw, context=context)
         if not found:
-            return _instrument(file, table)
+            with np.errstate(over="raise", divide="raise", invalid="raise"):
+                return _instrument(file, table)
     except ValidationError as error:
-        found = [_describe(fault, text) for fault in error.errors(include_url=False)] + found
+        every = error.errors(include_url=False, include_context=False, include_input=False)
+        count = len(every) + len(found)
+        found = [_describe(fault, text) for fault in every[: faults.TOLD]] + found
+        raise LensFileError(faults.together(source, found, count)) from None
+    except ArithmeticError as error:
+        found.append(f"its numbers lead beyond the range of numbers: {error}")
     except ValueError as error:
         found.append(str(error))
     raise LensFileError(faults.together(source, found))
 
 
-def _zernike(raw: dict[str, Any], text: str, folder: Path) -> tuple[ZernikeTable | None, list[str]]:
+def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[ZernikeTable | None, list[str]]:
     """Return the table of [aberrations.zernike], if there is one, and what is wrong with it."""
     above = raw.get("aberrations")
     section = above.get("zernike") if isinstance(above, dict) else None
@@ -307,13 +325,14 @@ def _zernike(raw: dict[str, Any], text: str, folder: Path) -> tuple[ZernikeTable
     if not isinstance(name, str):
         return None, [f"{where(['file'])}: must be the path of a table, got {name!r}"]
     try:
-        table = zernikefile.load_zernike(folder / name)
+        path = beside(context, name)
+        table = zernikefile.load_zernike(path)
     except OSError as error:
-        return None, [f"{where(['file'])}: {folder / name}: {error.strerror or error}"]
+        return None, [f"{where(['file'])}: {validation.line(path)}: {error.strerror or error}"]
     except ValueError as error:
         return None, [f"{where(['file'])}: {error}"]
     if table.wavelength is None and table.unit in ("radians", "waves"):
-        return None, [f"{where(['file'])}: {folder / name}: must state the wavelength of its {table.unit}"]
+        return None, [f"{where(['file'])}: {validation.line(path)}: must state the wavelength of its {table.unit}"]
     return table, []
 
 

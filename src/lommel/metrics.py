@@ -149,8 +149,10 @@ def _center(answer: PSF, about: str) -> NDArray[np.float64]:
 
 def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numbers:
     """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 (1 - eps^2))``, by quadrature."""
-    at = np.asarray(radius, dtype=np.float64)
+    at = validation.real_array("radius", radius, least=0.0)
     method.require(pupil)
+    if at.size == 0:
+        return np.zeros(pupil.shape + at.shape)
     stretch = method.stretch(pupil)
     edges, where = np.unique(pupil.v(at).ravel(), return_inverse=True)
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
@@ -285,7 +287,7 @@ def peak_error(values: ArrayLike, reference: ArrayLike) -> float:
 
 
 def _pair(values: ArrayLike, reference: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    a, b = np.asarray(values, dtype=np.float64), np.asarray(reference, dtype=np.float64)
+    a, b = validation.real_array("values", values), validation.real_array("reference", reference)
     if a.shape != b.shape:
         raise ValueError(f"values and reference must have the same shape, got {a.shape} and {b.shape}")
     if not (np.all(np.isfinite(a)) and np.all(np.isfinite(b)) and b.max() > 0):

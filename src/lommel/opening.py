@@ -19,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Spider
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
@@ -98,6 +99,16 @@ class Opening:
     spider: Spider | None = None
     vignetting: Ellipse | CatEye | None = None
 
+    def __post_init__(self) -> None:
+        eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
+        object.__setattr__(self, "obscuration", eps)
+        if self.spider is not None:
+            validation.instance("spider", self.spider, Spider)
+        if self.vignetting is not None and not isinstance(self.vignetting, Ellipse | CatEye):
+            raise TypeError(
+                f"vignetting must be an Ellipse, a CatEye or None, got {validation.shown(self.vignetting)}"
+            )
+
     @property
     def circular(self) -> bool:
         """Whether it is a disc or an annulus."""
@@ -105,7 +116,7 @@ class Opening:
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return a function that is positive where light passes and changes by at most the distance of points."""
-        rho = np.hypot(x, y)
+        rho = np.hypot(validation.real_array("x", x), validation.real_array("y", y))
         least = np.minimum(1.0 - rho, rho - self.obscuration) if self.obscuration > 0.0 else 1.0 - rho
         for part in (self.spider, self.vignetting):
             if part is not None:
@@ -148,7 +159,7 @@ class Opening:
         Exact to rounding for discs, annuli, and ellipses without obscuration or vanes. For the others the radial sums
         are exact or, on short intervals, converged to about 1e-13, as those over the angle are: no proof is claimed.
         """
-        return _rule(self, degree)
+        return _rule(self, validation.integer("degree", degree, least=0, most=4 * MAX_DEGREE))
 
     def raster(self) -> tuple[Array, Array]:
         """Return points that fill the clear region up to its edges."""

@@ -227,7 +227,7 @@ class Pupil:
 
     def v(self, radius: ArrayLike) -> NDArray[np.float64]:
         """Return the optical coordinate ``v = pi radius / (lambda N)`` of radii on the sensor."""
-        return math.pi / self.scale * np.asarray(radius, dtype=np.float64)
+        return math.pi / self.scale * validation.number_array("radius", radius).astype(np.float64)
 
     def coefficients(self) -> NDArray[np.float64]:
         """Return the phase coefficients of t = rho^2 for the flattened stack, shape ``(n, terms)``."""

@@ -6,6 +6,8 @@ import math
 import re
 from collections.abc import Iterable
 
+from lommel.validation import shown
+
 _LENGTHS = {
     "m": 1.0,
     "km": 1e3,
@@ -28,24 +30,28 @@ _ANGLES = {
     "arcsec": math.pi / 648000,
     "mas": math.pi / 648000000,
 }
+_POWERS = {"m": 0, "km": 3, "cm": -2, "mm": -3, "um": -6, "µm": -6, "μm": -6, "nm": -9, "pm": -12, "angstrom": -10}
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)
 
 
 def parse_length(text: str | float) -> float:
-    """Return metres from ``"3.45 um"``, ``"50mm"``, ``"inf"``, or a number of metres.
+    """Return metres from ``"3.45 um"`` or ``"50mm"``; all but 0 and infinity needs a unit.
 
-    Units: km, m, cm, mm, um, nm, pm, angstrom, in.
+    Units: km, m, cm, mm, um, nm, pm, angstrom, in. The result is the float nearest to what is written, but for
+    inches.
 
     Raises
     ------
     ValueError
-        If the text is not a number with one of these units.
+        If it is not a text of a number with one of these units.
     """
     return _parse(text, _LENGTHS, "length", "550 nm")
 
 
 def parse_angle(text: str | float) -> float:
     """Return radians from ``"0.1 arcsec"``, or a number of radians. Units: rad, mrad, deg, arcmin, arcsec, mas."""
+    if isinstance(text, int | float) and not isinstance(text, bool):
+        return float(text)
     return _parse(text, _ANGLES, "angle", "0.1 arcsec")
 
 
@@ -53,7 +59,7 @@ def parse_radius(text: str | float, focal_length: float) -> float:
     """Return metres on the sensor from a length, or from an angle on the sky times the focal length."""
     found = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     if found and found[2] in _ANGLES:
-        return parse_angle(text) * focal_length
+        return parse_angle(found[0]) * focal_length
     return _parse(text, _LENGTHS, "length", "5 um", others=_ANGLES)
 
 
@@ -72,17 +78,28 @@ def format_length(metres: float) -> str:
 def _parse(text: str | float, units: dict[str, float], kind: str, example: str, others: Iterable[str] = ()) -> float:
     article = "an" if kind == "angle" else "a"
     if isinstance(text, bool) or not isinstance(text, str | int | float):
-        raise ValueError(f"{article} {kind} is a number or a text such as {example!r}, got {text!r}")
-    if not isinstance(text, str):
-        return float(text)
+        raise ValueError(f"{article} {kind} is a number with a unit, a text such as {example!r}, got {shown(text)}")
+    text = text if isinstance(text, str) else format(float(text), "g")
     found = _QUANTITY.fullmatch(text)
     if not found:
-        raise ValueError(f"{text!r} is not {article} {kind}; write for example {example!r}")
+        raise ValueError(f"{shown(text)} is not {article} {kind}; write for example {example!r}")
     number, unit = float(found[1]), found[2]
     if unit and unit not in units:
         angles = f", an angle in {', '.join(others)}" if others else ""
-        raise ValueError(f"{text!r} has the unknown unit {unit!r}; {article} {kind} is in {', '.join(units)}{angles}")
-    value = number * units[unit] if unit else number
+        raise ValueError(
+            f"{shown(text)} has the unknown unit {shown(unit)}; {article} {kind} is in {', '.join(units)}{angles}"
+        )
+    if not unit and number != 0.0 and not math.isinf(number):
+        raise ValueError(f"{shown(text)} is {article} {kind} without a unit; write for example {example!r}")
+    value = _scaled(found[1], unit) if unit in _POWERS else number * units.get(unit, 1.0)
     if math.isinf(value) and not found[1].lstrip("+-").startswith("inf"):
-        raise ValueError(f"{text!r} exceeds the range of numbers")
+        raise ValueError(f"{shown(text)} exceeds the range of numbers")
     return value
+
+
+def _scaled(number: str, unit: str) -> float:
+    """Return the float nearest to a decimal number times a power of ten."""
+    digits, _, power = number.lower().partition("e")
+    if digits.lstrip("+-").startswith("inf") or len(power) > 9:
+        return float(number)
+    return float(f"{digits}e{int(power or 0) + _POWERS[unit]}")

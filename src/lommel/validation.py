@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 import numbers
 import operator
+import reprlib
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +17,41 @@ MAX_SIDE = 16384
 
 MAX_VALUES = 2**31
 """Largest number of values in one answer (8 GiB of float32)."""
+
+
+_SHOWN = 120
+_brief = reprlib.Repr()
+_brief.maxstring = _brief.maxother = _brief.maxlong = _SHOWN
+_brief.maxlevel = 3
+
+_Kind = TypeVar("_Kind")
+
+
+def shown(value: Any) -> str:
+    """Return a value as a message shows it: on one line, and no more than its beginning and its end."""
+    try:
+        text = " ".join(_brief.repr(value).split())
+    except ValueError:  # of an integer with more digits than Python writes
+        text = f"<{type(value).__name__}>"
+    return brief(text)
+
+
+def brief(text: str, most: int = _SHOWN) -> str:
+    """Return a text that is too long for a message without its middle."""
+    return text if len(text) <= most else f"{text[: most - 20]}...{text[-17:]}"
+
+
+def line(text: object) -> str:
+    """Return a text, such as the name of a file, with its breaks of lines written out."""
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(text))
+
+
+def instance(name: str, value: Any, kind: type[_Kind]) -> _Kind:
+    """Return `value` if it is of this type; TypeError otherwise."""
+    if not isinstance(value, kind):
+        article = "an" if kind.__name__[0] in "AEIOU" else "a"
+        raise TypeError(f"{name} must be {article} {kind.__name__}, got {shown(value)}")
+    return value
 
 
 def real(
@@ -45,7 +81,7 @@ def real(
         except OverflowError:
             raise ValueError(f"{name} must be finite, got an integer beyond the range of numbers") from None
     else:
-        raise TypeError(f"{name} must be a real number, got {value!r}")
+        raise TypeError(f"{name} must be a real number, got {shown(value)}")
     if math.isnan(number) or (math.isinf(number) and not infinite):
         raise ValueError(f"{name} must be finite, got {number}")
     if not (number > above and number >= least and number < below) and not (infinite and math.isinf(number)):
@@ -65,20 +101,20 @@ def real(
 
 def _is_real_scalar(value: Any) -> bool:
     if isinstance(value, np.ndarray | np.generic):
-        return value.ndim == 0 and value.dtype.kind in "iuf"
+        return value.ndim == 0 and value.dtype.kind in "iuf" and not np.ma.is_masked(value)
     return not isinstance(value, bool)
 
 
 def integer(name: str, value: Any, *, least: int, most: int) -> int:
     """Return `value` as an int in ``[least, most]``; TypeError or ValueError otherwise."""
     if isinstance(value, bool):
-        raise TypeError(f"{name} must be an integer, got {value!r}")
+        raise TypeError(f"{name} must be an integer, got {shown(value)}")
     try:
         number = operator.index(value)
     except TypeError:
-        raise TypeError(f"{name} must be an integer, got {value!r}") from None
+        raise TypeError(f"{name} must be an integer, got {shown(value)}") from None
     if not least <= number <= most:
-        raise ValueError(f"{name} must be from {least} to {most}, got {number}")
+        raise ValueError(f"{name} must be from {least} to {most}, got {shown(number)}")
     return number
 
 
@@ -86,25 +122,44 @@ def choice(name: str, value: Any, allowed: Iterable[str]) -> str:
     """Return `value` if it is one of `allowed`; ValueError otherwise."""
     options = list(allowed)
     if not isinstance(value, str) or value not in options:
-        raise ValueError(f"{name} must be one of {', '.join(map(repr, options))}, got {value!r}")
+        raise ValueError(f"{name} must be one of {', '.join(map(repr, options))}, got {shown(value)}")
     return value
+
+
+def array(name: str, value: ArrayLike) -> NDArray[Any]:
+    """Return `value` as an array; TypeError where something of it is masked, for arrays do not keep that."""
+    if _masked(value):
+        raise TypeError(f"{name} must not be masked; fill it, or leave out what is masked")
+    try:
+        return np.asarray(value)
+    except (ValueError, TypeError, OverflowError):  # a ragged sequence, or what is no array at all
+        return np.asarray(None)
+
+
+def _masked(value: Any) -> bool:
+    if isinstance(value, list | tuple):
+        return any(_masked(part) for part in value if isinstance(part, list | tuple | np.ma.MaskedArray))
+    return isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value)
+
+
+def number_array(name: str, value: ArrayLike) -> NDArray[Any]:
+    """Return `value` as an array of integers or floats; TypeError otherwise."""
+    given = array(name, value)
+    if given.dtype.kind not in "iuf":
+        raise TypeError(f"{name} must hold real numbers, got {shown(value)}")
+    return given
 
 
 def real_array(name: str, value: ArrayLike, *, least: float = -math.inf) -> NDArray[np.float64]:
     """Return `value` as a read-only float64 array of finite numbers ``>= least``."""
-    try:
-        given = np.asarray(value)
-    except ValueError:  # a ragged sequence
-        given = np.asarray(None)
-    if given.dtype.kind not in "iuf":
-        raise TypeError(f"{name} must hold real numbers, got {value!r}")
-    array = np.array(given, dtype=np.float64)
-    bad = ~(np.isfinite(array) & (array >= least))
+    with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, which is told
+        found = np.array(number_array(name, value), dtype=np.float64, subok=False)
+    bad = ~(np.isfinite(found) & (found >= least))
     if bad.any():
         limit = f" and >= {least:g}" if least > -math.inf else ""
-        raise ValueError(f"{name} must be finite{limit}, got {array[bad].flat[0]}")
-    array.flags.writeable = False
-    return array
+        raise ValueError(f"{name} must be finite{limit}, got {found[bad].flat[0]}")
+    found.flags.writeable = False
+    return found
 
 
 def image_shape(shape: Any) -> tuple[int, int]:
@@ -112,7 +167,7 @@ def image_shape(shape: Any) -> tuple[int, int]:
     pair = isinstance(shape, tuple | list) or (isinstance(shape, np.ndarray) and shape.ndim > 0)
     sides = tuple(shape) if pair else (shape, shape)
     if len(sides) != 2:
-        raise ValueError(f"shape must be an integer or (height, width), got {shape!r}")
+        raise ValueError(f"shape must be an integer or (height, width), got {shown(shape)}")
     height, width = (integer("shape", side, least=1, most=MAX_SIDE) for side in sides)
     return height, width
 
@@ -120,7 +175,7 @@ def image_shape(shape: Any) -> tuple[int, int]:
 def position(name: str, value: Any) -> tuple[float, float]:
     """Return ``(row, column)`` from a pair of finite numbers within 1e6 pixels."""
     if not isinstance(value, tuple | list | np.ndarray) or len(value) != 2:
-        raise ValueError(f"{name} must be (row, column), got {value!r}")
+        raise ValueError(f"{name} must be (row, column), got {shown(value)}")
     row, column = (real(name, part, above=-1e6, below=1e6, unit="pixels") for part in value)
     return row, column
 

@@ -7,13 +7,14 @@ import io
 import json
 import re
 import tomllib
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from lommel import faults, validation
+from lommel import atomic, faults, reading, validation
 from lommel.descriptions import NORMALIZATIONS
 from lommel.special import zernike
 from lommel.units import _LENGTHS, parse_length
@@ -22,6 +23,7 @@ from lommel.wavefront import Wavefront
 SUFFIXES = (".json", ".toml", ".csv")
 SETTINGS = ("order", "unit", "normalization", "wavelength")
 _UNITS = ("radians", "waves", "metres", *_LENGTHS)
+_MOST_TERMS = 4096  # more than there are
 _PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
 
 _Index = int | tuple[int, int]
@@ -156,9 +158,9 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     if read is None:
         raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
     try:
-        table, found = read(source.read_text(encoding="utf-8-sig"))
-    except UnicodeDecodeError as error:
-        raise ZernikeFileError(f"{source}: not UTF-8 text: {error}") from None
+        table, found = read(reading.text(source))
+    except ValueError as error:
+        raise ZernikeFileError(f"{validation.line(source)}: {reading.reason(error)}") from None
     if table is None:
         raise ZernikeFileError(faults.together(source, found))
     return table
@@ -177,8 +179,6 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable) -> None:
     OSError
         If the file cannot be written.
     """
-    from lommel.files import write_atomically
-
     if not isinstance(table, ZernikeTable):
         raise TypeError(f"table must be a ZernikeTable, got {table!r}")
     target = Path(path)
@@ -200,7 +200,7 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable) -> None:
         text = "\n".join(
             [*head, "n,m,value" if pair else "index,value", *(f"{k},{c!r}" for k, c in terms.items()), ""]
         )
-    write_atomically(target, text.encode())
+    atomic.write(target, text.encode())
 
 
 def build(
@@ -217,15 +217,15 @@ def build(
     where : callable
         From the name of a setting to where it stands.
     """
-    found = [
-        f"{where(key)}: {faults.unknown_key(key, (*SETTINGS, 'terms'))}" for key in settings if key not in SETTINGS
-    ]
+    stray = [key for key in settings if key not in SETTINGS]
+    found = [f"{where(key)}: {faults.unknown_key(key, (*SETTINGS, 'terms'))}" for key in stray[: faults.TOLD]]
+    found += ["unknown keys"] * len(stray[faults.TOLD :])
     allowed = {"order": zernike.ORDERS, "unit": _UNITS, "normalization": NORMALIZATIONS}
     for key, options in allowed.items():
         if key not in settings:
             found.append(f"{where(key)}: is missing; it is one of {', '.join(options)}")
         elif settings[key] not in options:
-            found.append(f"{where(key)}: must be one of {', '.join(options)}, got {settings[key]!r}")
+            found.append(f"{where(key)}: must be one of {', '.join(options)}, got {validation.shown(settings[key])}")
     wavelength = None
     if "wavelength" in settings:
         try:
@@ -234,6 +234,9 @@ def build(
             found.append(f"{where('wavelength')}: {error}")
     order = settings.get("order")
     known = order if isinstance(order, str) and order in zernike.ORDERS else None
+    if len(terms) > _MOST_TERMS:
+        found.append(f"{where('terms')}: must be at most {_MOST_TERMS} coefficients, got {len(terms)}")
+        terms = terms[:1]
     values: dict[_Index, float] = {}
     places: dict[tuple[int, int], str] = {}
     for text, value, at in terms:
@@ -271,15 +274,15 @@ def build_section(
     table, found = build(settings, [(k, c, where(["terms", k])) for k, c in entries], lambda key: where([key]))
     if not isinstance(terms, Mapping):
         # Instead of the last fault, that it is empty.
-        found[-1] = f"{where(['terms'])}: must map indices to coefficients, got {terms!r}"
+        found[-1] = f"{where(['terms'])}: must map indices to coefficients, got {validation.shown(terms)}"
     return table, found
 
 
 def _read_toml(text: str) -> tuple[ZernikeTable | None, list[str]]:
     try:
         raw = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        return None, [f"not valid TOML: {error}"]
+    except (ValueError, RecursionError) as error:
+        return None, [f"not valid TOML: {reading.reason(error)}"]
     return build_section(raw, lambda keys: faults.place(text, keys))
 
 
@@ -287,14 +290,14 @@ def _read_json(text: str) -> tuple[ZernikeTable | None, list[str]]:
     twice: list[str] = []
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        keys = [key for key, _ in pairs]
-        twice.extend(f"{key}: is given twice" for key in dict.fromkeys(keys) if keys.count(key) > 1)
+        counts = Counter(key for key, _ in pairs)
+        twice.extend(f"{key}: is given twice" for key, count in counts.items() if count > 1)
         return dict(pairs)
 
     try:
         raw = json.loads(text, object_pairs_hook=once)
-    except (json.JSONDecodeError, RecursionError) as error:
-        return None, [f"not valid JSON: {error}"]
+    except (ValueError, RecursionError) as error:
+        return None, [f"not valid JSON: {reading.reason(error)}"]
     if not isinstance(raw, dict):
         return None, [f"must hold an object, got {type(raw).__name__}"]
     table, found = build_section(raw, ".".join)

@@ -180,7 +180,7 @@ class DepthBlur:
 
     def require(self, image: NDArray[Any]) -> None:
         """Raise TypeError or ValueError, naming `image`, unless it is finite light of the shape of the depth."""
-        array = np.asarray(image)
+        array = validation.array("image", image)
         count = len(self.banks)
         wanted = (*self.shape, count) if array.ndim == 3 or count > 1 else self.shape
         if array.shape != wanted:
@@ -192,7 +192,7 @@ class DepthBlur:
 
     def _planes(self, image: NDArray[Any]) -> NDArray[Any]:
         self.require(image)
-        array = np.asarray(image)
+        array = np.asarray(image)  # without a mask, as require has seen
         planes = array[None] if array.ndim == 2 else np.moveaxis(array, 2, 0)
         return np.ascontiguousarray(planes, dtype=self.dtype)
 
@@ -234,7 +234,7 @@ def require_lens(lens: Any, order: str) -> None:
 
 
 def _depth(depth: ArrayLike) -> NDArray[np.float64]:
-    distances = np.asarray(depth)
+    distances = validation.array("depth", depth)
     if distances.dtype.kind not in "iuf":
         raise TypeError(f"depth must hold metres, got {distances.dtype}")
     if distances.ndim != 2 or 0 in distances.shape:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import re
 from os import PathLike
 from pathlib import Path
@@ -11,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel import reading, validation
 from lommel.imaging.photos import PhotoError, read_raster
 
-_PFM = re.compile(rb"(P[fF])\s+(\d+)\s+(\d+)\s+([+-]?[0-9.]+(?:[eE][+-]?\d+)?)\s")
+_PFM = re.compile(rb"(P[fF])\s+(\d{1,9})\s+(\d{1,9})\s+([+-]?[0-9.]+(?:[eE][+-]?\d+)?)\s")
 
 
 def read_depth(
@@ -48,28 +47,30 @@ def read_depth(
     """
     source = Path(path)
     factor = 1.0 if scale is None else validation.real("scale", scale, above=0.0, unit="metres per level")
-    with source.open("rb") as file:
-        start = file.read(6)
+    data = reading.contents(source)
+    start = data[:6]
     if start.startswith(b"\xff\xd8\xff"):
-        raise PhotoError(f"{source} is a JPEG, whose losses no depth map survives")
+        raise PhotoError(f"{validation.line(source)} is a JPEG, whose losses no depth map survives")
     try:
         if start == b"\x93NUMPY":
-            values = np.load(io.BytesIO(source.read_bytes()), allow_pickle=False)
+            values = reading.npy(data, reading.MAX_PIXELS)[0]
         elif start[:2] in (b"Pf", b"PF"):
-            values = _pfm(source.read_bytes(), scale)
+            values = _pfm(data, scale)
         else:
             values = read_raster(source)[0]
     except PhotoError as error:
         if str(error).endswith("is not a PNG, JPEG or TIFF file"):
-            raise PhotoError(f"{source} is not a NPY, PFM, TIFF or PNG file") from None
+            raise PhotoError(f"{validation.line(source)} is not a NPY, PFM, TIFF or PNG file") from None
         raise
-    except (ValueError, EOFError, SyntaxError) as error:
-        raise PhotoError(f"{source} cannot be read as a depth map: {' '.join(str(error).split())}") from error
-    return _metres(source, values, scale is not None, factor, zero_is_unknown)
+    except ValueError as error:
+        raise PhotoError(
+            f"{validation.line(source)} cannot be read as a depth map: {reading.reason(error)}"
+        ) from None
+    return _metres(validation.line(source), values, scale is not None, factor, zero_is_unknown)
 
 
 def _metres(
-    source: Path, values: NDArray[Any], scaled: bool, factor: float, zero_is_unknown: bool
+    source: str, values: NDArray[Any], scaled: bool, factor: float, zero_is_unknown: bool
 ) -> NDArray[np.float64]:
     if values.ndim != 2 or 0 in values.shape:
         raise PhotoError(f"{source} has the shape {values.shape}; a depth map has (height, width)")
@@ -77,7 +78,8 @@ def _metres(
         raise PhotoError(f"{source} holds {values.dtype}; a depth map holds numbers")
     if values.dtype.kind != "f" and not scaled:
         raise PhotoError(f"{source} holds levels ({values.dtype}); say how many metres one is: depth scale")
-    metres = values.astype(np.float64) * factor
+    with np.errstate(over="ignore"):
+        metres = values.astype(np.float64) * factor
     zero = values == 0
     if zero.any():
         if not zero_is_unknown:
@@ -96,6 +98,7 @@ def _pfm(data: bytes, scale: float | None) -> NDArray[Any]:
     if found[1] != b"Pf":
         raise ValueError("it has colours")
     width, height, unit = int(found[2]), int(found[3]), float(found[4])
+    reading.pixels(width, height)
     if unit == 0.0 or (abs(unit) != 1.0 and scale is None):
         raise ValueError(f"its header states the scale {unit:g}; say how many metres a unit is: depth scale")
     body = data[found.end() :]

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import errno
 import io
+import os
 import re
-import tempfile
 from collections.abc import Iterable
 from os import PathLike
 from pathlib import Path
@@ -13,11 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel import atomic, validation
 from lommel.imaging import photo_output
 from lommel.imaging.photos import library
 
-_NUMBER = re.compile(r"%0?\d*d")
+_NUMBER = re.compile(r"%0?\d?d")
 _ANIMATIONS = {".gif": "gif", ".png": "png", ".apng": "png", ".webp": "webp"}
 SUFFIXES = (*_ANIMATIONS, ".tif", ".tiff")
 
@@ -74,8 +75,6 @@ def write_frames(
     OSError
         If a file cannot be written.
     """
-    from lommel.files import write_atomically
-
     target = check_pattern(path)
     duration = 1000.0 / validation.real("fps", fps, above=0.0, below=1000.0)
     validation.integer("quality", quality, least=1, most=100)
@@ -83,9 +82,9 @@ def write_frames(
         return _numbered(target, _alike(frames), quality)
     kept = list(_alike(frames))
     if target.suffix.lower() in (".tif", ".tiff"):
-        write_atomically(target, _stack(kept))
+        atomic.write(target, _stack(kept))
     else:
-        write_atomically(target, _animation(target, kept, duration, quality))
+        atomic.write(target, _animation(target, kept, duration, quality))
     return [target]
 
 
@@ -101,21 +100,14 @@ def _alike(frames: Iterable[NDArray[Any]]) -> Iterable[NDArray[Any]]:
 
 
 def _numbered(target: Path, frames: Iterable[NDArray[Any]], quality: int) -> list[Path]:
-    """Write all frames to a folder beside the target, then move them into place."""
-    try:
-        room = tempfile.TemporaryDirectory(dir=target.parent, prefix=".frames.")
-    except OSError as error:
-        raise type(error)(error.errno, error.strerror, str(target)) from None
-    with room as folder:
-        made = []
+    """Write all frames, then move them into place."""
+    if not target.parent.is_dir():  # before the first frame is made
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
+    made = []
+    with atomic.together() as put:
         for number, frame in enumerate(frames, 1):
             made.append(target.with_name(target.name % number))
-            (Path(folder) / made[-1].name).write_bytes(photo_output.encoded(target, frame, quality))
-        for path in made:
-            if path.is_dir():
-                raise IsADirectoryError(f"{path} is a directory")
-        for path in made:
-            (Path(folder) / path.name).replace(path)
+            put(made[-1], photo_output.encoded(target, frame, quality))
     return made
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import validation
+from lommel import atomic, validation
 from lommel.imaging.encoding import ENCODINGS, from_light
 from lommel.imaging.photos import library
 
@@ -70,11 +70,9 @@ def write_photo(
     OSError
         If the file cannot be written.
     """
-    from lommel.files import write_atomically
-
     target = check_suffix(path)
     values, clipped = stored(light, encoding, dtype)
-    write_atomically(target, encoded(target, values, quality, profile))
+    atomic.write(target, encoded(target, values, quality, profile))
     return clipped
 
 

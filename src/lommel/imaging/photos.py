@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import validation
+from lommel import reading, validation
 from lommel.imaging.encoding import ENCODINGS, to_light
 
 _SIGNATURES = {
@@ -115,8 +115,8 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
     Raises
     ------
     PhotoError
-        If the file is damaged, of another format, animated, or has alpha, a colour space but grey and RGB, or values
-        but uint8, uint16 and floats.
+        If the file is damaged, of another format, animated, has more than 16384^2 pixels, or has alpha, a colour
+        space but grey and RGB, or values but uint8, uint16 and floats.
     ImportError
         If Pillow or tifffile is not installed (``lommel[images]``).
     OSError
@@ -131,13 +131,13 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
 def read_raster(path: str | PathLike[str]) -> tuple[NDArray[Any], Exif, bytes | None]:
     """Return the upright values of a PNG, JPEG or TIFF file, its EXIF and its ICC profile; see :func:`read_photo`."""
     source = Path(path)
-    data = source.read_bytes()
+    data = reading.contents(source)
     kind = next((name for start, name in _SIGNATURES.items() if data.startswith(start)), None)
     if kind is None:
-        raise PhotoError(f"{source} is {'not a PNG, JPEG or TIFF file' if data else 'empty'}")
+        raise PhotoError(f"{validation.line(source)} is {'not a PNG, JPEG or TIFF file' if data else 'empty'}")
     try:
         # What Pillow warns of are damaged parts that it leaves out.
-        with warnings.catch_warnings():
+        with warnings.catch_warnings(), reading.quietly():
             warnings.simplefilter("error")
             values, tags, profile = _read_tiff(data) if kind == "TIFF" else _read_png_or_jpeg(data, kind)
             orientation = tags.get(0x0112, 1)
@@ -147,8 +147,9 @@ def read_raster(path: str | PathLike[str]) -> tuple[NDArray[Any], Exif, bytes | 
     except ImportError:
         raise
     except Exception as error:
-        reason = " ".join(str(error).split()) or type(error).__name__
-        raise PhotoError(f"{source} cannot be read as a {kind} photograph: {reason}") from error
+        raise PhotoError(
+            f"{validation.line(source)} cannot be read as a {kind} photograph: {reading.reason(error)}"
+        ) from error
     return np.ascontiguousarray(_TURNS[orientation](values)), exif, profile
 
 
@@ -165,6 +166,7 @@ def _read_png_or_jpeg(data: bytes, kind: str) -> tuple[NDArray[Any], Any, bytes 
             return np.asarray(again.convert(plain) if (plain := {"P": "RGB", "1": "L"}.get(again.mode)) else again)
 
     with opener(io.BytesIO(data)) as file:
+        reading.pixels(*file.size)
         if getattr(file, "is_animated", False):
             raise ValueError(f"it is an animation of {file.n_frames} frames")
         if "A" in file.mode or "transparency" in file.info:
@@ -186,6 +188,7 @@ def _read_png_or_jpeg(data: bytes, kind: str) -> tuple[NDArray[Any], Any, bytes 
 
 def _read_tiff(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
     tifffile = library("tifffile")
+    reading.tiff(data)
     with tifffile.TiffFile(io.BytesIO(data)) as file:
         pages = [page for page in file.pages if not page.is_reduced]
         if len(pages) != 1:
@@ -196,6 +199,10 @@ def _read_tiff(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
         if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
             raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
         values, axes, profile = page.asarray(), page.axes, page.iccprofile
+    if values.shape != page.shape:
+        raise ValueError(
+            f"its values are of an unknown kind, {page.bitspersample} bits of the format {page.sampleformat}"
+        )
     if axes == "SYX":
         values = np.moveaxis(values, 0, 2)
     elif axes not in ("YX", "YXS"):
@@ -203,7 +210,8 @@ def _read_tiff(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
     if values.dtype not in (np.uint8, np.uint16) and values.dtype.kind != "f":
         raise ValueError(f"it holds {values.dtype}, neither uint8, uint16 nor floats")
     tags = library("PIL.Image").Exif()
-    tags.load(data)
+    if data[2:4] in (b"*\0", b"\0*"):  # Pillow knows those of at most 4 GB
+        tags.load(data)
     return values.astype(values.dtype.newbyteorder("="), copy=False), tags, profile
 
 

@@ -71,7 +71,7 @@ class FocusPlan:
         require_lens(lens, "image, depth, lens, pixel")
         if not isinstance(occlusion, bool | np.bool_):
             raise TypeError(f"occlusion must be True or False, got {occlusion!r}")
-        given = np.asarray(image)
+        given = validation.array("image", image)
         if given.ndim not in (2, 3) or 0 in given.shape:
             raise ValueError(
                 f"image must have the shape (height, width) or (height, width, channels), got {given.shape}"

@@ -79,7 +79,7 @@ def channels_of(image: NDArray[Any], lens: Lens, wavelengths: Sequence[Spectrum]
 def fill_missing(depth: ArrayLike, missing: str) -> NDArray[Any]:
     """Return depths whose NaNs are filled as `missing` says."""
     validation.choice("missing", missing, MISSING)
-    distances = np.asarray(depth)
+    distances = validation.array("depth", depth)
     if distances.dtype.kind != "f" or missing == "raise" or not np.isnan(distances).any():
         return distances
     unknown = np.isnan(distances)

@@ -11,6 +11,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from lommel import validation
 from lommel.grid import Grid
 from lommel.methods.subpixel import subpixel_intensity
 from lommel.pupil import Pupil
@@ -246,7 +247,7 @@ class FieldMethod(RadialMethod):
     def field(self, pupil: Pupil, v: ArrayLike) -> NDArray[np.complex128]:
         """Return the complex field U at optical coordinates `v`, shape ``pupil.shape + v.shape``."""
         self.require(pupil)
-        at = np.asarray(v, dtype=np.float64)
+        at = validation.real_array("v", v, least=0.0)
         values, where = np.unique(_radii(at.ravel()), return_inverse=True)
         return self.evaluate(pupil, values).values[:, where].reshape(pupil.shape + at.shape)
 

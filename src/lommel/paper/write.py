@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lommel.files import write_atomically
+from lommel import atomic
 from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical, validity
 from lommel.paper.setting import FigureData
 
@@ -92,7 +92,7 @@ def reproduce(
     files: list[str] = []
 
     def keep(name: str, data: bytes) -> None:
-        write_atomically(folder / name, data)
+        atomic.write(folder / name, data)
         files.append(str(folder / name))
 
     facts = {}

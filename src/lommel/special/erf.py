@@ -29,7 +29,7 @@ class Erf(ABC):
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return ``erf(e^{-i pi/4} s)`` for real s of either sign."""
-        at = np.asarray(s, dtype=np.float64)
+        at = validation.real_array("s", s)
         size = np.abs(at)
         return np.asarray(np.where(at < 0, -1.0, 1.0) * (1.0 - np.exp(1j * size**2) * self.auxiliary(size) / HALF))
 
@@ -129,7 +129,7 @@ class AbramowitzErf(Erf):
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return Eq. (14) at ``e^{-i pi/4} s``."""
-        return self(_RAY * np.asarray(s, dtype=np.float64))
+        return self(_RAY * validation.real_array("s", s))
 
     def auxiliary(self, s: NDArray[np.float64]) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0`` as the complement of Eq. (14)."""

@@ -1,0 +1,146 @@
+"""Files and folders written whole or not at all: under a temporary name beside the place, then moved into it."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import shutil
+import stat
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from functools import lru_cache
+from pathlib import Path
+
+# Short, so that it fits wherever the name asked for does, and such that nobody else's file is called so.
+_PREFIX = ".lommel-"
+_DAY = 86400.0
+
+
+def write(target: Path, data: bytes) -> None:
+    """Write a file; see :func:`together`."""
+    with together() as put:
+        put(target, data)
+
+
+@contextmanager
+def together() -> Iterator[Callable[[Path, bytes], None]]:
+    """Yield what takes paths and contents; at the end all files are moved into place, or after an error none.
+
+    A link is followed, and what it names is replaced. A file that was there hands on its permissions, a new one has
+    what the umask allows; a hard link is cut, since the other name keeps the old contents. Contents are on the disk
+    before a name is given to them. What a killed process left is removed, a day later, by the next write there.
+
+    Raises
+    ------
+    OSError
+        If a file cannot be written, with the name that was asked for; also if there is something else than a file.
+    """
+    made: list[tuple[Path, Path]] = []
+
+    def put(target: Path, data: bytes) -> None:
+        with _told_as(target):
+            place = _place(target)
+            temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
+            # 0o666 is what the umask, which belongs to the whole process, takes from.
+            handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666 if mode is None else 0o600)
+            made.append((temporary, place))
+            with os.fdopen(handle, "wb") as file:
+                if mode is not None:
+                    os.fchmod(handle, mode)
+                file.write(data)
+                file.flush()
+                os.fsync(handle)
+
+    try:
+        yield put
+        for temporary, place in made:
+            with _told_as(place):
+                temporary.replace(place)
+        for folder in {place.parent for _, place in made}:
+            _settle(folder)
+    except BaseException:
+        for temporary, _ in made:
+            temporary.unlink(missing_ok=True)
+        raise
+
+
+def write_folder(target: Path, fill: Callable[[Path], None]) -> None:
+    """Write a folder: `fill` makes it at the path it is given. One that was there is replaced."""
+    with _told_as(target):
+        place = Path(os.path.realpath(target))
+        _sweep(place.parent)
+        room = place.with_name(_PREFIX + secrets.token_hex(8))
+        room.mkdir()
+    try:
+        fill(room / "new")
+        mode = stat.S_IMODE((place if place.exists() else room).stat().st_mode)
+        for path in (room / "new", *(room / "new").rglob("*")):
+            path.chmod(mode if path.is_dir() else mode & 0o666)
+            _settle(path)
+        if place.exists():
+            # Two renames: there is no moment at which neither folder exists.
+            place.replace(room / "old")
+        (room / "new").replace(place)
+        _settle(place.parent)
+    finally:
+        if (room / "old").exists() and not place.exists():
+            (room / "old").replace(place)
+        shutil.rmtree(room, ignore_errors=True)
+
+
+def _place(target: Path) -> Path:
+    """Return the path that a file is to have, links followed."""
+    place = Path(os.path.realpath(target))
+    if place.exists() and not place.is_file():
+        # A device, say, that is not to become a file.
+        raise IsADirectoryError(21, "is a directory") if place.is_dir() else OSError(22, "is no regular file")
+    _sweep(place.parent)
+    return place
+
+
+def _mode(place: Path) -> int | None:
+    try:
+        return stat.S_IMODE(place.stat().st_mode)
+    except FileNotFoundError:
+        return None
+
+
+@contextmanager
+def _told_as(target: Path) -> Iterator[None]:
+    """Tell an error of the operating system with the name that was asked for."""
+    try:
+        yield
+    except OSError as error:
+        raise type(error)(error.errno, error.strerror, str(target)) from None
+
+
+def _settle(path: Path) -> None:
+    """Have what a file, or a folder of names, holds on the disk."""
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    except OSError:
+        pass  # Some file systems do not know this of folders.
+    finally:
+        os.close(handle)
+
+
+@lru_cache(maxsize=64)
+def _sweep(folder: Path) -> None:
+    """Remove, once a process, what others left in a folder a day ago; but never the only copy of anything."""
+    try:
+        with os.scandir(folder) as entries:
+            old = [Path(e.path) for e in entries if e.name.startswith(_PREFIX) and _age(e) > _DAY]
+    except OSError:
+        return  # What is wrong with the folder, the write will tell.
+    for path in old:
+        if not path.is_dir():
+            with suppress(OSError):  # of somebody else
+                path.unlink()
+        elif not (path / "old").exists():
+            shutil.rmtree(path, ignore_errors=True)
+
+
+def _age(entry: os.DirEntry[str]) -> float:
+    return time.time() - entry.stat(follow_symlinks=False).st_mtime

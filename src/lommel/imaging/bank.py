@@ -228,7 +228,7 @@ def _enough(
         if half > largest:
             raise ValueError(
                 f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the "
-                "light; stop down, allow larger windows, or ask for less of the light"
+                "light; stop down, raise `largest`, or lower `energy`"
             )
         rule, means = _means(pupil, phase, spectrum, pixel, ends, half, threads)
         sums = rule.sums(means)

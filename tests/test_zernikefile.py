@@ -195,7 +195,8 @@ def test_a_fault_of_json_is_told_with_its_key(load, old, new, told):
         ("# unit: nm", "# unit: kg", "unit (line 3): must be one of"),
         ("# unit: nm", "# unit: nm\n# unit: um", "unit (line 4): is given twice, first in line 3"),
         ("# a comment", "# made: today", "made (line 1): unknown key; known are order"),
-        ("index, value", "j, value", "line 7: the columns must be index,value, got j, value"),
+        ("index, value", "ansi, value", "line 7: the columns must be index,value, got ansi, value"),
+        ("index, value", "index, waves", "line 7: the columns must be index,value, got index, waves"),
         ("index, value\n", "", "line 7: the columns must be index,value, got 4, -12.5"),
         ("7, 31", "7, 31, 5", "line 9: must have 2 cells, got 3: 7, 31, 5"),
         ("7, 31", "7; 31", "line 9: must have 2 cells, got 1: 7; 31"),
@@ -227,7 +228,7 @@ def test_other_formats_are_refused_and_missing_files_named(tmp_path):
         lm.load_zernike(tmp_path / "nowhere.csv")
     with pytest.raises(FileNotFoundError, match="nowhere"):
         lm.save_zernike(tmp_path / "nowhere" / "a.csv", table)
-    with pytest.raises(TypeError, match=r"table must be a ZernikeTable, got \{\}"):
+    with pytest.raises(TypeError, match=r"table must be a ZernikeTable or a Wavefront, got \{\}"):
         lm.save_zernike(tmp_path / "a.csv", {})
     assert list(tmp_path.iterdir()) == []
 

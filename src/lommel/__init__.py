@@ -91,6 +91,27 @@ _HOME = {
     "save_zernike": "zernikefile",
 }
 
+# Modules whose names are given in full in the reference, such as lommel.plot.field.
+_ROOMS = (
+    "adapters",
+    "encircled",
+    "fieldfiles",
+    "fieldtable",
+    "files",
+    "imaging",
+    "lensfile",
+    "methods",
+    "metrics",
+    "plot",
+    "quality",
+    "report",
+    "special",
+    "spot",
+    "transfer",
+    "units",
+    "zernikefile",
+)
+
 __all__ = [
     "PSF",
     "AbramowitzErf",
@@ -151,8 +172,8 @@ def __getattr__(name: str) -> Any:
         from importlib.metadata import version
 
         return version("lommel")
-    if name == "imaging":
-        return import_module("lommel.imaging")
+    if name in _ROOMS:
+        return import_module(f"lommel.{name}")
     if name not in _HOME:
         raise AttributeError(f"module 'lommel' has no attribute {name!r}")
     value = getattr(import_module(f"lommel.{_HOME[name]}"), name)
@@ -161,4 +182,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__, "__version__", "imaging"})
+    return sorted({*__all__, *_ROOMS, "__version__", *(name for name in globals() if name.startswith("__"))})

@@ -195,7 +195,7 @@ def opd_map(
     wavefront: Wavefront,
     shape: int | tuple[int, int],
     *,
-    unit: str,
+    unit: str = "radians",
     wavelength: float | None = None,
     center: tuple[float, float] | None = None,
     radius: float | None = None,
@@ -208,7 +208,7 @@ def opd_map(
     shape : int or (int, int)
         Height and width in pixels.
     unit, wavelength, center, radius
-        As those of :func:`fit_opd`.
+        As those of :func:`fit_opd`; the unit is by default that of a wavefront.
 
     Returns
     -------

@@ -357,3 +357,17 @@ def ray_height(coefficients: NDArray[np.float64], rho: NDArray[np.float64]) -> N
     for k in reversed(range(coefficients.shape[1])):
         slope = slope * t + (k + 1) * coefficients[:, k : k + 1]
     return 2.0 * rho * slope
+
+
+def checked(pupil: Any) -> Pupil:
+    """Return `pupil` if it is one; of what makes or has one the TypeError says how."""
+    if isinstance(pupil, Pupil):
+        return pupil
+    ways = {
+        "Lens": "a Lens; lens.pupil(object_distance) is its pupil",
+        "Instrument": "an Instrument; instrument.pupil() is its pupil",
+        "Wavefront": "a Wavefront; Pupil(wavefront) has a round aperture",
+        "PSF": "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image",
+        "FieldMap": "a FieldMap; field.pupil(x, y) is that of a position",
+    }
+    raise TypeError(f"pupil must be a Pupil, got {ways.get(type(pupil).__name__) or repr(pupil)}")

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from lommel import validation
 from lommel.methods.method import ToleranceError
 from lommel.opening import degree_needed
-from lommel.pupil import Pupil, ray_height
+from lommel.pupil import Pupil, checked, ray_height
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 from lommel.wavefront import Wavefront
@@ -53,7 +53,7 @@ def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
     0.5
     """
     validation.choice("unit", unit, ("radians", "waves"))
-    of = Pupil(pupil) if isinstance(pupil, Wavefront) else _checked(pupil)
+    of = Pupil(pupil) if isinstance(pupil, Wavefront) else checked(pupil)
     result: Numbers = np.sqrt(_variance(of))[()] / (1.0 if unit == "radians" else 2.0 * math.pi)
     return result
 
@@ -74,7 +74,7 @@ def marechal(pupil: Pupil) -> Numbers:
     V. N. Mahajan, "Strehl ratio for primary aberrations in terms of their aberration variance",
     J. Opt. Soc. Am. 73, 860 (1983), doi:10.1364/JOSA.73.000860.
     """
-    result: Numbers = np.exp(-_variance(_checked(pupil)))[()]
+    result: Numbers = np.exp(-_variance(checked(pupil)))[()]
     return result
 
 
@@ -96,7 +96,7 @@ def strehl(pupil: Pupil) -> Numbers:
     ToleranceError
         If the phase takes more than 2^24 nodes.
     """
-    flat = _checked(pupil).wavefront.flattened()
+    flat = checked(pupil).wavefront.flattened()
     out = np.empty(flat.shape)
     for i in range(out.size):
         out[i] = _strehl(replace(pupil, wavefront=flat[i], geometry=None))
@@ -116,7 +116,7 @@ def centroid(pupil: Pupil) -> NDArray[np.float64]:
         x (columns) and y (rows) from the axis, in metres if the pupil has a wavelength, else in units of lambda*N.
         Exact but for rounding.
     """
-    rho, theta, weight = _polynomial_rule(_checked(pupil), 2.0)
+    rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
     mean = (_gradient(pupil.wavefront, rho, theta) * weight).sum(axis=-1)
     return np.asarray(mean.reshape(*pupil.shape, 2) * (pupil.scale / math.pi))
 
@@ -132,18 +132,12 @@ def spot_radius(pupil: Pupil) -> Numbers:
     float or ndarray, shape ``pupil.shape``
         Metres if the pupil has a wavelength, else units of lambda*N. Exact but for rounding.
     """
-    rho, theta, weight = _polynomial_rule(_checked(pupil), 2.0)
+    rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
     rays = _gradient(pupil.wavefront, rho, theta)
     away = rays - (rays * weight).sum(axis=-1, keepdims=True)
     variance = (away**2 * weight).sum(axis=(-2, -1))
     result: Numbers = (np.sqrt(variance) * (pupil.scale / math.pi)).reshape(pupil.shape)[()]
     return result
-
-
-def _checked(pupil: Pupil) -> Pupil:
-    if not isinstance(pupil, Pupil):
-        raise TypeError(f"pupil must be a Pupil, got {pupil!r}")
-    return pupil
 
 
 def _variance(pupil: Pupil) -> NDArray[np.float64]:

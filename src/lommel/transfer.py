@@ -33,7 +33,7 @@ from lommel.methods.method import ToleranceError
 from lommel.methods.polychromatic import Polychromatic
 from lommel.metrics import colours, energy_per_pixel
 from lommel.psf import PSF, Numbers
-from lommel.pupil import Pupil
+from lommel.pupil import Pupil, checked
 from lommel.special.legendre import gauss_legendre
 
 Complexes = np.complex128 | NDArray[np.complex128]
@@ -87,8 +87,6 @@ def otf(
     >>> round(float(abs(lm.otf(lm.Pupil(), 0.5))), 6)
     0.391002
     """
-    if not isinstance(pupil, Pupil):
-        raise TypeError(f"pupil must be a Pupil, got {pupil!r}")
     _round(pupil)
     across, down = _frequencies(fx, fy)
     goal = validation.real("tol", tol, least=1e-13, below=0.1 + 1e-9)
@@ -166,8 +164,6 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
     """
     from scipy.optimize import brentq
 
-    if not isinstance(pupil, Pupil):
-        raise TypeError(f"pupil must be a Pupil, got {pupil!r}")
     _round(pupil)
     wanted = validation.real("level", level, above=0.0, below=1.0)
     turn = validation.real("angle", angle)
@@ -264,10 +260,10 @@ def image_spectrum(answer: PSF) -> tuple[NDArray[np.float64], NDArray[np.float64
 
 def _round(pupil: Pupil) -> None:
     # The lines of the overlap end at circles; what ends within would be found by ever more nodes only.
-    if not pupil.circular:
+    if not checked(pupil).circular:
         raise ValueError(
             "pupil must be a disc or an annulus for its transfer function, got one with a spider, vignetting or a "
-            "mask; take that of its image, PSF.otf"
+            "mask; take that of its image, psf.mtf(fx, fy) or psf.otf(fx, fy)"
         )
 
 

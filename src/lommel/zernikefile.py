@@ -23,6 +23,7 @@ from lommel.wavefront import Wavefront
 SUFFIXES = (".json", ".toml", ".csv")
 SETTINGS = ("order", "unit", "normalization", "wavelength")
 _UNITS = ("radians", "waves", "metres", *_LENGTHS)
+_INDICES, _VALUES = ("index", "term", "j"), ("value", "coefficient", "coeff", "c")  # names of columns
 _MOST_TERMS = 4096  # more than there are
 _PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
 
@@ -142,7 +143,8 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
         n, m, value
         3, 1, 0.25
 
-    For the other orders, the columns are ``index,value``.
+    For the other orders, the columns are ``index,value``. An index may also be called term, j, or by its order, and a
+    value coefficient, coeff or c.
 
     Raises
     ------
@@ -166,21 +168,23 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     return table
 
 
-def save_zernike(path: str | PathLike[str], table: ZernikeTable) -> None:
+def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> None:
     """Write a table; the suffix chooses the format, and :func:`load_zernike` reads the very same numbers.
 
-    The file is written under a temporary name and moved into place. See :meth:`ZernikeTable.from_wavefront` for
-    the table of a wavefront.
+    A single wavefront is written as a table of Noll's terms in waves rms; :meth:`ZernikeTable.from_wavefront` makes
+    those of other orders and units. The file is written under a temporary name and moved into place.
 
     Raises
     ------
     TypeError, ValueError
-        If `table` is no table, or if the suffix is unknown.
+        If `table` is neither, or a stack, or if the suffix is unknown.
     OSError
         If the file cannot be written.
     """
+    if isinstance(table, Wavefront):
+        table = ZernikeTable.from_wavefront(table)
     if not isinstance(table, ZernikeTable):
-        raise TypeError(f"table must be a ZernikeTable, got {table!r}")
+        raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {table!r}")
     target = Path(path)
     suffix = target.suffix.lower()
     if suffix not in SUFFIXES:
@@ -324,9 +328,12 @@ def _read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
             continue
         if columns is None:
             columns = cells
-            wanted = ["n", "m", "value"] if settings.get("order") == "nm" else ["index", "value"]
-            if columns != wanted:
-                found.append(f"line {number}: the columns must be {','.join(wanted)}, got {line.strip()}")
+            *index, value = (cell.lower() for cell in cells)
+            order = settings.get("order")
+            known = index == ["n", "m"] if order == "nm" else index in [[name] for name in (*_INDICES, str(order))]
+            if not (known and value in _VALUES):
+                wanted = "n,m,value" if order == "nm" else "index,value"
+                found.append(f"line {number}: the columns must be {wanted}, got {line.strip()}")
             continue
         if len(cells) != len(columns):
             found.append(f"line {number}: must have {len(columns)} cells, got {len(cells)}: {line.strip()}")

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel import validation
 from lommel.grid import Grid
 from lommel.methods.subpixel import subpixel_intensity
-from lommel.pupil import Pupil
+from lommel.pupil import Pupil, checked
 from lommel.special.bessel import _radii
 
 
@@ -177,9 +177,7 @@ class Method(ABC):
 
     def require(self, pupil: Pupil) -> None:
         """Raise ValueError if `pupil` is not supported."""
-        if not isinstance(pupil, Pupil):
-            raise TypeError(f"pupil must be a Pupil, got {pupil!r}")
-        reason = self.unsupported(pupil)
+        reason = self.unsupported(checked(pupil))
         if reason is None and not (pupil.circular or self.any_aperture):
             reason = (
                 "supports plain discs and annuli only; for a spider, vignetting or a mask use NonuniformFFT, "

@@ -135,7 +135,7 @@ def psf(
         if field is not None:
             fieldfiles.check_suffix(path, "--output")
         elif path.suffix.lower() not in files.SUFFIXES:
-            raise ValueError(f"--output must end in {', '.join(files.SUFFIXES)}, got {str(path)!r}")
+            raise ValueError(f"--output must end in {', '.join(files.SUFFIXES)}, got {shown(str(path))}")
     if figure is not None:
         _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape)
@@ -185,7 +185,7 @@ def _psf_over_field(
     from lommel import report, tables
 
     if not isinstance(field, tuple) or len(field) != 2:
-        raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {field!r}")
+        raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
     rows, columns = field
     field_map, sensor = instrument.field(), instrument.sensor
     assert sensor is not None  # as long as there is a map
@@ -342,15 +342,15 @@ def build_method(name: str, settings: tuple[str, ...] = (), tol: float | None = 
     for setting in settings:
         key, equals, text = setting.partition("=")
         if not equals:
-            raise ValueError(f"--set takes NAME=VALUE, got {setting!r}")
+            raise ValueError(f"--set takes NAME=VALUE, got {shown(setting)}")
         if key == "erf":
             erf, colon, count = text.partition(":")
             if erf not in ERFS:
                 raise ValueError(
-                    f"--set erf must be one of {', '.join(ERFS)}, with a count after a colon, got {text!r}"
+                    f"--set erf must be one of {', '.join(ERFS)}, with a count after a colon, got {shown(text)}"
                 )
             if colon and not dataclasses.fields(ERFS[erf]):
-                raise ValueError(f"--set erf={erf} takes no count, got {text!r}")
+                raise ValueError(f"--set erf={erf} takes no count, got {shown(text)}")
             options[key] = ERFS[erf](*([_value(count)] if colon else []))
         elif key in options:
             raise ValueError(f"{key} is given twice")
@@ -396,7 +396,7 @@ def _instrument(path: Path, object_distance: float | None, pixel: float | None, 
 def _figure_format(path: Path) -> str:
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in ("png", "pdf", "svg"):
-        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {str(path)!r}")
+        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {shown(str(path))}")
     return suffix
 
 

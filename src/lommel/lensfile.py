@@ -7,7 +7,6 @@ import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from os import PathLike
-from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
@@ -63,7 +62,7 @@ class Instrument:
     object_distance: float
     pixel: float
     shape: tuple[int, int]
-    radii: dict[str, float]
+    radii: dict[str, float] = field(hash=False)
     sensor: tuple[float, float] | None = None
     aberrations_of_field: FieldMap | None = field(default=None, repr=False)
 
@@ -98,7 +97,7 @@ def _pitch(value: float) -> float:
 def _radius(value: Any) -> str | float:
     """Return a length or an angle as it was written, if it is one."""
     if not 0.0 < parse_radius(value, 1.0) < math.inf:
-        raise ValueError(f"must be a positive length or angle, got {value!r}")
+        raise ValueError(f"must be a positive length or angle, got {validation.shown(value)}")
     found: str | float = value
     return found
 
@@ -161,7 +160,7 @@ class _Field(Section):
     @classmethod
     def _rows(cls, value: Any, info: ValidationInfo) -> Any:
         if not isinstance(value, list) or not all(isinstance(row, list) for row in value):
-            raise ValueError(f"must be a list of lists, one for each position, got {value!r}")
+            raise ValueError(f"must be a list of lists, one for each position, got {validation.shown(value)}")
         if not {"order", "columns"} <= info.data.keys():
             return value  # their own faults are told
         if info.data["columns"] is None:
@@ -172,7 +171,7 @@ class _Field(Section):
     @classmethod
     def _file(cls, value: Any, info: ValidationInfo) -> Any:
         if not isinstance(value, str):
-            raise ValueError(f"must be the name of a CSV file, got {value!r}")
+            raise ValueError(f"must be the name of a CSV file, got {validation.shown(value)}")
         if "order" not in info.data:
             return value
         try:
@@ -277,7 +276,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     OSError
         If it cannot be read.
     """
-    source = Path(path)
+    source = validation.path("path", path)
     try:
         text = reading.text(source)
         raw = tomllib.loads(text)
@@ -320,7 +319,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
     if others:
         return None, [f"{where(['file'])}: the file states everything; leave out {', '.join(others)}"]
     if not isinstance(name, str):
-        return None, [f"{where(['file'])}: must be the path of a table, got {name!r}"]
+        return None, [f"{where(['file'])}: must be the path of a table, got {validation.shown(name)}"]
     try:
         path = beside(context, name)
         table = zernikefile.load_zernike(path)

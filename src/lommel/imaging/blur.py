@@ -82,7 +82,7 @@ class DepthBlur:
         threads: int | None = None,
     ) -> None:
         if not isinstance(lens, Lens):
-            raise TypeError(f"lens must be a Lens, got {lens!r}")
+            raise TypeError(f"lens must be a Lens, got {validation.shown(lens)}")
         if not lens.aberrations.radial or lens.aberrations.shape != ():
             raise ValueError("lens must have radially symmetric aberrations, and one set of them")
         if lens.spider or lens.vignetting or lens.mask:
@@ -90,9 +90,7 @@ class DepthBlur:
         self.lens = lens
         self.pixel = validation.pixel(pixel, metric=True)
         self.border = validation.choice("border", border, BORDERS)
-        self.dtype = np.dtype(dtype)
-        if self.dtype not in (np.dtype(np.float32), np.dtype(np.float64)):
-            raise TypeError(f"dtype must be float32 or float64, got {dtype!r}")
+        self.dtype = validation.kind("dtype", dtype, np.float32, np.float64)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
         self.place(depth)
         held = validation.real("energy", energy, least=0.5, below=0.9999 + 1e-12)
@@ -109,6 +107,10 @@ class DepthBlur:
             f_number=lens.working_f_number,
         )
         reach = (float(self.defocus.min()), float(self.defocus.max()))
+        if channels is not None and not isinstance(channels, Sequence):
+            raise TypeError(
+                f"channels must be a sequence of wavelengths or spectra, got {validation.shown(channels)}"
+            )
         spectra = [_spectrum(c) for c in ([lens.wavelength] if channels is None else channels)]
         known: dict[tuple[tuple[float, float], ...], Bank] = {}
         for spectrum in spectra:
@@ -197,6 +199,11 @@ class DepthBlur:
         """Return the margin of the border, and where each point is in the bank, below 0 for those left out."""
         positions = np.maximum(bank.positions(self.defocus), 0.0)
         if weight is not None:
+            weight = validation.array("weight", weight)
+            if weight.dtype != np.bool_ or weight.shape != self.shape:
+                raise TypeError(
+                    f"weight must hold booleans, of the shape {self.shape}, got {validation.shown(weight)}"
+                )
             positions = np.where(weight, positions, -1.0)
         margin = 0 if self.border == "zero" else bank.half
         return margin, np.ascontiguousarray(self._padded(positions, margin))
@@ -235,9 +242,14 @@ def _depth(depth: ArrayLike) -> NDArray[np.float64]:
 
 def _spectrum(channel: Spectrum) -> tuple[tuple[float, float], ...]:
     if isinstance(channel, Sequence):
+        if not all(isinstance(pair, Sequence) and not isinstance(pair, str) and len(pair) == 2 for pair in channel):
+            raise TypeError(
+                "channels and wavelengths must be numbers, or pairs (wavelength, weight), "
+                f"got {validation.shown(channel)}"
+            )
         pairs = [(validation.wavelength(w), validation.real("weight", s, least=0.0)) for w, s in channel]
         total = math.fsum(s for _, s in pairs)
         if not total > 0.0:
-            raise ValueError(f"a channel must have a wavelength with a weight, got {channel!r}")
+            raise ValueError(f"a channel must have a wavelength with a weight, got {validation.shown(channel)}")
         return tuple((w, s / total) for w, s in pairs)
     return ((validation.wavelength(channel), 1.0),)

@@ -69,7 +69,7 @@ class FocusPlan:
         keep: int = 4,
     ) -> None:
         if not isinstance(occlusion, bool | np.bool_):
-            raise TypeError(f"occlusion must be True or False, got {occlusion!r}")
+            raise TypeError(f"occlusion must be True or False, got {validation.shown(occlusion)}")
         given = validation.array("image", image)
         if given.ndim not in (2, 3) or 0 in given.shape:
             raise ValueError(
@@ -79,7 +79,7 @@ class FocusPlan:
         if distances.shape != given.shape[:2]:
             raise ValueError(f"depth must have the shape of the image, {given.shape[:2]}, got {distances.shape}")
         if not isinstance(lens, Lens):
-            raise TypeError(f"lens must be a Lens, got {lens!r}")
+            raise TypeError(f"lens must be a Lens, got {validation.shown(lens)}")
         self.lens = lens
         self.shape, self.dtype = given.shape, given.dtype
         self._encoding, self._occlusion = encoding, bool(occlusion)

@@ -160,6 +160,8 @@ def depth_of_field_by_tiles(
     elif not out.flags.writeable or np.may_share_memory(out, image) or np.may_share_memory(out, depth):
         raise ValueError("out must be writeable, and must not share memory with image or depth")
     validation.choice("missing", missing, MISSING)
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
     blur = TileBlur(
         image.shape, depth_range(depth, missing), lens, pixel, encoding=encoding, missing=missing, **options
     )

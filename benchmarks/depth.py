@@ -75,14 +75,12 @@ def _exact() -> NDArray[np.float64]:
         f_number=_LENS.working_f_number,
     )
     windows = lm.psf(there, SIDE, PIXEL, integrate=True, dtype=np.float64).values.reshape(-1, SIDE, SIDE)
-    away = np.abs(np.arange(SIDE) - SIDE // 2)
-    ring = np.maximum(away[:, None], away)
     wide = _PATCH + 2 * half
     for k, window in enumerate(windows):
         y, x = divmod(k, wide)
         at = rows.start + y, columns.start + x
-        used = np.where(ring <= bank.halves[int(bank.positions(defocus[at]))], window, 0.0)
-        inside = used[SIDE // 2 - half : SIDE // 2 + half + 1, SIDE // 2 - half : SIDE // 2 + half + 1]
+        inside = window[SIDE // 2 - half : SIDE // 2 + half + 1, SIDE // 2 - half : SIDE // 2 + half + 1]
+        inside = bank.used(defocus[at]) * inside
         total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[at][1] * inside / inside.sum()
     return total[2 * half : 2 * half + _PATCH, 2 * half : 2 * half + _PATCH]
 
@@ -103,7 +101,8 @@ def against_fixed(settings: Settings, *, bank: bool) -> Measured:
     other = _fixed()
     result = race([mine, other], settings.rounds)
     count = ", ".join(f"{b.count} windows" for b in blur.banks)
-    mean = np.mean([np.mean((2.0 * b.halves[b.positions(blur.defocus).astype(int)] + 1) ** 2) for b in blur.banks])
+    halves = [np.interp(b.positions(blur.defocus), np.arange(b.count), b.halves) for b in blur.banks]
+    mean = np.mean([np.mean((2.0 * np.ceil(half) + 1.0) ** 2) for half in halves])
     note = (
         f"{mine.config}, {_THREADS} threads, {1e3 * result.median(mine.name):.0f} ms, {count}, {mean:.0f} pixels a "
         f"window in the mean; {other.config}, {1e3 * result.median(other.name):.0f} ms; error over the largest value "

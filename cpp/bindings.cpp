@@ -404,17 +404,17 @@ Out<double, 1> chebyshev_intensity(In<complex, 2> pieces, double width, In<doubl
 }
 
 template <class T>
-lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<std::int32_t, 1>& halves, const In<double, 2>& energies,
+lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halves, const In<double, 2>& energies,
                               const In<double, 2>& positions) {
     const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2);
     // The last window is there for vectors to reach into only.
     require(count >= 5 && rows >= 1 && stride >= 2 * rows - 1 && rows * stride >= lommel::Spreader<T>::padding,
             "windows must be padded, 5 or more");
     const std::size_t widest = rows - 1;
-    require(halves.shape(0) == count - 2 && energies.shape(0) == count - 1 && energies.shape(1) == widest + 1,
-            "one half an interval, one row of energies a window");
+    require(halves.shape(0) == count - 1 && energies.shape(0) == count - 1 && energies.shape(1) == widest + 1,
+            "one half width and one row of energies a window");
     for (std::size_t i = 0; i < halves.shape(0); ++i) {
-        require(halves.data()[i] >= 0 && static_cast<std::size_t>(halves.data()[i]) <= widest, "halves must fit in the windows");
+        require(halves.data()[i] >= 0.0 && halves.data()[i] <= static_cast<double>(widest), "halves must fit in the windows");
     }
     for (std::size_t i = 0; i < positions.size(); ++i) {
         require(std::isfinite(positions.data()[i]), "positions must be finite");
@@ -424,7 +424,7 @@ lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<std::int32_t, 1>
 
 // Adds each pixel, spread over its window, to an image larger by half a window on every side, and 16 columns beyond.
 template <class T>
-void spread(In<T, 3> windows, In<std::int32_t, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
+void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
             int threads, Out<T, 2> out) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
     const std::size_t height = image.shape(0), width = image.shape(1);
@@ -438,7 +438,7 @@ void spread(In<T, 3> windows, In<std::int32_t, 1> halves, In<double, 2> energies
 
 // The transpose of spread().
 template <class T>
-void collect(In<T, 3> windows, In<std::int32_t, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
+void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
              int threads, Out<T, 2> out) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
     const std::size_t height = positions.shape(0), width = positions.shape(1);

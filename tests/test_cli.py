@@ -185,7 +185,11 @@ def test_the_table_of_compare_shows_what_its_json_says(compared):
     _, text, data = compared
     assert text.startswith(f"{data['name']}\n6 x 7 pixels of 2.5 um\n")
     shown = {line.split()[0]: line for line in text.splitlines()[3:]}
-    assert set(shown) == {row["method"] for row in data["rows"]} | {"wrote"}
+    assert set(shown) == {row["method"] for row in data["rows"]} | {"wrote", "model:"}
+    other = data["other_model"]
+    assert shown["model:"].startswith(
+        f"model: paraxial; aplanatic, corrected for the object: differs by {other['peak_error']:.2g} of the peak"
+    )
     for row in data["rows"]:
         line = shown[row["method"]]
         if row["reason"] is not None:

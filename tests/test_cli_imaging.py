@@ -76,8 +76,10 @@ BAD = [
     (f"{FULL} --no-exif --pixel-from-exif", "--pixel-from-exif contradicts --no-exif"),
     (f"{FULL} --pixel 40um --pixel-from-exif", "give one of --pixel and --pixel-from-exif"),
     (f"{FULL} --focal-length 35mm", "--focal-length has no meaning with a lens file"),
-    (f"{FULL} --f-number 1.4", "--f-number must be at least that of lens.toml, f/2"),
-    (f"{FULL} --f-number nan", "--f-number must be finite, got nan"),
+    (f"{FULL} --f-number 1.4", "--f-number of lens.toml: f_number must be at least that of the lens, f/2"),
+    (f"{BLUR} vanes.toml -o out.png", "lens must have a round aperture"),
+    ("focus-pull photo.png depth.npy vanes.toml --from 2m --to 3m -o f.gif", "lens must have a round aperture"),
+    (f"{FULL} --f-number nan", "f_number must be finite, got nan"),
     (f"{FULL} --focus 10mm", "focus_distance must exceed the focal length 0.05 m"),
     (f"{FULL} --wavelengths 550nm", "--wavelengths must be three, got 1"),
     (f"{FULL} --wavelengths 550m,540m,530m", "wavelength is in metres and must be from 1e-12 to 1e-2"),
@@ -121,6 +123,7 @@ def folder(tmp_path):
     np.save(tmp_path / "holes.npy", np.where(DEPTH < 2.0, np.nan, DEPTH))
     np.save(tmp_path / "small.npy", DEPTH[1:])
     (tmp_path / "lens.toml").write_text(LENS)
+    (tmp_path / "vanes.toml").write_text(LENS + '[aperture.spider]\nvanes = 3\nwidth = "1 mm"\n')
     (tmp_path / "broken.png").write_bytes((tmp_path / "photo.png").read_bytes()[:1000])
     (tmp_path / "taken.png").mkdir()
     return tmp_path

@@ -121,9 +121,9 @@ def test_one_wave_of_a_seidel_coefficient_is_two_pi_at_the_edge_of_the_pupil(nam
 
 
 def test_C_d_is_positive_where_the_sensor_lies_between_the_lens_and_its_focus():
-    assert round_lens(sensor_distance=0.099).defocus() > 0
-    assert round_lens(sensor_distance=0.1).defocus() == 0
-    assert round_lens(sensor_distance=0.101).defocus() < 0
+    assert round_lens(sensor_distance=0.099).defocus(math.inf) > 0
+    assert round_lens(sensor_distance=0.1).defocus(math.inf) == 0
+    assert round_lens(sensor_distance=0.101).defocus(math.inf) < 0
 
 
 def test_an_object_nearer_than_the_focus_gives_a_positive_C_d():
@@ -135,7 +135,7 @@ def test_an_object_nearer_than_the_focus_gives_a_positive_C_d():
 
 
 def test_equation_3_holds_for_an_object_at_infinity():
-    assert round_lens(sensor_distance=1 / 10.02).defocus() == pytest.approx(2 * math.pi)
+    assert round_lens(sensor_distance=1 / 10.02).defocus(math.inf) == pytest.approx(2 * math.pi)
     assert round_lens(sensor_distance=1 / 9.99).defocus(math.inf) == pytest.approx(-math.pi)
 
 
@@ -155,7 +155,7 @@ def test_a_positive_C_s_focuses_the_rim_beyond_the_middle():
     spot = lens.pupil().airy_radius
     nearer, farther = (
         lm.psf(
-            round_lens(sensor_distance=1 / vergence, aberrations=lens.aberrations).pupil(), 3, 1e-6
+            round_lens(sensor_distance=1 / vergence, aberrations=lens.aberrations).pupil(math.inf), 3, 1e-6
         ).encircled_energy(spot)
         for vergence in (10.05, 9.95)
     )
@@ -180,10 +180,23 @@ def test_lengths_in_lambda_N_and_in_metres_give_the_same_image():
     wavefront = lm.Wavefront(defocus=9.0, spherical=-4.0)
     metric = lm.Pupil(wavefront, obscuration=0.2, wavelength=633e-9, f_number=5.6)
     one = lm.psf(lm.Pupil(wavefront, obscuration=0.2), 15, 0.4, dtype="float64")
-    two = lm.psf(metric, 15, 0.4 * 633e-9 * 5.6, dtype="float64")
+    two = lm.psf(metric, 15, 0.4 * 633e-9 * 5.6, dtype="float64", integrate=False)
     np.testing.assert_allclose(one.values, two.values, rtol=1e-9, atol=0)
     assert (one.unit, two.unit) == ("lambda*N", "m")
     assert one.encircled_energy(2.0) == pytest.approx(two.encircled_energy(2.0 * metric.scale))
+
+
+def test_a_pixel_in_metres_averages_over_its_area_and_one_in_lambda_N_samples_its_centre():
+    wavefront = lm.Wavefront(defocus=2.0)
+    metric = lm.Pupil(wavefront, wavelength=500e-9, f_number=2.0)
+    one, two = lm.psf(lm.Pupil(wavefront), 9, 2.0), lm.psf(metric, 9, 2e-6)
+    assert (one.sampling, two.sampling) == ("center", "pixel")
+    sampled = lm.psf(metric, 9, 2e-6, integrate=False)
+    averaged = lm.psf(lm.Pupil(wavefront), 9, 2.0, integrate=True)
+    np.testing.assert_allclose(one.values, sampled.values, rtol=1e-5, atol=1e-7)
+    np.testing.assert_allclose(two.values, averaged.values, rtol=1e-5, atol=1e-7)
+    assert two.values.sum() == pytest.approx(two.energy, abs=1e-5)
+    assert abs(one.values.sum() - one.energy) > 0.1
 
 
 def test_the_image_does_not_change_when_every_length_grows_alike():

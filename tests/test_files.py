@@ -159,7 +159,7 @@ def test_the_description_says_how_the_values_were_made(stack):
     assert said["pupil"]["wavelength"] == 550e-9
     assert said["pupil"]["f_number"] == pytest.approx(24.0)
     assert said["pupil"]["geometry"]["object_distance"][:2] == [1e5, None]
-    assert (said["normalize"], said["sampling"], said["pixel"], said["unit"]) == ("peak", "center", 2.5e-6, "m")
+    assert (said["normalize"], said["sampling"], said["pixel"], said["unit"]) == ("peak", "pixel", 2.5e-6, "m")
     assert said["error_bound"] == stack.error_bound
     assert (said["shape"], said["dtype"]) == ([3, 2, 9, 8], "float64")
 

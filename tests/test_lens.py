@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import FrozenInstanceError
+import re
+from dataclasses import FrozenInstanceError, fields, replace
 
 import numpy as np
 import pytest
@@ -56,6 +57,15 @@ def test_a_lens_is_focused_at_infinity_unless_told_otherwise():
 def test_a_sensor_inside_the_focal_plane_is_focused_on_a_virtual_object():
     lens = lm.Lens(focal_length=0.1, f_number=2.0, wavelength=500e-9, sensor_distance=0.05)
     assert lens.focus_distance == pytest.approx(-0.1)
+    with pytest.raises(ValueError, match=r"object_distance must be given: .* sensor at 0.05 m lies inside"):
+        lens.pupil()
+
+
+@given(f=focal_lengths, n=f_numbers, far=distances)
+def test_a_lens_without_an_object_is_in_focus(f, n, far):
+    lens = lm.Lens(focal_length=f, f_number=n, focus_distance=far * f, wavelength=500e-9)
+    assert lens.pupil() == lens.pupil(lens.focus_distance)
+    assert abs(lens.defocus()) < 1e-14 * math.pi / (8 * 500e-9) * f / n**2
 
 
 def test_an_aperture_is_given_by_its_diameter_or_by_the_f_number():
@@ -107,6 +117,104 @@ def test_any_real_number_is_a_distance(value):
     lens = lm.Lens(focal_length=0.05, f_number=2.0, wavelength=550e-9, focus_distance=value)
     assert lens.focus_distance == pytest.approx(2.0)
     assert lens.pupil(value).shape == ()
+
+
+# One value for each field that a lens and a pupil are made of, none of them the default.
+SHAPES = {
+    "spider": lm.Spider.equal(3, 0.1),
+    "vignetting": lm.Ellipse(0.9, 0.8),
+    "mask": lm.Mask(np.full((4, 4), 0.5)),
+}
+LENS_PARTS = {
+    "focal_length": 0.05,
+    "aperture_diameter": 0.01,
+    "sensor_distance": 0.052,
+    "wavelength": 550e-9,
+    "obscuration": 0.2,
+    "aberrations": lm.Wavefront(1.0, 2.0, nonradial={(3, 1): 3.0}),
+    **SHAPES,
+    "model": "aplanatic",
+    "corrected_for": "focus",
+}
+
+
+def _parts(thing):
+    return {f.name: getattr(thing, f.name) for f in fields(thing) if f.init}
+
+
+def _same(one, other):
+    return all(a is b or a == b for a, b in zip(one.values(), other.values(), strict=True)) and [*one] == [*other]
+
+
+def _methods_that_return(kind):
+    """Return the names of those, and of properties, whose annotation says so."""
+    public = {n: m for n, m in vars(kind).items() if n.startswith("__") or not n.startswith("_")}
+    functions = {n: getattr(m, "fget", None) or getattr(m, "__func__", m) for n, m in public.items()}
+    return {n for n, f in functions.items() if getattr(f, "__annotations__", {}).get("return") == kind.__name__}
+
+
+def test_nothing_that_a_lens_is_made_of_is_forgotten():
+    """Every method that returns a Lens: what it does not change by its purpose, it keeps."""
+    assert [f.name for f in fields(lm.Lens)] == [*LENS_PARTS]
+    lens = lm.Lens(**LENS_PARTS)
+    assert _same(_parts(lens), LENS_PARTS)
+    plain = lm.Lens(**LENS_PARTS | {"vignetting": None, "mask": None})
+    same_stop = plain.stopped(plain.f_number)
+    made = {
+        "focused": (lens.focused(3.0), lens, {"sensor_distance": 1 / (1 / 0.05 - 1 / 3.0)}),
+        "stopped": (same_stop, plain, {"aberrations": same_stop.aberrations}),
+    }
+    assert set(made) == _methods_that_return(lm.Lens)
+    for name, (found, before, changes) in made.items():
+        assert _same(_parts(found), _parts(before) | changes), name
+    difference = same_stop.aberrations - lens.aberrations
+    assert np.abs(list(difference.edge_terms().values())).max() < 1e-14
+
+
+def test_nothing_that_a_pupil_is_made_of_is_forgotten():
+    lens = lm.Lens(**LENS_PARTS)
+    pupil = replace(lens.pupil([1.0, 2.0]), apodization=0.3)
+    defaults = {f.name: f.default for f in fields(lm.Pupil)}
+    assert not any(value is None or value == defaults[name] for name, value in _parts(pupil).items())
+    kept = {name: getattr(lens, name) for name in ("obscuration", "wavelength", *SHAPES)}
+    assert kept.items() <= _parts(pupil).items()
+    kept_distances = {"model": "aplanatic", "corrected_for": "focus", "focal_length": 0.05, "sensor_distance": 0.052}
+    assert kept_distances.items() <= vars(pupil.geometry).items()
+    one, focus = lens.pupil(2.0), lens.pupil()
+    made = {
+        "__getitem__": (pupil[1], {"wavefront": pupil.wavefront[1], "geometry": one.geometry}),
+        "unaberrated": (pupil.unaberrated(), {"wavefront": lm.Wavefront(), "geometry": focus.geometry}),
+        "from_dict": (lm.Pupil.from_dict(pupil.to_dict()), {"mask": lm.Mask(np.full((4, 4), 0.5))}),
+    }
+    assert set(made) == _methods_that_return(lm.Pupil)
+    for name, (found, changes) in made.items():
+        assert _same(_parts(found), _parts(pupil) | changes), name
+
+
+def test_what_a_stop_does_not_cover_keeps_its_size():
+    lens = lm.Lens(focal_length=0.05, f_number=2.0, wavelength=550e-9, obscuration=0.2,
+                   aberrations=lm.Wavefront(1.0, 4.0), spider=lm.Spider.equal(3, 0.1))  # fmt: skip
+    half = lens.stopped(4.0)
+    assert (half.f_number, half.obscuration, half.spider.width) == (4.0, 0.4, 0.2)
+    assert half.aberrations == lm.Wavefront(0.25, 0.25)
+    assert half.sensor_distance == lens.sensor_distance
+    assert lm.Lens(focal_length=0.05, f_number=2.0, wavelength=550e-9).stopped(1.4).f_number == 1.4
+
+
+@pytest.mark.parametrize(
+    ("changes", "f_number", "message"),
+    [
+        ({}, 1.4, "f_number must be at least that of the lens, f/5, up to which its aberrations are known, got f/1"),
+        ({"obscuration": 0.5}, 11.0, "obscuration must be"),
+        ({"vignetting": lm.Ellipse(0.5, 0.5)}, 8.0, "f_number of a lens with vignetting or a mask cannot change"),
+        ({"mask": SHAPES["mask"]}, 8.0, "f_number of a lens with vignetting or a mask cannot change"),
+        ({}, 0.0, "f_number must be > 0"),
+    ],
+)
+def test_a_stop_that_cannot_be_is_refused(changes, f_number, message):
+    lens = lm.Lens(**LENS_PARTS | {"vignetting": None, "mask": None} | changes)
+    with pytest.raises(ValueError, match=re.escape(message)):
+        lens.stopped(f_number)
 
 
 def test_a_lens_cannot_be_changed(camera):

@@ -72,9 +72,22 @@ def test_a_length_without_a_unit_is_a_fault(load, change):
     assert "is a length without a unit; write for example '550 nm'" in fault(load, change)
 
 
-def test_an_object_is_at_infinity_unless_told_otherwise(load):
-    assert load(text=PLAIN.replace('[object]\ndistance = "1.5 m"\n', "")).object_distance == math.inf
+def test_a_lens_has_a_model(load):
+    lens = load('model = "aplanatic"', 'corrected_for = "focus"').lens
+    assert (lens.model, lens.corrected_for) == ("aplanatic", "focus")
+    with pytest.raises(LensFileError, match=r"lens.model \(line 9\): .*'paraxial' or 'aplanatic'"):
+        load('model = "thick"')
+    with pytest.raises(LensFileError, match="the sine of the angle of its rim would be"):
+        load('model = "aplanatic"', "f_number = 0.4")
+
+
+def test_an_object_is_in_focus_unless_told_otherwise(load):
+    without = PLAIN.replace('[object]\ndistance = "1.5 m"\n', "")
+    assert load(text=without).object_distance == load().lens.focus_distance == pytest.approx(2.0)
     assert load('distance = "inf"').object_distance == math.inf
+    inside = without.replace('focus_distance = "2 m"', 'sensor_distance = "10 mm"')
+    with pytest.raises(LensFileError, match=r"object.distance: must be given where the sensor lies inside"):
+        load(text=inside)
 
 
 def test_a_sensor_has_a_side_or_a_height_and_a_width(load):

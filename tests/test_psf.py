@@ -177,7 +177,8 @@ def test_a_profile_at_any_radii_is_normalised_like_the_values():
 
 @METHOD
 def test_the_values_between_the_pixels_are_known_to_radial_methods_only(method):
-    image = lm.psf(LENS.pupil(2.0), 5, 1e-6, method=method)
+    sampled = None if method.sampling == "pixel" else False
+    image = lm.psf(LENS.pupil(2.0), 5, 1e-6, method=method, integrate=sampled)
     if isinstance(method, RadialMethod):
         assert image.profile(0.0)[1] == pytest.approx(image.values[2, 2], rel=1e-5)
     else:
@@ -237,11 +238,13 @@ def test_an_image_survives_pickling_and_copying(method):
 def test_an_image_says_what_it_is():
     stack = lm.psf(STACK, (5, 6), 1e-6)
     assert repr(stack).startswith(
-        "<PSF 2x3x5x6 float32, pixel 1e-06 m, NijboerZernike, normalize 'energy', error bound "
+        "<PSF 2x3x5x6 float32, pixel 1e-06 m, averaged over pixels, NijboerZernike, normalize 'energy', error bound "
     )
     plain = lm.psf(lm.Pupil(), 3, 0.5, method=lm.Geometric(), normalize="peak", dtype="float64")
-    assert repr(plain) == "<PSF 3x3 float64, pixel 0.5 lambda*N, Geometric, normalize 'peak', error bound none>"
-    assert (plain.unit, plain.grid, plain.shape) == ("lambda*N", lm.Grid(3, 0.5), (3, 3))
+    assert repr(plain) == (
+        "<PSF 3x3 float64, pixel 0.5 lambda*N, averaged over pixels, Geometric, normalize 'peak', error bound none>"
+    )
+    assert (plain.unit, plain.grid, plain.shape) == ("lambda*N", lm.Grid(3, 0.5, integrate=True), (3, 3))
 
 
 def test_an_answer_cannot_be_changed():

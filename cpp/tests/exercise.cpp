@@ -215,7 +215,7 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
     const std::size_t broad = wide + Spreader::beyond;
     std::vector<T> windows((count + 1) * rows * stride, T(0)), image(height * width), taken(height * width);
     std::vector<T> out(high * broad, T(0)), other(high * wide + Spreader::padding, T(0));
-    std::vector<std::int32_t> halves(count - 1);
+    std::vector<double> halves(count);
     std::vector<double> energies(count * (widest + 1), 0.0), positions(height * width);
     for (std::size_t i = 0; i < count; ++i) {
         // Stored from the middle row down; those above are alike.
@@ -229,8 +229,8 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
             }
         }
     }
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-        halves[i] = static_cast<std::int32_t>(random() % (widest + 1));
+    for (double& half : halves) {
+        half = random() % 2 ? static_cast<double>(random() % (widest + 1)) : (share(random) - 0.5) * static_cast<double>(widest);
     }
     double light = 0.0, arrived = 0.0, one = 0.0, two = 0.0;
     for (std::size_t i = 0; i < image.size(); ++i) {

@@ -252,9 +252,9 @@ def compare(
     a pupil are named with the reason.
 
     Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. That of
-    HuygensFresnel is the Fresnel approximation of all the others; Geometric averages over pixels; ClosedForm has the
-    tangent-line centre and the erf that serve this window best. Times are those
-    of a second call.
+    HuygensFresnel, of a paraxial lens, is the Fresnel approximation of all the others; Geometric averages over
+    pixels; ClosedForm has the tangent-line centre and the erf that serve this window best. Times are those of a
+    second call. What the other model of the lens would change is told below.
 
     \b
     Example:
@@ -281,9 +281,10 @@ def compare(
 
             _save_figure(plot.compare(answers, report.reference_name(pupil)), figure)
     if as_json:
-        print_json({"name": instrument.name, "reference": report.reference_name(pupil), "rows": rows})
+        named = {"name": instrument.name, "reference": report.reference_name(pupil)}
+        print_json(named | {"rows": rows, "other_model": report.other_model(instrument)})
     else:
-        tables.print_comparison(instrument, rows, report.reference_name(pupil))
+        tables.print_comparison(instrument, rows, report.reference_name(pupil), report.other_model(instrument))
         if figure is not None:
             click.echo(f"wrote {figure}")
 

@@ -191,17 +191,15 @@ class _Job:
     encoding: str
     dtype: np.dtype[Any]
     pixel: float
-    parts: dict[str, Any]
-    focus: dict[str, Any]
+    optics: Lens
+    focused: bool
     settings: dict[str, Any]
 
     def lens(self, focus: float | None, name: str) -> Lens:
         """Return the lens, focused at a distance or, without one, as its file says."""
-        from lommel.lens import Lens
-
-        if focus is None and not self.focus:
+        if focus is None and not self.focused:
             raise ValueError(f"without a lens file give {name}")
-        return Lens(**self.parts, **(self.focus if focus is None else {"focus_distance": focus}))
+        return self.optics if focus is None else self.optics.focused(focus)
 
     def photograph(self, lens: Lens) -> Photograph:
         """Return what the lens makes of it, as light."""
@@ -237,7 +235,7 @@ def _prepare(output: Path, options: dict[str, Any]) -> _Job:
     wavelengths = options["wavelengths"]
     if wavelengths is not None and len(wavelengths) != (3 if colours else 1):
         raise ValueError(f"--wavelengths must be {'three' if colours else 'one'}, got {len(wavelengths)}")
-    parts, focus, pixel = _optics(picture, options, 540e-9 if colours else 550e-9)
+    lens, pixel = _optics(picture, options, 540e-9 if colours else 550e-9)
     given = options["bits"]
     if given is None:
         small = output.suffix.lower() not in (".tif", ".tiff")
@@ -252,13 +250,14 @@ def _prepare(output: Path, options: dict[str, Any]) -> _Job:
     encoding = picture.encoding if kept else "linear" if dtype.kind == "f" else "srgb"
     settings = {name: options[name] for name in ("border", "occlusion", "energy", "tol", "largest", "missing")}
     settings["wavelengths"] = wavelengths
-    return _Job(picture, picture.light(), depth, encoding, dtype, pixel, parts, focus, settings)
+    focused = options["lens"] is not None
+    return _Job(picture, picture.light(), depth, encoding, dtype, pixel, lens, focused, settings)
 
 
-def _optics(
-    picture: Picture, options: dict[str, Any], wavelength: float
-) -> tuple[dict[str, Any], dict[str, Any], float]:
-    """Return what a Lens takes but its focus, the focus of the lens file, and the pixel pitch."""
+def _optics(picture: Picture, options: dict[str, Any], wavelength: float) -> tuple[Lens, float]:
+    """Return the lens, focused as its file says or at infinity, and the pixel pitch."""
+    from lommel.lens import Lens
+
     exif = picture.exif
     if options["pixel"] is not None and options["pixel_from_exif"]:
         raise ValueError("give one of --pixel and --pixel-from-exif")
@@ -267,7 +266,7 @@ def _optics(
     pixel = exif.pixel(picture.values.shape) if options["pixel_from_exif"] else options["pixel"]
     if options["lens"] is not None:
         return _of_file(options, pixel)
-    found = {}
+    found: dict[str, Any] = {}
     for name, option, show in (
         ("focal_length", "--focal-length", format_length),
         ("f_number", "--f-number", lambda n: f"f/{n:g}"),
@@ -284,11 +283,10 @@ def _optics(
         found[name] = read if given is None else given
     if pixel is None:
         raise ValueError("without a lens file give --pixel or --pixel-from-exif")
-    return found | {"wavelength": wavelength}, {}, pixel
+    return Lens(**found, wavelength=wavelength), pixel
 
 
-def _of_file(options: dict[str, Any], pixel: float | None) -> tuple[dict[str, Any], dict[str, Any], float]:
-    from lommel import validation
+def _of_file(options: dict[str, Any], pixel: float | None) -> tuple[Lens, float]:
     from lommel.lensfile import load_instrument
 
     if options["focal_length"] is not None or options["pixel_from_exif"]:
@@ -298,26 +296,12 @@ def _of_file(options: dict[str, Any], pixel: float | None) -> tuple[dict[str, An
     if instrument.aberrations_of_field is not None:
         raise ValueError(f"{options['lens']} has aberrations that vary over the field; a blur has one set of them")
     lens = instrument.lens
-    stop, aberrations = lens.f_number, lens.aberrations
     if options["f_number"] is not None:
-        stop = validation.real("--f-number", options["f_number"], above=0.0)
-        if aberrations.coefficients.any() and stop < lens.f_number * (1.0 - 1e-9):
-            raise ValueError(
-                f"--f-number must be at least that of {options['lens']}, f/{lens.f_number:g}, up to which it states "
-                f"the aberrations, got f/{stop:g}"
-            )
-        # The middle of the aperture has what the wavefront was there.
-        aberrations = aberrations.scaled(min(1.0, lens.f_number / stop))
-    parts = {
-        "focal_length": lens.focal_length,
-        "f_number": stop,
-        "wavelength": lens.wavelength,
-        "obscuration": lens.obscuration,
-        "aberrations": aberrations,
-    }
-    if lens.obscuration and stop != lens.f_number:
-        raise ValueError(f"--f-number has no meaning for {options['lens']}, whose obscuration no stop changes")
-    return parts, {"sensor_distance": lens.sensor_distance}, instrument.pixel if pixel is None else pixel
+        try:
+            lens = lens.stopped(options["f_number"])
+        except ValueError as error:
+            raise ValueError(f"--f-number of {options['lens']}: {error}") from None
+    return lens, instrument.pixel if pixel is None else pixel
 
 
 def _quality(photographs: list[Photograph], clipped: list[float]) -> dict[str, Any]:

@@ -91,7 +91,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
             f"got {reach.max():.6g} lambda*N"
         )
     side = 2 * math.ceil((float(reach.max(initial=0.0)) + _SEAM) / _PITCH) + 1
-    image = psf(pupil, side, _PITCH * pupil.scale, method=method, dtype="float64")
+    image = psf(pupil, side, _PITCH * pupil.scale, method=method, dtype="float64", integrate=False)
     share = energy_per_pixel(image)
     places = _PITCH * (np.arange(side) - side // 2)
     squares, where = np.unique(np.add.outer(places**2, places**2).ravel(), return_inverse=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -11,8 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Mask, Spider
+from lommel.aplanatic import expansion
 from lommel.pupil import Geometry, Pupil
 from lommel.wavefront import Wavefront
+
+MODELS = ("paraxial", "aplanatic")
+CORRECTED_FOR = ("object", "focus")
 
 
 @dataclass(frozen=True, init=False)
@@ -36,6 +40,19 @@ class Lens:
         Added to the defocus of every object distance.
     spider, vignetting, mask : optional
         What narrows the aperture, as of :class:`lommel.Pupil`.
+    model : {"paraxial", "aplanatic"}, default "paraxial"
+        How defocus is turned into phase. "paraxial": the paper's Eq. 1-3, parabolas for spheres. "aplanatic": a lens
+        that obeys Abbe's sine condition, so that a ray leaves for the axial point of the sensor at an angle whose
+        sine is rho times ``aperture radius / sensor distance`` (1 / 2N, N the working f-number), and the exact path
+        difference between reference spheres. Light is uniform over rho.
+    corrected_for : {"object", "focus"}, default "object"
+        Of an aplanatic lens: which point it images without aberration. No lens that obeys the sine condition does so
+        for points at two distances from it (Herschel's condition contradicts Abbe's), so one must say. "object": the
+        object, whatever its distance, as of a lens that is corrected for all and whose sensor is out of place. The
+        spheres are those round the image of the object and round the axial point of the sensor. "focus": the point in
+        focus, as of a lens at rest whose object is out of place, above all a microscope's. The spheres are those
+        round the object and round the point in focus, and the sine of the angle there is rho times
+        ``aperture radius / focus distance``.
 
     Raises
     ------
@@ -58,6 +75,8 @@ class Lens:
     spider: Spider | None
     vignetting: Ellipse | CatEye | None
     mask: Mask | None
+    model: str
+    corrected_for: str
 
     def __init__(
         self,
@@ -73,6 +92,8 @@ class Lens:
         spider: Spider | None = None,
         vignetting: Ellipse | CatEye | None = None,
         mask: Mask | None = None,
+        model: str = "paraxial",
+        corrected_for: str = "object",
     ) -> None:
         f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
         if (f_number is None) == (aperture_diameter is None):
@@ -115,11 +136,15 @@ class Lens:
             "spider": spider,
             "vignetting": vignetting,
             "mask": mask,
+            "model": validation.choice("model", model, MODELS),
+            "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
         }
         # What is no such shape, or leaves nothing clear, is told now.
         Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
         for name, value in values.items():
             object.__setattr__(self, name, value)
+        if model == "aplanatic":
+            self.phase(0.0)  # a rim out of reach is told now
 
     @property
     def f_number(self) -> float:
@@ -137,20 +162,94 @@ class Lens:
         vergence = 1.0 / self.focal_length - 1.0 / self.sensor_distance
         return math.inf if abs(vergence) < 1e-15 / self.focal_length else 1.0 / vergence
 
-    def defocus(self, object_distance: ArrayLike = math.inf) -> NDArray[np.float64]:
+    def focused(self, focus_distance: float) -> Lens:
+        """Return the lens focused at a distance (metres, may be infinite): the sensor moves, all else stays."""
+        s = validation.real("focus_distance", focus_distance, above=0.0, infinite=True, unit="metres")
+        return self._with(focus_distance=s, sensor_distance=None)
+
+    def stopped(self, f_number: float) -> Lens:
+        """Return the lens with its aperture at another f-number, as engraved; the sensor stays where it is.
+
+        What else there is keeps its size: the wavefront is that of the middle of the aperture, and the obscuration
+        and the vanes are larger over its radius.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the f-number is no positive number, if the obscuration leaves nothing clear, if a lens with aberrations
+            is opened wider, where they are not known, or if it has vignetting or a mask.
+        """
+        stop = validation.real("f_number", f_number, above=0.0)
+        ratio = stop / self.f_number
+        if self.vignetting or self.mask:
+            raise ValueError(
+                "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
+                "the aperture: make a lens with those of the other stop"
+            )
+        known = not self.aberrations.coefficients.any() and self.aberrations.radial
+        if ratio < 1.0 - 1e-9 and not known:
+            raise ValueError(
+                f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its aberrations are "
+                f"known, got f/{stop:g}"
+            )
+        return self._with(
+            f_number=stop,
+            aperture_diameter=None,
+            obscuration=self.obscuration * ratio,
+            aberrations=self.aberrations if known else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
+            spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
+        )
+
+    def _with(self, **changes: Any) -> Lens:
+        """Return the lens with other arguments: fields, or what the constructor takes in their stead."""
+        return replace(self, **changes)
+
+    def defocus(self, object_distance: ArrayLike | None = None) -> NDArray[np.float64]:
         """Return C_d in radians for objects at `object_distance` (metres from the lens, may be infinite).
 
-        ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, with the 1/s of a finite object
-        distance s). Positive where the sensor, at d, lies between the lens and the image of the object.
-        The aberrations of the lens are not included.
+        By default for one in focus. ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, with the 1/s
+        of a finite object distance s). Positive where the sensor, at d, lies between the lens and the image of the
+        object. The aberrations of the lens are not included; nor is what makes a lens aplanatic, see :meth:`phase`.
         """
-        s = _object_distance(object_distance)
+        s = self._object_distance(object_distance)
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length + 1.0 / s
         return np.asarray(math.pi / (2.0 * self.wavelength) * vergence * (0.5 * self.aperture_diameter) ** 2)
 
-    def pupil(self, object_distance: ArrayLike = math.inf) -> Pupil:
-        """Return the pupil for an object at `object_distance` (metres); an array gives a stack of pupils."""
-        s = _object_distance(object_distance)
+    def phase(self, defocus: ArrayLike) -> Wavefront:
+        """Return the wavefront of a defocus C_d (radians, of any shape), without the aberrations of the lens.
+
+        The defocus itself if the model is paraxial. Else the powers of rho^2 in which the exact path difference is
+        expanded, with a bound on what they leave out; see :func:`lommel.aplanatic.expansion`.
+        """
+        c = validation.real_array("defocus", defocus)
+        if self.model == "paraxial":
+            return Wavefront(c)
+        radius = 0.5 * self.aperture_diameter
+        vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c.ravel()
+        powers, error = expansion(radius, self._geometry.sphere, vergence, self.wavelength)
+        first, second, *rest = (power.reshape(c.shape) for power in powers.T)
+        return Wavefront(0.5 * first, second, rest, error=error)
+
+    @property
+    def _geometry(self) -> Geometry:
+        radius = 0.5 * self.aperture_diameter
+        return Geometry(radius, self.focal_length, self.sensor_distance, (), self.model, self.corrected_for)
+
+    def pupil(self, object_distance: ArrayLike | None = None) -> Pupil:
+        """Return the pupil for an object at `object_distance`; an array gives a stack of pupils.
+
+        Parameters
+        ----------
+        object_distance : array_like, optional
+            Metres from the lens, may be infinite. By default the distance in focus.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a distance is not above 0, or does not broadcast with the aberrations; without a distance, if the
+            sensor lies inside the focal plane, where no object is in focus.
+        """
+        s = self._object_distance(object_distance)
         try:
             np.broadcast_shapes(s.shape, self.aberrations.shape)
         except ValueError:
@@ -158,12 +257,9 @@ class Lens:
                 "object_distance must broadcast with the aberrations, "
                 f"got shapes {s.shape} and {self.aberrations.shape}"
             ) from None
-        wavefront = Wavefront(self.defocus(s)) + self.aberrations
-        geometry = Geometry(
-            0.5 * self.aperture_diameter,
-            self.focal_length,
-            self.sensor_distance,
-            tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist()),
+        wavefront = self.phase(self.defocus(s)) + self.aberrations
+        geometry = replace(
+            self._geometry, object_distance=tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
         )
         return Pupil(
             wavefront,
@@ -176,16 +272,22 @@ class Lens:
             mask=self.mask,
         )
 
-
-def _object_distance(value: ArrayLike) -> NDArray[np.float64]:
-    distance = validation.array("object_distance", value)
-    if distance.dtype.kind not in "iuf":
-        raise TypeError(f"object_distance must be a number of metres, got {validation.shown(value)}")
-    with np.errstate(over="ignore"):
-        distance = np.array(distance, dtype=np.float64)
-    if distance.size == 0:
-        raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
-    bad = ~(distance >= 1e-150)  # whose inverse is a number, and its square
-    if bad.any():
-        raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
-    return distance
+    def _object_distance(self, value: ArrayLike | None) -> NDArray[np.float64]:
+        if value is None:
+            value = focus = self.focus_distance
+            if focus < 0.0:
+                raise ValueError(
+                    "object_distance must be given: no object is in focus, for the sensor at "
+                    f"{self.sensor_distance:g} m lies inside the focal plane at {self.focal_length:g} m"
+                )
+        distance = validation.array("object_distance", value)
+        if distance.dtype.kind not in "iuf":
+            raise TypeError(f"object_distance must be a number of metres, got {validation.shown(value)}")
+        with np.errstate(over="ignore"):
+            distance = np.array(distance, dtype=np.float64)
+        if distance.size == 0:
+            raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
+        bad = ~(distance >= 1e-150)  # whose inverse is a number, and its square
+        if bad.any():
+            raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
+        return distance

@@ -110,6 +110,8 @@ class _Lens(Section):
     sensor_distance: Length | None = None
     wavelength: Annotated[Length, AfterValidator(validation.wavelength)]
     obscuration: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    model: Literal["paraxial", "aplanatic"] = "paraxial"
+    corrected_for: Literal["object", "focus"] = "object"
 
 
 class _Aberrations(Section):
@@ -129,7 +131,7 @@ class _Aberrations(Section):
 
 
 class _Object(Section):
-    distance: Distance = math.inf
+    distance: Distance | None = None  # that in focus
 
 
 class _Sensor(Section):
@@ -238,12 +240,13 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
 
     Lengths are texts with a unit (``"50 mm"``, ``"inf"``), angles also numbers of radians. Sections and keys:
     ``name``, ``source``; ``[lens]`` focal_length, f_number or aperture_diameter, focus_distance or
-    sensor_distance, wavelength, obscuration; ``[aberrations]`` defocus and spherical (C_d, C_s, radians),
+    sensor_distance, wavelength, obscuration, model ("paraxial" or "aplanatic") and corrected_for ("object" or
+    "focus"), see :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians),
     W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131,
     W222, W220, W311 (waves at the edge of the field) with field, a pair [x, y] over that edge, and a section
-    ``[aberrations.zernike]``, all of which add; ``[object]`` distance; ``[sensor]`` pixel, shape; ``[report]``
-    encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what changes over the sensor and adds to
-    all of this.
+    ``[aberrations.zernike]``, all of which add; ``[object]`` distance, by default that in focus; ``[sensor]`` pixel,
+    shape; ``[report]`` encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what changes over
+    the sensor and adds to all of this.
 
     ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
     them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
@@ -359,9 +362,12 @@ def _instrument(file: _File, table: ZernikeTable | None) -> Instrument:
     except ValueError as error:
         raise ValueError(f"aperture: {error}" if shapes else str(error)) from None
     radii = {str(text): parse_radius(text, lens.focal_length) for text in file.report.encircled_energy}
-    found = Instrument(
-        file.name, file.source, lens, file.object.distance, file.sensor.pixel, file.sensor.shape, radii
-    )
+    distance = lens.focus_distance if file.object.distance is None else file.object.distance
+    if distance < 0.0:
+        raise ValueError(
+            "object.distance: must be given where the sensor lies inside the focal plane: no object is in focus"
+        )
+    found = Instrument(file.name, file.source, lens, distance, file.sensor.pixel, file.sensor.shape, radii)
     if file.field is None:
         return found
     try:

@@ -48,18 +48,10 @@ def strehl(answer: PSF) -> Numbers:
 
 
 def colours(method: Method | None, pupil: Pupil) -> list[tuple[float, float, Pupil]]:
-    """Return each wavelength of `method`, its share of the light, and the pupil there; one where it has no spectrum.
-
-    Phases are path differences: in radians they grow as the wavelength falls.
-    """
+    """Return each wavelength of `method`, its share of the light, and the pupil there; one if it has no spectrum."""
     if not isinstance(method, Polychromatic):
         return [(1.0 if pupil.wavelength is None else pupil.wavelength, 1.0, pupil)]
-    if pupil.wavelength is None:
-        raise ValueError("a spectrum needs a pupil with a wavelength, to which the others are related")
-    return [
-        (at, share, replace(pupil, wavefront=(pupil.wavelength / at) * pupil.wavefront, wavelength=at, geometry=None))
-        for at, share in zip(method.wavelengths, method.weights, strict=True)
-    ]
+    return [(w, share, part) for w, (share, _, part) in zip(method.wavelengths, method.parts(pupil), strict=True)]
 
 
 def encircled_energy(answer: PSF, radius: ArrayLike, *, about: str = "axis") -> Numbers:
@@ -166,11 +158,12 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
     method.require(pupil)
     if at.size == 0:
         return np.zeros(pupil.shape + at.shape)
+    stretch = method.stretch(pupil)
     edges, where = np.unique(pupil.v(at).ravel(), return_inverse=True)
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
-        # I v is of exponential type 2, so half a node a unit of v, and some, is spectral accuracy.
-        x, w = gauss_legendre(math.ceil(0.6 * (high - low)) + 24, low, high)
+        # I v is of exponential type 2 `stretch`, so half a node a unit of that, and some, is spectral accuracy.
+        x, w = gauss_legendre(math.ceil(0.6 * stretch * (high - low)) + 24, low, high)
         nodes.append(x)
         weights.append(w * x)
         counts.append(x.size)
@@ -208,7 +201,7 @@ def _rectangles(
     nodes, weights = [np.zeros(1)], [np.zeros(1)]
     for factor, a, b in rectangles:
         if a > 1e-150 and b > 1e-150:  # whose inverses are numbers
-            v, w = _quadrant_rule(a, b)
+            v, w = _quadrant_rule(a, b, method.stretch(pupil))
             nodes.append(v)
             weights.append(factor * w)
     v, w = np.concatenate(nodes), np.concatenate(weights)
@@ -217,14 +210,17 @@ def _rectangles(
     return np.asarray(intensity @ w[order] / (4.0 * math.pi * pupil.transmission))
 
 
-def _quadrant_rule(a: float, b: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return nodes v and weights that integrate a radial function over the rectangle [0, a] x [0, b]."""
+def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return nodes v and weights that integrate a radial function over the rectangle [0, a] x [0, b].
+
+    The function is of exponential type ``2 stretch``.
+    """
     near, far = min(a, b), max(a, b)
     pieces = [(0.0, near), (near, far), (far, math.hypot(a, b))]
     nodes, weights = [], []
     for low, high in pieces:
         # v = low + (high - low) s^2 smooths the square root with which the arcs begin to leave the rectangle.
-        s, w = gauss_legendre(math.ceil(1.2 * (high - low)) + 24)
+        s, w = gauss_legendre(math.ceil(1.2 * stretch * (high - low)) + 24)
         v = low + (high - low) * s * s
         arc = np.arcsin(np.minimum(1.0, b / v)) - np.arccos(np.minimum(1.0, a / v))
         nodes.append(v)

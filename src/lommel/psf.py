@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel import validation
 from lommel.grid import Grid
 from lommel.methods.choice import SERIES, choose
-from lommel.methods.method import Images, Method, RadialMethod, ToleranceError
+from lommel.methods.method import Images, Method, RadialMethod, ToleranceError, widened
 from lommel.pupil import Pupil
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def psf(
     normalize: str = "energy",
     dtype: DTypeLike | None = None,
     center: tuple[float, float] | None = None,
-    integrate: bool = False,
+    integrate: bool | None = None,
     derivatives: Sequence[str] = (),
     out: NDArray[Any] | None = None,
     threads: int | None = None,
@@ -51,20 +51,21 @@ def psf(
     method : Method, optional
         How to evaluate the diffraction integral; by default one that reaches 1e-6 of the peak: NijboerZernike for
         circular apertures, ChordalGauss instead for small windows of wavefronts that depend on the direction,
-        NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is the one used. Values sample
-        the pixel centres (`Geometric`, which has no point values, averages over pixels).
+        NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is the one used.
     normalize : {"energy", "strehl", "peak"}, default "energy"
-        "energy": a value is the fraction of all light per pixel, so an infinite window of pixels no larger than
-        lambda*N sums to 1. "strehl": 1 is the peak of the same aperture without aberration. "peak": the largest
-        value in the window is 1.
+        "energy": a value is the fraction of all light per pixel: averages over an infinite window sum to 1, and so do
+        samples of pixels no larger than lambda*N/2. "strehl": 1 is the peak of the same aperture without aberration.
+        "peak": the largest value in the window is 1.
     dtype : float32 or float64, optional
         Of the values. By default that of `out`, or float64 where the method has a tolerance below 1e-6, else
         float32.
     center : (float, float), optional
         Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
         pixel ``(height // 2, width // 2)``.
-    integrate : bool, default False
-        Average the intensity over the area of each pixel instead of sampling it at the centre.
+    integrate : bool, optional
+        True: average the intensity over the area of each pixel, as a sensor does; False: sample it at the centre. By
+        default a pixel in metres averages and one in units of lambda*N samples; `Geometric`, which has no point
+        values, always averages. `PSF.sampling` says which.
     derivatives : sequence of str, default ()
         Any of "defocus", "spherical", "rho^6", "rho^8": the derivatives of the values with respect to these
         coefficients of the wavefront (per radian), in ``PSF.derivatives``. Only of `NijboerZernike`, and not of
@@ -140,14 +141,24 @@ class Plan:
         normalize: str = "energy",
         dtype: DTypeLike | None = None,
         center: tuple[float, float] | None = None,
-        integrate: bool = False,
+        integrate: bool | None = None,
         threads: int | None = None,
     ) -> None:
         if method is not None and not isinstance(method, Method):
             raise TypeError(
                 f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {validation.shown(method)}"
             )
-        self.grid = Grid(shape, pixel, center=center, integrate=integrate)
+        if not (integrate is None or isinstance(integrate, bool)):
+            raise TypeError(f"integrate must be True, False or None, got {validation.shown(integrate)}")
+        if integrate is False and method is not None and method.sampling == "pixel":
+            raise ValueError(
+                f"integrate must not be False for {type(method).__name__}, which has no point values; leave it out"
+            )
+        self.integrate = integrate
+        # Which of the two a pupil is recorded on, its unit decides.
+        self._sampled, self._averaged = (
+            Grid(shape, pixel, center=center, integrate=which) for which in (False, True)
+        )
         self.method = method
         self.normalize = validation.choice("normalize", normalize, ("energy", "strehl", "peak"))
         self.dtype = _output_type(dtype, Method.tol if method is None else method.tol)
@@ -155,7 +166,7 @@ class Plan:
 
     def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
-        grid, normalize = self.grid, self.normalize
+        grid, normalize = self._grid(pupil), self.normalize
         method = choose(pupil, grid) if self.method is None else self.method
         method.require(pupil)
         validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
@@ -185,6 +196,7 @@ class Plan:
                 raise
             method = SERIES
             made = images(method)
+        made = widened(made, pupil, method, normalized=normalize == "peak")
         rounding = 2.0**-24 if self.dtype == np.float32 else 2.0**-53
         slopes, slope_bounds = {}, {}
         if made.slopes is not None:
@@ -205,15 +217,23 @@ class Plan:
             derivative_bounds=slope_bounds,
         )
 
+    def _grid(self, pupil: Pupil) -> Grid:
+        averages = self.integrate
+        if averages is None:
+            # What is no pupil is refused by the method, as ever.
+            averages = getattr(pupil, "wavelength", None) is not None
+            averages = averages or (self.method is not None and self.method.sampling == "pixel")
+        return self._averaged if averages else self._sampled
+
     def _checked(self, out: NDArray[Any], stack: tuple[int, ...]) -> NDArray[Any]:
-        wanted = stack + self.grid.shape
+        wanted = stack + self._sampled.shape
         if _array("out", out).shape != wanted:
             raise ValueError(f"out must have the shape {wanted}, got {out.shape}")
         if out.dtype != self.dtype:
             raise ValueError(f"out must be of {self.dtype}, got {out.dtype}")
         if not (out.flags.c_contiguous and out.flags.writeable):
             raise ValueError("out must be C-contiguous and writable")
-        return out.reshape(-1, *self.grid.shape)
+        return out.reshape(-1, *self._sampled.shape)
 
 
 _POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
@@ -306,7 +326,12 @@ class PSF:
     @property
     def sampling(self) -> str:
         """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
-        return "pixel" if self.grid.integrate else self.method.sampling
+        return "pixel" if self.grid.integrate else "center"
+
+    @property
+    def undersampled(self) -> bool:
+        """Whether values sample pixels wider than lambda*N/2, so that they do not sum to the light of the window."""
+        return not self.grid.integrate and self.pixel > 0.5 * (1.0 + 1e-9) * self.pupil.scale
 
     @property
     def unit(self) -> str:
@@ -316,7 +341,7 @@ class PSF:
     @property
     def radial_method(self) -> RadialMethod | None:
         """The method where a profile describes the whole PSF (pupil and method are radial), else None."""
-        return self.method if isinstance(self.method, RadialMethod) and self.pupil.radial else None
+        return self.method.along_radius(self.pupil)
 
     @property
     def energy(self) -> Numbers:
@@ -465,7 +490,11 @@ class PSF:
 
     def __repr__(self) -> str:
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
+        how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
+        if self.undersampled:
+            sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
+            how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
         return (
-            f"<PSF {'x'.join(map(str, self.shape))} {self.values.dtype}, pixel {self.pixel:g} {self.unit}, "
+            f"<PSF {'x'.join(map(str, self.shape))} {self.values.dtype}, pixel {self.pixel:g} {self.unit}, {how}, "
             f"{type(self.method).__name__}, normalize {self.normalize!r}, error bound {bound}>"
         )

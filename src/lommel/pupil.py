@@ -20,7 +20,7 @@ from lommel.wavefront import Wavefront
 class Geometry:
     """Distances that the Fresnel approximation reduces to C_d; Huygens' superposition needs them exactly.
 
-    The lens is stigmatic (free of aberration) for the plane it is focused on, the conjugate of the sensor:
+    A paraxial lens is stigmatic (free of aberration) for the plane it is focused on, the conjugate of the sensor:
     ``1/focus_distance = 1/focal_length - 1/sensor_distance``.
 
     Attributes
@@ -29,12 +29,35 @@ class Geometry:
         Metres; the sensor distance is measured from the lens.
     object_distance : tuple of float
         Metres, one for each pupil of the (flattened) stack; may be infinite.
+    model, corrected_for : str
+        As of :class:`lommel.Lens`.
     """
 
     aperture_radius: float
     focal_length: float
     sensor_distance: float
     object_distance: tuple[float, ...]
+    model: str = "paraxial"
+    corrected_for: str = "object"
+
+    @property
+    def in_focus(self) -> float:
+        """One over the distance in focus, 1/metres; negative for a point behind the lens."""
+        return 1.0 / self.focal_length - 1.0 / self.sensor_distance
+
+    @property
+    def vergence(self) -> NDArray[np.float64]:
+        """``1/s - 1/focus_distance`` for each object, 1/metres."""
+        return 1.0 / np.asarray(self.object_distance) - self.in_focus
+
+    @property
+    def sphere(self) -> float:
+        """Curvature of the reference sphere of an aplanatic lens, 1/metres: see :mod:`lommel.aplanatic`."""
+        return self.in_focus if self.corrected_for == "focus" else -1.0 / self.sensor_distance
+
+    def focused(self) -> Geometry:
+        """Return the same lens with one object, in focus: behind the lens where its distance is negative."""
+        return replace(self, object_distance=(1.0 / self.in_focus if self.in_focus else math.inf,))
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types, an infinite distance as None (JSON has no infinity)."""
@@ -278,16 +301,7 @@ class Pupil:
 
     def unaberrated(self) -> Pupil:
         """Return the same aperture, in focus and without aberration."""
-        return Pupil(
-            Wavefront(),
-            obscuration=self.obscuration,
-            wavelength=self.wavelength,
-            f_number=self.f_number,
-            apodization=self.apodization,
-            spider=self.spider,
-            vignetting=self.vignetting,
-            mask=self.mask,
-        )
+        return replace(self, wavefront=Wavefront(), geometry=self.geometry and self.geometry.focused())
 
     def __getitem__(self, index: Any) -> Pupil:
         """Return part of a stack, as NumPy indexes arrays of its shape."""

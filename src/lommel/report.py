@@ -5,13 +5,15 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 
 from lommel import metrics, quality, spot, transfer
 from lommel.encircled import MAX_RADIUS, encircled
 from lommel.fieldmap import PSFGrid
+from lommel.lens import Lens
 from lommel.lensfile import Instrument
-from lommel.methods import Hankel, Method, NijboerZernike, NonuniformFFT
+from lommel.methods import Hankel, HuygensFresnel, Method, NijboerZernike, NonuniformFFT
 from lommel.psf import PSF, psf
 from lommel.pupil import Pupil
 from lommel.special import zernike
@@ -27,7 +29,7 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     symmetric: these are None. "encircled_energy_error" bounds the error of all, None where the method has no bound or
     the pupil is radial, whose energies are within 1e-6. The "fwhm" is the mean of those along x and y.
     "mtf_at_nyquist" is that of the lens, "mtf_at_nyquist_with_pixel" that of the lens and of pixels that average;
-    they and "mtf50" are None for an aperture that is not round.
+    they and "mtf50" are None for an aperture that is not round. "other_model" is what :func:`other_model` says.
     """
     lens, pupil = instrument.lens, instrument.pupil()
     radii = dict(instrument.radii)
@@ -48,6 +50,9 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "working_f_number": lens.working_f_number,
         "obscuration": lens.obscuration,
         "wavelength": lens.wavelength,
+        "model": lens.model,
+        "corrected_for": lens.corrected_for,
+        "other_model": other_model(instrument),
         "focus_distance": _finite(lens.focus_distance),
         "sensor_distance": lens.sensor_distance,
         "object_distance": _finite(instrument.object_distance),
@@ -85,6 +90,31 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         ],
         "encircled_energy_error": max((e for e in (error, other_error) if e is not None), default=None),
     }
+
+
+def other_model(instrument: Instrument) -> dict[str, Any]:
+    """Return what the other model of the lens would change: what paraxial costs, or aplanatic gains.
+
+    "model" and "corrected_for" of it (for the focus where the lens magnifies, as of an objective: its sensor is in
+    place and its object is not), its "geometric_radius" in metres, and "peak_error", the largest difference of the
+    two PSFs in the window over the peak of the aplanatic one. Or None, and the "reason".
+    """
+    lens = instrument.lens
+    model = "aplanatic" if lens.model == "paraxial" else "paraxial"
+    side = "focus" if model == "aplanatic" and _magnifies(lens) else lens.corrected_for
+    found = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
+    try:
+        other = replace(lens, model=model, corrected_for=side).pupil(instrument.object_distance)
+        pupils = {lens.model: instrument.pupil(), model: other}
+        seen = {name: psf(p, instrument.shape, instrument.pixel, dtype="float64") for name, p in pupils.items()}
+    except (ValueError, ArithmeticError, ImportError) as error:
+        return found | {"reason": str(error)}
+    blur, difference = other.geometric_radius(), metrics.peak_error(seen["paraxial"], seen["aplanatic"])
+    return found | {"geometric_radius": float(blur), "peak_error": difference}
+
+
+def _magnifies(lens: Lens) -> bool:
+    return 0.0 < lens.focus_distance < lens.sensor_distance
 
 
 def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None, PSF | None]:
@@ -163,6 +193,11 @@ def compare(
         rows.append(row)
         if method == judge:
             row |= {"seconds": seconds, "mse": 0.0, "peak_error": 0.0, "error_bound": truth.error_bound}
+            continue
+        if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and _magnifies(instrument.lens):
+            row["reason"] = (
+                'needs model = "aplanatic" here: it takes a paraxial lens for a flat one, as no objective is'
+            )
             continue
         started(name)
         try:

@@ -14,7 +14,7 @@ from lommel.psf import PSF, Numbers
 from lommel.pupil import Pupil
 
 _STEP = 0.15
-"""Spacing of tables in v."""
+"""Spacing of tables in v, over the stretch of the method."""
 _ORDER = 6
 """Half of the points that an interpolation takes."""
 _MAX_RADII = 2**16
@@ -154,7 +154,8 @@ def radial_fwhm(method: RadialMethod, pupil: Pupil) -> Numbers:
     """
     _require_radial(method, pupil)
     far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
-    places = _STEP * np.arange(math.ceil(far / _STEP) + _ORDER, dtype=np.float64)
+    step = _STEP / method.stretch(pupil)
+    places = step * np.arange(math.ceil(far / step) + _ORDER, dtype=np.float64)
     table = method.profile(pupil, places).values
     out = np.empty(len(table))
     fine = np.linspace(0.0, 1.0, 65)
@@ -168,7 +169,7 @@ def radial_fwhm(method: RadialMethod, pupil: Pupil) -> Numbers:
         last = int(np.flatnonzero(values > 0.5 * peak)[-1])
         if last > values.size - _ORDER - 1:
             raise ValueError(f"the intensity does not fall to half of the largest within v = {far:.3g}")
-        out[i] = 2.0 * _STEP * line.falls_to(0.5 * peak, last, last + 1)
+        out[i] = 2.0 * step * line.falls_to(0.5 * peak, last, last + 1)
     result: Numbers = (out * (pupil.scale / math.pi)).reshape(pupil.shape)[()]
     return result
 
@@ -224,21 +225,22 @@ def radial_diameter(method: RadialMethod, pupil: Pupil, fraction: float) -> Numb
     wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
     _require_radial(method, pupil)
     unit = pupil.scale / math.pi
-    count = 64 + math.ceil(float(pupil.v(pupil.geometric_radius()).max()) / _STEP)
+    step = _STEP / method.stretch(pupil)
+    count = 64 + math.ceil(float(pupil.v(pupil.geometric_radius()).max()) / step)
     while True:
-        table = np.asarray(radial_energy(method, pupil, _STEP * unit * np.arange(count))).reshape(-1, count)
+        table = np.asarray(radial_energy(method, pupil, step * unit * np.arange(count))).reshape(-1, count)
         if np.all(table[:, -_ORDER - 1] >= wanted):
             break
         if count >= _MAX_RADII:
             raise ValueError(
-                f"fraction must be held by a circle of at most {2 * _STEP * count / math.pi:.4g} lambda*N, "
+                f"fraction must be held by a circle of at most {2 * step * count / math.pi:.4g} lambda*N, "
                 f"got {wanted:g}"
             )
         count = min(4 * count, _MAX_RADII)
     out = np.empty(len(table))
     for i, values in enumerate(table):
         cross = int(np.argmax(values >= wanted))
-        out[i] = 2.0 * _STEP * _Even(-values).falls_to(-wanted, cross - 1, cross)
+        out[i] = 2.0 * step * _Even(-values).falls_to(-wanted, cross - 1, cross)
     result: Numbers = (out * unit).reshape(pupil.shape)[()]
     return result
 

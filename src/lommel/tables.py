@@ -26,7 +26,7 @@ MEANING = {
 """What a value is, by the normalisation."""
 
 _NOTES = {
-    "HuygensFresnel": "differs by what the Fresnel approximation leaves out",
+    "HuygensFresnel": "takes the lens for a flat, thin one, without the Fresnel approximation",
     "Geometric": "averages over pixels, no diffraction",
 }
 
@@ -50,6 +50,8 @@ def print_lens(facts: dict[str, Any]) -> None:
         ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
          f" (working f/{facts['working_f_number']:.4g})"),
         ("pixel", format_length(facts["pixel"])),
+        ("model", _model(facts)),
+        ("other model", model_in_words(facts["other_model"])),
         ("defocus C_d", f"{facts['defocus']:.4g} rad"),
         ("spherical C_s", f"{facts['spherical']:.4g} rad"),
         *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(facts["higher"])],
@@ -96,6 +98,21 @@ def print_lens(facts: dict[str, Any]) -> None:
         console.print(f"errors below {facts['encircled_energy_error']:.1g}", style="dim")
     elif any(facts["aperture"].values()):
         console.print("no error bound", style="dim")
+
+
+def _model(facts: dict[str, Any]) -> str:
+    side = f", corrected for the {facts['corrected_for']}" if facts["model"] == "aplanatic" else ""
+    return f"{facts['model']}{side}"
+
+
+def model_in_words(other: dict[str, Any]) -> str:
+    """Return in a line what :func:`lommel.report.other_model` says."""
+    if other["reason"] is not None:
+        return f"{other['model']}: {other['reason']}"
+    return (
+        f"{_model(other)}: differs by {other['peak_error']:.2g} of the peak, geometric blur radius "
+        f"{format_length(other['geometric_radius'])}"
+    )
 
 
 def _aperture(facts: dict[str, Any]) -> list[tuple[str, str]]:
@@ -172,8 +189,10 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
     console.print(peaks)
 
 
-def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], reference: str) -> None:
-    """Print the rows of :func:`lommel.report.compare`, judged by the `reference` of this name."""
+def print_comparison(
+    instrument: Instrument, rows: list[dict[str, Any]], reference: str, other: dict[str, Any]
+) -> None:
+    """Print the rows of :func:`lommel.report.compare`, judged by the `reference` of this name, and `other_model`."""
     size = f"{instrument.shape[0]} x {instrument.shape[1]} pixels of {format_length(instrument.pixel)}"
     table = Table(box=None, pad_edge=False)
     for name in ("method", "time", "MSE", "peak error", "error bound"):
@@ -187,6 +206,8 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], referen
         # "X supports defocus only; this pupil ..." stands beside the name of X.
         reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
         note = reason or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
+        if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
+            note = "the same model, without its expansion in powers of rho"
         spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
         table.add_row(
             row["method"],
@@ -201,6 +222,7 @@ def print_comparison(instrument: Instrument, rows: list[dict[str, Any]], referen
     # A reference with a row of its own is marked there.
     console.print(size if any(row["method"] == reference for row in rows) else f"{size}, judged by {reference}")
     console.print(table)
+    console.print(f"model: {instrument.lens.model}; {model_in_words(other)}")
 
 
 def print_numbers(rows: list[dict[str, Any]]) -> None:

@@ -43,6 +43,9 @@ class Wavefront(Descriptions):
         Coefficients, radians at the edge, of ``R_n^m(rho) cos(m theta)`` for m > 0 and of
         ``R_n^|m|(rho) sin(|m| theta)`` for m < 0, with ``R(1) = 1``. m is not 0: such terms are radial. See
         :meth:`zernike` for other orders, units and normalisations.
+    error : float, default 0
+        Bound on what the terms leave out of the phase that they stand for, radians; the largest of a stack. It adds
+        to the `error_bound` of a PSF.
 
     Attributes
     ----------
@@ -68,6 +71,7 @@ class Wavefront(Descriptions):
     spherical: NDArray[np.float64]
     higher: tuple[NDArray[np.float64], ...] = field(default=())
     nonradial: Mapping[tuple[int, int], NDArray[np.float64]] = field(default_factory=dict)
+    error: float = 0.0
     shape: tuple[int, ...] = field(init=False, repr=False)
     coefficients: NDArray[np.float64] = field(init=False, repr=False)
 
@@ -77,6 +81,7 @@ class Wavefront(Descriptions):
         spherical: ArrayLike = 0.0,
         higher: Sequence[ArrayLike] = (),
         nonradial: Mapping[tuple[int, int], ArrayLike] | None = None,
+        error: float = 0.0,
     ) -> None:
         if not isinstance(higher, Sequence) or isinstance(higher, str | bytes):
             raise TypeError(f"higher must be a sequence of coefficients, got {validation.shown(higher)}")
@@ -88,6 +93,7 @@ class Wavefront(Descriptions):
         object.__setattr__(self, "higher", rest)
         others = {} if nonradial is None else _nonradial(nonradial)
         object.__setattr__(self, "nonradial", MappingProxyType(others))
+        object.__setattr__(self, "error", validation.real("error", error, least=0.0))
         terms = (2.0 * self.defocus, self.spherical, *rest)
         try:
             together = np.broadcast_arrays(*terms, *others.values())
@@ -148,12 +154,11 @@ class Wavefront(Descriptions):
 
         return self._each(part)
 
-    def _each(self, change: Any) -> Wavefront:
-        """Return the wavefront whose every coefficient went through `change`."""
+    def _each(self, change: Any, growth: float = 1.0) -> Wavefront:
+        """Return the wavefront whose every coefficient went through `change`, its error `growth` times as large."""
         rest = tuple(change(c) for c in self.higher)
-        return Wavefront(
-            change(self.defocus), change(self.spherical), rest, {t: change(c) for t, c in self.nonradial.items()}
-        )
+        others = {t: change(c) for t, c in self.nonradial.items()}
+        return Wavefront(change(self.defocus), change(self.spherical), rest, others, growth * self.error)
 
     def flattened(self) -> Wavefront:
         """Return the same stack with the shape ``(n,)``; a single wavefront becomes a stack of one."""
@@ -200,7 +205,7 @@ class Wavefront(Descriptions):
             a, b = self.nonradial.get((n, m), zero), self.nonradial.get((n, -m), zero)
             cosine, sine = np.cos(m * turn), np.sin(m * turn)
             turned[n, m], turned[n, -m] = a * cosine - b * sine, a * sine + b * cosine
-        return Wavefront(np.broadcast_to(self.defocus, shape), self.spherical, self.higher, turned)
+        return Wavefront(np.broadcast_to(self.defocus, shape), self.spherical, self.higher, turned, self.error)
 
     def flipped(self, axis: str) -> Wavefront:
         """Return the mirror image: x changes its sign for "x" (left and right), y for "y" (up and down). Exact."""
@@ -211,7 +216,7 @@ class Wavefront(Descriptions):
             return (1.0 if m > 0 else -1.0) * (-1.0 if axis == "x" and m % 2 else 1.0)
 
         terms = {(n, m): sign(m) * c for (n, m), c in self.nonradial.items()}
-        return Wavefront(self.defocus, self.spherical, self.higher, terms)
+        return Wavefront(self.defocus, self.spherical, self.higher, terms, self.error)
 
     def scaled(self, radius: ArrayLike) -> Wavefront:
         """Return the wavefront across a smaller, concentric pupil: ``phase'(rho, theta) = phase(radius rho, theta)``.
@@ -242,7 +247,7 @@ class Wavefront(Descriptions):
                     terms[k, m] = terms.get((k, m), 0.0) + weight * c
         except ValueError:
             raise ValueError(f"radius must broadcast with the stack, got {eps.shape} and {self.shape}") from None
-        return Wavefront(powers[0], powers[1], powers[2:], terms)
+        return Wavefront(powers[0], powers[1], powers[2:], terms, self.error)
 
     def __add__(self, other: object) -> Wavefront:
         """Return the sum of two wavefronts."""
@@ -258,12 +263,13 @@ class Wavefront(Descriptions):
             self.spherical + other.spherical,
             tuple(a + b for a, b in zip(mine, theirs, strict=True)),
             {t: self.nonradial.get(t, zero) + other.nonradial.get(t, zero) for t in terms},
+            self.error + other.error,
         )
 
     def __mul__(self, factor: float) -> Wavefront:
         """Return the wavefront times a number."""
         f = validation.real("factor", factor)
-        return self._each(lambda c: f * c)
+        return self._each(lambda c: f * c, abs(f))
 
     __rmul__ = __mul__
     # NumPy is not to multiply each element of an array with a wavefront, but to leave that to __rmul__.
@@ -287,17 +293,17 @@ class Wavefront(Descriptions):
         return self + -other
 
     def __eq__(self, other: object) -> bool:
-        """Two wavefronts are equal if their shapes and all their coefficients are."""
+        """Two wavefronts are equal if their shapes, all their coefficients and their errors are."""
         if not isinstance(other, Wavefront):
             return NotImplemented
-        if self.shape != other.shape:
+        if self.shape != other.shape or self.error != other.error:
             return False
         difference = self - other
         return not np.any(difference.coefficients) and not any(np.any(c) for c in difference.nonradial.values())
 
     def __reduce__(self) -> tuple[Any, ...]:
         # The read-only view of `nonradial` cannot be pickled.
-        return Wavefront, (self.defocus, self.spherical, self.higher, dict(self.nonradial))
+        return Wavefront, (self.defocus, self.spherical, self.higher, dict(self.nonradial), self.error)
 
     def __hash__(self) -> int:
         """Hash what :meth:`__eq__` compares: no term that is zero throughout, no sign of a zero."""
@@ -315,6 +321,8 @@ class Wavefront(Descriptions):
             shown.append(f"higher=({', '.join(_short(c) for c in self.higher)},)")
         if self.nonradial:
             shown.append(f"nonradial={{{', '.join(f'{t}: {_short(c)}' for t, c in self.nonradial.items())}}}")
+        if self.error:
+            shown.append(f"error={self.error:.3g}")
         return f"Wavefront({', '.join(shown)})"
 
     def to_dict(self) -> dict[str, Any]:
@@ -326,6 +334,8 @@ class Wavefront(Descriptions):
         }
         if self.nonradial:
             plain["nonradial"] = [[n, m, c.tolist()] for (n, m), c in self.nonradial.items()]
+        if self.error:
+            plain["error"] = self.error
         return plain
 
     @classmethod

@@ -25,10 +25,7 @@ def test_every_point_spreads_the_psf_of_its_own_depth():
     for y in range(20):
         for x in range(26):
             exact = lm.psf(LENS.pupil(depth[y, x]), 2 * half + 1, PIXEL, integrate=True, dtype=np.float64).values
-            away = np.abs(np.arange(2 * half + 1) - half)
-            position = blur.banks[0].positions(LENS.defocus(depth[y, x]))
-            used = np.maximum(away[:, None], away) <= blur.banks[0].halves[int(position)]
-            window = np.where(used, exact, 0.0)
+            window = blur.banks[0].used(LENS.defocus(depth[y, x])) * exact
             total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[y, x] * window / window.sum()
     out = blur.forward(image)
     assert np.abs(out - total[half:-half, half:-half]).max() <= 1e-5 * out.max()
@@ -36,13 +33,20 @@ def test_every_point_spreads_the_psf_of_its_own_depth():
 
 @pytest.mark.parametrize("border", ["zero", "reflect", "extend"])
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_the_adjoint_is_the_transpose(border, dtype):
+@pytest.mark.parametrize("weighted", [False, True])
+def test_the_adjoint_is_the_transpose(border, dtype, weighted):
     rng = np.random.default_rng(1)
     _, depth = scene()
     blur = DepthBlur(LENS, depth, PIXEL, border=border, dtype=dtype, energy=0.95, channels=(600e-9, 500e-9))
     a, b = (rng.random((20, 26, 2)).astype(dtype) for _ in range(2))
-    one, two = np.vdot(blur.forward(a), b), np.vdot(a, blur.adjoint(b))
+    weight = rng.random((20, 26)) < 0.6 if weighted else None
+    one, two = np.vdot(blur.forward(a, weight), b), np.vdot(a, blur.adjoint(b, weight))
     assert one == pytest.approx(two, rel=1e-12 if dtype == np.float64 else 1e-5)
+    if weighted:
+        assert np.all(blur.adjoint(b, weight)[~weight] == 0.0)
+        for wrong in (weight[1:], weight.astype(float), weight.tolist()):
+            with pytest.raises(TypeError, match=r"weight must be an array of bool of the shape \(20, 26\), got"):
+                blur.adjoint(b, wrong)
 
 
 def test_the_light_of_one_plane_is_conserved_and_a_white_wall_stays_white():

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.signal import fftconvolve
 
 import lommel as lm
-from lommel.imaging import RED_GREEN_BLUE, DepthBlur, depth_of_field
+from lommel.imaging import (
+    RED_GREEN_BLUE,
+    DepthBlur,
+    FocusPlan,
+    depth_of_field,
+    depth_of_field_by_tiles,
+    depth_of_field_of_chunks,
+)
 from lommel.imaging.scene import fill_missing
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
@@ -26,9 +35,7 @@ def window(lens: lm.Lens, distance: float, blur: DepthBlur) -> np.ndarray:
         method=lm.NijboerZernike(1e-9),
         dtype=np.float64,
     )
-    away = np.abs(np.arange(-bank.half, bank.half + 1))
-    half = bank.halves[int(bank.positions(lens.defocus(distance)))]
-    used = np.where(np.maximum(away[:, None], away) <= half, answer.values, 0.0)
+    used = bank.used(lens.defocus(distance)) * answer.values
     return np.asarray(used / used.sum())
 
 
@@ -143,7 +150,7 @@ def test_gaps_in_the_depth_are_filled_as_asked():
         ({"pixel": -1e-6}, ValueError, "pixel must be"),
         ({"largest": 0}, ValueError, "largest must be"),
         ({"threads": 0}, ValueError, "threads must be"),
-        ({"lens": "nikon"}, TypeError, "lens must be a Lens, got 'nikon'"),
+        ({"lens": "nikon"}, TypeError, "lens must be a Lens, got str"),
         ({"wavelengths": [[(500e-9, 0.0)]]}, ValueError, "a channel must have a wavelength with a weight"),
         ({"wavelengths": 5e-7}, TypeError, "wavelengths must be a sequence, one for each channel, got 5e-07"),
         ({"image": np.zeros((50, 60, 0))}, ValueError, "image must have the shape"),
@@ -153,3 +160,37 @@ def test_arguments_out_of_range_are_refused_by_name(change, error, message):
     given = {"image": SCENE, "depth": np.full(SCENE.shape, 2.0), "lens": LENS, "pixel": PIXEL} | change
     with pytest.raises(error, match=message):
         depth_of_field(encoding="linear", **given)
+
+
+def _chunks(image, depth, lens, pixel, **options):
+    dask = pytest.importorskip("dask.array")
+    arrays = (dask.from_array(a) if isinstance(a, np.ndarray) else a for a in (image, depth))
+    return depth_of_field_of_chunks(*arrays, lens, pixel, **options)
+
+
+WAYS = [depth_of_field, FocusPlan, depth_of_field_by_tiles, _chunks]
+
+
+@pytest.mark.parametrize("way", [*WAYS, lambda i, d, lens, p, **_: DepthBlur(lens, d, p)])
+@pytest.mark.parametrize(
+    "shape",
+    [
+        {"spider": lm.Spider.equal(4, 0.3)},
+        {"vignetting": lm.Ellipse(0.5, 0.5)},
+        {"vignetting": lm.CatEye((0.5, 0.0))},
+        {"mask": lm.Mask(np.full((4, 4), 0.5))},
+    ],
+)
+def test_what_narrows_the_aperture_is_refused_and_never_dropped(way, shape):
+    with pytest.raises(ValueError, match=r"lens must have a round aperture .* leave these out, or ask lommel.psf"):
+        way(np.ones((61, 61)), np.full((61, 61), 4.0), replace(LENS, **shape), 8e-6, encoding="linear")
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_arguments_in_the_wrong_order_are_told_in_one_line(way):
+    image = np.ones((61, 61))
+    for order in ((LENS, image, image, 8e-6), (image, LENS, image, 8e-6), (image, image, 8e-6, LENS)):
+        with pytest.raises(TypeError, match=r"lens must be a Lens, got \w+; the order is image, depth, lens, pixel$"):
+            way(*order, encoding="linear")
+    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is lens, depth, pixel$"):
+        DepthBlur(image, LENS, 8e-6)

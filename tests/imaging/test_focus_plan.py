@@ -95,7 +95,7 @@ def test_what_makes_no_frame_is_refused_by_name(change, error, message):
         ({"keep": 0}, ValueError, "keep must be from 1 to 1000, got 0"),
         ({"encoding": "gamma"}, ValueError, "encoding must be one of"),
         ({"border": "wrap"}, ValueError, "border must be one of"),
-        ({"lens": 3}, TypeError, "lens must be a Lens, got 3"),
+        ({"lens": 3}, TypeError, "lens must be a Lens, got int"),
         ({"depth": np.ones((5, 5))}, ValueError, "depth must have the shape of the image"),
         ({"image": np.ones(5)}, ValueError, "image must have the shape"),
     ],

@@ -24,13 +24,10 @@ def bar(front: float, back: float) -> np.ndarray:
 
 def edge(blur: DepthBlur, distance: float) -> np.ndarray:
     """Coverage of the bar by its distance from either edge, from exact windows: ``a[d]`` for d pixels inside."""
-    half = 20
+    half = blur.banks[0].half
     window = lm.psf(LENS.pupil(distance), 2 * half + 1, PIXEL, integrate=True, dtype=np.float64).values
-    used = int(blur.banks[0].halves[int(blur.banks[0].positions(LENS.defocus(distance)))])
-    window = window[half - used : half + used + 1, half - used : half + used + 1]
-    columns = np.zeros(2 * half + 1)
-    columns[half - used : half + used + 1] = window.sum(axis=0) / window.sum()
-    rising = np.cumsum(columns)
+    window = blur.banks[0].used(LENS.defocus(distance)) * window
+    rising = np.cumsum(window.sum(axis=0) / window.sum())
     left = np.arange(WIDTH) - BAR.start + half
     right = np.arange(WIDTH) - BAR.stop + half
     return rising[np.clip(left, 0, 2 * half)] - np.where(right < 0, 0.0, rising[np.clip(right, 0, 2 * half)])
@@ -61,7 +58,7 @@ def test_a_sharp_foreground_is_not_touched_by_the_highlights_behind_it():
     light[15, BAR.start - 2] = light[7, BAR.stop + 1] = 50.0
     light[:, BAR] = 0.4
     blur = DepthBlur(LENS, bar(2.0, 8.0), PIXEL, dtype=np.float64)
-    own = int(blur.banks[0].halves[int(blur.banks[0].positions(LENS.defocus(2.0)))])
+    own = int(np.flatnonzero(blur.banks[0].used(LENS.defocus(2.0))[blur.banks[0].half])[-1]) - blur.banks[0].half
     inside = slice(BAR.start + own, BAR.stop - own)
     assert own <= 2
     assert np.abs(occlude(blur, light)[:, inside] - 0.4).max() < 1e-6

@@ -30,7 +30,7 @@ def bank(rng: np.random.Generator, half: int, count: int = 6, dtype: type = np.f
     stride = max(-(-side // 16) * 16, -(-64 // (half + 1)))
     windows = np.zeros((count + 1, half + 1, stride), dtype)
     windows[:-1, :, :side] = rng.uniform(0.5, 1.5, (count, half + 1, side))
-    halves = rng.integers(0, half + 1, count - 1).astype(np.int32)
+    halves = np.minimum(rng.integers(0, half + 1, count) + rng.choice([0.0, 0.3, 0.9], count), half)
     away = np.abs(np.arange(-half, half + 1))
     ring = np.maximum(away[:, None], away)
     whole = [np.concatenate([w[:0:-1, :side], w[:, :side]]) for w in windows[:-1]]
@@ -141,8 +141,8 @@ def test_what_does_not_fit_is_refused():
     with pytest.raises(ValueError, match="out must match the positions"):
         _core.collect(b.windows, b.halves, b.energies, positions, large, 0, large.copy())
     with pytest.raises(ValueError, match="halves must fit in the windows"):
-        _core.spread(b.windows, b.halves + np.int32(3), b.energies, positions, image, 0, wide)
-    with pytest.raises(ValueError, match="one half an interval, one row of energies a window"):
+        _core.spread(b.windows, b.halves + 3.0, b.energies, positions, image, 0, wide)
+    with pytest.raises(ValueError, match="one half width and one row of energies a window"):
         _core.spread(b.windows, b.halves[1:].copy(), b.energies, positions, image, 0, wide)
     with pytest.raises(ValueError, match="windows must be padded, 5 or more"):
         _core.spread(b.windows[:4].copy(), b.halves, b.energies, positions, image, 0, wide)

@@ -276,8 +276,6 @@ def test_what_is_refused_is_named():
         lm.ChordalGauss(1e-13)
     with pytest.raises(TypeError, match="tol must be a real number"):
         lm.ChordalGauss("tight")
-    with pytest.raises(ValueError, match="integrate=True is not available from ChordalGauss"):
-        lm.psf(pupil, 9, 0.5, method=lm.ChordalGauss(), integrate=True)
     with pytest.raises(ValueError, match="derivatives are not available from ChordalGauss"):
         lm.psf(pupil, 9, 0.5, method=lm.ChordalGauss(), derivatives=("defocus",))
     with pytest.raises(ValueError, match=r"chords, more than the limit of 1024"):

@@ -20,7 +20,7 @@ PUPILS = {
 
 
 def _image(pupil: Pupil, shape: int | tuple[int, int], pixel: float, method: lm.Method) -> NDArray[np.float64]:
-    return lm.psf(pupil, shape, pixel, method=method, normalize="strehl", dtype=np.float64).values
+    return lm.psf(pupil, shape, pixel, method=method, normalize="strehl", dtype=np.float64, integrate=False).values
 
 
 def _error(pupil: Pupil, method: Fraunhofer) -> float:
@@ -113,6 +113,16 @@ def test_physical_pixels_are_taken_in_units_of_lambda_n() -> None:
     pupil = Pupil(Wavefront(5.0), wavelength=500e-9, f_number=4.0)
     physical = _image(pupil, 16, 0.5 * 500e-9 * 4.0, Fraunhofer())
     assert physical == pytest.approx(_image(Pupil(Wavefront(5.0)), 16, 0.5, Fraunhofer()), rel=0, abs=1e-13)
+
+
+@pytest.mark.parametrize("padding", [1.0, 4.0])
+@pytest.mark.parametrize("pixel", [0.2, 0.7, 3.0])
+def test_averages_over_pixels_are_those_of_its_own_samples(pixel: float, padding: float) -> None:
+    pupil, method = Pupil(Wavefront(2.0, 1.0), obscuration=0.3), Fraunhofer(512, padding=padding, edge="grey")
+    found, exact = (
+        lm.psf(pupil, 8, pixel, method=way, integrate=True, dtype=np.float64) for way in (method, Hankel())
+    )
+    assert lm.peak_error(found, exact) < 1e-4
 
 
 def test_no_bound_is_claimed() -> None:

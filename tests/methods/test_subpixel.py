@@ -76,10 +76,9 @@ def test_pixel_averages_sum_to_the_energy_in_the_window():
 
 def test_what_a_method_cannot_average_is_refused():
     pupil = lm.Lens(focal_length=0.05, f_number=8, wavelength=5e-7).pupil(9.0)
-    for method in (lm.Fraunhofer(), lm.HuygensFresnel(symmetry=False)):
-        with pytest.raises(ValueError, match="integrate=True"):
-            lm.psf(pupil, 9, 1e-6, method=method, integrate=True)
-    with pytest.raises(TypeError, match="integrate"):
+    with pytest.raises(ValueError, match="integrate must not be False for Geometric, which has no point values"):
+        lm.psf(pupil, 9, 1e-6, method=lm.Geometric(), integrate=False)
+    with pytest.raises(TypeError, match="integrate must be True, False or None, got 1"):
         lm.psf(pupil, 9, 1e-6, integrate=1)  # type: ignore[arg-type]
     for center in (3, (1,), (1, np.nan), (1, 1e9)):
         with pytest.raises(ValueError, match="center"):

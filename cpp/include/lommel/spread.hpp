@@ -12,23 +12,25 @@
 
 namespace lommel {
 
-// Windows of 2 widest + 1 pixels a side, equally spaced in defocus, whose upper rows mirror the lower ones. Between windows
-// i and i + 1 only 2 halves[i] + 1 pixels a side are used; energies[i][half] is the sum of that much of window i, which the
-// mixture is divided by.
+// Windows of 2 widest + 1 pixels a side, equally spaced in defocus, whose upper rows mirror the lower ones. Of window i the
+// pixels up to halves[i] from the middle are used, and of the ring at k the share halves[i] + 1 - k, from 0 to 1; between two
+// windows the half width is interpolated, so that what is used never jumps. energies[i][half] is the sum of window i up to a
+// whole half width: the mixture is divided by what is used of it.
 template <class T>
 struct WindowBank {
-    const T* windows;            // [window][row from the middle one down][stride], with room for a vector behind the last
-    const std::int32_t* halves;  // [window - 1]
-    const double* energies;      // [window][widest + 1]
+    const T* windows;        // [window][row from the middle one down][stride], with room for a vector behind the last
+    const double* halves;    // [window]
+    const double* energies;  // [window][widest + 1]
     std::size_t count, widest, stride;
 
     std::size_t room() const { return (widest + 1) * stride; }
 };
 
-// The four windows of a pixel, from `first`, and their weights: cubic Lagrange in the middle interval, divided by the sum.
+// The four windows of a pixel, from `first`, and their weights: cubic Lagrange in the middle interval, divided by the sum. Up
+// to `half` pixels from the middle are used, of the last ring the share `rim`.
 struct Mixture {
     std::size_t first, half;
-    double weights[4];
+    double rim, weights[4];
 };
 
 template <class T>
@@ -36,14 +38,18 @@ Mixture mixture_at(const WindowBank<T>& bank, double position) {
     const double inside = std::min(std::max(position, 0.0), static_cast<double>(bank.count - 1));
     const std::size_t interval = std::min(static_cast<std::size_t>(inside), bank.count - 2);
     const std::size_t first = std::min(interval > 0 ? interval - 1 : 0, bank.count - 4);
-    const double t = inside - static_cast<double>(first);
+    const double t = inside - static_cast<double>(first), part = inside - static_cast<double>(interval);
+    const double wide = (1.0 - part) * bank.halves[interval] + part * bank.halves[interval + 1];
+    const std::size_t half = static_cast<std::size_t>(std::ceil(wide));
     Mixture m{first,
-              static_cast<std::size_t>(bank.halves[interval]),
+              half,
+              wide + 1.0 - static_cast<double>(half),
               {-(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0, t * (t - 2.0) * (t - 3.0) / 2.0, -t * (t - 1.0) * (t - 3.0) / 2.0,
                t * (t - 1.0) * (t - 2.0) / 6.0}};
     double sum = 0.0;
     for (std::size_t j = 0; j < 4; ++j) {
-        sum += m.weights[j] * bank.energies[(first + j) * (bank.widest + 1) + m.half];
+        const double* energy = bank.energies + (first + j) * (bank.widest + 1) + half;
+        sum += m.weights[j] * (half == 0 ? *energy : (1.0 - m.rim) * energy[-1] + m.rim * *energy);
     }
     for (double& w : m.weights) {
         w /= sum;
@@ -116,6 +122,9 @@ class Spreader {
                     rows.each([&](std::size_t i, auto mixed) LOMMEL_INLINE_LAMBDA { add(below + i, mixed); });
                     // Four loads of windows and as many multiply-adds for two vectors of sums: bound by loads and stores.
                     for (std::size_t row = 0; row < mixture.half; ++row) {
+                        if (row + 1 == mixture.half) {
+                            rows.at_rim();
+                        }
                         rows.down(), below += wide, above -= wide;
                         rows.each([&](std::size_t i, auto mixed) LOMMEL_INLINE_LAMBDA {
                             add(below + i, mixed);
@@ -132,7 +141,8 @@ class Spreader {
         store(to, load<V>(to) + mixed);
     }
 
-    // Mixed rows of four windows, a vector at a time; the last vector is cut off at the end of the window.
+    // Mixed rows of four windows, a vector at a time; the last vector is cut off at the end of the window. The first and the
+    // last pixel of a row are of the last ring, of which a share is used, and so are all pixels of the last row.
     template <class I>
     struct Rows {
         using V = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
@@ -141,20 +151,34 @@ class Spreader {
         std::size_t whole;
         const T* from[4];
         std::size_t stride;
-        V weight[4], cut[4];
+        V head[4], weight[4], cut[4], rim, mask;
 
         LOMMEL_INLINE Rows(const WindowBank<T>& bank, const Mixture& mixture, double value)
-            : whole(2 * mixture.half / lanes * lanes), stride(bank.stride) {
-            const V mask = load<V>(mask_at(2 * mixture.half + 1 - whole));
+            : whole(2 * mixture.half / lanes * lanes), stride(bank.stride), rim(splat<V>(static_cast<T>(mixture.rim))) {
+            const std::size_t last = 2 * mixture.half - whole;
+            mask = load<V>(mask_at(last + 1));
+            const V one = splat<V>(T(1)), begin = one + (rim - one) * load<V>(mask_at(mixture.half > 0 ? 1 : 0));
+            const V end = rim * mask + (one - rim) * load<V>(mask_at(last));
             for (std::size_t j = 0; j < 4; ++j) {
                 from[j] = bank.windows + (mixture.first + j) * bank.room() + bank.widest - mixture.half;
                 weight[j] = splat<V>(static_cast<T>(value * mixture.weights[j]));
+                head[j] = weight[j] * begin;
+                cut[j] = (whole > 0 ? weight[j] : head[j]) * end;
+            }
+        }
+        // From here on all pixels are of the last ring.
+        LOMMEL_INLINE void at_rim() {
+            for (std::size_t j = 0; j < 4; ++j) {
+                head[j] = weight[j] = weight[j] * rim;
                 cut[j] = weight[j] * mask;
             }
         }
         template <class F>
         LOMMEL_INLINE void each(const F& f) const {
-            for (std::size_t i = 0; i < whole; i += lanes) {
+            if (whole > 0) {
+                f(0, mixed(head, 0));
+            }
+            for (std::size_t i = lanes; i < whole; i += lanes) {
                 f(i, mixed(weight, i));
             }
             f(whole, mixed(cut, whole));
@@ -188,6 +212,9 @@ class Spreader {
         V total = splat<V>(T(0));
         rows.each([&](std::size_t i, V mixed) LOMMEL_INLINE_LAMBDA { total = total + mixed * load<V>(below + i); });
         for (std::size_t row = 0; row < mixture.half; ++row) {
+            if (row + 1 == mixture.half) {
+                rows.at_rim();
+            }
             rows.down(), below += wide, above -= wide;
             rows.each([&](std::size_t i, V mixed) LOMMEL_INLINE_LAMBDA {
                 total = total + mixed * (load<V>(below + i) + load<V>(above + i));

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -31,10 +31,11 @@ class Bank:
     windows : ndarray, shape (count + 1, half + 1, stride)
         Share of the light of a point that each pixel receives, from the middle row down: the rows above mirror those
         below. Columns beyond the window and the last window are room for the compiled core.
-    halves : ndarray of int32, shape (count - 1,)
-        Between two windows, how many pixels from the middle are used.
+    halves : ndarray, shape (count,)
+        How many pixels from the middle are used, a real number h, interpolated linearly between windows: of the
+        ring at the Chebyshev distance k the share ``h + 1 - k``, from 0 to 1. So nothing jumps as a point moves.
     energies : ndarray, shape (count, side // 2 + 1)
-        Sum of so much of each window, which what is used is divided by.
+        Sum of each window up to a whole distance; what is used is divided by its sum.
     lost : float
         Largest share of light beyond the pixels used, spread over these instead.
     error : float
@@ -44,7 +45,7 @@ class Bank:
     start: float
     spacing: float
     windows: NDArray[np.floating[Any]]
-    halves: NDArray[np.int32]
+    halves: NDArray[np.float64]
     energies: NDArray[np.float64]
     lost: float
     error: float
@@ -63,6 +64,12 @@ class Bank:
         """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second."""
         return (np.asarray(defocus, dtype=np.float64) - self.start) / self.spacing
 
+    def used(self, defocus: float) -> NDArray[np.float64]:
+        """Return how much of each pixel is used for one defocus, 0 to 1, shape (side, side)."""
+        half = np.interp(self.positions(defocus), np.arange(self.count), self.halves)
+        away = np.abs(np.arange(-self.half, self.half + 1))
+        return np.asarray(np.clip(half + 1.0 - np.maximum(away[:, None], away), 0.0, 1.0))
+
     def window(self, defocus: float) -> NDArray[np.float64]:
         """Return the window that the compiled core makes of the bank for one defocus, shape (side, side)."""
         position = float(np.clip(self.positions(defocus), 0.0, self.count - 1))
@@ -70,16 +77,16 @@ class Bank:
         first = min(max(interval - 1, 0), self.count - 4)
         t = position - first
         weights = [math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)]
-        half, side = int(self.halves[interval]), 2 * self.half + 1
+        side = 2 * self.half + 1
         lower = np.tensordot(weights, self.windows[first : first + 4, :, :side].astype(np.float64), axes=1)
-        mixed = np.concatenate([lower[:0:-1], lower])
-        away = np.abs(np.arange(side) - self.half)
-        used = np.where(np.maximum(away[:, None], away) <= half, mixed, 0.0)
-        return np.asarray(used / (weights @ self.energies[first : first + 4, half]))
+        half = np.interp(position, np.arange(self.count), self.halves)
+        energy = weights @ _held(self.energies[first : first + 4], np.full(4, half))
+        return np.asarray(np.concatenate([lower[:0:-1], lower]) * self.used(defocus) / energy)
 
 
 def build_bank(
     pupil: Pupil,
+    phase: Callable[[NDArray[np.float64]], Wavefront],
     spectrum: Sequence[tuple[float, float]],
     pixel: float,
     defocus: tuple[float, float],
@@ -96,6 +103,8 @@ def build_bank(
     ----------
     pupil : Pupil
         In focus, with the aberrations of the lens, at its wavelength; radially symmetric.
+    phase : callable
+        Makes wavefronts of defocus, as :meth:`lommel.Lens.phase`.
     spectrum : sequence of (wavelength, weight)
         Of the channel; weights sum to 1.
     pixel : float
@@ -118,13 +127,13 @@ def build_bank(
         If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
     """
     low, high = defocus
-    half = _enough(pupil, spectrum, pixel, defocus, energy, largest, threads)
+    half = _enough(pupil, phase, spectrum, pixel, defocus, energy, largest, threads)
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / 6.0, 0.05)
     start = low - spacing
 
     def means(positions: NDArray[np.float64]) -> NDArray[np.float64]:
-        return _means(pupil, spectrum, pixel, start + spacing * positions, half, threads)[1]
+        return _means(pupil, phase, spectrum, pixel, start + spacing * positions, half, threads)[1]
 
     exact = means(np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64))
     while True:
@@ -146,7 +155,7 @@ def build_bank(
     first = max(0, math.floor((low - start) / spacing) - 1)
     last = min(len(exact), math.ceil((high - start) / spacing) + 3)
     first = max(0, min(first, last - 4))
-    rule = _means(pupil, spectrum, pixel, np.empty(0), half, threads)[0]
+    rule = _means(pupil, phase, spectrum, pixel, np.empty(0), half, threads)[0]
     return _packed(rule, exact[first:last], start + first * spacing, spacing, error, energy, dtype)
 
 
@@ -161,17 +170,36 @@ def _packed(
 ) -> Bank:
     """Cut the windows to what holds `energy`, and leave the compiled core the room it needs."""
     sums = rule.sums(exact)
-    half = sums.shape[1] - 1
-    enough = np.where(sums[:, -1] >= energy, (sums >= energy).argmax(axis=1), half)
-    halves = np.maximum(enough[:-1], enough[1:])
-    used = int(halves.max())
+    enough = np.pad(_enough_of(sums, energy + 1e-12), 1, mode="edge")  # rounding is not to leave less
+    # Those on either side count, so that what is interpolated holds enough as well.
+    halves = np.maximum(np.maximum(enough[:-2], enough[2:]), enough[1:-1])
+    used = math.ceil(halves.max())
     side = 2 * used + 1
     stride = max(-(-side // 16) * 16, -(-64 // (used + 1)))
     windows = _at_cache_lines((len(exact) + 1, used + 1, stride), np.dtype(dtype))
     windows[:-1, :, :side] = rule.unfold(exact.astype(dtype), used)[:, used:]
     kept = np.ascontiguousarray(sums[:, : used + 1])
-    held = min(kept[:-1][np.arange(len(halves)), halves].min(), kept[1:][np.arange(len(halves)), halves].min())
-    return Bank(start, spacing, windows, halves.astype(np.int32), kept, float(1.0 - held), error)
+    # Half-way between windows the sums and the half widths are what the core makes of them.
+    between = (9.0 * (kept[1:-2] + kept[2:-1]) - kept[:-3] - kept[3:]) / 16.0
+    held = min(_held(kept, halves).min(), _held(between, 0.5 * (halves[1:-2] + halves[2:-1])).min())
+    return Bank(start, spacing, windows, halves, kept, float(1.0 - held), error)
+
+
+def _held(sums: NDArray[np.float64], halves: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the sum of so much of each window, from the sums up to whole distances."""
+    outer = np.ceil(halves).astype(np.int64)
+    rows = np.arange(len(sums))
+    rim = halves + 1.0 - outer
+    return np.asarray(rim * sums[rows, outer] + (1.0 - rim) * sums[rows, np.maximum(outer - 1, 0)])
+
+
+def _enough_of(sums: NDArray[np.float64], energy: float) -> NDArray[np.float64]:
+    """Return the half width of each window that holds `energy`, or all of it where it holds less."""
+    outer = np.where(sums[:, -1] >= energy, (sums >= energy).argmax(axis=1), sums.shape[1] - 1)
+    rows, inner = np.arange(len(sums)), np.maximum(outer - 1, 0)
+    ring = sums[rows, outer] - sums[rows, inner]
+    share = np.divide(energy - sums[rows, inner], ring, out=np.ones(len(sums)), where=ring > 0.0)
+    return np.asarray(inner + np.where(outer > 0, np.clip(share, 0.0, 1.0), 0.0))
 
 
 def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
@@ -184,6 +212,7 @@ def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any
 
 def _enough(
     pupil: Pupil,
+    phase: Callable[[NDArray[np.float64]], Wavefront],
     spectrum: Sequence[tuple[float, float]],
     pixel: float,
     defocus: tuple[float, float],
@@ -193,7 +222,7 @@ def _enough(
 ) -> int:
     """Return half of a window that holds `energy` of the light at both ends of the range and in its middle."""
     ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
-    blur = replace(pupil, wavefront=Wavefront(ends) + pupil.wavefront, geometry=None).geometric_radius().max()
+    blur = replace(pupil, wavefront=phase(ends) + pupil.wavefront, geometry=None).geometric_radius().max()
     half = math.ceil(float(blur) / pixel) + 1
     while True:
         if half > largest:
@@ -201,7 +230,7 @@ def _enough(
                 f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the "
                 "light; stop down, allow larger windows, or ask for less of the light"
             )
-        rule, means = _means(pupil, spectrum, pixel, ends, half, threads)
+        rule, means = _means(pupil, phase, spectrum, pixel, ends, half, threads)
         sums = rule.sums(means)
         if sums[:, -1].min() >= energy:
             return int(max((row >= energy).argmax() for row in sums)) + 1
@@ -210,6 +239,7 @@ def _enough(
 
 def _means(
     pupil: Pupil,
+    phase: Callable[[NDArray[np.float64]], Wavefront],
     spectrum: Sequence[tuple[float, float]],
     pixel: float,
     defocus: NDArray[np.float64],
@@ -225,7 +255,7 @@ def _means(
         if defocus.size == 0:
             break
         # Phases are path differences.
-        wavefront = (pupil.wavelength / wavelength) * (Wavefront(defocus) + pupil.wavefront)
+        wavefront = (pupil.wavelength / wavelength) * (phase(defocus) + pupil.wavefront)
         there = replace(pupil, wavefront=wavefront, wavelength=wavelength, geometry=None)
         share = weight * step**2 / (4.0 * math.pi * there.transmission)
         total += share * _METHOD.means(there, step * rule.radii, rule.matrix, threads)

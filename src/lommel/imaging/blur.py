@@ -81,12 +81,14 @@ class DepthBlur:
         dtype: DTypeLike = np.float32,
         threads: int | None = None,
     ) -> None:
-        if not isinstance(lens, Lens):
-            raise TypeError(f"lens must be a Lens, got {validation.shown(lens)}")
+        require_lens(lens, "lens, depth, pixel")
         if not lens.aberrations.radial or lens.aberrations.shape != ():
             raise ValueError("lens must have radially symmetric aberrations, and one set of them")
         if lens.spider or lens.vignetting or lens.mask:
-            raise ValueError("lens must have a round aperture, without spider, vignetting and mask")
+            raise ValueError(
+                "lens must have a round aperture for photographs, without spider, vignetting and mask: leave these "
+                "out, or ask lommel.psf for the image of single points"
+            )
         self.lens = lens
         self.pixel = validation.pixel(pixel, metric=True)
         self.border = validation.choice("border", border, BORDERS)
@@ -117,6 +119,7 @@ class DepthBlur:
             if spectrum not in known:
                 known[spectrum] = build_bank(
                     pupil,
+                    lens.phase,
                     spectrum,
                     self.pixel,
                     reach,
@@ -148,7 +151,7 @@ class DepthBlur:
         image : ndarray of float
             Light; the last axis holds the channels if there are several.
         weight : ndarray of bool, shape (height, width), optional
-            Which points take part.
+            Which points take part: the others spread nothing.
         """
         planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
@@ -162,12 +165,15 @@ class DepthBlur:
             to[:] = room[cut : cut + self.shape[0], cut : cut + self.shape[1]]
         return self._shaped(out, image)
 
-    def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``."""
+    def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
+        """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
+
+        With the same `weight` in both; points that take no part receive 0.
+        """
         planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
         for plane, bank, to in zip(planes, self.banks, out, strict=True):
-            margin, positions = self._positions(bank, None)
+            margin, positions = self._positions(bank, weight)
             room = np.pad(plane, margin + bank.half)
             taken = np.empty(positions.shape, dtype=self.dtype)
             _core.collect(bank.windows, bank.halves, bank.energies, positions, room, self.threads, taken)
@@ -199,11 +205,10 @@ class DepthBlur:
         """Return the margin of the border, and where each point is in the bank, below 0 for those left out."""
         positions = np.maximum(bank.positions(self.defocus), 0.0)
         if weight is not None:
-            weight = validation.array("weight", weight)
-            if weight.dtype != np.bool_ or weight.shape != self.shape:
-                raise TypeError(
-                    f"weight must hold booleans, of the shape {self.shape}, got {validation.shown(weight)}"
-                )
+            given = validation.array("weight", weight)
+            if not isinstance(weight, np.ndarray) or given.dtype != np.bool_ or given.shape != self.shape:
+                got = f"{given.dtype} of the shape {given.shape}"
+                raise TypeError(f"weight must be an array of bool of the shape {self.shape}, got {got}")
             positions = np.where(weight, positions, -1.0)
         margin = 0 if self.border == "zero" else bank.half
         return margin, np.ascontiguousarray(self._padded(positions, margin))
@@ -223,6 +228,12 @@ class DepthBlur:
         out = np.zeros((self.shape[1], self.shape[0]), dtype=taken.dtype)
         np.add.at(out, columns, folded.T)
         return out.T
+
+
+def require_lens(lens: Any, order: str) -> None:
+    """Raise TypeError unless `lens` is one, saying in which `order` arguments are given."""
+    if not isinstance(lens, Lens):
+        raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order is {order}")
 
 
 def _depth(depth: ArrayLike) -> NDArray[np.float64]:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.imaging.blur import DepthBlur
+from lommel.pupil import ray_height
 
 MOST_LAYERS = 64
 """Layers are made thicker than a pixel of blur where there would be more of them."""
@@ -90,8 +91,12 @@ def occlude(blur: DepthBlur, light: NDArray[Any]) -> NDArray[Any]:
 
 def _layers(blur: DepthBlur) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Return the layer of each point, 0 the nearest, and the signed radius of its geometric blur in pixels."""
-    # A ray from the edge of the pupil meets the sensor at v = 4 C_d; near points have the largest.
-    radius = blur.defocus * (4.0 * blur.lens.wavelength * blur.lens.working_f_number / (math.pi * blur.pixel))
+    # Where a ray from the edge of the pupil meets the sensor, at v = 4 C_d if paraxial, else nearly in proportion to
+    # C_d. Near points have the largest.
+    defocus = np.linspace(blur.defocus.min(), blur.defocus.max(), 129)
+    rim = ray_height(blur.lens.phase(defocus).coefficients, np.ones(1))[:, 0]
+    unit = blur.lens.wavelength * blur.lens.working_f_number / (math.pi * blur.pixel)
+    radius = unit * np.interp(blur.defocus, defocus, rim)
     depth = radius.max() - radius
     thickness = max(0.5, float(depth.max()) / MOST_LAYERS)
     return np.minimum((depth / thickness).astype(np.int64), MOST_LAYERS - 1), radius

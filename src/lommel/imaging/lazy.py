@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import Any
 
 from lommel import validation
+from lommel.imaging.blur import require_lens
 from lommel.imaging.tiles import TileBlur
 from lommel.lens import Lens
 
@@ -62,6 +63,7 @@ def depth_of_field_of_chunks(
     dask: Any = import_module("dask")
     da: Any = import_module("dask.array")
 
+    require_lens(lens, "image, depth, lens, pixel")
     for name, array in (("image", image), ("depth", depth)):
         if not isinstance(array, da.Array):
             raise TypeError(f"{name} must be a dask array, got {type(array).__name__}")

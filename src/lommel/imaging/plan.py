@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel import validation
-from lommel.imaging.blur import DepthBlur, Spectrum
+from lommel.imaging.blur import DepthBlur, Spectrum, require_lens
 from lommel.imaging.encoding import to_light
 from lommel.imaging.layers import occlude
 from lommel.imaging.scene import Photograph, channels_of, fill_missing, photograph
@@ -68,6 +68,7 @@ class FocusPlan:
         threads: int | None = None,
         keep: int = 4,
     ) -> None:
+        require_lens(lens, "image, depth, lens, pixel")
         if not isinstance(occlusion, bool | np.bool_):
             raise TypeError(f"occlusion must be True or False, got {validation.shown(occlusion)}")
         given = validation.array("image", image)
@@ -78,8 +79,6 @@ class FocusPlan:
         distances = np.array(fill_missing(depth, missing))
         if distances.shape != given.shape[:2]:
             raise ValueError(f"depth must have the shape of the image, {given.shape[:2]}, got {distances.shape}")
-        if not isinstance(lens, Lens):
-            raise TypeError(f"lens must be a Lens, got {validation.shown(lens)}")
         self.lens = lens
         self.shape, self.dtype = given.shape, given.dtype
         self._encoding, self._occlusion = encoding, bool(occlusion)
@@ -102,19 +101,10 @@ class FocusPlan:
     def lens_at(self, *, focus_distance: float | None = None, f_number: float | None = None) -> Lens:
         """Return the lens at another focus (metres) or f-number (as engraved); None leaves that of `lens`.
 
-        Stopping down leaves the sensor where it is.
+        See :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
         """
-        lens = self.lens
-        return Lens(
-            focal_length=lens.focal_length,
-            wavelength=lens.wavelength,
-            obscuration=lens.obscuration,
-            aberrations=lens.aberrations,
-            f_number=f_number,
-            aperture_diameter=lens.aperture_diameter if f_number is None else None,
-            focus_distance=focus_distance,
-            sensor_distance=lens.sensor_distance if focus_distance is None else None,
-        )
+        lens = self.lens if f_number is None else self.lens.stopped(f_number)
+        return lens if focus_distance is None else lens.focused(focus_distance)
 
     def blur(self, *, focus_distance: float | None = None, f_number: float | None = None) -> DepthBlur:
         """Return the linear operator at a focus and f-number; the last ones are remembered."""

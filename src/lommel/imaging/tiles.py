@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel import validation
-from lommel.imaging.blur import DepthBlur, Spectrum
+from lommel.imaging.blur import DepthBlur, Spectrum, require_lens
 from lommel.imaging.encoding import clipped_share, from_light, to_light
 from lommel.imaging.scene import Photograph, channels_of, fill_missing
 from lommel.lens import Lens
@@ -58,6 +58,7 @@ class TileBlur:
         dtype: DTypeLike = np.float32,
         threads: int | None = None,
     ) -> None:
+        require_lens(lens, "shape, depths, lens, pixel")
         self.missing = validation.choice("missing", missing, MISSING)
         self.encoding = encoding
         # Of the image only its axes matter here.
@@ -146,6 +147,7 @@ def depth_of_field_by_tiles(
     TypeError, ValueError
         As :func:`lommel.imaging.depth_of_field`, and if `out` does not fit. What had been written by then stays.
     """
+    require_lens(lens, "image, depth, lens, pixel")
     if not isinstance(image, np.ndarray) or image.ndim not in (2, 3) or 0 in image.shape:
         raise ValueError(
             f"image must be an array of the shape (height, width) or (height, width, channels), got {np.shape(image)}"

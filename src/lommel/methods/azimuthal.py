@@ -9,10 +9,10 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel import _core
 from lommel.grid import Grid
-from lommel.methods.subpixel import pixel_error, pixel_nodes
+from lommel.methods.averaging import Rendered
+from lommel.methods.method import not_met
 from lommel.pupil import Pupil
 from lommel.special import zernike
-from lommel.special.legendre import gauss_legendre
 
 _FARTHEST = 1e6  # pixels from the window to the axis
 _BLOCK = 2**20  # values between two looks at the keyboard
@@ -38,29 +38,8 @@ class Terms(NamedTuple):
     columns: NDArray[np.int64]
 
 
-class Rendered(NamedTuple):
-    """Images at the pixel centres.
-
-    Attributes
-    ----------
-    values : ndarray, shape (n, height, width)
-    scales : ndarray, shape (n,)
-        What each intensity was multiplied by.
-    bounds, peaks : ndarray, shape (n,)
-        The error over the peak; that peak, of the intensity itself, in the window or outside of it.
-    unmet : float
-        0, or the bound where the tolerance cannot be met; the rest is then unfinished.
-    """
-
-    values: NDArray[Any]
-    scales: NDArray[np.float64]
-    bounds: NDArray[np.float64]
-    peaks: NDArray[np.float64]
-    unmet: float
-
-
-def expand(pupil: Pupil, grid: Grid, shift: tuple[float, float] = (0.0, 0.0)) -> Terms:
-    """Return the terms of a stack, its axis moved by `shift` (rows, columns) of a pixel."""
+def expand(pupil: Pupil, grid: Grid) -> Terms:
+    """Return the terms of a stack, its tilt as a move of the axis."""
     wavefront = pupil.wavefront.flattened()
     powers = wavefront.coefficients
     piston = (powers @ zernike.powers_to_legendre(powers.shape[-1])[0]).astype(np.float64)
@@ -70,7 +49,7 @@ def expand(pupil: Pupil, grid: Grid, shift: tuple[float, float] = (0.0, 0.0)) ->
     for axis, term in ((0, (1, -1)), (1, (1, 1))):
         # A tilt of `step` radians moves the image by a pixel.
         with np.errstate(over="ignore"):
-            at = grid.center[axis] + shift[axis] + np.broadcast_to(found.get(term, np.zeros(())), flat) / step
+            at = grid.center[axis] + np.broadcast_to(found.get(term, np.zeros(())), flat) / step
         if not np.all(np.abs(at) <= _FARTHEST):
             far = at[~(np.abs(at) <= _FARTHEST)][0]
             raise ValueError(
@@ -113,11 +92,16 @@ def render(
     dtype: DTypeLike,
     tol: float,
     out: NDArray[Any] | None = None,
-    shift: tuple[float, float] = (0.0, 0.0),
     threads: int = 0,
 ) -> Rendered:
-    """Return images at the pixel centres."""
-    terms = expand(pupil, grid, shift)
+    """Return images at the pixel centres.
+
+    Raises
+    ------
+    ToleranceError
+        If the bound stays above `tol`.
+    """
+    terms = expand(pupil, grid)
     count = len(terms.rows)
     values = np.empty((count, *grid.shape), dtype) if out is None else out
     # The compiled core takes 0 for "divide by the largest value".
@@ -143,47 +127,11 @@ def render(
             peaks[part],
         )
         if unmet:
-            return Rendered(values, scales, bounds, peaks, unmet)
+            raise not_met(tol, unmet, "the peak")
     added = (2.0 if scale is None else 1.0) * phase_rounding(pupil, peaks)
     if (bounds + added).max() <= tol:
-        return Rendered(values, scales, bounds + added, peaks, 0.0)
+        return Rendered(values, scales, bounds + added, peaks)
     if added.max() > 0.4 * tol:
-        return Rendered(values, scales, bounds, peaks, float((bounds + added).max()))
+        raise not_met(tol, float((bounds + added).max()), "the peak")
     # Proven with nothing to spare: with half the tolerance there is.
-    return render(pupil, grid, scale, dtype, 0.5 * tol, out=values, shift=shift, threads=threads)
-
-
-def averaged(
-    pupil: Pupil, grid: Grid, tol: float, threads: int = 0
-) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
-    """Return the intensity averaged over each pixel, its bounds, and 0 or the bound where `tol` cannot be met.
-
-    Gauss-Legendre sums over the pixel; I is of exponential type 2 along any line, which bounds their error as in
-    :func:`lommel.methods.subpixel.subpixel_intensity`.
-    """
-    step, ceiling = grid.step(pupil), pupil.area**2
-    first = render(pupil, grid, 1.0, np.float64, 0.5 * tol, threads=threads)
-    if first.unmet:
-        return first.values, first.bounds, first.unmet
-    tops, finer = first.values.max(axis=(1, 2)), 0.25 * tol
-    # Bounds of samples are related to the peak, which may lie outside of the window; those of averages to the window.
-    finer *= min(1.0, float((tops / first.peaks).min()))
-    for _ in range(4):
-        # The average of a pixel is below its largest value, and for pixels of many lambda*N far below.
-        budget = 0.2 * tol * float(tops.min()) / ceiling
-        nodes = pixel_nodes(step, budget)
-        x, w = gauss_legendre(nodes, -0.5, 0.5)
-        total, given = np.zeros_like(first.values), np.zeros(len(first.values))
-        for i in range(nodes):
-            for j in range(nodes):
-                part = render(pupil, grid, 1.0, np.float64, finer, shift=(-x[i], -x[j]), threads=threads)
-                if part.unmet:
-                    return total, part.bounds, part.unmet
-                total += w[i] * w[j] * part.values
-                given += w[i] * w[j] * part.bounds * part.peaks
-        tops = total.max(axis=(1, 2))
-        bounds = (given + 2.0 * pixel_error(step, nodes) * ceiling) / tops
-        if bounds.max() <= tol:
-            return total, bounds, 0.0
-        finer *= min(1.0, 0.5 * tol / float((given / tops).max()))
-    return total, bounds, float(bounds.max())
+    return render(pupil, grid, scale, dtype, 0.5 * tol, out=values, threads=threads)

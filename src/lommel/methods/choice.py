@@ -6,6 +6,7 @@ import math
 from importlib.util import find_spec
 
 from lommel.grid import Grid
+from lommel.methods.averaging import samples_across
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
@@ -19,7 +20,7 @@ def choose(pupil: Pupil, grid: Grid) -> Method:
     """Return the method for a pupil and a window, each with a tolerance of 1e-6 of the peak.
 
     The series for circular apertures; the chordal rule where their wavefront is not radially symmetric and the window
-    is small, up to 64 pixels a side or, of eight pupils or more, 128; the non-uniform FFT for other apertures.
+    is small, up to 64 samples a side or, of eight pupils or more, 128; the non-uniform FFT for other apertures.
 
     Raises
     ------
@@ -30,9 +31,10 @@ def choose(pupil: Pupil, grid: Grid) -> Method:
     if getattr(pupil, "radial", True):
         return SERIES
     if pupil.circular:
-        side = max(grid.shape)
+        # Averages are made of finer samples.
+        side = max(grid.shape) * (samples_across(grid.step(pupil)) if grid.integrate else 1)
         small = side <= 64 or (side <= 128 and math.prod(pupil.shape) >= 8)
-        return _MATRIX if small and not grid.integrate else SERIES
+        return _MATRIX if small else SERIES
     if find_spec("finufft") is None:
         raise ValueError(
             "method must be named for a pupil with a spider, vignetting or a mask where finufft is missing: install "

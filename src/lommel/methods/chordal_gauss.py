@@ -10,6 +10,7 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel import _core, validation
 from lommel.grid import Grid
+from lommel.methods.averaging import Rendered, Sample, averaged, averaged_images
 from lommel.methods.azimuthal import phase_rounding
 from lommel.methods.method import Images, Intensities, Method, not_met
 from lommel.pupil import Pupil
@@ -72,9 +73,12 @@ class ChordalGauss(Method):
         return None
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at the pixel centres, shape ``(n, height, width)``, with its bound."""
-        made = self.images(pupil, grid, 1.0, np.float64, threads=threads)
-        return Intensities(made.values, made.error)
+        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``, with its bound."""
+        sample = self._sample(threads)
+        if grid.integrate:
+            return averaged(sample, pupil, grid, self.tol, normalize=False)
+        made = sample(pupil, grid, self.tol)
+        return Intensities(made.values, made.bounds, made.peaks)
 
     def tightened(self) -> ChordalGauss:
         """Return the same method with half the tolerance."""
@@ -95,39 +99,56 @@ class ChordalGauss(Method):
         if powers:
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         if grid.integrate:
-            raise ValueError("integrate=True is not available from ChordalGauss, which samples the pixel centres")
-        terms, outer, inner = disk_terms(pupil)
-        n = len(outer)
-        values = np.empty((n, *grid.shape), dtype) if out is None else out
-        # The compiled core takes 0 for "divide by the largest value".
-        scales, bounds = np.full(n, 0.0 if scale is None else scale), np.empty(n)
-        block = max(1, _BLOCK // (grid.height * grid.width))
-        for first in range(0, n, block):
-            part = slice(first, first + block)
-            unmet = _core.chordal(
-                terms,
-                outer[part],
-                inner[part],
-                pupil.obscuration,
-                pupil.apodization,
-                *grid.center,
-                grid.step(pupil),
-                self.tol,
-                threads,
-                values[part],
-                scales[part],
-                bounds[part],
-            )
-            if unmet:
-                raise not_met(self.tol, unmet, "the largest value in the window")
-        peaks = values.max(axis=(1, 2)) / scales
-        added = (2.0 if scale is None else 1.0) * phase_rounding(pupil, peaks)
-        if (bounds + added).max() <= self.tol:
-            return Images(values, scales, bounds + added)
-        if added.max() > 0.4 * self.tol:
-            raise not_met(self.tol, float((bounds + added).max()), "the largest value in the window")
-        # Proven with nothing to spare: with half the tolerance there is.
-        return self.tightened().images(pupil, grid, scale, dtype, out=values, threads=threads)
+            return averaged_images(self._sample(threads), pupil, grid, scale, dtype, self.tol, out)
+        made = _render(pupil, grid, scale, dtype, self.tol, out=out, threads=threads)
+        return Images(made.values, made.scales, made.bounds)
+
+    def _sample(self, threads: int) -> Sample:
+        return lambda pupil, grid, tol: _render(pupil, grid, 1.0, np.float64, tol, threads=threads)
+
+
+def _render(
+    pupil: Pupil,
+    grid: Grid,
+    scale: float | None,
+    dtype: DTypeLike,
+    tol: float,
+    out: NDArray[Any] | None = None,
+    threads: int = 0,
+) -> Rendered:
+    """Return images at the pixel centres."""
+    terms, outer, inner = disk_terms(pupil)
+    n = len(outer)
+    values = np.empty((n, *grid.shape), dtype) if out is None else out
+    # The compiled core takes 0 for "divide by the largest value".
+    scales, bounds = np.full(n, 0.0 if scale is None else scale), np.empty(n)
+    block = max(1, _BLOCK // (grid.height * grid.width))
+    for first in range(0, n, block):
+        part = slice(first, first + block)
+        unmet = _core.chordal(
+            terms,
+            outer[part],
+            inner[part],
+            pupil.obscuration,
+            pupil.apodization,
+            *grid.center,
+            grid.step(pupil),
+            tol,
+            threads,
+            values[part],
+            scales[part],
+            bounds[part],
+        )
+        if unmet:
+            raise not_met(tol, unmet, "the largest value in the window")
+    peaks = values.max(axis=(1, 2)) / scales
+    added = (2.0 if scale is None else 1.0) * phase_rounding(pupil, peaks)
+    if (bounds + added).max() <= tol:
+        return Rendered(values, scales, bounds + added, peaks)
+    if added.max() > 0.4 * tol:
+        raise not_met(tol, float((bounds + added).max()), "the largest value in the window")
+    # Proven with nothing to spare: with half the tolerance there is.
+    return _render(pupil, grid, scale, dtype, 0.5 * tol, out=values, threads=threads)
 
 
 def disk_terms(pupil: Pupil) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:

@@ -41,7 +41,7 @@ class Fraunhofer(Method):
     The FFT of M samples spaced delta in rho has the spacing ``2 pi / (M delta)`` in v. delta is chosen so that
     this is the pixel pitch over an integer, hence the transform lands on the pixel centres without
     interpolation. Light at v appears again at ``v +- 2 pi / delta``; where the geometric blur would reach the
-    window that way, the call is refused.
+    window that way, the call is refused. Averages over pixels multiply the spectrum of the intensity by sincs.
     """
 
     nonradial: ClassVar[bool] = True
@@ -61,15 +61,13 @@ class Fraunhofer(Method):
         return None
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I at the pixel centres, shape ``(n, height, width)``.
+        """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
 
         Raises
         ------
         ValueError
             If light would wrap around into the window, or if the transform would exceed 16384 squared.
         """
-        if grid.integrate:
-            raise ValueError("integrate=True is not available from Fraunhofer, which samples the pixel centres")
         stride, side, spacing = self._layout(pupil, grid)
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
@@ -88,8 +86,9 @@ class Fraunhofer(Method):
             padded = np.zeros((side, side), dtype=np.complex128)
             # Added, not assigned: without padding the first and the last samples share a place.
             np.add.at(padded, np.ix_(place, place), mask * np.exp(1j * phase) * tilt)
-            field = _fft2(padded)[np.ix_(rows, columns)]
-            image[:] = (spacing**2 / math.pi) ** 2 * (field.real**2 + field.imag**2)
+            field = _fft2(padded) if grid.integrate else _fft2(padded)[np.ix_(rows, columns)]
+            intensity = (spacing**2 / math.pi) ** 2 * (field.real**2 + field.imag**2)
+            image[:] = _averaged(intensity, stride)[np.ix_(rows, columns)] if grid.integrate else intensity
         return Intensities(out, None)
 
     def _layout(self, pupil: Pupil, grid: Grid) -> tuple[int, int, float]:
@@ -97,7 +96,9 @@ class Fraunhofer(Method):
         from scipy.fft import next_fast_len
 
         step = grid.step(pupil)
-        stride = max(1, math.ceil(self.padding * step / math.pi - 1e-9))
+        # The intensity has twice the band of the field, and takes twice the padding to be averaged.
+        padding = max(self.padding, 2.0) if grid.integrate else self.padding
+        stride = max(1, math.ceil(padding * step / math.pi - 1e-9))
         per_diameter = stride * math.pi / step  # FFT length over pupil samples that makes the pitches fit
         # Light from +-blur must not come back at the other side of the window.
         blur, window = blur_and_window(pupil, grid)
@@ -117,6 +118,16 @@ class Fraunhofer(Method):
             )
         side = int(next_fast_len(math.ceil(wanted)))
         return stride, side, 2.0 * math.pi * stride / (side * step)
+
+
+def _averaged(intensity: NDArray[np.float64], stride: int) -> NDArray[np.float64]:
+    """Return averages over squares of `stride` samples around each: sincs on the spectrum."""
+    from scipy.fft import irfft2, rfft2
+
+    side = len(intensity)
+    across = np.sinc(stride / side * np.arange(side // 2 + 1))
+    down = np.sinc(stride * np.fft.fftfreq(side))
+    return np.asarray(irfft2(rfft2(intensity) * (down[:, None] * across), s=intensity.shape))
 
 
 def _fft2(values: NDArray[np.complex128]) -> NDArray[np.complex128]:

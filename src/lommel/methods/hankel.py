@@ -38,6 +38,7 @@ class Hankel(FieldMethod):
     """
 
     apodized: ClassVar[bool] = True
+    keeps_tol: ClassVar[bool] = False
     tol: float = 1e-14
 
     def __post_init__(self) -> None:

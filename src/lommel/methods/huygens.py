@@ -1,4 +1,4 @@
-"""Huygens' superposition, the paper's "ray tracing": every point of the aperture a spherical wave."""
+"""Huygens' superposition, the paper's "ray tracing": every point of the aperture a wave."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import _core, validation
+from lommel.aplanatic import expansion, path
 from lommel.grid import Grid
+from lommel.methods.averaging import filtered, filtered_by
 from lommel.methods.method import FieldMethod, FieldValues, Intensities
 from lommel.pupil import Geometry, Pupil
 from lommel.special.legendre import gauss_legendre
@@ -23,12 +25,20 @@ _BLOCK = 2**22  # wavelets between two looks at the keyboard: well below a secon
 
 @dataclass(frozen=True)
 class HuygensFresnel(FieldMethod):
-    r"""Exhaustive sum of spherical wavelets with exact distances: no Fresnel approximation.
+    r"""Exhaustive sum of wavelets with exact path differences: no Fresnel approximation.
 
-    Needs the physical distances, that is a pupil from :meth:`lommel.Lens.pupil`. The lens is stigmatic for the
+    Needs the physical distances, that is a pupil from :meth:`lommel.Lens.pupil`, and takes the lens at its model.
+
+    A *paraxial* lens is taken for a flat, thin one that sends out spherical wavelets. It is stigmatic for the
     plane in focus, so that in focus it agrees with the Fresnel approximation at small angles; what it adds at
     large ones is the obliquity ``(d / rho)^2``, the curvature of the image field and the higher orders of the
-    defocus. The difference from the other methods is their Fresnel error, not an error of this one.
+    defocus. The difference from the other methods is their Fresnel error, not an error of this one. But it is that of
+    a lens whose angles have *tangents* in proportion to rho, which few lenses are.
+
+    An *aplanatic* lens sends out plane waves from its reference sphere, in the directions whose sines are in
+    proportion to rho: Debye's integral, with the phase by exact path differences. The other methods compute the same
+    from an expansion in powers of rho^2, and agree. What Debye's integral leaves out is that the pupil is not far
+    away: phases of up to ``k r^2 (R_max / d)^2 / 2 d`` at the distance r from the axis.
 
     Parameters
     ----------
@@ -41,10 +51,13 @@ class HuygensFresnel(FieldMethod):
 
     Notes
     -----
-    ``U(r) = 1/(pi R_max^2) int exp(i Phi_lens) (d/rho)^2 exp(i k (rho - rho_0)) dA`` with
+    Flat: ``U(r) = 1/(pi R_max^2) int exp(i Phi_lens) (d/rho)^2 exp(i k (rho - rho_0)) dA`` with
     ``rho = |(x, y, 0) - (r, 0, d)|``: Rayleigh-Sommerfeld diffraction of the first kind. The phase in the
     aperture is ``k (sqrt(s^2 + R^2) - s)`` of the object at s less that of the object in focus, plus the
     aberrations. J. W. Goodman, *Introduction to Fourier Optics*, 3rd ed., Eq. (3-41).
+
+    Aplanatic: ``U(x, y) = 1/pi int exp(i Phi) exp(-i k (R_max / d) (x p + y q)) dp dq`` over the points (p, q) of the
+    pupil. M. Born and E. Wolf, *Principles of Optics*, 7th ed., section 8.8.
     """
 
     symmetry: bool = True
@@ -75,10 +88,14 @@ class HuygensFresnel(FieldMethod):
         if self.symmetry:
             return super().intensity(pupil, grid, threads)
         if grid.integrate:
-            raise ValueError("integrate=True needs HuygensFresnel(symmetry=True)")
+            taps = filtered_by(grid.step(pupil), 1e-9)
+            return Intensities(filtered(lambda fine: self._samples(pupil, fine), grid, taps), None)
+        return Intensities(self._samples(pupil, grid), None)
+
+    def _samples(self, pupil: Pupil, grid: Grid) -> NDArray[np.float64]:
         y, x = (part.ravel() for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
         field = self._sums(pupil, x, y, half=False)
-        return Intensities((field.real**2 + field.imag**2).reshape(-1, *grid.shape), None)
+        return np.asarray(field.real**2 + field.imag**2).reshape(-1, *grid.shape)
 
     def _sums(
         self, pupil: Pupil, x: NDArray[np.float64], y: NDArray[np.float64], *, half: bool
@@ -109,10 +126,16 @@ class HuygensFresnel(FieldMethod):
         from_y = np.ascontiguousarray((ring * np.sin(angle)).ravel())
         out = np.empty((phase.shape[0], x.size), dtype=np.complex128)
         rows = max(1, _BLOCK // from_x.size)
-        for field, row in zip(out, phase, strict=True):
-            amplitude = np.repeat(weights / points * np.exp(1j * row), points)
-            for start in range(0, x.size, rows):
-                block = slice(start, start + rows)
+        for start in range(0, x.size, rows):
+            block = slice(start, start + rows)
+            if geometry.model == "aplanatic":
+                lean = wavenumber / geometry.sensor_distance
+                waves = np.exp(-1j * lean * (np.outer(x[block], from_x) + np.outer(y[block], from_y)))
+                rings = waves.reshape(-1, radial, points).mean(axis=2)
+                out[:, block] = (weights * np.exp(1j * phase)) @ rings.T
+                continue
+            for field, row in zip(out, phase, strict=True):
+                amplitude = np.repeat(weights / points * np.exp(1j * row), points)
                 field[block] = _core.huygens_sum(
                     from_x, from_y, amplitude, x[block], y[block], geometry.sensor_distance, wavenumber
                 )
@@ -125,10 +148,14 @@ def exact_phase(pupil: Pupil, geometry: Geometry, t: NDArray[np.float64]) -> NDA
     wavenumber = 2.0 * math.pi / pupil.wavelength
     square = geometry.aperture_radius**2 * t
     powers = t ** np.arange(1, 1 + pupil.coefficients().shape[1])[:, None]
-    in_focus = 1.0 / geometry.focal_length - 1.0 / geometry.sensor_distance
+    if geometry.model == "aplanatic":
+        known = geometry.aperture_radius, geometry.sphere, geometry.vergence
+        approximate = expansion(*known, pupil.wavelength)[0]
+        left = wavenumber * path(t, geometry.aperture_radius, geometry.sphere, geometry.vergence)
+        return np.asarray(pupil.coefficients() @ powers + (left - approximate @ powers[: approximate.shape[1]]))
     vergence = 1.0 / np.asarray(geometry.object_distance)[:, None]
-    parabolic = 0.5 * wavenumber * (vergence - in_focus) * square
-    exact = wavenumber * (_sag(vergence, square) - _sag(np.asarray(in_focus), square))
+    parabolic = 0.5 * wavenumber * (vergence - geometry.in_focus) * square
+    exact = wavenumber * (_sag(vergence, square) - _sag(np.asarray(geometry.in_focus), square))
     return np.asarray(pupil.coefficients() @ powers + (exact - parabolic))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import fields
@@ -113,6 +114,9 @@ class Method(ABC):
     any_aperture: ClassVar[bool] = False
     """Whether apertures with a spider, vignetting or a mask are supported."""
 
+    keeps_tol: ClassVar[bool] = True
+    """Whether a bound, where there is one, counts everything and never exceeds `tol`."""
+
     tol: float = 1e-6
 
     @abstractmethod
@@ -133,6 +137,10 @@ class Method(ABC):
     def tightened(self) -> Self:
         """Return the same method with half the tolerance, if it has one."""
         return self
+
+    def along_radius(self, pupil: Pupil) -> RadialMethod | None:
+        """Return the method where a profile along the radius describes the whole PSF of `pupil`, else None."""
+        return None
 
     def images(
         self,
@@ -212,6 +220,14 @@ class RadialMethod(Method):
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return I at rising v for the flattened stack, shape ``(n, len(v))``."""
 
+    def along_radius(self, pupil: Pupil) -> RadialMethod | None:
+        """Return the method itself for a radial pupil, else None."""
+        return self if pupil.radial else None
+
+    def stretch(self, pupil: Pupil) -> float:
+        """Return the exponential type of U in v: how much faster than at the wavelength of the pupil it varies."""
+        return 1.0
+
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if not grid.symmetric:
@@ -256,6 +272,36 @@ def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:
     """Bound the error of values divided by their own largest one, itself in error by `relative`."""
     safe = np.minimum(relative, 1.0 - 1e-9)
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
+
+
+def widened(made: Images, pupil: Pupil, method: Method, *, normalized: bool) -> Images:
+    """Return images whose bounds count what the wavefront leaves out, :attr:`lommel.Wavefront.error`.
+
+    A phase in error by e changes U by at most ``e int A dx dy / pi``, and a derivative of U by as much. At another
+    wavelength of a spectrum both e and U grow as it falls.
+
+    Raises
+    ------
+    ToleranceError
+        If the tolerance is not met any more.
+    """
+    if not pupil.wavefront.error or made.error is None:
+        return made
+    shortest = min(getattr(method, "wavelengths", (math.inf,)))
+    growth = 1.0 if pupil.wavelength is None else max(1.0, pupil.wavelength / shortest) ** 2
+    left = np.asarray(pupil.wavefront.error * pupil.amplitude * growth)
+    brightest = made.values.reshape(len(made.values), -1).max(axis=1).astype(np.float64) / made.scale
+    more = relative_error(brightest[:, None], left)
+    error = made.error + (normalized_error(more) if normalized else more)
+    if method.keeps_tol and error.max() > method.tol >= made.error.max():
+        raise ToleranceError(
+            f"tol={method.tol:g} cannot be met: the powers of rho^2 leave up to {pupil.wavefront.error:.2g} rad of "
+            f"the phase out, with which the error is bounded by {error.max():.2g} of the peak; ask for a larger tol"
+        )
+    if made.slopes is None:
+        return made._replace(error=error)
+    further = 4.0 * left * pupil.amplitude / brightest
+    return made._replace(error=error, slopes=made.slopes._replace(error=made.slopes.error + further))
 
 
 def annulus(

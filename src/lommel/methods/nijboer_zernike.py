@@ -11,6 +11,7 @@ from numpy.typing import DTypeLike, NDArray
 from lommel import _core, validation
 from lommel.grid import Grid
 from lommel.methods import azimuthal
+from lommel.methods.averaging import Sample, averaged, averaged_images
 from lommel.methods.method import (
     FieldMethod,
     FieldValues,
@@ -18,7 +19,6 @@ from lommel.methods.method import (
     Intensities,
     Slopes,
     ToleranceError,
-    normalized_error,
     not_met,
 )
 from lommel.pupil import Pupil
@@ -104,8 +104,11 @@ class NijboerZernike(FieldMethod):
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if pupil.radial:
             return super().intensity(pupil, grid, threads)
-        made = self.images(pupil, grid, 1.0, np.float64, threads=threads)
-        return Intensities(made.values, made.error)
+        sample = self._sample(threads)
+        if grid.integrate:
+            return averaged(sample, pupil, grid, self.tol, normalize=False)
+        made = sample(pupil, grid, self.tol)
+        return Intensities(made.values, made.bounds, made.peaks)
 
     def images(
         self,
@@ -164,17 +167,11 @@ class NijboerZernike(FieldMethod):
             raise ValueError("derivatives are available of radially symmetric pupils only")
         if not grid.integrate:
             made = azimuthal.render(pupil, grid, scale, dtype, self.tol, out=out, threads=threads)
-            if made.unmet:
-                raise self._not_met(made.unmet)
             return Images(made.values, made.scales, made.bounds)
-        # Values divided by their own largest one are off by twice as much.
-        averages, bounds, unmet = azimuthal.averaged(pupil, grid, self.tol * (0.4 if scale is None else 1.0), threads)
-        if unmet:
-            raise self._not_met(unmet)
-        scales = 1.0 / averages.max(axis=(1, 2)) if scale is None else np.full(len(averages), scale)
-        values = np.empty(averages.shape, dtype) if out is None else out
-        np.multiply(averages, scales[:, None, None], out=values, casting="same_kind")
-        return Images(values, scales, normalized_error(bounds) if scale is None else bounds)
+        return averaged_images(self._sample(threads), pupil, grid, scale, dtype, self.tol, out)
+
+    def _sample(self, threads: int) -> Sample:
+        return lambda pupil, grid, tol: azimuthal.render(pupil, grid, 1.0, np.float64, tol, threads=threads)
 
     def _not_met(self, bound: float) -> ToleranceError:
         return not_met(self.tol, bound, "the peak")

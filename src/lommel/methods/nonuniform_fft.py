@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from lommel import validation
 from lommel.grid import Grid
+from lommel.methods.averaging import filtered, filtered_by, least_average
 from lommel.methods.method import Intensities, Method, ToleranceError
 from lommel.methods.sampling import samples_needed
-from lommel.methods.subpixel import gauss_pixel
 from lommel.opening import degree_needed
 from lommel.pupil import Pupil
 
@@ -34,7 +34,7 @@ class NonuniformFFT(Method):
     Parameters
     ----------
     tol : float, default 1e-6
-        What the error of the intensity is to be below, relative to the peak of the window, 1e-11 to below 0.1. A
+        What the error of the intensity is to be below, relative to the peak of the PSF, 1e-11 to below 0.1. A
         target that tests sweep, not a bound: see the notes. `PSF.error_bound` is None.
 
     Notes
@@ -45,8 +45,9 @@ class NonuniformFFT(Method):
     asked of FINUFFT is another quarter; it is a requested relative accuracy of its kernel, measured by its authors,
     not proven. A mask is not integrated: its samples are the pupil, and are summed.
 
-    Both parts relate to the peak found in the window; where that is dimmer than was guessed the sum is repeated.
-    `integrate` averages over Gauss-Legendre points within each pixel.
+    Both parts relate to the peak that was found, in the window or on a coarse lattice over the whole blur; where that
+    is dimmer than was guessed the sum is repeated.
+    `integrate` filters finer samples, as in :mod:`lommel.methods.averaging`.
 
     References
     ----------
@@ -80,7 +81,7 @@ class NonuniformFFT(Method):
         ValueError
             If the samples of a mask are too coarse for the wavefront and the window.
         ToleranceError
-            If double precision does not hold the tolerance, relative to the peak of the window.
+            If double precision does not hold the tolerance, relative to the peak of the PSF.
         """
         library()
         if pupil.mask is not None and (needed := samples_needed(pupil, grid)) > pupil.mask.side:
@@ -93,29 +94,43 @@ class NonuniformFFT(Method):
 
     def _image(self, pupil: Pupil, grid: Grid, threads: int) -> Array:
         amplitude, step = pupil.amplitude, grid.step(pupil)
+        lowest = least_average(step) if grid.integrate else 1.0
         # Light spread evenly over the blur has this field; where it gathers the peak is brighter.
-        bright = amplitude / (1.0 + float(pupil.v(pupil.geometric_radius())))
+        blur = float(pupil.v(pupil.geometric_radius()))
+        bright, seen = amplitude / (1.0 + blur), 0.0
+
+        def samples(at: Grid, budget: float) -> Array:
+            nonlocal seen
+            found = self._sum(pupil, at, budget, threads)
+            seen = max(seen, math.sqrt(float(found.max())))
+            return found
+
         for _ in range(6):
             # I errs by 2 |U| times the error of U.
-            budget = 0.125 * self.tol * bright
+            budget = 0.125 * self.tol * lowest * bright
             if budget / amplitude < _LEAST_EPS:
                 break
-            offset, weight = gauss_pixel(step, 2.0 * budget * bright) if grid.integrate else (np.zeros(1), np.ones(1))
-            image = self._sum(pupil, grid, budget, offset, weight, threads)
-            peak = math.sqrt(float(image.max()))
-            if peak >= bright:
+            image: Array
+            if grid.integrate:
+                taps = filtered_by(step, 0.05 * self.tol * lowest * (bright / amplitude) ** 2)
+                image = filtered(lambda fine: samples(fine, budget)[None], grid, taps)[0]  # noqa: B023
+            else:
+                image = samples(grid, budget)
+            if seen < bright:
+                # The peak, to which errors relate, may lie outside of the window.
+                samples(Grid(64, max(0.5, blur / (30.0 * math.pi)) * pupil.scale), 1e-3 * bright)
+            if seen >= bright:
                 return image
-            bright = 0.9 * peak
+            bright = 0.9 * seen
         raise ToleranceError(
-            f"tol={self.tol:g} cannot be met in double precision: the peak of the window is "
+            f"tol={self.tol:g} cannot be met in double precision: the peak of the PSF is "
             f"{(bright / amplitude) ** 2:.2g} of the unaberrated one; ask for a larger tol"
         )
 
-    def _sum(self, pupil: Pupil, grid: Grid, budget: float, offset: Array, weight: Array, threads: int) -> Array:
-        """Return the image of a single pupil, with errors of U below `budget`."""
+    def _sum(self, pupil: Pupil, grid: Grid, budget: float, threads: int) -> Array:
+        """Return the samples of a single pupil, with errors of U below `budget`."""
         step = grid.step(pupil)
-        half = 0.5 * step if grid.integrate else 0.0
-        reach = step / grid.pixel * math.hypot(*(float(np.abs(part).max()) + half for part in (grid.x, grid.y)))
+        reach = step / grid.pixel * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
         degree = degree_needed(edge_amplitudes(pupil), reach, pupil.apodization, budget)
         x, y, w = pupil.rule(math.ceil(degree / _BLOCK_DEGREE) * _BLOCK_DEGREE)
         phase = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(y, x)).ravel()
@@ -128,12 +143,8 @@ class NonuniformFFT(Method):
         most = min(threads or os.cpu_count() or 1, 1 + (x.size + grid.height * grid.width) // 2**19)
         plan = library().Plan(1, grid.shape, eps=eps, isign=-1, nthreads=most)
         plan.setpts(step * y, step * x)
-        image = np.zeros(grid.shape)
-        for dy, wy in zip(offset, weight, strict=True):
-            for dx, wx in zip(offset, weight, strict=True):
-                field = plan.execute(strengths * np.exp(-1j * (dy * y + dx * x)) if grid.integrate else strengths)
-                image += wy * wx * (field.real**2 + field.imag**2)
-        return image
+        field = plan.execute(strengths)
+        return np.asarray(field.real**2 + field.imag**2)
 
 
 def edge_amplitudes(pupil: Pupil) -> list[tuple[int, float]]:

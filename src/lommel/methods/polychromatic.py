@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
-from typing import ClassVar
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel import validation
 from lommel.grid import Grid
-from lommel.methods.method import Intensities, RadialMethod, ToleranceError
-from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.choice import SERIES, choose
+from lommel.methods.method import Intensities, Method, RadialMethod, not_met
 from lommel.pupil import Pupil
 
 
@@ -30,23 +29,24 @@ class Polychromatic(RadialMethod):
         Metres.
     weights : sequence of float
         Share of the light at each wavelength, >= 0; made to sum to 1.
-    method : RadialMethod, default NijboerZernike()
-        Its tolerance is that of the sum.
+    method : Method, optional
+        By default what :func:`lommel.psf` would take for the pupil at each wavelength, so that every pupil is
+        supported. Its tolerance is that of the sum.
 
     Notes
     -----
-    ``normalize="strehl"`` is relative to the same spectrum without aberration.
+    Each wavelength is sampled or averaged over the pixels on its own. ``normalize="strehl"`` is relative to the same
+    spectrum without aberration.
     """
 
     apodized: ClassVar[bool] = True
     nonradial: ClassVar[bool] = True
+    any_aperture: ClassVar[bool] = True
     wavelengths: tuple[float, ...]
     weights: tuple[float, ...]
-    method: RadialMethod = field(default_factory=NijboerZernike)
+    method: Method | None = None
 
-    def __init__(
-        self, wavelengths: Sequence[float], weights: Sequence[float], method: RadialMethod | None = None
-    ) -> None:
+    def __init__(self, wavelengths: Sequence[float], weights: Sequence[float], method: Method | None = None) -> None:
         waves = tuple(validation.wavelength(w) for w in np.atleast_1d(wavelengths))
         shares = validation.real_array("weights", weights, least=0.0)
         if shares.shape != (len(waves),) or not waves or not shares.sum() > 0:
@@ -54,83 +54,112 @@ class Polychromatic(RadialMethod):
                 f"weights must be one for each of the {len(waves)} wavelengths, and not all 0, "
                 f"got {validation.shown(weights)}"
             )
-        way = NijboerZernike() if method is None else method
-        if not isinstance(way, RadialMethod):
-            raise TypeError(f"method must be a RadialMethod such as NijboerZernike(), got {validation.shown(way)}")
+        if not (method is None or isinstance(method, Method)) or isinstance(method, Polychromatic):
+            raise TypeError(
+                f"method must be a Method of one wavelength such as NijboerZernike(), got {validation.shown(method)}"
+            )
         object.__setattr__(self, "wavelengths", waves)
         object.__setattr__(self, "weights", tuple((shares / shares.sum()).tolist()))
-        object.__setattr__(self, "method", way)
+        object.__setattr__(self, "method", method)
 
     @property
     def tol(self) -> float:  # type: ignore[override]
         """Tolerance of the method."""
-        return self.method.tol
+        return (self.method or SERIES).tol
+
+    @property
+    def sampling(self) -> str:  # type: ignore[override]
+        """That of the method."""
+        return (self.method or SERIES).sampling
 
     def tightened(self) -> Polychromatic:
-        """Return the same sum with half the tolerance."""
-        return replace(self, method=self.method.tightened())
+        """Return the same sum with half the tolerance, if a method was named."""
+        return self if self.method is None else replace(self, method=self.method.tightened())
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return the reason where the reference wavelength is unknown, or where the method gives one."""
         if pupil.wavelength is None:
             return "needs a pupil with a wavelength, to which the others are related"
-        if pupil.apodization and not self.method.apodized:
-            return f"sums {type(self.method).__name__}, which supports uniform illumination only"
-        if not pupil.radial and not self.method.nonradial:
-            return f"sums {type(self.method).__name__}, which supports radially symmetric pupils only"
-        return self.method.unsupported(pupil)
+        if self.method is None:
+            return None
+        try:
+            self.method.require(pupil)
+        except ValueError as fault:
+            name, reason = str(fault).split(" ", 1)
+            return f"sums {name}, which {reason}"
+        return None
 
     def unaberrated_peak(self, pupil: Pupil) -> float:
         """Return the peak of the same spectrum without aberration."""
-        return pupil.amplitude**2 * sum(w * s**2 for w, s in zip(self.weights, self._scales(pupil), strict=True))
+        return pupil.amplitude**2 * sum(share * scale**2 for share, scale, _ in self.parts(pupil))
+
+    def stretch(self, pupil: Pupil) -> float:
+        """Return the reference wavelength over the shortest."""
+        return max(scale for _, scale, _ in self.parts(pupil))
+
+    def along_radius(self, pupil: Pupil) -> RadialMethod | None:
+        """Return the sum itself where pupil and method are radial."""
+        return self if pupil.radial and isinstance(self.method or SERIES, RadialMethod) else None
+
+    def parts(self, pupil: Pupil) -> list[tuple[float, float, Pupil]]:
+        """Return the share of each wavelength, the reference over it, and the pupil there.
+
+        Phases are path differences: in radians they grow as the wavelength falls.
+        """
+        if pupil.wavelength is None:
+            raise ValueError(f"pupil {self.unsupported(pupil)}")
+        wavefront = pupil.wavefront
+        return [
+            (share, pupil.wavelength / w, replace(pupil, wavefront=pupil.wavelength / w * wavefront, wavelength=w))
+            for w, share in zip(self.wavelengths, self.weights, strict=True)
+        ]
 
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return the weighted sum of I at rising v (of the reference wavelength)."""
-        total = np.zeros((len(pupil.coefficients()), v.size))
-        error: NDArray[np.float64] | None = np.zeros(len(total))
-        for weight, scale in zip(self.weights, self._scales(pupil), strict=True):
-            values, bound, peak = self.method.profile(_at(pupil, scale), v * scale)
-            total += weight * scale**2 * values
-            if error is None or bound is None or peak is None:
-                error = None
-            else:
-                error = error + weight * scale**2 * bound * peak
-        top = total.max(axis=1)
-        if error is None:
-            return Intensities(total, None, top)
-        relative = np.divide(error, top, out=np.full(top.shape, np.inf), where=top > 0)
-        return Intensities(total, self._proven(relative), top)
+        way = self.method or SERIES
+        if not isinstance(way, RadialMethod):
+            raise ValueError(
+                f"{type(way).__name__} has no radial profile; name a RadialMethod such as NijboerZernike()"
+            )
+        made = _summed((share * scale**2, way.profile(part, v * scale)) for share, scale, part in self.parts(pupil))
+        return self._proven(made)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
-        if pupil.radial:
-            return super().intensity(pupil, grid, threads)
-        total = np.zeros((math.prod(pupil.shape), *grid.shape))
-        error = np.zeros(len(total))
-        for weight, scale in zip(self.weights, self._scales(pupil), strict=True):
-            # Divided by the largest value in the window, which then is what the bounds are related to.
-            made = self.method.images(_at(pupil, scale), grid, None, np.float64, threads=threads)
-            bright = weight * scale**2 / made.scale
-            total += bright[:, None, None] * made.values
-            error += bright * (np.inf if made.error is None else made.error)
-        relative = error / total.max(axis=(1, 2))
-        return Intensities(total, self._proven(relative))
-
-    def _proven(self, relative: NDArray[np.float64]) -> NDArray[np.float64]:
-        if relative.max() > self.tol:
-            raise ToleranceError(
-                f"tol={self.tol:g} cannot be met: the bound on the error is {relative.max():.2g} of the largest "
-                "value in the window"
+        for halvings in range(8):
+            made = _summed(
+                (share * scale**2, self._way(part, grid, halvings).intensity(part, grid, threads))
+                for share, scale, part in self.parts(pupil)
             )
-        return relative
+            # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
+            if made.error is None or made.error.max() <= self.tol:
+                break
+        return self._proven(made)
 
-    def _scales(self, pupil: Pupil) -> list[float]:
-        assert pupil.wavelength is not None
-        return [pupil.wavelength / w for w in self.wavelengths]
+    def _way(self, part: Pupil, grid: Grid, halvings: int) -> Method:
+        way = choose(part, grid) if self.method is None else self.method
+        for _ in range(halvings):
+            way = way.tightened()
+        return way
+
+    def _proven(self, made: Intensities) -> Intensities:
+        if made.error is not None and made.error.max() > self.tol:
+            raise not_met(self.tol, float(made.error.max()), "the peak")
+        return made
 
 
-def _at(pupil: Pupil, scale: float) -> Pupil:
-    """Return the pupil at the reference wavelength over `scale`."""
-    assert pupil.wavelength is not None
-    wavefront = scale * pupil.wavefront.flattened()
-    return replace(pupil, wavefront=wavefront, wavelength=pupil.wavelength / scale)
+def _summed(parts: Iterable[tuple[float, Intensities]]) -> Intensities:
+    """Return the sum of weighted intensities, its error over a lower bound on its peak, and that."""
+    values: Any = 0.0
+    error: Any = 0.0
+    peak: Any = 0.0
+    for weight, part in parts:
+        top = weight * (part.values.reshape(len(part.values), -1).max(axis=1) if part.peak is None else part.peak)
+        values = values + weight * part.values
+        # Nothing is negative, so the sum is at least as bright as any part of it.
+        peak = np.maximum(peak, top)
+        error = None if error is None or part.error is None else error + part.error * top
+    peak = np.maximum(peak, values.reshape(len(values), -1).max(axis=1))
+    if error is not None:
+        error = np.divide(error, peak, out=np.full(peak.shape, np.inf), where=peak > 0)
+    return Intensities(values, error, peak)

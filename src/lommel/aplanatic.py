@@ -1,0 +1,104 @@
+r"""The phase of defocus of a lens that obeys the sine condition, and its expansion in powers of rho^2.
+
+A wave converges to (or comes from) a point of the axis; the reference sphere has its centre in another. Both pass
+through the vertex of the pupil, the wave with the curvature a + delta where the sphere has a. A point of the sphere
+at the height h from the axis is ``a p`` closer to the centre along the axis than the vertex, and its distance from
+the centre of the wave, less that of the vertex, is by elementary geometry
+
+``W(h) = 2 p delta / (1 + sqrt(1 + 2 p (a + delta) delta)), p = h^2 / (1 + sqrt(1 - a^2 h^2)) .``
+
+The sine condition makes h proportional to rho. W is then a function of t = rho^2 with branch points only, and the
+farther these are from [0, 1], the faster a series of Chebyshev polynomials falls.
+
+References
+----------
+M. Born and E. Wolf, *Principles of Optics*, 7th ed., sections 4.5 (the conditions of Abbe and Herschel) and 5.1 (the
+aberration function).
+L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), Theorems 8.1 and 8.2.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+_DEGREE = 40  # of the series that is cut
+_LEAST, _MOST = 2, 10  # powers of t that are kept; a wavefront holds ten
+_ROUNDING = 2.0**-47
+
+
+def _chebyshev_to_powers(degree: int) -> NDArray[np.float64]:
+    """Return the coefficients of t^j in T_k(2t - 1), shape ``(degree + 1, degree + 1)``: whole numbers, exact."""
+    matrix = np.zeros((degree + 1, degree + 1))
+    matrix[0, 0], matrix[1, :2] = 1.0, (-1.0, 2.0)
+    for k in range(2, degree + 1):
+        matrix[k] = -2.0 * matrix[k - 1] - matrix[k - 2]
+        matrix[k, 1:] += 4.0 * matrix[k - 1, :-1]
+    return matrix
+
+
+def path(t: NDArray[np.float64], radius: float, sphere: float, vergence: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return W at ``rho^2 = t``, metres, shape ``(n, t)``: how much farther than the vertex points of the sphere are.
+
+    Parameters
+    ----------
+    t : ndarray, shape (t,)
+    radius : float
+        Of the pupil, metres.
+    sphere : float
+        Curvature a of the reference sphere, 1/metres: positive where light diverges from its centre.
+    vergence : ndarray, shape (n,)
+        What the curvature of the wave is more, delta.
+    """
+    square = radius**2 * t
+    p = square / (1.0 + np.sqrt(1.0 - sphere**2 * square))
+    delta = vergence[:, None]
+    return np.asarray(2.0 * p * delta / (1.0 + np.sqrt(1.0 + 2.0 * p * (sphere + delta) * delta)))
+
+
+def expansion(
+    radius: float, sphere: float, vergence: NDArray[np.float64], wavelength: float
+) -> tuple[NDArray[np.float64], float]:
+    """Return the phase ``2 pi W / wavelength`` as coefficients of t, t^2, ..., and a bound on what they leave out.
+
+    The constant is left out, and no error. Of a series of degree 40 the terms up to the tenth are kept, or fewer
+    where the others are below rounding; the bound, in radians, is the sum of those cut off, what the series itself
+    may leave, and what rounding may do.
+
+    Returns
+    -------
+    coefficients : ndarray, shape (n, k)
+    error : float
+        The largest of the stack.
+
+    Raises
+    ------
+    ValueError
+        If the sine of the rim would be 1 or more, or if the object is so close that the phase has no expansion.
+    """
+    wavenumber = 2.0 * math.pi / wavelength
+    size = float(np.abs(vergence).max())
+    bend = 2.0 * float(np.abs((sphere + vergence) * vergence).max())
+    nearest = radius**2 * max(sphere**2, bend)  # one over the t within which neither root can vanish
+    if nearest >= 1.0:
+        if radius * abs(sphere) >= 1.0:
+            reason = f"the sine of the angle of its rim would be {radius * abs(sphere):.4g}"
+        else:
+            reason = "the object is so close that the phase has no expansion in powers of rho^2"
+        raise ValueError(f"model 'aplanatic' is not possible: {reason}")
+    angle = (np.arange(_DEGREE + 1, dtype=np.float64) + 0.5) * (math.pi / (_DEGREE + 1))
+    values = wavenumber * path(0.5 + 0.5 * np.cos(angle), radius, sphere, vergence)
+    series = values @ np.cos(np.outer(angle, np.arange(_DEGREE + 1))) * (2.0 / (_DEGREE + 1))
+    series[:, 0] *= 0.5
+    # On the ellipse through t = 1 / nearest both roots have a positive real part, hence |W| <= 2 R^2 |t| delta.
+    reach = 1.0 / max(nearest, 1e-6)
+    ellipse = 2.0 * reach - 1.0 + 2.0 * math.sqrt(reach * (reach - 1.0))
+    beyond = 8.0 * wavenumber * radius**2 * reach * size * ellipse**-_DEGREE / (ellipse - 1.0)
+    total = np.abs(series).sum(axis=1).max()
+    tails = np.abs(series[:, ::-1]).cumsum(axis=1)[:, ::-1].max(axis=0)  # from each term on
+    degree = next((k for k in range(_LEAST, _MOST) if tails[k + 1] <= _ROUNDING * total), _MOST)
+    powers = series[:, : degree + 1] @ _chebyshev_to_powers(degree)
+    rounding = _ROUNDING * (total + np.abs(powers).sum(axis=1).max())
+    return powers[:, 1:], float(tails[degree + 1] + beyond + rounding) if size else 0.0

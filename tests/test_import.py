@@ -26,6 +26,7 @@ ORDER = [
     {"fitting", "faults", "opening"},
     {"zernikefile"},
     {"pupil"},
+    {"aplanatic"},
     {"lens", "interpolation"},
     {"grid"},
     {"methods"},

@@ -1,5 +1,5 @@
 // The one place where the compiled core meets Python: shapes are checked here, the GIL is released here, and
-// no arithmetic is done here.
+// no arithmetic is done here. What tests ask of the bounds on errors is in bindings_bounds.cpp.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/pair.h>
@@ -117,15 +117,6 @@ Out<double, 2> legendre_transforms(In<double, 1> v, std::size_t terms) {
         lommel::legendre_transforms(v.data()[i], terms, out.data() + i * terms, scratch);
     }
     return out;
-}
-
-std::tuple<std::size_t, double, std::size_t, double> series_bounds(In<double, 1> coefficients, std::size_t power,
-                                                                   double reach, double error) {
-    require(coefficients.shape(0) > 0 && error > 0.0 && reach >= 0.0, "coefficients, reach and error must be given");
-    lommel::check_size({coefficients.data(), coefficients.shape(0)});
-    const lommel::Ellipses ellipses(coefficients.data(), coefficients.shape(0), 0.0, power);
-    const lommel::Expansion plan(ellipses, reach, error);
-    return {plan.terms, plan.truncation, 2 * plan.rule->half, plan.quadrature};
 }
 
 std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
@@ -298,30 +289,6 @@ std::vector<lommel::ZernikeTerm> zernike_terms(const In<std::int64_t, 2>& given)
         terms.push_back(term);
     }
     return terms;
-}
-
-double chordal_bound(In<std::int64_t, 2> terms, In<double, 1> coefficients, double gaussian, double reach,
-                     std::size_t chords) {
-    const lommel::ChordCurves curves(zernike_terms(terms));
-    require(coefficients.shape(0) == terms.shape(0), "one coefficient a term");
-    require(gaussian >= 0.0 && reach >= 0.0 && chords >= 1, "gaussian, reach and chords must be positive");
-    lommel::ChordBound bound;
-    bound.prepare(curves, coefficients.data(), gaussian, {-reach, reach, 0.0, 0.0});
-    return bound.bound(chords);
-}
-
-double chordal_growth(In<std::int64_t, 2> terms, In<double, 1> coefficients, double b) {
-    require(coefficients.shape(0) == terms.shape(0), "one coefficient a term");
-    require(b > 0.0 && b < 5.0, "b must be above 0 and below 5");
-    const lommel::SharpTable table(zernike_terms(terms), b);
-    double found[lommel::row_lanes];
-    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        constexpr std::size_t lanes = decltype(isa)::lanes;
-        lommel::Doubles given(2 * table.pairs.size() * lanes), room(2 * table.harmonics * lanes);
-        lommel::sharp_lane(table, coefficients.data(), 0, lanes, given.data());
-        lommel::store(found, lommel::sharp_size(isa, table, given.data(), room.data()));
-    });
-    return found[0];
 }
 
 // Returns 0, or the bound on the error where the tolerance cannot be met.
@@ -526,6 +493,8 @@ void define_spread(nb::module_& m) {
 
 }  // namespace
 
+void define_bounds(nb::module_& m);  // in bindings_bounds.cpp
+
 NB_MODULE(_core, m) {
     main_thread.id = nb::cast<unsigned long>(nb::module_::import_("threading").attr("main_thread")().attr("ident"));
     // The exception is set, by the handler that raised it.
@@ -539,9 +508,6 @@ NB_MODULE(_core, m) {
     m.def("bessel_sequence", &bessel_sequence, "v"_a, "count"_a, "J_0 .. J_{count-1} at each v >= 0.");
     m.def("legendre_transforms", &legendre_transforms, "v"_a, "terms"_a,
           "2 (-1)^n J_{2n+1}(v) / v for n < terms, at each v >= 0.");
-    m.def("series_bounds", &series_bounds, "coefficients"_a, "power"_a, "reach"_a, "error"_a,
-          "Terms, bound on those left out, quadrature nodes, and bound on the error they leave, of the series of "
-          "t^power exp(i Phi) up to v = reach.");
     m.def("gauss_legendre", &gauss_legendre, "n"_a, "Nodes and weights on [-1, 1].");
     m.def("distinct_radii", &distinct_radii, "rows"_a, "cols"_a,
           "Distinct squared radii of a quadrant, rising, and the rank of every pixel's.");
@@ -575,10 +541,6 @@ NB_MODULE(_core, m) {
     m.def("chordal", &chordal<double>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
           "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert());
-    m.def("chordal_bound", &chordal_bound, "terms"_a, "coefficients"_a, "gaussian"_a, "reach"_a, "chords"_a,
-          "Bound on the error in U of the chordal Gauss rule up to v = reach along x, without rounding.");
-    m.def("chordal_growth", &chordal_growth, "terms"_a, "coefficients"_a, "b"_a,
-          "Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.");
     m.def("paint_subpixel", &paint_subpixel, "samples"_a, "per_step"_a, "center_y"_a, "center_x"_a, "nodes"_a,
           "weights"_a, "threads"_a, "out"_a.noconvert(),
           "Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.");
@@ -597,6 +559,7 @@ NB_MODULE(_core, m) {
           "|U|^2 at v from the Chebyshev coefficients of U on pieces.");
     define_spread<float>(m);
     define_spread<double>(m);
+    define_bounds(m);
     m.def("instructions", &instructions, "The widest instructions in use: portable, avx2 or avx512.");
     m.def("limit_instructions", &limit_instructions, "level"_a, "Use no wider instructions than these.");
 }

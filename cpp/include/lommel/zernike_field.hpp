@@ -71,6 +71,39 @@ struct Directions {
 };
 inline const Directions directions;
 
+// How a disk is expanded: enough degrees, orders and quadrature for an error in U at every v up to a reach.
+struct DiskExpansion {
+    std::size_t degrees, orders;
+    std::shared_ptr<const DiskRule> rule;
+    double truncation, quadrature;
+
+    DiskExpansion(const DiskBounds& bounds, double reach, double error) {
+        check_reach(reach);
+        // Leaving out orders, too, magnifies what the other degrees left out by the Lebesgue constant of Fourier sums, below 5.
+        const std::size_t by_phase = bounds.degrees(0.16 * error), by_window = disk_window_degrees(reach, 0.16 * error);
+        degrees = std::max<std::size_t>(2, std::min(by_phase, by_window));
+        const std::size_t exact = std::max(bounds.degree(0.05 * error), degrees) + degrees;
+        if (degrees > max_degrees || exact > 4 * max_degrees) {
+            throw PhaseTooLarge("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
+                                " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
+                                std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
+        }
+        orders = std::min(degrees, bounds.orders(0.05 * error));
+        rule = DiskRule::get(exact, orders);
+        const double tail = by_phase <= by_window ? bounds.tail(degrees) : disk_window_tail(degrees, reach);
+        truncation = orders < degrees ? 5.0 * tail + bounds.orders_tail(orders) : tail;
+        quadrature = 2.0 * bounds.distance(rule->degree - degrees);
+    }
+
+    // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
+    // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
+    double error(const ZernikePhase& phase) const {
+        const double sums = static_cast<double>(rule->quarter + rule->rings + 4 * degrees);
+        const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;
+        return truncation + quadrature + unit_roundoff * rounding;
+    }
+};
+
 class ZernikeField {
    public:
     // Expands the pupil, to `error` in U for v up to `reach`. `inner` is the phase within the obscuration, as a function of the
@@ -131,7 +164,7 @@ class ZernikeField {
         base_ += trim(outer_, 1.0, 0.1 * error) + trim(inner_, weight_ - 1.0, 0.1 * error);
         base_ += choose_orders(0.1 * error);
         std::size_t width = 0;
-        // Interpolation at 8 points magnifies the errors of the piece by 2.1 at most (its Lebesgue constant).
+        // Interpolation at 8 points magnifies the errors of the piece by 2.3 at most (its Lebesgue constant).
         while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > 0.1 * error) {
             ++width;
         }
@@ -255,28 +288,9 @@ class ZernikeField {
 
     double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
         check_size(phase);
-        check_reach(reach);
-        const DiskBounds bounds = phase.bounds();
-        // Leaving out orders, too, magnifies what the other degrees left out by the Lebesgue constant of Fourier sums, below 5.
-        const std::size_t by_phase = bounds.degrees(0.16 * error), by_window = disk_window_degrees(reach, 0.16 * error);
-        const std::size_t degrees = std::max<std::size_t>(2, std::min(by_phase, by_window));
-        const std::size_t distance = bounds.degree(0.05 * error);
-        const std::size_t exact = std::max(distance, degrees) + degrees;
-        if (degrees > max_degrees || exact > 4 * max_degrees) {
-            throw PhaseTooLarge("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
-                                " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
-                                std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
-        }
-        const std::size_t orders = std::min(degrees, bounds.orders(0.05 * error));
-        const auto rule = DiskRule::get(exact, orders);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *rule, phase, degrees, orders, series); });
-        const double tail = by_phase <= by_window ? bounds.tail(degrees) : disk_window_tail(degrees, reach);
-        const double truncation = orders < degrees ? 5.0 * tail + bounds.orders_tail(orders) : tail;
-        // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
-        // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
-        const double sums = static_cast<double>(rule->quarter + rule->rings + 4 * degrees);
-        const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;
-        return truncation + 2.0 * bounds.distance(rule->degree - degrees) + unit_roundoff * rounding;
+        const DiskExpansion plan(phase.bounds(), reach, error);
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
+        return plan.error(phase);
     }
 
     // Adds weight times A_m(v) and B_m(v).

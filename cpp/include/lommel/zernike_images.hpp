@@ -30,6 +30,18 @@ struct ZernikeStack {
     }
 };
 
+// Bound on what single precision does to U: roundings of coefficients, of x (whose powers have a slope of up to 7), of
+// Horner's rule, of cos(m psi) and sin(m psi), m times those of psi, and of the sum.
+inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients) {
+    double sum = 0.0;
+    for (const double c : coefficients) {
+        sum += std::abs(c);
+    }
+    const double steps = 4.0 * ring_degree + 4.0 * static_cast<double>(plan.orders.highest()) +
+                         static_cast<double>(plan.rows.size()) + 32.0;
+    return 5.97e-8 * steps * sum;
+}
+
 // An image in the making: its pixels by pieces of v, and how well each piece is done.
 //
 // An error of U matters less where the PSF is dark: |I - I_exact| <= e (2 |U| + e). Every piece is given an error of its own
@@ -193,18 +205,6 @@ class ZernikeImage {
                 from = to;
             }
         });
-    }
-
-    // Bound on what single precision does to U: roundings of coefficients, of x (whose powers have a slope of up to 7), of
-    // Horner's rule, of cos(m psi) and sin(m psi), m times those of psi, and of the sum.
-    static double single_rounding(const PiecePlan& plan, const Doubles& coefficients) {
-        double sum = 0.0;
-        for (const double c : coefficients) {
-            sum += std::abs(c);
-        }
-        const double steps = 4.0 * ring_degree + 4.0 * static_cast<double>(plan.orders.highest()) +
-                             static_cast<double>(plan.rows.size()) + 32.0;
-        return 5.97e-8 * steps * sum;
     }
 
     template <std::size_t Degree, std::size_t Unroll, class V, class Real>

@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf photo test sanitize bench peers docs lint types format lock wheel clean FORCE
+.PHONY: help env build psf photo test lowest mutants sanitize bench peers docs lint types format lock wheel clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -139,6 +139,25 @@ photo: build ## blur a photograph by its depth: near, far, and from one to the o
 
 test: build lint types ## build, lint, check the types and run the tests
 	@.venv/bin/pytest
+
+# Everything that pyproject.toml names, at the lowest version that it allows. The oldest have no wheels for the newest
+# Pythons: make lowest PYTHON=python3.11.
+lowest: ## run the tests with the oldest versions of all dependencies, in .tools/lowest
+	@$(find_uv)
+	$(find_python)
+	rm -rf .tools/lowest
+	"$$uv" venv --quiet --python "$$py" .tools/lowest
+	"$$uv" pip install --quiet --python .tools/lowest/bin/python --resolution lowest-direct --only-binary :all: \
+		--requirement pyproject.toml --all-extras --group dev
+	PATH="$(CURDIR)/.tools/lowest/bin:$$PATH" "$$uv" pip install --quiet --python .tools/lowest/bin/python \
+		--no-build-isolation --no-deps --config-settings=build-dir=build/lowest --editable .
+	# What newer versions of others deprecate is nothing to the oldest; the stub is as the locked nanobind writes it.
+	.tools/lowest/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning \
+		--deselect tests/test_core.py::test_the_stub_is_what_the_compiled_module_says_of_itself
+
+# Hours of work for one processor; ONLY="ellipse.hpp psf.py:2" takes some, FLAGS=--subject the tests of their subject only.
+mutants: build ## put faults into a copy of the code, one by one, and see that the tests notice
+	@.venv/bin/python tests/mutants/run.py $(FLAGS) $(ONLY)
 
 # The core alone, without Python: memory, undefined behaviour, then data races.
 sanitize: ## exercise the compiled core under the compiler's sanitizers

@@ -43,6 +43,12 @@ def test_a_series_takes_6000_nodes_and_no_more():
         lm.psf(lm.Pupil(lm.Wavefront(1.4e4)), 1, 0.5, method=lm.NijboerZernike(1e-4))
 
 
+def test_float32_holds_tolerances_down_to_its_own_and_no_further():
+    assert lm.psf(lm.Pupil(), 5, 0.5, method=lm.NijboerZernike(2.5e-7), dtype="float32").values.dtype == np.float32
+    with pytest.raises(ValueError, match="float32 cannot hold"):
+        lm.psf(lm.Pupil(), 5, 0.5, method=lm.NijboerZernike(2.3e-7), dtype="float32")
+
+
 def test_out_must_be_writable():
     out = np.zeros((9, 9), np.float32)
     out.flags.writeable = False
@@ -96,6 +102,9 @@ def test_a_width_needs_both_edges(line):
         spot._width(np.array(line), "x")
     whole = np.array([0.0, 0.1, 0.2, 0.5, 1.0, 0.5, 0.2, 0.1, 0.0])
     assert spot._width(whole, "x") == pytest.approx(2.0, rel=1e-9)
+    # Dark rings inside do not count.
+    ringed = np.array([0.0, 0.1, 0.8, 0.3, 1.0, 0.3, 0.8, 0.1, 0.0])
+    assert 5.0 < spot._width(ringed, "x") < 6.0
 
 
 def test_the_axis_of_a_window_that_is_not_square_is_centred_where_both_coordinates_are():
@@ -103,6 +112,13 @@ def test_the_axis_of_a_window_that_is_not_square_is_centred_where_both_coordinat
     assert lm.Grid((8, 5), 1.0, center=(4, 2)).centered
     for center in ((2, 4), (4, 4), (2, 2), (4, 2.5)):
         assert not lm.Grid((8, 5), 1.0, center=center).centered
+
+
+def test_images_unfold_around_the_middle_of_even_and_odd_sides():
+    quadrant = np.arange(9.0).reshape(3, 3)
+    expected = [[8, 7, 6, 7, 8], [5, 4, 3, 4, 5], [2, 1, 0, 1, 2], [5, 4, 3, 4, 5]]
+    assert np.array_equal(lm.Grid((4, 5), 1.0).unfold(quadrant), expected)
+    assert np.array_equal(lm.Grid((5, 4), 1.0).unfold(quadrant.T).T, expected)
 
 
 def test_light_counts_as_clipped_from_a_whole_level_on():
@@ -129,3 +145,11 @@ def test_transfer_functions_are_exact_to_the_tolerance_that_is_named_and_that_is
     assert np.abs(lm.otf(pupil, f, 0.3 * f) - exact).max() <= 1e-10
     for function in (lm.otf, lm.mtf, lm.ptf):
         assert inspect.signature(function).parameters["tol"].default == 1e-10
+
+
+@pytest.mark.parametrize("obscuration", [0.0, 0.6])
+def test_values_are_shares_of_the_light_that_an_obscuration_leaves(obscuration):
+    answer = lm.psf(lm.Pupil(lm.Wavefront(4.0), obscuration=obscuration), 201, 0.5, dtype=np.float64)
+    # Samples no wider than lambda*N / 2 sum to the light in the window.
+    assert answer.values.sum() == pytest.approx(answer.energy, abs=2e-4)
+    assert answer.energy > 0.98

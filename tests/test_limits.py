@@ -153,3 +153,13 @@ def test_values_are_shares_of_the_light_that_an_obscuration_leaves(obscuration):
     # Samples no wider than lambda*N / 2 sum to the light in the window.
     assert answer.values.sum() == pytest.approx(answer.energy, abs=2e-4)
     assert answer.energy > 0.98
+
+
+@pytest.mark.parametrize(("defocus", "level"), [(12.0, 0.1), (40.0, 0.05)])
+def test_the_lowest_frequency_is_found_of_many_at_which_the_contrast_falls_to_a_level(defocus, level):
+    pupil = lm.Pupil(lm.Wavefront(defocus))
+    f = np.linspace(0.0, 0.5, 501) * pupil.cutoff
+    below = np.flatnonzero(lm.mtf(pupil, f, tol=1e-6) <= level)
+    assert below[-1] + 1 - below[0] > 1
+    found = lm.mtf_frequency(pupil, level)
+    assert f[below[0] - 1] <= found <= f[below[0]]

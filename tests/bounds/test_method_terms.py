@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel.methods import bounds
+from lommel.methods.averaging import Rendered, averaged, filtered_by, least_average
 from lommel.methods.method import Intensities
 from lommel.methods.subpixel import gauss_pixel, pixel_error, pixel_nodes
 from lommel.opening import degree_needed
@@ -158,12 +159,66 @@ def test_a_spectrum_adds_the_errors_of_its_parts_by_their_weight():
     pupil = lm.Pupil(wavelength=5e-7, f_number=4.0)
     method = lm.Polychromatic([4e-7, 1e-6], [3.0, 1.0], method=Known())
     found = method.profile(pupil, np.linspace(0, 1, 3))
-    # Weights 3/4 and 1/4 times (reference / wavelength)^2; bounds are over each peak.
+    # Weights 3/4 and 1/4 times (reference / wavelength)^2; bounds are over each peak; no part outshines the sum.
     shares = [0.75 * 1.25**2, 0.25 * 0.5**2]
     total = shares[0] * 0.5 + shares[1] * 1.5
     error = shares[0] * 1e-8 * 2.0 + shares[1] * 3e-8 * 6.0
     assert np.allclose(found.values, total)
-    assert found.error[0] == pytest.approx(error / total, rel=1e-9, abs=0.0)
+    assert found.peak[0] == pytest.approx(max(total, shares[0] * 2.0, shares[1] * 6.0), rel=1e-12)
+    assert found.error[0] == pytest.approx(error / found.peak[0], rel=1e-9, abs=0.0)
+
+
+@given(st.floats(1e-3, 60.0))
+def test_the_least_average_around_a_peak(step):
+    """The average of cos(s)^2 over the disc in the pixel, in polar coordinates."""
+    far = min(mp.mpf(step) / 2, mp.pi / 2)
+    expected = mp.quad(lambda s: 2 * mp.pi * s * mp.cos(s) ** 2, [0, far]) / mp.mpf(step) ** 2
+    assert least_average(step) == pytest.approx(float(expected), rel=1e-8, abs=0.0)
+
+
+@few
+@given(st.floats(0.05, 20.0), st.sampled_from([1e-3, 1e-6, 1e-9]))
+def test_the_response_of_a_filter_errs_by_what_is_claimed_and_not_much_less(step, error):
+    taps = filtered_by(step, error)
+    k = np.arange(len(taps.weights)) - len(taps.weights) // 2
+    assert np.array_equal(taps.weights, taps.weights[::-1])
+    assert taps.gain == pytest.approx(np.abs(taps.weights).sum(), rel=1e-12)
+    # Not at the points at which it was fitted.
+    w = np.linspace(0.0, 2.0, 4001)
+    missed = np.abs(
+        np.cos(np.outer(w, k * step / taps.stride)) @ taps.weights - np.sinc(0.5 * step / math.pi * w)
+    ).max()
+    assert missed <= taps.error <= error
+    # A root of 2 for what lies between the points, and rounding.
+    rounding = 2.0**-52 * (len(k) // 2 + 4) * taps.gain
+    half, h = len(k) // 2, step / taps.stride
+    degree = math.ceil(2.36 * half * h) + 48
+    points = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
+    there = np.abs(np.cos(np.outer(points, h * k)) @ taps.weights - np.sinc(0.5 * step / math.pi * points)).max()
+    assert taps.error == pytest.approx(math.sqrt(2.0) * (there + rounding) + 1e-17, rel=1e-3, abs=1e-15)
+    assert taps.gain <= 1.5
+
+
+@pytest.mark.parametrize("normalize", [False, True])
+@pytest.mark.parametrize(("step", "value"), [(0.4, 0.5), (7.0, 0.5), (7.0, 0.01)])
+def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, normalize):
+    pupil, tol, top = lm.Pupil(obscuration=0.3), 1e-6, 0.6
+    grid = lm.Grid(3, step / math.pi)
+    asked = []
+
+    def sample(one, fine, least):
+        asked.append(0.01 * least)
+        return Rendered(np.full((1, *fine.shape), value), np.ones(1), np.array(asked[-1:]), np.array([top]))
+
+    made = averaged(sample, pupil, grid, tol, normalize=normalize)
+    lowest = least_average(step)
+    taps = filtered_by(grid.step(pupil), 2e-3 * (0.4 if normalize else 1.0) * tol * lowest)
+    own = (2 + taps.error) * taps.error * pupil.amplitude**2
+    own += (2 * len(taps.weights) + 8) * 2.0**-53 * taps.gain**2 * top * (1 - asked[-1])
+    found = made.values.max() if normalize else max(made.values.max(), lowest * top * (1 - asked[-1]))
+    relative = (taps.gain**2 * asked[-1] * top + own) / found
+    assert made.error[0] == pytest.approx(2 * relative / (1 - relative) if normalize else relative, rel=1e-7, abs=0.0)
+    assert made.error[0] <= tol
 
 
 def test_gauss_nodes_are_those_of_the_bounds():

@@ -27,6 +27,9 @@ gaussians = st.one_of(st.just(0.0), st.floats(0.01, 9.0))
 
 
 def same(found: float, expected: mp.mpf) -> bool:
+    """Compare to nine digits, where neither has left the range of double precision: logarithms are cut off."""
+    if not mp.mpf("1e-290") < expected < mp.mpf("1e230"):
+        return found <= 1e-280 or found >= 1e220
     return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
@@ -78,7 +81,7 @@ def rounding(c: list[float], low: float, high: float, chords: int) -> mp.mpf:
 def test_quadrature_and_rounding(c, gaussian, low, width, chords):
     found = _core.chordal_bounds(TERMS, np.array(c), gaussian, low, low + width, chords)
     expected = quadrature(sizes(c, gaussian, low, low + width), chords)
-    assert same(found["quadrature"], expected) or abs(mp.log(expected)) > 550
+    assert same(found["quadrature"], expected)
     assert same(found["rounding"], rounding(c, low, low + width, chords))
 
 
@@ -89,7 +92,7 @@ def test_the_variance_that_the_first_error_rests_on(c):
     expected = sum(
         mp.mpf(value) ** 2 / ((n + 1) * (1 if m == 0 else 2)) for value, (n, m) in zip(c, LIST, strict=True) if n > 1
     )
-    assert same(found, expected) or expected == 0
+    assert same(found, expected)
 
 
 @few

@@ -26,6 +26,9 @@ lows = st.one_of(st.just(0.0), st.floats(0.01, 0.9))
 
 
 def same(found: float, expected: mp.mpf) -> bool:
+    """Compare to nine digits, where neither has left the range of double precision: logarithms are cut off."""
+    if not mp.mpf("1e-290") < expected < mp.mpf("1e230"):
+        return found <= 1e-280 or found >= 1e220
     return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
@@ -54,7 +57,7 @@ def test_the_error_and_the_nodes_of_the_reference(slope, start, low, n, error):
         for x, eta in zip(g, ETAS, strict=True)
     ]
     expected = min(mp.exp(one - 2 * n * eta) for one, eta in zip(logs, ETAS, strict=True))
-    assert same(bounds.quadrature_error(g, n, low), expected) or expected < mp.mpf("1e-290")
+    assert same(bounds.quadrature_error(g, n, low), expected)
     nodes = min((one - mp.log(mp.mpf(error))) / (2 * eta) for one, eta in zip(logs, ETAS, strict=True))
     assert bounds.quadrature_nodes(g, error, low) == max(1, int(mp.ceil(nodes)))
 

@@ -163,3 +163,9 @@ def test_the_lowest_frequency_is_found_of_many_at_which_the_contrast_falls_to_a_
     assert below[-1] + 1 - below[0] > 1
     found = lm.mtf_frequency(pupil, level)
     assert f[below[0] - 1] <= found <= f[below[0]]
+
+
+@pytest.mark.parametrize("center", [(4.0, 14.0), (-6.0, 4.0), (-5.0, -7.0)])
+def test_the_light_in_a_window_beside_the_axis_is_that_of_its_pixels(center):
+    answer = lm.psf(lm.Pupil(lm.Wavefront(9.0)), (9, 9), 0.4, center=center, dtype=np.float64)
+    assert answer.energy == pytest.approx(answer.values.sum(), rel=0.01)

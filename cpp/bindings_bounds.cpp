@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -70,7 +71,7 @@ Named window_bounds(std::size_t count, double reach) {
 
 Named piece_bounds(std::size_t width, std::size_t piece, std::size_t terms, std::size_t parity) {
     require(width < lommel::widths.size() && parity < 2 && piece < 1000 && terms < 1000, "no such piece");
-    const auto table = lommel::PieceTables::get(width, piece + 1, terms, parity);
+    const auto table = (parity == 0 ? lommel::even_pieces : lommel::odd_pieces).get(width, {piece + 1, {}}, terms);
     const lommel::Piece& one = *table->pieces[piece];
     nb::list rows;
     for (const double c : one.rows) {
@@ -90,6 +91,11 @@ double field_bound(Doubles1 coefficients, double gaussian, std::size_t power, do
 Named intensity_bounds(double peak, double error) {
     const double relative = lommel::relative_error(peak, error);
     return named(entry("relative", relative), entry("normalized", lommel::normalized_error(relative)));
+}
+
+// Of values that are stored in single precision or not, and divided by their own largest one before or after.
+double stored_bound(double relative, bool single, bool twice) {
+    return lommel::stored(relative, single ? lommel::storing<float>(twice) : lommel::storing<double>(twice));
 }
 
 Named peaks(Doubles1 coefficients, double gaussian, double obscuration, double tol) {
@@ -127,8 +133,13 @@ Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles
     field.expand(zernike_phase(n, m, outer, gaussian), zernike_phase(n, m, inner, gaussian * obscuration * obscuration),
                  obscuration, reach, error);
     const double expanded = field.base();
-    field.prepare(wanted, 1);
-    require(piece < field.pieces(), "no such piece");
+    std::size_t pieces = 0;
+    field.prepare(wanted, 1, [&](std::size_t count) {
+        std::vector<std::size_t> all(pieces = count);
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return all;
+    });
+    require(piece < pieces, "no such piece");
     const lommel::PiecePlan plan = field.plan(piece, wanted, groups);
     return named(entry("expanded", expanded), entry("prepared", field.base()), entry("width", field.width()),
                  entry("rings", plan.rings), entry("error", plan.error));
@@ -191,6 +202,8 @@ void define_bounds(nb::module_& m) {
           "Bound on the error of U, all terms together.");
     m.def("intensity_bounds", &intensity_bounds, "peak"_a, "error"_a,
           "Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.");
+    m.def("stored_bound", &stored_bound, "relative"_a, "single"_a, "twice"_a,
+          "Bound on the error of values over their peak when they are stored.");
     m.def("peaks", &peaks, "coefficients"_a, "gaussian"_a, "obscuration"_a, "tol"_a,
           "The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.");
     m.def("disk_bounds", &disk_bounds, "n"_a, "m"_a, "coefficients"_a, "gaussian"_a, "count"_a,

@@ -143,6 +143,9 @@ def intensity_bounds(peak: float, error: float) -> dict[str, object]:
     Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.
     """
 
+def stored_bound(relative: float, single: bool, twice: bool) -> float:
+    """Bound on the error of values over their peak when they are stored."""
+
 def peaks(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, obscuration: float, tol: float) -> dict[str, object]:
     """
     The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.

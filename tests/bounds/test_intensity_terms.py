@@ -55,6 +55,26 @@ def test_the_error_of_the_intensity_over_its_exact_peak(root, share):
         assert float(normalized_error(np.array([r]))[0]) == math.inf
 
 
+@given(st.floats(0.0, 0.5), st.booleans(), st.booleans())
+def test_what_storing_adds(relative, single, twice):
+    """Six roundings to double, and one to float, or two of values that are divided after they were stored."""
+    rounding = 6 * mp.mpf(2) ** -53 + (mp.mpf(2) ** -24 * (2 if twice else 1) if single else 0)
+    expected = mp.mpf(relative) + (1 + mp.mpf(relative)) * rounding
+    assert _core.stored_bound(relative, single, twice) == pytest.approx(float(expected), rel=1e-12, abs=0.0)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+@pytest.mark.parametrize("divided", [False, True])
+def test_the_kind_of_an_image_is_counted(kind, divided):
+    phase, bounds = np.array([[9.0, -4.0]]), []
+    for dtype in (np.float64, kind):
+        images, bound, scales = np.empty((1, 6, 9), dtype), np.empty(1), np.full(1, 0.0 if divided else 1.0)
+        assert _core.render(phase, 0.2, 0.0, 0.8, 1e-5, 1, images, scales, bound) == 0.0
+        bounds.append(bound[0])
+    whole = [_core.stored_bound(0.0, single, divided) for single in (False, kind == np.float32)]
+    assert bounds[1] - bounds[0] == pytest.approx(whole[1] - whole[0], rel=1e-4, abs=0.0)
+
+
 @given(st.floats(1e-9, 1e-3))
 def test_a_field_that_is_wrong_by_that_much_everywhere_reaches_the_bounds(e):
     # Computed 1 where the field is 1 - e, and 1 - e where it is 1 - 2 e.
@@ -121,7 +141,7 @@ def test_the_bound_of_an_image_is_that_of_its_field(phase, gaussian, obscuration
     while error > 0.8 * UNIT:
         u = _core.field_bound(np.array(phase), gaussian, 0, obscuration, reach, error)
         inside = _core.intensity_bounds(peak, u)
-        expected.append(inside["normalized"] if divided else inside["relative"])
+        expected.append(_core.stored_bound(inside["normalized"] if divided else inside["relative"], False, divided))
         error *= 0.1
     # The first that meets the tolerance, in the window or, failing that, over the peak wherever it is.
     if expected[0] <= tol or divided:
@@ -167,7 +187,10 @@ def test_the_bound_of_a_derivative(phase, gaussian, obscuration, power, tol):
     while error > 0.8 * UNIT:
         u = mp.mpf(_core.field_bound(np.array(phase), gaussian, 0, obscuration, reach, error))
         own = mp.mpf(_core.field_bound(np.array(phase), gaussian, power, obscuration, reach, error))
-        expected += [float(2 * (mp.sqrt(p) * own + largest * u + own * u) / p) for p in map(mp.mpf, peaks)]
+        for m in map(mp.sqrt, map(mp.mpf, peaks)):
+            # Six roundings of what is stored.
+            kept = m * largest * 6 * mp.mpf(UNIT)
+            expected.append(float(2 * (m * own + largest * u + own * u + kept) / (m - u) ** 2))
         error *= 0.1
     assert any(slope_bounds[0, 0] == pytest.approx(e, rel=1e-6 if tol == 1e-4 else 1e-3, abs=0.0) for e in expected)
 

@@ -7,7 +7,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.special import jv
 
@@ -91,6 +91,8 @@ def test_degrees_and_orders_left_out_and_the_distance_from_polynomials(shares, s
 
 
 @given(st.integers(1, 600), st.floats(1e-3, 0.99))
+@example(4, 0.975)
+@example(9, 0.99)
 def test_degrees_left_out_by_the_window(degrees, share):
     reach = share * (degrees + 1)
     found = _core.window_bounds(degrees, reach)["disk"]

@@ -7,7 +7,7 @@ import math
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from scipy.special import j1, spherical_jn
 
@@ -133,6 +133,8 @@ def test_a_box_of_pupils_has_the_growth_of_its_corners(sides, terms):
 
 
 @given(st.integers(1, 400), st.floats(1e-3, 0.99))
+@example(1, 0.97)
+@example(3, 0.98)
 def test_truncation_by_the_window(terms, share):
     reach = share * (2 * terms + 1)
     expected, (_, rate) = window_tail(terms, reach), kapteyn(2 * terms + 1, reach)
@@ -159,6 +161,7 @@ def test_the_whole_of_a_disk(phase, gaussian, power, reach, digits):
 
 @few
 @given(pupils, gaussians, powers, st.sampled_from([0.0, 1e-10, 1e-3, 0.2, 0.9]), reaches, st.floats(3, 13))
+@example([1.0, -3.0], 0.0, 0, 0.2, 20.0, 15.0)
 def test_the_whole_of_a_pupil(phase, gaussian, power, obscuration, reach, digits):
     error = 10.0**-digits
     found = _core.field_bound(np.array(phase), gaussian, power, obscuration, reach, error)

@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf photo test fuzz sanitize bench peers docs lint types format lock wheel clean FORCE
+.PHONY: help env build psf photo test fuzz lowest mutants sanitize bench peers docs lint types format lock wheel clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -144,14 +144,35 @@ test: build lint types ## build, lint, check the types and run the tests
 fuzz: build ## try what no user should: bad arguments, command lines and files
 	@LOMMEL_FUZZ=1 .venv/bin/pytest tests/fuzz
 
+# Everything that pyproject.toml names, at the lowest version that it allows. The oldest have no wheels for the newest
+# Pythons: make lowest PYTHON=python3.11.
+lowest: ## run the tests with the oldest versions of all dependencies, in .tools/lowest
+	@$(find_uv)
+	$(find_python)
+	rm -rf .tools/lowest
+	"$$uv" venv --quiet --python "$$py" .tools/lowest
+	"$$uv" pip install --quiet --python .tools/lowest/bin/python --resolution lowest-direct --only-binary :all: \
+		--requirement pyproject.toml --all-extras --group dev
+	PATH="$(CURDIR)/.tools/lowest/bin:$$PATH" "$$uv" pip install --quiet --python .tools/lowest/bin/python \
+		--no-build-isolation --no-deps --config-settings=build-dir=build/lowest --editable .
+	# What newer versions of others deprecate is nothing to the oldest; the stub is as the locked nanobind writes it.
+	.tools/lowest/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning \
+		--deselect tests/test_core.py::test_the_stub_is_what_the_compiled_module_says_of_itself
+
+# Hours of work for one processor; ONLY="ellipse.hpp psf.py:2" takes some, FLAGS=--subject the tests of their subject only.
+mutants: build ## put faults into a copy of the code, one by one, and see that the tests notice
+	@.venv/bin/python tests/mutants/run.py $(FLAGS) $(ONLY)
+
 # The core alone, without Python: memory, undefined behaviour, then data races.
 sanitize: ## exercise the compiled core under the compiler's sanitizers
 	@mkdir -p build
 	for kind in address,undefined thread; do
 		echo "sanitizers: $$kind"
-		$(CXX) -std=c++17 -O1 -g -fno-omit-frame-pointer -fsanitize=$$kind -fno-sanitize-recover=all \
-			-Wall -Wextra -Wno-psabi -Icpp/include cpp/tests/exercise.cpp -o build/exercise -pthread
-		build/exercise
+		for program in calls exercise; do
+			$(CXX) -std=c++17 -O1 -g -fno-omit-frame-pointer -fsanitize=$$kind -fno-sanitize-recover=all \
+				-Wall -Wextra -Wno-psabi -Icpp/include cpp/tests/$$program.cpp -o build/$$program -pthread
+			build/$$program
+		done
 	done
 
 # What Sphinx needs comes on top of what is in .venv, and only when the pages are asked for.

@@ -14,11 +14,6 @@ def bessel_sequence(v: Annotated[NDArray[numpy.float64], dict(shape=(None,), ord
 def legendre_transforms(v: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], terms: int) -> Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]:
     """2 (-1)^n J_{2n+1}(v) / v for n < terms, at each v >= 0."""
 
-def series_bounds(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, reach: float, error: float) -> tuple[int, float, int, float]:
-    """
-    Terms, bound on those left out, quadrature nodes, and bound on the error they leave, of the series of t^power exp(i Phi) up to v = reach.
-    """
-
 def gauss_legendre(n: int) -> tuple[Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]]:
     """Nodes and weights on [-1, 1]."""
 
@@ -70,16 +65,6 @@ def chordal(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), orde
 @overload
 def chordal(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, center_y: float, center_x: float, step: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float: ...
 
-def chordal_bound(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, reach: float, chords: int) -> float:
-    """
-    Bound on the error in U of the chordal Gauss rule up to v = reach along x, without rounding.
-    """
-
-def chordal_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], b: float) -> float:
-    """
-    Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.
-    """
-
 def paint_subpixel(samples: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], per_step: float, center_y: float, center_x: float, nodes: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> None:
     """
     Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.
@@ -129,6 +114,68 @@ def collect(windows: Annotated[NDArray[numpy.float32], dict(shape=(None, None, N
 @overload
 def collect(windows: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], halves: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], energies: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], positions: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], image: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> None:
     """The transpose of spread()."""
+
+def series_bounds(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, power: int, reach: float, error: float) -> dict[str, object]:
+    """
+    Terms and nodes of the series of t^power exp(i Phi - gaussian t) up to v = reach, and bounds on what they leave.
+    """
+
+def ellipse_bounds(pupils: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], gaussian: float, power: int, terms: int, nodes: int) -> dict[str, object]:
+    """
+    Bounds on U beyond so many terms and nodes, for one pupil or for all between two.
+    """
+
+def window_bounds(count: int, reach: float) -> dict[str, object]:
+    """
+    Bounds on U beyond so many Legendre terms, or degrees on the disk, whatever the pupil, up to v = reach.
+    """
+
+def piece_bounds(width: int, piece: int, terms: int, parity: int) -> dict[str, object]:
+    """
+    A piece of the table of Bessel functions, the error of its interpolation and the size of its coefficients.
+    """
+
+def field_bound(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, power: int, obscuration: float, reach: float, error: float) -> float:
+    """Bound on the error of U, all terms together."""
+
+def intensity_bounds(peak: float, error: float) -> dict[str, object]:
+    """
+    Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.
+    """
+
+def stored_bound(relative: float, single: bool, twice: bool) -> float:
+    """Bound on the error of values over their peak when they are stored."""
+
+def peaks(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, obscuration: float, tol: float) -> dict[str, object]:
+    """
+    The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.
+    """
+
+def disk_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, count: int) -> dict[str, object]:
+    """
+    Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.
+    """
+
+def zernike_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, reach: float, error: float) -> dict[str, object]:
+    """
+    Degrees, orders and rule of a Zernike series, and bounds on what they leave.
+    """
+
+def zernike_field_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, reach: float, error: float, wanted: float, piece: int, groups: int) -> dict[str, object]:
+    """Bounds on the error of U: of the series, of every piece, and of one."""
+
+def single_rounding(orders: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], rows: int, coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> float:
+    """Bound on what single precision does to U on a ring."""
+
+def chordal_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, low: float, high: float, chords: int) -> dict[str, object]:
+    """
+    Bounds on the error in U of the chordal Gauss rule for v from low to high along x.
+    """
+
+def chordal_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], b: float) -> float:
+    """
+    Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.
+    """
 
 def instructions() -> str:
     """The widest instructions in use: portable, avx2 or avx512."""

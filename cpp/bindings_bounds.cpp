@@ -1,0 +1,222 @@
+// What the compiled core takes its error for, term by term: no answer is made from these, tests hold them against the
+// formulas of docs/certificate.md. A bound that cannot be read cannot be tested.
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "lommel/chordal_sharp.hpp"
+#include "lommel/engine.hpp"
+#include "lommel/pieces.hpp"
+#include "lommel/zernike_images.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace {
+
+template <class T, std::size_t N>
+using In = nb::ndarray<const T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
+using Doubles1 = In<double, 1>;
+
+void require(bool condition, const char* message) {
+    if (!condition) {
+        throw std::invalid_argument(message);
+    }
+}
+
+using Named = nb::typed<nb::dict, nb::str, nb::object>;
+
+template <class... Values>
+Named named(const std::pair<const char*, Values>&... entries) {
+    nb::dict made;
+    (void)std::initializer_list<int>{(made[entries.first] = entries.second, 0)...};
+    return nb::cast<Named>(made);
+}
+template <class T>
+std::pair<const char*, T> entry(const char* name, T value) {
+    return {name, value};
+}
+
+lommel::Phase phase_of(const Doubles1& coefficients, double gaussian) {
+    require(coefficients.shape(0) > 0 && gaussian >= 0.0, "coefficients must not be empty, gaussian not negative");
+    return {coefficients.data(), coefficients.shape(0), gaussian};
+}
+
+Named series_bounds(Doubles1 coefficients, double gaussian, std::size_t power, double reach, double error) {
+    require(error > 0.0 && reach >= 0.0, "reach and error must be positive");
+    const lommel::Phase phase = phase_of(coefficients, gaussian);
+    const lommel::Expansion plan({phase.coefficients, phase.terms, gaussian, power}, reach, error);
+    return named(entry("terms", plan.terms), entry("truncation", plan.truncation), entry("nodes", 2 * plan.rule->half),
+                 entry("quadrature", plan.quadrature), entry("error", plan.error(phase)));
+}
+
+// Of one pupil, or of all between two.
+Named ellipse_bounds(In<double, 2> pupils, double gaussian, std::size_t power, std::size_t terms, std::size_t nodes) {
+    require(pupils.shape(0) >= 1 && pupils.shape(0) <= 2 && pupils.shape(1) > 0, "pupils must have one row or two");
+    const double *low = pupils.data(), *high = low + pupils.shape(1);
+    const lommel::Ellipses ellipses = pupils.shape(0) == 1
+                                          ? lommel::Ellipses(low, pupils.shape(1), gaussian, power)
+                                          : lommel::Ellipses({low, high}, {high, high + pupils.shape(1)}, gaussian);
+    return named(entry("tail", ellipses.tail(terms)), entry("quadrature", ellipses.quadrature(nodes, terms)));
+}
+
+Named window_bounds(std::size_t count, double reach) {
+    return named(entry("legendre", lommel::window_tail(count, reach)), entry("disk", lommel::disk_window_tail(count, reach)));
+}
+
+Named piece_bounds(std::size_t width, std::size_t piece, std::size_t terms, std::size_t parity) {
+    require(width < lommel::widths.size() && parity < 2 && piece < 1000 && terms < 1000, "no such piece");
+    const auto table = (parity == 0 ? lommel::even_pieces : lommel::odd_pieces).get(width, {piece + 1, {}}, terms);
+    const lommel::Piece& one = *table->pieces[piece];
+    nb::list rows;
+    for (const double c : one.rows) {
+        rows.append(c);
+    }
+    return named(entry("width", table->width), entry("error", lommel::piece_error(table->width)),
+                 entry("ring_error", lommel::ring_error(table->width)), entry("rows", rows),
+                 entry("magnitude", one.magnitude), entry("azimuthal", one.azimuthal),
+                 entry("largest_magnitude", table->magnitude), entry("largest_azimuthal", table->azimuthal));
+}
+
+double field_bound(Doubles1 coefficients, double gaussian, std::size_t power, double obscuration, double reach, double error) {
+    require(error > 0.0 && reach >= 0.0, "reach and error must be positive");
+    return lommel::Field().prepare(phase_of(coefficients, gaussian), power, obscuration, reach, error);
+}
+
+Named intensity_bounds(double peak, double error) {
+    const double relative = lommel::relative_error(peak, error);
+    return named(entry("relative", relative), entry("normalized", lommel::normalized_error(relative)));
+}
+
+// Of values that are stored in single precision or not, and divided by their own largest one before or after.
+double stored_bound(double relative, bool single, bool twice) {
+    return lommel::stored(relative, single ? lommel::storing<float>(twice) : lommel::storing<double>(twice));
+}
+
+Named peaks(Doubles1 coefficients, double gaussian, double obscuration, double tol) {
+    const lommel::Phase phase = phase_of(coefficients, gaussian);
+    const double first = lommel::first_error(phase, obscuration, tol);
+    return named(entry("likely", lommel::likely_peak(phase, obscuration)), entry("first_error", first),
+                 entry("scanned", lommel::scanned_peak(phase, obscuration, first)));
+}
+
+lommel::ZernikePhase zernike_phase(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c, double gaussian) {
+    require(n.shape(0) > 0 && m.shape(0) == n.shape(0) && c.shape(0) == n.shape(0), "n, m and coefficients must match");
+    return {n.data(), m.data(), c.data(), n.shape(0), gaussian};
+}
+
+Named disk_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, double gaussian, std::size_t count) {
+    const lommel::DiskBounds bounds = zernike_phase(n, m, coefficients, gaussian).bounds();
+    return named(entry("tail", bounds.tail(count)), entry("orders_tail", bounds.orders_tail(count)),
+                 entry("distance", bounds.distance(count)));
+}
+
+Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, double gaussian, double reach,
+                        double error) {
+    const lommel::ZernikePhase phase = zernike_phase(n, m, coefficients, gaussian);
+    const lommel::DiskExpansion plan(phase.bounds(), reach, error);
+    return named(entry("degrees", plan.degrees), entry("orders", plan.orders), entry("exact", plan.rule->degree),
+                 entry("rings", plan.rule->rings), entry("quarter", plan.rule->quarter), entry("truncation", plan.truncation),
+                 entry("quadrature", plan.quadrature), entry("error", plan.error(phase)));
+}
+
+// Of one piece, for `wanted` in U, as an image asks for it.
+Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 outer, Doubles1 inner, double obscuration,
+                              double gaussian, double reach, double error, double wanted, std::size_t piece,
+                              std::size_t groups) {
+    lommel::ZernikeField field;
+    field.expand(zernike_phase(n, m, outer, gaussian), zernike_phase(n, m, inner, gaussian * obscuration * obscuration),
+                 obscuration, reach, error);
+    const double expanded = field.base();
+    std::size_t pieces = 0;
+    field.prepare(wanted, 1, [&](std::size_t count) {
+        std::vector<std::size_t> all(pieces = count);
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return all;
+    });
+    require(piece < pieces, "no such piece");
+    const lommel::PiecePlan plan = field.plan(piece, wanted, groups);
+    return named(entry("expanded", expanded), entry("prepared", field.base()), entry("width", field.width()),
+                 entry("rings", plan.rings), entry("error", plan.error));
+}
+
+double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 coefficients) {
+    lommel::PiecePlan plan;
+    for (std::size_t i = 0; i < orders.shape(0); ++i) {
+        plan.orders.add(static_cast<std::size_t>(orders.data()[i]));
+    }
+    plan.rows.resize(rows);
+    return lommel::single_rounding(plan, {coefficients.data(), coefficients.data() + coefficients.shape(0)});
+}
+
+std::vector<lommel::ZernikeTerm> chordal_terms(const In<std::int64_t, 2>& given, const Doubles1& coefficients) {
+    require(given.shape(1) == 2 && given.shape(0) == coefficients.shape(0), "one coefficient a term (n, m)");
+    std::vector<lommel::ZernikeTerm> terms;
+    for (std::size_t j = 0; j < given.shape(0); ++j) {
+        terms.push_back({given.data()[2 * j], given.data()[2 * j + 1]});
+    }
+    return terms;
+}
+
+// Over a window of v from `low` to `high` in x and on the axis in y.
+Named chordal_bounds(In<std::int64_t, 2> terms, Doubles1 coefficients, double gaussian, double low, double high,
+                        std::size_t chords) {
+    require(gaussian >= 0.0 && low <= high && chords >= 1, "gaussian and chords must be positive, low below high");
+    const lommel::ChordCurves curves(chordal_terms(terms, coefficients));
+    lommel::ChordBound bound;
+    bound.prepare(curves, coefficients.data(), gaussian, {low, high, 0.0, 0.0});
+    return named(entry("quadrature", bound.bound(chords)), entry("rounding", bound.rounding(chords)),
+                 entry("variance", bound.variance()));
+}
+
+double chordal_growth(In<std::int64_t, 2> terms, Doubles1 coefficients, double b) {
+    require(b > 0.0 && b < 5.0, "b must be above 0 and below 5");
+    const lommel::SharpTable table(chordal_terms(terms, coefficients), b);
+    double found[lommel::row_lanes];
+    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t lanes = decltype(isa)::lanes;
+        lommel::Doubles given(2 * table.pairs.size() * lanes), room(2 * table.harmonics * lanes);
+        lommel::sharp_lane(table, coefficients.data(), 0, lanes, given.data());
+        lommel::store(found, lommel::sharp_size(isa, table, given.data(), room.data()));
+    });
+    return found[0];
+}
+
+}  // namespace
+
+void define_bounds(nb::module_& m) {
+    m.def("series_bounds", &series_bounds, "coefficients"_a, "gaussian"_a, "power"_a, "reach"_a, "error"_a,
+          "Terms and nodes of the series of t^power exp(i Phi - gaussian t) up to v = reach, and bounds on what they leave.");
+    m.def("ellipse_bounds", &ellipse_bounds, "pupils"_a, "gaussian"_a, "power"_a, "terms"_a, "nodes"_a,
+          "Bounds on U beyond so many terms and nodes, for one pupil or for all between two.");
+    m.def("window_bounds", &window_bounds, "count"_a, "reach"_a,
+          "Bounds on U beyond so many Legendre terms, or degrees on the disk, whatever the pupil, up to v = reach.");
+    m.def("piece_bounds", &piece_bounds, "width"_a, "piece"_a, "terms"_a, "parity"_a,
+          "A piece of the table of Bessel functions, the error of its interpolation and the size of its coefficients.");
+    m.def("field_bound", &field_bound, "coefficients"_a, "gaussian"_a, "power"_a, "obscuration"_a, "reach"_a, "error"_a,
+          "Bound on the error of U, all terms together.");
+    m.def("intensity_bounds", &intensity_bounds, "peak"_a, "error"_a,
+          "Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.");
+    m.def("stored_bound", &stored_bound, "relative"_a, "single"_a, "twice"_a,
+          "Bound on the error of values over their peak when they are stored.");
+    m.def("peaks", &peaks, "coefficients"_a, "gaussian"_a, "obscuration"_a, "tol"_a,
+          "The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.");
+    m.def("disk_bounds", &disk_bounds, "n"_a, "m"_a, "coefficients"_a, "gaussian"_a, "count"_a,
+          "Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.");
+    m.def("zernike_bounds", &zernike_bounds, "n"_a, "m"_a, "coefficients"_a, "gaussian"_a, "reach"_a, "error"_a,
+          "Degrees, orders and rule of a Zernike series, and bounds on what they leave.");
+    m.def("zernike_field_bounds", &zernike_field_bounds, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
+          "reach"_a, "error"_a, "wanted"_a, "piece"_a, "groups"_a,
+          "Bounds on the error of U: of the series, of every piece, and of one.");
+    m.def("single_rounding", &single_rounding, "orders"_a, "rows"_a, "coefficients"_a,
+          "Bound on what single precision does to U on a ring.");
+    m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "gaussian"_a, "low"_a, "high"_a, "chords"_a,
+          "Bounds on the error in U of the chordal Gauss rule for v from low to high along x.");
+    m.def("chordal_growth", &chordal_growth, "terms"_a, "coefficients"_a, "b"_a,
+          "Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.");
+}

@@ -1,0 +1,194 @@
+"""Every term of the bound of the chordal rule, a second time: docs/certificate.md 8."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from lommel import _core
+
+UNIT = mp.mpf(2) ** -53
+CURVES = [mp.mpf("0.05") * mp.mpf("1.14") ** k for k in range(32)]
+LIST = [(1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (4, 0), (5, -3)]
+TERMS = np.array(LIST, np.int64)
+
+few = settings(max_examples=20)
+coefficients = st.builds(
+    lambda size, parts: [size * p for p in parts],
+    st.sampled_from([0.01, 1.0, 8.0]),
+    st.lists(st.floats(-1, 1), min_size=len(LIST), max_size=len(LIST)),
+)
+gaussians = st.one_of(st.just(0.0), st.floats(0.01, 9.0))
+
+
+def same(found: float, expected: mp.mpf) -> bool:
+    """Compare to nine digits, where neither has left the range of double precision: logarithms are cut off."""
+    if not mp.mpf("1e-290") < expected < mp.mpf("1e230"):
+        return found <= 1e-280 or found >= 1e220
+    return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
+
+
+def amplitudes(c: list[float]) -> list[tuple[mp.mpf, int]]:
+    """Return (W, n) of the terms from degree 2 on: sine and cosine of one order together."""
+    squares: dict[tuple[int, int], mp.mpf] = {}
+    for value, (n, m) in zip(c, LIST, strict=True):
+        if n >= 2:
+            squares[n, abs(m)] = squares.get((n, abs(m)), mp.mpf(0)) + mp.mpf(value) ** 2
+    return [(mp.sqrt(square), n) for (n, _), square in squares.items()]
+
+
+def farthest(c: list[float], low: float, high: float) -> mp.mpf:
+    """Return the largest distance of the window from the tilt."""
+    x, y = mp.mpf(c[0]), mp.mpf(c[1])
+    return mp.hypot(max(abs(mp.mpf(low) - x), abs(mp.mpf(high) - x)), y)
+
+
+def sizes(c: list[float], gaussian: float, low: float, high: float) -> list[mp.mpf]:
+    """Return the logarithm of M(b) (1 + e^(-2b)) on each curve."""
+    reach = farthest(c, low, high)
+    return [
+        sum((w * mp.sinh(n * b) for w, n in amplitudes(c)), reach * mp.sinh(b))
+        + mp.mpf(gaussian) * (mp.cosh(2 * b) - 1) / 2
+        + mp.log(1 + mp.exp(-2 * b))
+        for b in CURVES
+    ]
+
+
+def quadrature(logs: list[mp.mpf], chords: int) -> mp.mpf:
+    """Return the bound on the curve where the exponent is least, of those on which the series converges."""
+    first, found = mp.mpf(2 * chords + 1), []
+    for log_m, b in zip(logs, CURVES, strict=True):
+        q = mp.exp(-b) * ((first + 1) / first) ** mp.mpf(1.5)
+        if q < 1:
+            found.append((log_m - 2 * chords * b, first ** mp.mpf(1.5) / (1 - q)))
+    exponent, sums = min(found)
+    return mp.exp(exponent) * sums
+
+
+def rounding(c: list[float], low: float, high: float, chords: int) -> mp.mpf:
+    degree = max(n for n, _ in LIST)
+    size = sum(abs(mp.mpf(value)) for value in c)
+    return UNIT * (3 * (chords + 12) + (len(LIST) + degree + 7) * size + 3 * farthest(c, low, high))
+
+
+@few
+@given(coefficients, gaussians, st.floats(-40, 10), st.floats(0, 60), st.integers(4, 400))
+def test_quadrature_and_rounding(c, gaussian, low, width, chords):
+    found = _core.chordal_bounds(TERMS, np.array(c), gaussian, low, low + width, chords)
+    expected = quadrature(sizes(c, gaussian, low, low + width), chords)
+    assert same(found["quadrature"], expected)
+    assert same(found["rounding"], rounding(c, low, low + width, chords))
+
+
+@few
+@given(coefficients)
+def test_the_variance_that_the_first_error_rests_on(c):
+    found = _core.chordal_bounds(TERMS, np.array(c), 0.0, 0.0, 1.0, 8)["variance"]
+    expected = sum(
+        mp.mpf(value) ** 2 / ((n + 1) * (1 if m == 0 else 2)) for value, (n, m) in zip(c, LIST, strict=True) if n > 1
+    )
+    assert same(found, expected)
+
+
+@few
+@given(
+    coefficients,
+    gaussians,
+    st.sampled_from([1e-3, 1e-6, 1e-10]),
+    st.booleans(),
+    st.sampled_from([0.0, 0.5]),
+    # Beside the light, the first error does not do.
+    st.sampled_from([3.0, 20.0]),
+)
+def test_the_bound_of_an_image_is_made_of_these(c, gaussian, tol, divided, obscuration, column):
+    c = [0.1 * value for value in c]
+    inner = [0.5 * value for value in c]
+    images, bounds, scales = np.empty((1, 1, 8)), np.empty(1), np.full(1, 0.0 if divided else 1.0)
+    step = 1.2
+    disks, places = (np.array([c]), np.array([inner]), obscuration, gaussian), (images, scales, bounds)
+    unmet = _core.chordal(TERMS, *disks, 0.0, column, step, tol, 1, *places)
+    if unmet:
+        assert unmet > tol
+        return
+    peak = 1.0 / scales[0] if divided else images.max()
+    low, high, area = -column * step, (7 - column) * step, obscuration**2
+
+    def bounds_of(phase: list[float], share: float, fall: float) -> list[mp.mpf]:
+        window = (share * low, share * high)
+        logs = sizes(phase, fall, *window)
+        return [quadrature(logs, n) + rounding(phase, *window, n) for n in range(8, 65, 2)]
+
+    candidates = bounds_of(c, 1.0, gaussian)
+    if obscuration:
+        within = [area * e for e in bounds_of(inner, obscuration, area * gaussian)]
+        candidates = [outer + part for outer in candidates for part in within]
+    name = "normalized" if divided else "relative"
+    expected = [_core.stored_bound(_core.intensity_bounds(peak, float(e))[name], False, divided) for e in candidates]
+    assert any(bounds[0] == pytest.approx(e, rel=1e-9, abs=0.0) for e in expected)
+    assert bounds[0] <= tol
+
+
+def test_the_sampled_growth_of_a_phase_is_that_of_all_chords():
+    """The largest sample over whole turns of theta and phi and all of eta, times what lies between samples."""
+    rng, b = np.random.default_rng(5), 0.3
+    terms = [(2, -2), (3, 1), (3, -3), (4, 2), (5, 5)]
+    edge, degree = rng.normal(size=len(terms)), 5
+    across = (7 * degree + 1) // 2
+    half = turns = (across + 1) // 2
+    angle = math.pi * np.arange(2 * across) / across + 1j * b
+    eta = np.cos(math.pi * (2 * np.arange(2 * half) + 1) / (4 * half))
+    turn = 2 * math.pi * np.arange(4 * turns) / (4 * turns)
+    along, beside = np.cos(angle)[:, None, None], np.sin(angle)[:, None, None] * eta[:, None]
+    x, y = along * np.cos(turn) - beside * np.sin(turn), along * np.sin(turn) + beside * np.cos(turn)
+    total = np.zeros(x.shape, dtype=complex)
+    for c, (n, m) in zip(edge, terms, strict=True):
+        k, square = abs(m), x * x + y * y
+        radial = sum(
+            (-1) ** j * math.factorial(n - j) * square ** ((n - k) // 2 - j)
+            / (math.factorial(j) * math.factorial((n + k) // 2 - j) * math.factorial((n - k) // 2 - j))
+            for j in range((n - k) // 2 + 1)
+        )  # fmt: skip
+        plus, minus = (x + 1j * y) ** k, (x - 1j * y) ** k
+        total += c * radial * ((plus + minus) / 2 if m >= 0 else (plus - minus) / 2j)
+    quarter = 0.5 * math.pi * degree
+    margin = math.cos(quarter / across) * math.cos(quarter / (2 * half)) * math.cos(quarter / (2 * turns))
+    found = _core.chordal_growth(np.array(terms), edge, b)
+    assert found == pytest.approx(np.abs(total.imag).max() / margin, rel=2e-9)
+
+
+# The theorems are reached to within a factor of 2, where they can be.
+
+
+@given(st.integers(4, 400), st.floats(0.1, 2.9))
+def test_the_sum_over_the_components_is_bounded_closely(chords, b):
+    n = np.arange(2 * chords, 2 * chords + math.ceil(80 / b))
+    exact = ((n + 1) ** 1.5 * np.exp(-(n - 2 * chords) * b)).sum()
+    first = 2 * chords + 1
+    q = math.exp(-b) * ((first + 1) / first) ** 1.5
+    if q < 0.8:
+        bound = first**1.5 / (1 - q)
+        assert exact <= bound * (1 + 1e-12)
+        assert bound <= 2 * exact
+
+
+@pytest.mark.parametrize("chords", [8, 13])
+def test_the_rule_mistakes_the_first_component_that_it_does_not_integrate_for_a_constant(chords):
+    """U_2N on the ridge along x: its integral is 0, and the rule makes of it what its alias has."""
+    angle = math.pi * np.arange(1, chords + 1) / (chords + 1)
+    weights = np.sin(angle) ** 2 / (chords + 1) * 2
+    ridge = np.sin((2 * chords + 1) * angle) / np.sin(angle)
+    assert abs((weights * ridge).sum()) >= 0.5
+    below = np.sin((2 * chords) * angle) / np.sin(angle)
+    assert abs((weights * below).sum()) < 1e-12
+
+
+@pytest.mark.parametrize("tilt", [3.0, -7.0])
+def test_a_tilt_reaches_its_growth(tilt):
+    """exp(i c x) at x = cos(a + ib) is exp(c sinh b) at most."""
+    b, a = 0.8, np.linspace(0, 2 * np.pi, 2001)
+    assert np.imag(-tilt * np.cos(a + 1j * b)).max() == pytest.approx(abs(tilt) * math.sinh(b), rel=1e-5)

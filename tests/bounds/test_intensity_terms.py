@@ -1,0 +1,244 @@
+"""From the error of U to that of I, a second time: docs/certificate.md 6 and the section on derivatives."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.special import j0
+
+import lommel as lm
+from lommel import _core
+from lommel.methods.azimuthal import phase_rounding
+from lommel.methods.method import annulus, normalized_error, relative_error
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
+
+UNIT = 2.0**-53
+few = settings(max_examples=15)
+roots = st.floats(1e-6, 1.0)
+shares = st.floats(1e-12, 2.0)
+phases = st.lists(st.floats(-30, 30), min_size=1, max_size=3)
+obscurations = st.one_of(st.just(0.0), st.floats(0.01, 0.95))
+gaussians = st.one_of(st.just(0.0), st.floats(0.01, 9.0))
+
+
+def over_peak(m: mp.mpf, e: mp.mpf) -> mp.mpf:
+    return (2 * m * e + e * e) / (m - e) ** 2
+
+
+@given(roots, shares)
+def test_the_error_of_the_intensity_over_its_exact_peak(root, share):
+    peak, e = root * root, root * share
+    m = mp.sqrt(mp.mpf(peak))
+    compiled = _core.intensity_bounds(peak, e)
+    ours = float(relative_error(np.array([[0.1 * peak, peak]]), np.array([e]))[0])
+    if share < 0.999:
+        expected = over_peak(m, mp.mpf(e))
+        assert compiled["relative"] == pytest.approx(float(expected), rel=1e-9, abs=0.0)
+        assert ours == pytest.approx(float(expected), rel=1e-9, abs=0.0)
+    elif share > 1.001:
+        # Nothing is known of the exact peak.
+        assert compiled["relative"] >= 1e300
+        assert ours == math.inf
+    r = compiled["relative"]
+    if r < 0.999:
+        divided = 2 * mp.mpf(r) / (1 - mp.mpf(r))
+        assert compiled["normalized"] == pytest.approx(float(divided), rel=1e-9, abs=0.0)
+        assert float(normalized_error(np.array([r]))[0]) == pytest.approx(float(divided), rel=1e-9, abs=0.0)
+    elif r >= 1.0:
+        assert compiled["normalized"] >= 1e300
+        assert float(normalized_error(np.array([r]))[0]) == math.inf
+
+
+@given(st.floats(0.0, 0.5), st.booleans(), st.booleans())
+def test_what_storing_adds(relative, single, twice):
+    """Six roundings to double, and one to float, or two of values that are divided after they were stored."""
+    rounding = 6 * mp.mpf(2) ** -53 + (mp.mpf(2) ** -24 * (2 if twice else 1) if single else 0)
+    expected = mp.mpf(relative) + (1 + mp.mpf(relative)) * rounding
+    assert _core.stored_bound(relative, single, twice) == pytest.approx(float(expected), rel=1e-12, abs=0.0)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+@pytest.mark.parametrize("divided", [False, True])
+def test_the_kind_of_an_image_is_counted(kind, divided):
+    phase, bounds = np.array([[9.0, -4.0]]), []
+    for dtype in (np.float64, kind):
+        images, bound, scales = np.empty((1, 6, 9), dtype), np.empty(1), np.full(1, 0.0 if divided else 1.0)
+        assert _core.render(phase, 0.2, 0.0, 0.8, 1e-5, 1, images, scales, bound) == 0.0
+        bounds.append(bound[0])
+    whole = [_core.stored_bound(0.0, single, divided) for single in (False, kind == np.float32)]
+    assert bounds[1] - bounds[0] == pytest.approx(whole[1] - whole[0], rel=1e-4, abs=0.0)
+
+
+@given(st.floats(1e-9, 1e-3))
+def test_a_field_that_is_wrong_by_that_much_everywhere_reaches_the_bounds(e):
+    # Computed 1 where the field is 1 - e, and 1 - e where it is 1 - 2 e.
+    bound = _core.intensity_bounds(1.0, e)
+    true = (1.0 - (1.0 - e) ** 2) / (1.0 - e) ** 2
+    assert true <= bound["relative"] * (1 + 1e-6)
+    assert bound["relative"] <= 1.01 * true
+    # Two pixels as bright: one is divided by what the other was computed to be.
+    r = bound["relative"]
+    true = 1.0 - (1.0 - r) / (1.0 + r)
+    assert true <= bound["normalized"] <= 1.02 * true
+
+
+def field(phase: list[float], gaussian: float, obscuration: float, v: np.ndarray, power: int = 0) -> np.ndarray:
+    """Return U by plain quadrature, good to about 1e-14 for phases of 100 rad."""
+    t, weights = gauss_legendre(300, obscuration**2, 1.0)
+    total = sum(c * t**k for k, c in enumerate(phase, 1))
+    return j0(np.asarray(v)[:, None] * np.sqrt(t)) @ (weights * t**power * np.exp(1j * total - gaussian * t))
+
+
+@given(phases, gaussians, obscurations, st.sampled_from([1e-4, 1e-7]))
+@few
+def test_the_first_error_and_the_scan_for_the_peak(phase, gaussian, obscuration, tol):
+    found = _core.peaks(np.array(phase), gaussian, obscuration, tol)
+    low = mp.mpf(obscuration) ** 2
+    bright = mp.quad(lambda t: mp.exp(-gaussian * t), [low, 1])
+    likely = bright / (2 * sum(map(abs, map(mp.mpf, phase))) + 1)
+    assert found["likely"] == pytest.approx(float(likely), rel=1e-9, abs=0.0)
+    assert found["first_error"] == pytest.approx(float(0.4 * mp.mpf(tol) * likely), rel=1e-9, abs=0.0)
+    # Rays reach |dPhi / drho| <= 2 sum k |c_k|; 512 radii from the axis to there and 4 beyond.
+    blur = 4 + 2 * sum(k * abs(c) for k, c in enumerate(phase, 1))
+    values = field(phase, gaussian, obscuration, blur / 512 * np.arange(512))
+    scanned = float((np.abs(values) ** 2).max())
+    assert found["scanned"] == pytest.approx(scanned, abs=3 * found["first_error"] * math.sqrt(scanned))
+
+
+def test_the_scan_finds_a_ring_of_light_that_the_window_misses():
+    # The axis of a defocused lens is dark where 2 C_d is a whole number of turns.
+    pupil = lm.Pupil(lm.Wavefront(20 * math.pi))
+    blur = float(pupil.v(pupil.geometric_radius()))
+    v = np.linspace(0.0, blur + 4.0, 4000)
+    values = np.abs(lm.Hankel().field(pupil, v)) ** 2
+    assert values[0] < 1e-12
+    assert v[values.argmax()] > 0.01 * (blur + 4.0)
+    scanned = _core.peaks(pupil.coefficients()[0], 0.0, 0.0, 1e-6)["scanned"]
+    assert scanned == pytest.approx(values.max(), rel=0.02)
+    answer = lm.psf(pupil, 1, 0.5, dtype=np.float64)
+    assert answer.error_bound <= 1e-6 + UNIT
+
+
+@few
+@given(phases, gaussians, obscurations, st.sampled_from([1e-3, 1e-6, 1e-9]), st.booleans())
+def test_the_bound_of_an_image_is_that_of_its_field(phase, gaussian, obscuration, tol, divided):
+    images, bounds, scales = np.empty((1, 6, 9)), np.empty(1), np.full(1, 0.0 if divided else 1.0)
+    step = 0.8
+    unmet = _core.render(np.array([phase]), obscuration, gaussian, step, tol, 1, images, scales, bounds)
+    if unmet:
+        assert unmet > tol
+        return
+    reach = math.sqrt(3**2 + 4**2) * step
+    peak = 1.0 / scales[0] if divided else float(images.max())
+    about = _core.peaks(np.array(phase), gaussian, obscuration, tol)
+    error, expected = about["first_error"], []
+    while error > 0.8 * UNIT:
+        u = _core.field_bound(np.array(phase), gaussian, 0, obscuration, reach, error)
+        inside = _core.intensity_bounds(peak, u)
+        expected.append(_core.stored_bound(inside["normalized"] if divided else inside["relative"], False, divided))
+        error *= 0.1
+    # The first that meets the tolerance, in the window or, failing that, over the peak wherever it is.
+    if expected[0] <= tol or divided:
+        first = next(e for e in expected if e <= tol)
+        assert bounds[0] == pytest.approx(first, rel=1e-9, abs=0.0)
+    else:
+        assert bounds[0] <= tol
+
+
+@pytest.mark.parametrize("tol", [1e-6, 1e-9, 1e-10])
+def test_errors_are_tightened_as_far_as_rounding_allows(tol):
+    # A thousandth of a turn from darkness on the axis, by which the window is divided.
+    pupil = lm.Pupil(lm.Wavefront(3 * math.pi * 1.001))
+    about = _core.peaks(pupil.coefficients()[0], 0.0, 0.0, tol)
+    exact = abs(2 * math.sin(3 * math.pi * 1.001) / (6 * math.pi * 1.001))
+    assert 2 * about["first_error"] / exact > tol
+    answer = lm.psf(pupil, 1, 0.5, method=lm.NijboerZernike(tol), normalize="peak", dtype=np.float64)
+    assert answer.error_bound <= tol + UNIT
+    assert 1.0 / answer.scale == pytest.approx(exact**2, rel=tol)
+
+
+def test_what_rounding_does_not_allow_is_refused():
+    with pytest.raises(lm.ToleranceError, match="tol=1e-12 cannot be met"):
+        lm.psf(lm.Pupil(lm.Wavefront(400.0, 200.0)), 9, 0.5, method=lm.NijboerZernike(1e-12))
+
+
+@few
+@given(phases, gaussians, obscurations, st.integers(1, 4), st.sampled_from([1e-4, 1e-8]))
+def test_the_bound_of_a_derivative(phase, gaussian, obscuration, power, tol):
+    images, bounds, scales = np.empty((1, 5, 5)), np.empty(1), np.ones(1)
+    slopes, slope_bounds = np.empty((1, 1, 5, 5)), np.empty((1, 1))
+    step, powers = 0.6, np.array([power])
+    unmet = _core.differentiate(
+        np.array([phase]), obscuration, gaussian, step, tol, 1, images, scales, bounds, powers, slopes, slope_bounds
+    )
+    if unmet:
+        return
+    reach = math.sqrt(8) * step
+    radii = step * np.sqrt([0, 1, 2, 4, 5, 8])
+    largest = mp.mpf(float(np.abs(field(phase, gaussian, obscuration, radii, power)).max()))
+    peaks = {float(images.max()), _core.peaks(np.array(phase), gaussian, obscuration, tol)["scanned"]}
+    error, expected = _core.peaks(np.array(phase), gaussian, obscuration, tol)["first_error"], []
+    while error > 0.8 * UNIT:
+        u = mp.mpf(_core.field_bound(np.array(phase), gaussian, 0, obscuration, reach, error))
+        own = mp.mpf(_core.field_bound(np.array(phase), gaussian, power, obscuration, reach, error))
+        for m in map(mp.sqrt, map(mp.mpf, peaks)):
+            # Six roundings of what is stored.
+            kept = m * largest * 6 * mp.mpf(UNIT)
+            expected.append(float(2 * (m * own + largest * u + own * u + kept) / (m - u) ** 2))
+        error *= 0.1
+    assert any(slope_bounds[0, 0] == pytest.approx(e, rel=1e-6 if tol == 1e-4 else 1e-3, abs=0.0) for e in expected)
+
+
+def test_the_derivative_by_defocus_is_twice_that_by_the_power_and_so_is_its_bound():
+    pupil = lm.Pupil(lm.Wavefront(6.0, -4.0, (1.0,)))
+    answer = lm.psf(
+        pupil, 9, 0.5, derivatives=("defocus", "spherical", "rho^6"), dtype=np.float64, normalize="strehl"
+    )
+    images, bounds, scales = np.empty((1, 9, 9)), np.empty(1), np.ones(1)
+    slopes, slope_bounds = np.empty((3, 1, 9, 9)), np.empty((3, 1))
+    places = (images, scales, bounds, np.array([1, 2, 3]), slopes, slope_bounds)
+    _core.differentiate(pupil.coefficients(), 0.0, 0.0, 0.5 * math.pi, 1e-6, 1, *places)
+    assert answer.derivative_bounds["defocus"] == pytest.approx(2.0 * slope_bounds[0, 0], rel=1e-12, abs=0.0)
+    assert answer.derivative_bounds["spherical"] == pytest.approx(slope_bounds[1, 0], rel=1e-12, abs=0.0)
+    assert np.allclose(answer.derivatives["defocus"], 2.0 * slopes[0, 0], rtol=1e-12, atol=0)
+
+
+def test_the_bounds_of_two_disks_add_up_the_inner_one_by_its_area():
+    def disk(coefficients, v):
+        scale = float(np.abs(coefficients).max())
+        return lm.methods.method.FieldValues(np.ones((1, v.size)) + 0j, np.array([0.125 * scale]))
+
+    pupil = lm.Pupil(lm.Wavefront(0.0, 8.0), obscuration=0.5)
+    found = annulus(disk, pupil, np.linspace(0, 1, 3))
+    # 8 t^2 at half the radius is 0.5 t^2; a quarter of the area.
+    assert found.error[0] == pytest.approx(0.125 * 8.0 + 0.25 * 0.125 * 0.5, rel=1e-12, abs=0.0)
+    assert np.allclose(found.values, 0.75)
+
+
+@given(st.lists(st.floats(-300, 300), min_size=1, max_size=6), st.floats(1e-6, 1.0))
+@few
+def test_the_rounding_of_powers_that_become_zernike_terms(powers, peak):
+    pupil = lm.Pupil(lm.Wavefront(powers[0] / 2, powers[1] if len(powers) > 1 else 0.0, tuple(powers[2:])))
+    coefficients = [mp.mpf(float(c)) for c in pupil.coefficients()[0]]
+    k = len(coefficients)
+    u = mp.mpf(float(np.finfo(np.longdouble).eps))
+    error = mp.mpf(0)
+    for n in range(k + 1):
+        # t^j = sum of (2n+1) (j!)^2 / ((j-n)! (j+n+1)!) P_n(2t-1)
+        row = [
+            (2 * n + 1) * mp.factorial(j) ** 2 / (mp.factorial(j - n) * mp.factorial(j + n + 1))
+            if j >= n
+            else mp.mpf(0)
+            for j in range(1, k + 1)
+        ]
+        error += (k + 3) * u * sum(r * abs(c) for r, c in zip(row, coefficients, strict=True))
+        error += mp.mpf(2) ** -50 * abs(sum(r * c for r, c in zip(row, coefficients, strict=True)))
+    expected = error * (2 / mp.sqrt(mp.mpf(peak)) + error / mp.mpf(peak))
+    assert float(phase_rounding(pupil, np.array([peak]))[0]) == pytest.approx(float(expected), rel=1e-7, abs=1e-300)
+    assert zernike.powers_to_legendre(k).min() >= 0

@@ -1,0 +1,100 @@
+"""Tables that calls share: one asked for after another, alike but for one thing, is not the other."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.special.legendre import gauss_legendre
+
+STACK = lm.Pupil(lm.Wavefront(np.linspace(-4.0, 5.0, 6), np.linspace(2.0, -1.0, 6)))
+
+
+def polar(pupil: lm.Pupil, grid: lm.Grid) -> np.ndarray:
+    """Return I of a single pupil by Gauss-Legendre in the radius and equal angles."""
+    r, w = gauss_legendre(70, pupil.obscuration, 1.0)
+    theta = 2.0 * math.pi * (np.arange(640) + 0.5) / 640
+    x, y = np.outer(r, np.cos(theta)), np.outer(r, np.sin(theta))
+    values = (pupil.values(x, y)[0] * (2.0 / 640 * w * r)[:, None]).ravel()
+    across = np.exp(-1j * np.outer(x.ravel(), math.pi * grid.x))
+    down = np.exp(-1j * np.outer(y.ravel(), math.pi * grid.y))
+    return np.asarray(np.abs((values[:, None] * down).T @ across) ** 2)
+
+
+def agrees(pupil: lm.Pupil, shape, pixel: float, method: lm.methods.method.Method, center=None) -> None:
+    """Compare with a reference that shares no table."""
+    answer = lm.psf(pupil, shape, pixel, method=method, center=center, normalize="strehl", dtype=np.float64)
+    scale = np.asarray(answer.scale)[..., None, None]
+    if pupil.radial:
+        exact = lm.psf(pupil, shape, pixel, method=lm.Hankel(1e-12), center=center, normalize="strehl").values / scale
+    else:
+        exact = polar(pupil, lm.Grid(shape, pixel, center=center))
+    assert np.abs(answer.values / scale - exact).max() <= answer.error_bound * exact.max() + 1e-12
+
+
+@pytest.mark.parametrize("times", [1, 2])
+def test_stacks_ask_for_pitches_sizes_and_tolerances_in_turn(times):
+    # Loose before tight, so that more terms are wanted of the same window.
+    sizes, pitches, tolerances = [(13, 11), (13, 17), (9, 11), (11, 13)], [0.31, 0.62, 0.31], [1e-3, 1e-9, 1e-5]
+    for (shape, pixel), tol in itertools.product(itertools.product(sizes, pitches), tolerances * times):
+        agrees(STACK, shape, pixel, lm.NijboerZernike(tol))
+
+
+def test_a_stack_of_stronger_pupils_wants_more_of_the_same_window():
+    for strength in (0.1, 30.0, 3.0):
+        agrees(lm.Pupil(lm.Wavefront(strength * np.linspace(0.5, 1.0, 5))), 15, 0.43, lm.NijboerZernike(1e-6))
+
+
+def test_single_pupils_want_farther_pieces_and_more_rows_in_turn():
+    # Rows first: few terms, then many, of the same pieces; then pieces beyond, for few terms and many.
+    for defocus, pixel in ((1.0, 0.5), (300.0, 0.5), (1.0, 7.1), (400.0, 7.1), (2.0, 17.3), (700.0, 17.3)):
+        for tol in (1e-4, 1e-8):
+            agrees(lm.Pupil(lm.Wavefront(defocus)), (1, 41), pixel, lm.NijboerZernike(tol))
+
+
+SERIES, CHORDS = lm.NijboerZernike(1e-7), lm.ChordalGauss(1e-7)
+COMA = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 1.5, (2, -2): 0.5}))
+
+
+@pytest.mark.parametrize("method", [SERIES, CHORDS], ids=["series", "chords"])
+def test_pupils_that_are_not_radial_ask_for_windows_around_any_axis_in_turn(method):
+    shapes, centers = [(9, 11), (11, 11), (9, 9), (9, 11)], [(4.0, 5.0), (4.0, 3.0), (2.0, 5.0), (2.5, 4.25)]
+    for shape, center in itertools.product(shapes, centers):
+        agrees(COMA, shape, 0.47, method, center)
+
+
+@pytest.mark.parametrize("method", [SERIES, CHORDS], ids=["series", "chords"])
+def test_pupils_that_are_not_radial_ask_for_pitches_amplitudes_terms_and_tolerances_in_turn(method):
+    for pixel in (0.33, 0.34, 0.33):
+        agrees(COMA, (7, 9), pixel, method)
+    for apodization in (0.5, 0.55, 0.0):
+        agrees(lm.Pupil(COMA.wavefront, apodization=apodization), (7, 9), 0.33, method)
+    for obscuration in (0.3, 0.33, 0.0):
+        agrees(lm.Pupil(COMA.wavefront, obscuration=obscuration), (7, 9), 0.33, method)
+    for terms in ({(3, 1): 1.5, (2, 2): 0.5}, {(3, 3): 1.5, (2, 2): 0.5}, {(3, 1): 0.5, (4, 2): 1.0}):
+        agrees(lm.Pupil(lm.Wavefront(nonradial=terms)), (7, 9), 0.33, method)
+    for tol in (1e-3, 1e-9, 1e-6):
+        agrees(COMA, (7, 9), 0.33, type(method)(tol))
+
+
+def test_quadrature_rules_of_one_degree_serve_few_azimuthal_orders_and_many():
+    for terms in ({(8, 2): 4.0}, {(40, 40): 0.5}, {(40, 0): 0.5, (3, 1): 0.1}, {(44, 44): 3.0}, {(8, 2): 4.0}):
+        agrees(lm.Pupil(lm.Wavefront(nonradial={t: c for t, c in terms.items() if t[1]})), (7, 7), 0.9, SERIES)
+
+
+def test_derivatives_ask_for_their_own_rules():
+    for c, tol in itertools.product((0.5, 40.0), (1e-4, 1e-8)):
+        pupil, h = lm.Pupil(lm.Wavefront(c)), 1e-3
+        answer = lm.psf(pupil, 9, 0.5, method=lm.NijboerZernike(tol), derivatives=("defocus",), normalize="strehl")
+        ahead, behind = (
+            lm.psf(lm.Pupil(lm.Wavefront(c + d)), 9, 0.5, method=lm.Hankel(), normalize="strehl").values
+            for d in (h, -h)
+        )
+        slope = (ahead - behind) / (2 * h)
+        assert (
+            np.abs(answer.derivatives["defocus"] - slope).max() <= 1e-5 * answer.values.max() + 2 * answer.error_bound
+        )

@@ -145,9 +145,11 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	@mkdir -p build
 	for kind in address,undefined thread; do
 		echo "sanitizers: $$kind"
-		$(CXX) -std=c++17 -O1 -g -fno-omit-frame-pointer -fsanitize=$$kind -fno-sanitize-recover=all \
-			-Wall -Wextra -Wno-psabi -Icpp/include cpp/tests/exercise.cpp -o build/exercise -pthread
-		build/exercise
+		for program in calls exercise; do
+			$(CXX) -std=c++17 -O1 -g -fno-omit-frame-pointer -fsanitize=$$kind -fno-sanitize-recover=all \
+				-Wall -Wextra -Wno-psabi -Icpp/include cpp/tests/$$program.cpp -o build/$$program -pthread
+			build/$$program
+		done
 	done
 
 # What Sphinx needs comes on top of what is in .venv, and only when the pages are asked for.

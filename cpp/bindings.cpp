@@ -24,6 +24,7 @@
 #include "lommel/render.hpp"
 #include "lommel/spread.hpp"
 #include "lommel/subpixel.hpp"
+#include "lommel/watch.hpp"
 #include "lommel/zernike_images.hpp"
 
 namespace nb = nanobind;
@@ -36,6 +37,32 @@ using In = nb::ndarray<const T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device
 template <class T, std::size_t N>
 using Out = nb::ndarray<T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
 using complex = std::complex<double>;
+
+// The one thread that Python runs the handlers of signals in; in a child it is the one that called fork().
+struct MainThread final : lommel::ForkAware {
+    unsigned long id = 0;
+    bool here() const { return PyThread_get_thread_ident() == id; }
+
+   private:
+    void after_fork(bool in_child) override {
+        if (in_child) {
+            id = PyThread_get_thread_ident();
+        }
+    }
+};
+MainThread& main_thread = *new MainThread;
+
+// Runs what handlers there are to run; whether one raised an exception, KeyboardInterrupt for one.
+bool signalled() {
+    const nb::gil_scoped_acquire gil;
+    return PyErr_CheckSignals() != 0;
+}
+
+// Other threads of Python run meanwhile, and Ctrl-C ends the call.
+struct Released {
+    lommel::Watch watch{main_thread.here() ? &signalled : nullptr};
+    nb::gil_scoped_release nogil;
+};
 
 template <class T, std::size_t N>
 Out<T, N> new_array(const std::size_t (&shape)[N]) {
@@ -61,20 +88,32 @@ lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration, do
     return {coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration, gaussian};
 }
 
-Out<double, 2> bessel_sequence(In<double, 1> v, std::size_t count) {
-    auto out = new_array<double, 2>({v.shape(0), count});
-    nb::gil_scoped_release nogil;
+constexpr std::size_t most_nodes = 20000;  // of Gauss: they take time in proportion to the square, then a second
+
+void require_radii(const In<double, 1>& v) {
     for (std::size_t i = 0; i < v.shape(0); ++i) {
+        require(v.data()[i] >= 0.0 && v.data()[i] <= lommel::max_reach, "v must be from 0 to 1e6");
+    }
+}
+
+Out<double, 2> bessel_sequence(In<double, 1> v, std::size_t count) {
+    require_radii(v);
+    auto out = new_array<double, 2>({v.shape(0), count});
+    Released nogil;
+    for (std::size_t i = 0; i < v.shape(0); ++i) {
+        lommel::look();
         lommel::bessel_sequence(v.data()[i], count, out.data() + i * count);
     }
     return out;
 }
 
 Out<double, 2> legendre_transforms(In<double, 1> v, std::size_t terms) {
+    require_radii(v);
     auto out = new_array<double, 2>({v.shape(0), terms});
-    nb::gil_scoped_release nogil;
+    Released nogil;
     std::vector<double> scratch;
     for (std::size_t i = 0; i < v.shape(0); ++i) {
+        lommel::look();
         lommel::legendre_transforms(v.data()[i], terms, out.data() + i * terms, scratch);
     }
     return out;
@@ -83,6 +122,7 @@ Out<double, 2> legendre_transforms(In<double, 1> v, std::size_t terms) {
 std::tuple<std::size_t, double, std::size_t, double> series_bounds(In<double, 1> coefficients, std::size_t power,
                                                                    double reach, double error) {
     require(coefficients.shape(0) > 0 && error > 0.0 && reach >= 0.0, "coefficients, reach and error must be given");
+    lommel::check_size({coefficients.data(), coefficients.shape(0)});
     const lommel::Ellipses ellipses(coefficients.data(), coefficients.shape(0), 0.0, power);
     const lommel::Expansion plan(ellipses, reach, error);
     return {plan.terms, plan.truncation, 2 * plan.rule->half, plan.quadrature};
@@ -90,10 +130,11 @@ std::tuple<std::size_t, double, std::size_t, double> series_bounds(In<double, 1>
 
 std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
     require(n > 0, "n must be at least 1");
+    require(n <= most_nodes, "n must be at most 20000");
     auto nodes = new_array<double, 1>({n});
     auto weights = new_array<double, 1>({n});
     {
-        nb::gil_scoped_release nogil;
+        Released nogil;
         lommel::gauss_legendre(n, nodes.data(), weights.data());
     }
     return {nodes, weights};
@@ -105,7 +146,7 @@ std::pair<Out<std::int64_t, 1>, Out<std::int32_t, 2>> distinct_radii(std::size_t
     auto index = new_array<std::int32_t, 2>({rows + 1, cols + 1});
     std::vector<std::int64_t> squares;
     {
-        nb::gil_scoped_release nogil;
+        Released nogil;
         squares = lommel::distinct_radii(rows, cols, index.data());
     }
     auto radii = new_array<std::int64_t, 1>({squares.size()});
@@ -118,7 +159,7 @@ void scatter(In<double, 2> profiles, In<double, 1> scales, In<std::int32_t, 2> i
     const std::size_t height = out.shape(1), width = out.shape(2), count = profiles.shape(1);
     require(profiles.shape(0) == out.shape(0) && scales.shape(0) == out.shape(0), "one profile and scale an image");
     require(index.shape(0) == height / 2 + 1 && index.shape(1) == width / 2 + 1, "index must cover the quadrant");
-    nb::gil_scoped_release nogil;
+    Released nogil;
     const std::size_t quadrant = index.shape(0) * index.shape(1);
     for (std::size_t i = 0; i < quadrant; ++i) {
         const std::int32_t rank = index.data()[i];
@@ -147,9 +188,10 @@ void paint_subpixel(In<double, 1> samples, double per_step, double center_y, dou
                                    std::abs(static_cast<double>(width - 1) - center_x + nodes.data()[i]));
         far = std::max(far, dx * dx + dy * dy);
     }
+    require(std::isfinite(center_y) && std::isfinite(center_x), "the centre must be finite");
     require(per_step > 0.0 && per_step * std::sqrt(far) + 4.0 < static_cast<double>(samples.shape(0)),
             "the profile must reach beyond the corners");
-    nb::gil_scoped_release nogil;
+    Released nogil;
     lommel::parallel_for(height, threads, [&](std::size_t, std::size_t y) {
         lommel::dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
             lommel::paint_subpixel(samples.data(), per_step, 1.0, center_y - static_cast<double>(y), center_x,
@@ -166,7 +208,7 @@ double rendered(const lommel::Stack& stack, double step, double tol, int threads
     require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n, "one image, scale and bound a pupil");
     require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
     require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
-    nb::gil_scoped_release nogil;
+    Released nogil;
     try {
         lommel::Renderer<T>(stack, height, width, step, tol, threads,
                             {images.data(), scales.data(), bounds.data(), powers.data(), powers.size(),
@@ -231,7 +273,7 @@ double render_zernike(In<std::int32_t, 1> n, In<std::int32_t, 1> m, In<double, 2
         require(std::abs(rows.data()[i]) <= 2000000 && std::abs(columns.data()[i]) <= 2000000,
                 "the axis must be within 2e6 pixels");
     }
-    nb::gil_scoped_release nogil;
+    Released nogil;
     try {
         const lommel::ZernikeStack stack{n.data(), m.data(), outer.data(), inner.data(), count, terms, obscuration, gaussian};
         lommel::ZernikeRenderer<T>(stack, height, width, rows.data(), columns.data(), step, tol, threads, images.data(),
@@ -297,7 +339,7 @@ double chordal(In<std::int64_t, 2> terms, In<double, 2> outer, In<double, 2> inn
     require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
     require(std::abs(center_y) <= 1e6 && std::abs(center_x) <= 1e6, "the centre must be within 1e6 pixels");
     require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
-    nb::gil_scoped_release nogil;
+    Released nogil;
     try {
         lommel::ChordalRenderer<T>(stack, {height, width, center_y, center_x, step}, tol, threads,
                                    {images.data(), scales.data(), bounds.data()})
@@ -314,7 +356,7 @@ std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, dou
     auto out = new_array<complex, 2>({stack.count, v.shape(0)});
     auto bounds = new_array<double, 1>({stack.count});
     {
-        nb::gil_scoped_release nogil;
+        Released nogil;
         lommel::fields(stack, v.data(), v.shape(0), tol, out.data(), bounds.data());
     }
     return {out, bounds};
@@ -328,7 +370,7 @@ std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2>
     auto peaks = new_array<double, 1>({stack.count});
     auto bounds = new_array<double, 1>({stack.count});
     {
-        nb::gil_scoped_release nogil;
+        Released nogil;
         lommel::profiles(stack, v.data(), v.shape(0), tol, out.data(), bounds.data(), peaks.data());
     }
     return {out, bounds, peaks};
@@ -342,7 +384,7 @@ std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, dou
     auto out = new_array<double, 2>({stack.count, matrix.shape(1)});
     auto bounds = new_array<double, 1>({stack.count});
     {
-        nb::gil_scoped_release nogil;
+        Released nogil;
         lommel::means(stack, v.data(), v.shape(0), tol, matrix.data(), matrix.shape(1), threads, out.data(), bounds.data());
     }
     return {out, bounds};
@@ -353,7 +395,7 @@ Out<complex, 1> huygens_sum(In<double, 1> x, In<double, 1> y, In<complex, 1> amp
     require(x.shape(0) == y.shape(0) && x.shape(0) == amplitude.shape(0), "x, y and amplitude must match");
     require(sx.shape(0) == sy.shape(0), "sx and sy must match");
     auto out = new_array<complex, 1>({sx.shape(0)});
-    nb::gil_scoped_release nogil;
+    Released nogil;
     lommel::huygens_sum(x.data(), y.data(), amplitude.data(), x.shape(0), sx.data(), sy.data(), sx.shape(0), distance,
                         wavenumber, out.data());
     return out;
@@ -364,18 +406,19 @@ Out<complex, 1> closed_form_field(In<double, 1> edges, In<double, 1> alpha, In<d
     const std::size_t pieces = alpha.shape(0);
     require(pieces > 0 && edges.shape(0) == pieces + 1 && beta.shape(0) == pieces && gamma.shape(0) == pieces,
             "alpha, beta and gamma must have one value a piece, edges one more");
-    require(transition > 0.0 && ratio > 1.0 && ratio < 10.0, "transition must be positive, ratio from 1 to 10");
+    require(transition > 0.0 && ratio > 1.0 + 1e-6 && ratio < 10.0, "transition must be positive, ratio from 1 to 10");
     require(terms >= 1 && terms <= 40, "terms must be from 1 to 40");
+    require_radii(v);
     double reach = 0.0;
     for (std::size_t i = 0; i < v.shape(0); ++i) {
-        require(v.data()[i] >= 0.0 && v.data()[i] < 1e9, "v must be from 0 to below 1e9");
         reach = std::max(reach, v.data()[i]);
     }
     auto out = new_array<complex, 1>({v.shape(0)});
-    nb::gil_scoped_release nogil;
+    Released nogil;
     const lommel::HankelPieces hankel(transition, ratio, reach, terms);
     const lommel::ClosedFormField field({edges.data(), alpha.data(), beta.data(), gamma.data(), pieces}, hankel);
     for (std::size_t i = 0; i < v.shape(0); ++i) {
+        lommel::look();
         out.data()[i] = field(v.data()[i]);
     }
     return out;
@@ -383,7 +426,7 @@ Out<complex, 1> closed_form_field(In<double, 1> edges, In<double, 1> alpha, In<d
 
 Out<complex, 1> fresnel_auxiliary(In<double, 1> s) {
     auto out = new_array<complex, 1>({s.shape(0)});
-    nb::gil_scoped_release nogil;
+    Released nogil;
     for (std::size_t i = 0; i < s.shape(0); ++i) {
         require(s.data()[i] >= 0.0, "s must be at least 0");
         out.data()[i] = lommel::FresnelAuxiliary::at(s.data()[i]);
@@ -395,10 +438,10 @@ Out<double, 1> chebyshev_intensity(In<complex, 2> pieces, double width, In<doubl
     require(pieces.shape(0) > 0 && pieces.shape(1) == 16, "pieces must have the shape (pieces, 16)");
     require(width > 0.0, "width must be positive");
     for (std::size_t i = 0; i < v.shape(0); ++i) {
-        require(v.data()[i] >= 0.0, "v must be at least 0");
+        require(v.data()[i] >= 0.0 && std::isfinite(v.data()[i]), "v must be at least 0 and finite");
     }
     auto out = new_array<double, 1>({v.shape(0)});
-    nb::gil_scoped_release nogil;
+    Released nogil;
     lommel::chebyshev_intensity(pieces.data(), pieces.shape(0), width, v.data(), v.shape(0), out.data());
     return out;
 }
@@ -432,7 +475,7 @@ void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<d
     require(out.shape(0) == height + 2 * bank.widest &&
                 out.shape(1) == width + 2 * bank.widest + lommel::Spreader<T>::beyond,
             "out must be larger than the image by a window, and have 16 columns more");
-    nb::gil_scoped_release nogil;
+    Released nogil;
     lommel::Spreader<T>(bank, positions.data(), height, width, threads).forward(image.data(), out.data());
 }
 
@@ -445,7 +488,7 @@ void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<
     require(image.shape(0) == height + 2 * bank.widest && image.shape(1) == width + 2 * bank.widest && threads >= 0,
             "the image must be larger than the positions by a window");
     require(out.shape(0) == height && out.shape(1) == width, "out must match the positions");
-    nb::gil_scoped_release nogil;
+    Released nogil;
     std::vector<T> padded(image.data(), image.data() + image.size());
     padded.resize(image.size() + lommel::Spreader<T>::padding, T(0));
     lommel::Spreader<T>(bank, positions.data(), height, width, threads).adjoint(padded.data(), out.data());
@@ -484,6 +527,14 @@ void define_spread(nb::module_& m) {
 }  // namespace
 
 NB_MODULE(_core, m) {
+    main_thread.id = nb::cast<unsigned long>(nb::module_::import_("threading").attr("main_thread")().attr("ident"));
+    // The exception is set, by the handler that raised it.
+    nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const lommel::Stopped&) {
+        }
+    });
     m.doc() = "Compiled core of lommel: the spectral engine, Bessel sequences, rendering, Huygens' sum.";
     m.def("bessel_sequence", &bessel_sequence, "v"_a, "count"_a, "J_0 .. J_{count-1} at each v >= 0.");
     m.def("legendre_transforms", &legendre_transforms, "v"_a, "terms"_a,

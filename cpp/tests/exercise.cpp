@@ -18,16 +18,9 @@
 #include "lommel/subpixel.hpp"
 #include "lommel/zernike_images.hpp"
 
+#include "check.hpp"
+
 namespace {
-
-int failures = 0;
-
-void check(bool good, const char* what, double value) {
-    if (!good) {
-        std::printf("FAILED: %s (%.3g)\n", what, value);
-        ++failures;
-    }
-}
 
 void bessel_functions_agree_with_the_standard_library() {
     for (const double v : {0.0, 1e-9, 9.99e-4, 1e-3, 0.5, 7.0, 123.4, 800.0}) {
@@ -312,6 +305,6 @@ int main() {
     for (std::thread& caller : callers) {
         caller.join();
     }
-    std::printf(failures == 0 ? "all good\n" : "%d failures\n", failures);
+    std::printf(failures == 0 ? "all good\n" : "%d failures\n", failures.load());
     return failures == 0 ? 0 : 1;
 }

@@ -88,6 +88,15 @@ class Grid:
         """Return the pixel pitch in v, ``pi pixel / (lambda N)``."""
         return math.pi * self.pixel / pupil.scale
 
+    def require_reach(self, pupil: Pupil) -> None:
+        """Raise ValueError if the farthest pixel is farther from the axis than there is light worth computing."""
+        half = 0.5 if self.integrate else 0.0
+        sides = zip(self.center, self.shape, strict=True)
+        far = math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in sides))
+        center = "" if self.centered else f" around center={self.center}"
+        what = f"pixel={self.pixel:g} with shape={self.shape}{center}"
+        validation.reach(what, far * self.step(pupil), pupil.scale, pupil.unit)
+
     def v(self, pupil: Pupil) -> NDArray[np.float64]:
         """Return the optical coordinate of the distinct :attr:`radii`."""
         return pupil.v(self.radii)

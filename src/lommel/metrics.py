@@ -15,7 +15,7 @@ from lommel.methods.polychromatic import Polychromatic
 from lommel.psf import PSF, Numbers
 from lommel.pupil import Pupil
 from lommel.special.disk import disk_overlap
-from lommel.special.legendre import gauss_legendre
+from lommel.special.legendre import gauss_panels
 from lommel.wavefront import Wavefront
 
 
@@ -108,8 +108,9 @@ def ensquared_energy(answer: PSF, half_width: ArrayLike, *, about: str = "axis")
     center = _center(answer, about)
     pupil = answer.pupil
     if answer.radial_method is not None:
-        sides = [float(a) for a in pupil.v(at.ravel())]
-        energies = [_rectangles(answer.radial_method, pupil, [(4.0, a, a)]) for a in sides]
+        radial_method = answer.radial_method
+        sides = [float(a) for a in _within_reach(pupil, "half_width", at, radial_method.stretch(pupil))]
+        energies = [_rectangles(radial_method, pupil, [(4.0, a, a)]) for a in sides]
         exact = np.stack(energies, axis=-1) if sides else np.zeros((math.prod(pupil.shape), 0))
         radial: Numbers = exact.reshape(pupil.shape + at.shape)[()]
         return radial
@@ -154,11 +155,11 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
     if at.size == 0:
         return np.zeros(pupil.shape + at.shape)
     stretch = method.stretch(pupil)
-    edges, where = np.unique(pupil.v(at).ravel(), return_inverse=True)
+    edges, where = np.unique(_within_reach(pupil, "radius", at, stretch), return_inverse=True)
     nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
     for low, high in zip(np.append(0.0, edges), edges, strict=False):
         # I v is of exponential type 2 `stretch`, so half a node a unit of that, and some, is spectral accuracy.
-        x, w = gauss_legendre(math.ceil(0.6 * stretch * (high - low)) + 24, low, high)
+        x, w = gauss_panels(math.ceil(0.6 * stretch * (high - low)) + 24, low, high)
         nodes.append(x)
         weights.append(w * x)
         counts.append(x.size)
@@ -167,6 +168,13 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
     within = light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission)
     result: Numbers = within.reshape(pupil.shape + at.shape)[()]
     return result
+
+
+def _within_reach(pupil: Pupil, name: str, at: NDArray[np.float64], stretch: float) -> NDArray[np.float64]:
+    """Return `at` in v, flat, if that is no farther from the axis than there is light worth computing."""
+    far = float(at.max(initial=0.0))
+    validation.reach(f"{name}={far:g}", stretch * float(pupil.v(far)), pupil.scale / stretch, pupil.unit)
+    return pupil.v(at).ravel()
 
 
 def window_energy(answer: PSF) -> Numbers:
@@ -214,7 +222,7 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[NDArray[np.float
     nodes, weights = [], []
     for low, high in pieces:
         # v = low + (high - low) s^2 smooths the square root with which the arcs begin to leave the rectangle.
-        s, w = gauss_legendre(math.ceil(1.2 * stretch * (high - low)) + 24)
+        s, w = gauss_panels(math.ceil(1.2 * stretch * (high - low)) + 24)
         v = low + (high - low) * s * s
         arc = np.arcsin(np.minimum(1.0, b / v)) - np.arccos(np.minimum(1.0, a / v))
         nodes.append(v)

@@ -168,6 +168,8 @@ class Plan:
         method = choose(pupil, grid) if self.method is None else self.method
         method.require(pupil)
         validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
+        if method.sampling == "center":
+            grid.require_reach(pupil)
         stack = pupil.shape
         count = math.prod(stack) * grid.height * grid.width
         if count > validation.MAX_VALUES:
@@ -195,7 +197,6 @@ class Plan:
             method = SERIES
             made = images(method)
         made = widened(made, pupil, method, normalized=normalize == "peak")
-        rounding = 2.0**-24 if self.dtype == np.float32 else 2.0**-53
         slopes, slope_bounds = {}, {}
         if made.slopes is not None:
             for name, values, bound in zip(derivatives, *made.slopes, strict=True):
@@ -209,7 +210,7 @@ class Plan:
             pupil=pupil,
             method=method,
             normalize=normalize,
-            error_bound=None if made.error is None else float(made.error.max()) + rounding,
+            error_bound=None if made.error is None else float(made.error.max()),
             scale=made.scale.reshape(stack),
             derivatives=slopes,
             derivative_bounds=slope_bounds,
@@ -287,7 +288,7 @@ class PSF:
     derivatives : dict of str to ndarray
         Derivatives of the values that were asked for, by name, each of the shape of the values.
     derivative_bounds : dict of str to float
-        Bounds on their errors over the peak of the values, the largest of the stack; float32 adds its rounding.
+        Bounds on their errors over the peak of the values, the largest of the stack.
     """
 
     values: NDArray[Any]
@@ -433,6 +434,8 @@ class PSF:
             what = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
             raise ValueError(f"radius must be None for {what}, whose values are on the grid only")
         at = validation.real_array("radius", radius, least=0.0)
+        far = float(at.max(initial=0.0))
+        validation.reach(f"radius={far:g}", float(self.pupil.v(far)), self.pupil.scale, self.unit)
         v, where = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
         intensity = method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
         return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity

@@ -18,6 +18,9 @@ MAX_SIDE = 16384
 MAX_VALUES = 2**31
 """Largest number of values in one answer (8 GiB of float32)."""
 
+MAX_REACH = 1e6
+"""Farthest from the axis, in v; light there is less than 1e-17 of that of an aperture in focus."""
+
 
 _SHOWN = 120
 _brief = reprlib.Repr()
@@ -202,6 +205,13 @@ def pixel(value: Any, *, metric: bool) -> float:
             f"for {pitch:g} um give {pitch:g}e-6"
         )
     return pitch
+
+
+def reach(what: str, v: float, scale: float, unit: str) -> None:
+    """Check the largest v that `what` reaches; `scale` is one lambda*N in `unit`."""
+    if not v <= MAX_REACH:
+        here = f"{MAX_REACH / math.pi * scale:.3g} {unit}"
+        raise ValueError(f"{what} reaches v = {v:.3g} from the axis; the limit is {MAX_REACH:.0e}, here {here}")
 
 
 def pixel_on(pitch: float, scale: float, *, metric: bool) -> None:

@@ -5,9 +5,10 @@ from __future__ import annotations
 import signal
 import threading
 
+import mpmath
 import numpy as np
 import pytest
-from scipy.special import j0
+from scipy.special import j0, j1
 
 import lommel as lm
 from lommel import _core
@@ -51,7 +52,7 @@ def test_in_a_thousand_random_cases_the_error_stays_below_the_bound_and_the_boun
         reference = lm.psf(pupil, shape, pixel, method=lm.Hankel())
         # The rounding of the quadrature is far below the smallest tolerance here.
         assert true_error(answer, reference, pupil) <= answer.error_bound, (pupil, shape, pixel, tol)
-        assert answer.error_bound <= tol + 2.0**-53, (pupil, shape, pixel, tol)
+        assert answer.error_bound <= tol, (pupil, shape, pixel, tol)
 
 
 def test_stacks_of_small_windows_keep_the_contract():
@@ -61,7 +62,7 @@ def test_stacks_of_small_windows_keep_the_contract():
         answer = lm.psf(pupil, side, pixel, method=lm.NijboerZernike(1e-7), dtype=np.float64)
         for i in range(0, 50, 7):
             reference = lm.psf(pupil[i], side, pixel, method=lm.Hankel())
-            assert true_error(answer[i], reference, pupil[i]) <= answer.error_bound <= 1e-7 + 2.0**-53
+            assert true_error(answer[i], reference, pupil[i]) <= answer.error_bound <= 1e-7
 
 
 def test_a_stack_equals_its_members_one_by_one_to_within_the_bounds():
@@ -80,7 +81,7 @@ def test_every_instruction_set_gives_the_same_answer_within_the_bound(every_inst
     for level in every_instruction_set:
         _core.limit_instructions(level)
         answer = lm.psf(pupil, 150, 0.5, method=lm.NijboerZernike(1e-9))
-        assert lm.peak_error(answer, reference) <= answer.error_bound <= 1e-9 + 2.0**-53
+        assert lm.peak_error(answer, reference) <= answer.error_bound <= 1e-9
         batch = lm.psf(stack, 21, 0.5, dtype=np.float64)
         assert lm.peak_error(batch[5], small) <= batch.error_bound
 
@@ -147,6 +148,104 @@ def test_the_edge_identity_holds_between_the_derivatives():
     left = 4 * intensity + v * slope + 2 * c * by_defocus + 4 * s * by_spherical
     right = 4 * np.real(np.conj(field) * np.exp(1j * (2 * c + s))) * j0(v)
     assert np.abs(left - right).max() < 1e-9
+
+
+def exact_image(pupil: lm.Pupil, side: int, pixel: float, center: tuple[float, float]) -> np.ndarray:
+    """Return I of a radial pupil at the pixel centres, by quadrature."""
+    y, x = np.arange(side)[:, None] - center[0], np.arange(side) - center[1]
+    v, where = np.unique(np.pi * pixel * np.hypot(y, x), return_inverse=True)
+    return (np.abs(lm.Hankel().field(pupil, v)) ** 2)[where].reshape(side, side)
+
+
+@pytest.mark.parametrize("dtype", ["float32", "float64"])
+@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
+@pytest.mark.parametrize("center", [None, (12.0, 7.0), (12.3, 7.9)])
+@pytest.mark.parametrize(
+    "way", [lm.NijboerZernike, lm.ChordalGauss, lambda tol: lm.Polychromatic([1.0e-6], [1.0], lm.NijboerZernike(tol))]
+)
+def test_whatever_is_asked_the_error_is_below_the_bound_and_the_bound_below_the_tolerance(
+    way, center, normalize, dtype
+):
+    side, pixel = 17, 0.3
+    for tol in (2.4e-7, 1e-6, 1e-4, 3e-2):
+        for defocus, obscuration in ((0.0, 0.0), (5.0, 0.3)):
+            plain = lm.Pupil(lm.Wavefront(defocus), obscuration=obscuration)
+            pupil = lm.Pupil(plain.wavefront, obscuration=obscuration, wavelength=1e-6, f_number=1.0)
+            given = {"center": center, "normalize": normalize, "dtype": dtype, "method": way(tol)}
+            answer = lm.psf(pupil, side, pixel * 1e-6, **given)
+            exact = exact_image(plain, side, pixel, center or (8.0, 8.0))
+            exact = exact / exact.max() if normalize == "peak" else exact * answer.scale
+            error = np.abs(answer.values - exact).max() / (1.0 if normalize == "peak" else answer.scale)
+            # Not of the window, which an axis beside it may leave in the dark.
+            peak = 1.0 if normalize == "peak" else exact_image(plain, 65, 0.1, (32, 32)).max()
+            assert error / peak <= answer.error_bound <= tol
+
+
+def test_values_that_are_rounded_twice_say_so():
+    """Found with bounds broken by 1.37 and 1.08: stored as float32, then divided by the largest and stored again."""
+    pupil = lm.Pupil(lm.Wavefront(0, 0, [0] * 6 + [-229.5]))
+    answer = lm.psf(pupil, 33, 0.005, method=lm.NijboerZernike(1e-5), normalize="peak")
+    exact = exact_image(pupil, 33, 0.005, (16, 16))
+    assert 6.2e-8 < np.abs(answer.values - exact / exact.max()).max() <= answer.error_bound <= 1e-5
+    v = np.pi * 0.011 * np.hypot(*np.mgrid[-32:32, -32:32]).clip(1e-9)
+    exact = (2 * j1(v) / v - 0.09 * 2 * j1(0.3 * v) / (0.3 * v)) ** 2
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(2, 2): 1e-9}), obscuration=0.3)
+    for method in (lm.ChordalGauss(), lm.NijboerZernike()):
+        answer = lm.psf(pupil, 64, 0.011, method=method, normalize="peak")
+        assert np.abs(answer.values - exact / exact.max()).max() <= answer.error_bound
+        assert 2 * 2.0**-24 <= answer.error_bound <= 1e-6
+
+
+def test_a_doubled_bound_is_judged_once_it_is_doubled():
+    """An axis between pixels and values over their own peak: the bound was 1.06e-4 and 1.16e-6."""
+    for tol, pixel in ((1e-4, 0.3), (5.8e-7, 0.3), (5.8e-7, 0.8)):
+        given = {"center": (12.3, 7.9), "normalize": "peak", "method": lm.NijboerZernike(tol), "dtype": "float64"}
+        answer = lm.psf(lm.Pupil(), 9, pixel, **given)
+        exact = exact_image(lm.Pupil(), 9, pixel, (12.3, 7.9))
+        assert np.abs(answer.values - exact / exact.max()).max() <= answer.error_bound <= tol
+
+
+def test_derivatives_count_what_storing_them_adds():
+    for dtype, least in (("float32", 2.0**-24), ("float64", 2.0**-53)):
+        given = {
+            "method": lm.NijboerZernike(1e-6),
+            "derivatives": ("defocus",),
+            "dtype": dtype,
+            "normalize": "strehl",
+        }
+        pupil, h = lm.Pupil(lm.Wavefront(2.0)), 2e-3
+        answer = lm.psf(pupil, 33, 0.4, **given)
+        at = [exact_image(lm.Pupil(lm.Wavefront(2.0 + k * h)), 33, 0.4, (16, 16)) for k in (-2, -1, 1, 2)]
+        slope = (at[0] - 8 * at[1] + 8 * at[2] - at[3]) / (12 * h)
+        error = np.abs(answer.derivatives["defocus"] - slope).max() / answer.values.max()
+        size = np.abs(slope).max() / answer.values.max()
+        assert error <= answer.derivative_bounds["defocus"]
+        assert answer.derivative_bounds["defocus"] >= least * size
+
+
+def test_what_rounding_does_to_the_place_of_the_axis_is_counted():
+    """A tilt of 9e5 pixels against a centre as far off: v is rounded by 1e-10, found with a bound of 8.1e-13."""
+    pixel, far = 0.3, 9e5
+    wavefront = lm.Wavefront(1.0, nonradial={(1, 1): far * np.pi * pixel, (2, 2): 1e-30})
+    tilt = float(wavefront.edge_terms()[1, 1])
+    center = (2.0, 4.3 - far)
+    with mpmath.workdps(40):
+        step = mpmath.pi * mpmath.mpf(pixel)
+        axis = mpmath.mpf(center[1]) + mpmath.mpf(tilt) / step
+        truth = {}
+        for row, column in ((2, 0), (2, 3), (4, 8)):
+            v = step * mpmath.hypot(row - 2, column - axis)
+            u = mpmath.quad(lambda t, v=v: mpmath.expj(2 * t) * mpmath.besselj(0, v * mpmath.sqrt(t)), [0, 1])
+            truth[row, column] = float(abs(u) ** 2)
+    for tol in (1e-12, 1e-8):
+        given = {"center": center, "method": lm.NijboerZernike(tol), "normalize": "strehl"}
+        if tol == 1e-12:
+            with pytest.raises(lm.ToleranceError, match="1e-12"):
+                lm.psf(lm.Pupil(wavefront), 9, pixel, **given)
+            continue
+        answer = lm.psf(lm.Pupil(wavefront), 9, pixel, **given)
+        error = max(abs(answer.values[place] - value) for place, value in truth.items())
+        assert 1e-12 < error / answer.values.max() <= answer.error_bound <= tol
 
 
 def test_a_long_stack_can_be_interrupted_and_leaves_nothing_broken():

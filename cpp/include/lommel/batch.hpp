@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "lommel/bessel.hpp"
+#include "lommel/cache.hpp"
 #include "lommel/layout.hpp"
 #include "lommel/simd.hpp"
 
@@ -26,6 +25,7 @@ struct RadiusTable {
           rows(terms * stride) {
         std::vector<double> values(terms), scratch;
         for (std::size_t i = 0; i < l->count; ++i) {
+            look();
             legendre_transforms(l->radii[i] * step, terms, values.data(), scratch);
             for (std::size_t k = 0; k < terms; ++k) {
                 rows[k * stride + i] = values[k];
@@ -33,30 +33,16 @@ struct RadiusTable {
         }
     }
 
-    // Shared by all calls: the most recent ones, up to 64 MiB.
+    bool is(const std::shared_ptr<const Layout>& l, double pixel_step, std::size_t n) const {
+        return layout == l && step == pixel_step && terms >= n;
+    }
+    std::size_t bytes() const { return sizeof(double) * rows.size(); }
+
+    static constexpr std::size_t most_bytes = std::size_t{64} << 20;
+    // With terms rounded up, so that a little more defocus does not mean a new table.
     static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Layout>& layout, double step,
                                                   std::size_t terms) {
-        static std::mutex mutex;
-        static std::list<std::shared_ptr<const RadiusTable>> recent;
-        const std::lock_guard<std::mutex> lock(mutex);
-        for (auto at = recent.begin(); at != recent.end(); ++at) {
-            if ((*at)->layout == layout && (*at)->step == step) {
-                if ((*at)->terms >= terms) {
-                    recent.splice(recent.begin(), recent, at);
-                    return recent.front();
-                }
-                recent.erase(at);
-                break;
-            }
-        }
-        recent.push_front(std::make_shared<const RadiusTable>(layout, step, (terms + 7) / 8 * 8));
-        const std::shared_ptr<const RadiusTable> made = recent.front();
-        std::size_t bytes = 0;
-        for (auto at = recent.begin(); at != recent.end();) {
-            bytes += (*at)->rows.size() * sizeof(double);
-            at = bytes > (std::size_t{64} << 20) ? recent.erase(at) : std::next(at);
-        }
-        return made;
+        return cache<RadiusTable>.get(layout, step, (terms + 7) / 8 * 8);
     }
 };
 

@@ -8,11 +8,44 @@
 
 namespace lommel {
 
-// J_0(v) .. J_{count-1}(v) for v >= 0, by Miller's backward recurrence (DLMF 3.6(vi)), normalised with
-// J_0 + 2 (J_2 + J_4 + ...) = 1 (DLMF 10.12.4). Absolute error a few units of 2^-53.
-// Cost: about v + count multiply-adds.
+// J_0(v) and J_1(v) for v >= 100, by Hankel's expansion (DLMF 10.17.3), whose terms fall below 1e-17.
+inline void first_bessel(double v, double& zeroth, double& first) {
+    double parts[2][2];  // P and Q of both orders
+    for (int order = 0; order < 2; ++order) {
+        const double mu = 4.0 * order;
+        double term = 1.0, sum[2] = {1.0, 0.0};
+        for (int k = 1; k < 12; ++k) {
+            const double odd = 2.0 * k - 1.0;
+            term *= (mu - odd * odd) / (8.0 * k * v);
+            sum[k % 2] += k % 4 < 2 ? term : -term;
+        }
+        parts[order][0] = sum[0];
+        parts[order][1] = sum[1];
+    }
+    const double c = std::cos(v), s = std::sin(v), scale = 1.0 / std::sqrt(3.14159265358979323846 * v);
+    zeroth = scale * (parts[0][0] * (c + s) - parts[0][1] * (s - c));
+    first = scale * (parts[1][0] * (s - c) + parts[1][1] * (s + c));
+}
+
+// J_0(v) .. J_{count-1}(v) for v >= 0. Absolute error a few units of 2^-53.
+// Orders well below v follow from the first two by the recurrence upwards, which is stable there: about `count` steps. Else
+// by Miller's backward recurrence (DLMF 3.6(vi)), normalised with J_0 + 2 (J_2 + J_4 + ...) = 1 (DLMF 10.12.4): about
+// v + count.
 inline void bessel_sequence(double v, std::size_t count, double* out) {
     if (count == 0) {
+        return;
+    }
+    if (v >= 100.0 && static_cast<double>(count) <= 0.5 * v) {
+        double before, here;
+        first_bessel(v, before, here);
+        out[0] = before;
+        const double turn = 2.0 / v;
+        for (std::size_t k = 1; k < count; ++k) {
+            out[k] = here;
+            const double next = turn * static_cast<double>(k) * here - before;
+            before = here;
+            here = next;
+        }
         return;
     }
     if (v < 1e-3) {

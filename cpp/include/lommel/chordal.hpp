@@ -57,6 +57,7 @@ class ChordalRenderer {
         std::vector<std::size_t> pending(stack_.count);
         std::iota(pending.begin(), pending.end(), std::size_t{0});
         for (const std::size_t p : pending) {
+            look();
             prepare(p, outer, inner);
             check(outer);
             // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
@@ -68,6 +69,7 @@ class ChordalRenderer {
         }
         while (!pending.empty()) {
             for (const std::size_t p : pending) {
+                look();
                 State& s = states_[p];
                 prepare(p, outer, inner);
                 const double rounding = outer.rounding(0);
@@ -142,6 +144,7 @@ class ChordalRenderer {
         ChordBound bound;
         const std::size_t terms = stack_.terms.size();
         for (std::size_t p = 0; p < stack_.count; ++p) {
+            look();
             bound.prepare(curves_, coefficients + p * terms, scale * scale * stack_.gaussian, box_.scaled(scale));
             const double error = states_[p].error;
             const std::size_t curve = bound.best_curve(error, expected_share), plain = bound.estimate(curve, error, 1.0);
@@ -160,7 +163,7 @@ class ChordalRenderer {
         for (std::size_t b = 0; b < batches; ++b) {
             const std::size_t curve = (states_[worth[b * lanes]].*which).curve;
             const bool same = b > 0 && tables[b - 1]->b == curves_.b[curve];
-            tables[b] = same ? tables[b - 1] : shared_table<SharpTable>(stack_.terms, curves_.b[curve]);
+            tables[b] = same ? tables[b - 1] : cache<SharpTable>.get(stack_.terms, curves_.b[curve]);
         }
         parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
             thread_local Doubles given, room;
@@ -191,7 +194,7 @@ class ChordalRenderer {
             throw PhaseTooLarge("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
                                 std::to_string(chords) + " chords, whose tables exceed the limit of 256 MiB");
         }
-        return shared_table<KernelTable>(chords, rows_, columns_, step);
+        return cache<KernelTable>.get(chords, rows_, columns_, step);
     }
 
     struct Tables {
@@ -202,7 +205,7 @@ class ChordalRenderer {
     Tables tables(std::size_t chords, double scale) const {
         // The kernel first: it knows when there are too many chords.
         const auto k = kernel(chords, scale * step_);
-        return {shared_table<TermTable>(chords, stack_.terms, scale * scale * stack_.gaussian), k};
+        return {cache<TermTable>.get(chords, stack_.terms, scale * scale * stack_.gaussian), k};
     }
 
     void dispatch_batches(const std::vector<std::size_t>& pending) {
@@ -310,7 +313,7 @@ class ChordalRenderer {
         s.peak = peak;
         const bool normalize = answer_.scales[p] == 0.0;
         s.relative = relative_error(peak, error);
-        s.relative = normalize ? normalized_error(s.relative) : s.relative;
+        s.relative = stored(normalize ? normalized_error(s.relative) : s.relative, storing<T>(normalize));
         if (!(s.relative <= tol_)) {
             return;
         }

@@ -50,6 +50,7 @@ struct SharpTable {
         for (std::size_t p = 0; p < across; ++p) {
             const std::complex<long double> angle(pi * static_cast<long double>(p) / static_cast<long double>(across), b);
             for (std::size_t q = 0; q < half; ++q) {
+                look();
                 const long double eta =
                     std::cos(pi * static_cast<long double>(2 * q + 1) / static_cast<long double>(4 * half));
                 const std::complex<long double> x = std::cos(angle), y = eta * std::sin(angle);
@@ -91,6 +92,7 @@ struct SharpTable {
     }
     bool is(const std::vector<ZernikeTerm>& list, double curve) const { return b == curve && terms == list; }
     std::size_t bytes() const { return (values.size() + waves.size()) * sizeof(double); }
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 
    private:
     std::size_t find(std::size_t n, std::int64_t m) const {
@@ -112,6 +114,7 @@ LOMMEL_INLINE typename I::pack sharp_size(I, const SharpTable& table, const doub
     V top = splat<V>(0.0);
     const double* value = table.values.data();
     for (std::size_t point = 0; point < table.points; ++point) {
+        look();
         for (std::size_t j = 0; j < 2 * table.harmonics * lanes; j += lanes) {
             store(room + j, splat<V>(0.0));
         }

@@ -6,12 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <list>
-#include <memory>
-#include <mutex>
-#include <utility>
 #include <vector>
 
+#include "lommel/cache.hpp"
 #include "lommel/chordal_bound.hpp"
 #include "lommel/legendre.hpp"
 #include "lommel/simd.hpp"
@@ -110,6 +107,7 @@ struct TermTable {
         const ChordRule rule(n);
         for (std::size_t i = 0; i < half; ++i) {
             for_tiles(half, node_tile, [&](std::size_t first, std::size_t size) {
+                look();
                 double* tile = values.data() + (i * half + first) * list.size();
                 for (std::size_t j = 0; j < list.size(); ++j) {
                     for (std::size_t r = 0; r < size; ++r) {
@@ -129,6 +127,7 @@ struct TermTable {
         return chords == n && gaussian == g && terms == list;
     }
     std::size_t bytes() const { return (values.size() + weights.size()) * sizeof(double); }
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
 
 // Rows or columns of a window: distances from the axis in pixels, those at +v and -v as one.
@@ -179,6 +178,7 @@ struct KernelTable {
         return chords == n && step == pixel_step && rows == down && columns == across;
     }
     std::size_t bytes() const { return 2 * (row_cos.size() + column_cos.size()) * sizeof(double); }
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
     static double bytes(std::size_t n, std::size_t rows) {
         return 4.0 * static_cast<double>(n) * static_cast<double>(n) * static_cast<double>(rows);
     }
@@ -187,6 +187,7 @@ struct KernelTable {
     void fill(const std::vector<double>& at, std::size_t tile, const std::vector<long double>& nodes, long double factor,
               double* cosines, double* sines) const {
         for_tiles(at.size(), tile, [&](std::size_t first, std::size_t size) {
+            look();
             for (std::size_t k = 0; k < half; ++k) {
                 for (std::size_t r = 0; r < size; ++r) {
                     const long double angle = static_cast<long double>(at[first + r] * step) * factor * nodes[k];
@@ -198,27 +199,5 @@ struct KernelTable {
         });
     }
 };
-
-// Tables shared by all calls: the most recent ones, up to 96 MiB of each kind, and the one just made whatever its size.
-template <class Table, class... Key>
-std::shared_ptr<const Table> shared_table(const Key&... key) {
-    static std::mutex mutex;
-    static std::list<std::shared_ptr<const Table>> recent;
-    const std::lock_guard<std::mutex> lock(mutex);
-    for (auto at = recent.begin(); at != recent.end(); ++at) {
-        if ((*at)->is(key...)) {
-            recent.splice(recent.begin(), recent, at);
-            return recent.front();
-        }
-    }
-    recent.push_front(std::make_shared<const Table>(key...));
-    const std::shared_ptr<const Table> made = recent.front();
-    std::size_t bytes = 0;
-    for (auto at = recent.begin(); at != recent.end();) {
-        bytes += (*at)->bytes();
-        at = bytes > (std::size_t{96} << 20) ? recent.erase(at) : std::next(at);
-    }
-    return made;
-}
 
 }  // namespace lommel

@@ -114,6 +114,7 @@ LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTab
     scratch.row.resize(kernel.columns.count * 2 * lanes);
     double *nodes = scratch.nodes.data(), *chords = scratch.chords.data(), *row = scratch.row.data();
     for (std::size_t i = 0; i < half; ++i) {
+        look();
         pair_of_chords(isa, terms, i, scratch.coefficients.data(), nodes);
         for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;
@@ -138,6 +139,7 @@ LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTab
         });
     }
     for (std::size_t y = 0; y < kernel.rows.count; ++y) {
+        look();
         const double* from = chords + y * 2 * line;
         for_fixed_tiles<column_tile>(columns, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/engine.hpp"
 #include "lommel/fresnel.hpp"
 #include "lommel/legendre.hpp"
 
@@ -30,6 +31,7 @@ class HankelPieces {
     HankelPieces(double transition, double ratio, double reach, std::size_t terms) {
         edges.push_back(transition);
         while (edges.back() < reach) {
+            look();
             const double low = edges.back(), high = low * ratio;
             std::array<double, 3> x;
             std::array<std::complex<double>, 3> f;
@@ -75,6 +77,7 @@ class ClosedFormField {
         std::complex<double> sum = 0.0;
         std::size_t piece = 0;
         for (std::size_t i = 0; i < phase_.count; ++i) {
+            look();
             const double low = phase_.edges[i], high = phase_.edges[i + 1];
             if (low < split) {
                 sum += inner(v, i, low, std::min(high, split));
@@ -98,14 +101,24 @@ class ClosedFormField {
    private:
     static constexpr std::size_t node_count = 12;
 
+    // Of at most six radians.
+    static std::size_t panels_for(double span) {
+        if (!(span <= 4.0 * (max_phase + max_reach))) {
+            throw PhaseTooLarge("phases and radii this large take more panels of quadrature than there may be");
+        }
+        return static_cast<std::size_t>(span / 6.0) + 1;
+    }
+
     // Within the transition, by Gauss quadrature of the power series: panels of at most six radians.
     std::complex<double> inner(double v, std::size_t i, double low, double high) const {
         const double a = phase_.alpha[i], b = phase_.beta[i];
         const double span = (std::abs(a) * (low + high) + std::abs(b) + v) * (high - low);
-        const std::size_t panels = static_cast<std::size_t>(span / 6.0) + 1;
+        const std::size_t panels = panels_for(span);
         const double width = (high - low) / static_cast<double>(panels);
         std::complex<double> sum = 0.0;
+        Glance glance;
         for (std::size_t p = 0; p < panels; ++p) {
+            glance(64 * node_count);
             const double middle = low + (static_cast<double>(p) + 0.5) * width;
             for (std::size_t k = 0; k < node_count; ++k) {
                 const double r = middle + 0.5 * width * nodes_[k], angle = (a * r + b) * r + phase_.gamma[i];
@@ -184,10 +197,12 @@ class ClosedFormField {
     }
 
     void quadrature(double a, double b, double low, double high, double span, std::complex<double>* moments) const {
-        const std::size_t panels = static_cast<std::size_t>(span / 6.0) + 1;
+        const std::size_t panels = panels_for(span);
         const double width = (high - low) / static_cast<double>(panels);
         moments[0] = moments[1] = moments[2] = 0.0;
+        Glance glance;
         for (std::size_t p = 0; p < panels; ++p) {
+            glance(64 * node_count);
             const double middle = low + (static_cast<double>(p) + 0.5) * width;
             for (std::size_t k = 0; k < node_count; ++k) {
                 const double r = middle + 0.5 * width * nodes_[k], angle = (a * r + b) * r;
@@ -208,8 +223,11 @@ class ClosedFormField {
 inline void chebyshev_intensity(const std::complex<double>* pieces, std::size_t count, double width, const double* v, std::size_t n,
                                double* intensity) {
     constexpr std::size_t terms = 16;
+    const double last = static_cast<double>(count - 1);
+    Glance glance;
     for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t s = std::min(static_cast<std::size_t>(v[i] / width), count - 1);
+        glance(2 * terms);
+        const std::size_t s = static_cast<std::size_t>(std::min(v[i] / width, last));
         const double x = 2.0 * (v[i] / width - static_cast<double>(s)) - 1.0;
         const std::complex<double>* c = pieces + s * terms;
         double re1 = 0.0, re2 = 0.0, im1 = 0.0, im2 = 0.0;

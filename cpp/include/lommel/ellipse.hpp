@@ -13,13 +13,38 @@
 
 namespace lommel {
 
+// The ellipses that are tried, and angles around them.
+struct EllipseGrid {
+    static constexpr std::size_t count = 40, steps = 96;
+    std::array<double, count> eta, sinh, cosh, decay, perimeter, quadrature;
+    std::array<double, steps + 1> sin, cos;
+
+    EllipseGrid() {
+        for (std::size_t i = 0; i < count; ++i) {
+            eta[i] = 2e-3 * std::pow(2000.0, static_cast<double>(i) / (count - 1));
+            sinh[i] = std::sinh(eta[i]);
+            cosh[i] = std::cosh(eta[i]);
+            decay[i] = std::exp(-eta[i]);
+            const double closed = std::log(-std::expm1(-2.0 * eta[i]));
+            // log(l / pi) <= log sqrt(2 cosh 2 eta)
+            perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - closed;
+            quadrature[i] = std::log(32.0 / 15.0) - closed - std::log(std::expm1(eta[i]));
+        }
+        for (std::size_t j = 0; j <= steps; ++j) {
+            sin[j] = std::sin(pi() * static_cast<double>(j) / steps);
+            cos[j] = std::cos(pi() * static_cast<double>(j) / steps);
+        }
+    }
+    static double pi() { return 3.14159265358979323846; }
+};
+
 class Ellipses {
    public:
-    static constexpr std::size_t count = 40;
+    static constexpr std::size_t count = EllipseGrid::count;
 
     // Of t^power exp(i Phi - gaussian t), with the coefficients of t, t^2, ... in radians; gaussian >= 0.
     Ellipses(const double* phase, std::size_t terms, double gaussian, std::size_t power) {
-        const Grid& grid = the_grid();
+        const EllipseGrid& grid = the_grid;
         measure(phase, terms);
         for (std::size_t i = 0; i < count; ++i) {
             // Re t >= (1 - cosh eta) / 2
@@ -49,7 +74,7 @@ class Ellipses {
     // Bound on sum_{n >= terms} |beta_n| / sqrt(2n+1), hence on the tail of the series at every v. Wang and Xiang,
     // Math. Comp. 81, 861 (2012): |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi (1 - e^{-2 eta})), l the perimeter.
     double tail(std::size_t terms) const {
-        const Grid& grid = the_grid();
+        const EllipseGrid& grid = the_grid;
         const double order = 2.0 * static_cast<double>(terms) + 1.0;
         double best = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
@@ -63,7 +88,7 @@ class Ellipses {
 
     // Fewest terms for which tail() is at most `error`.
     std::size_t terms(double error) const {
-        const Grid& grid = the_grid();
+        const EllipseGrid& grid = the_grid;
         double needed = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
             // From below: sums >= 1 / (1 - q), order >= 1.
@@ -80,7 +105,7 @@ class Ellipses {
     // Bound on the error in U when the first `terms` coefficients come from `nodes`-point Gauss quadrature
     // (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3, with |P_n| <= e^{n eta}).
     double quadrature(std::size_t nodes, std::size_t terms) const {
-        const Grid& grid = the_grid();
+        const EllipseGrid& grid = the_grid;
         double best = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
             best = std::min(best, g_[i] + grid.quadrature[i] +
@@ -91,7 +116,7 @@ class Ellipses {
 
     // Fewest nodes for which quadrature() is at most `error`.
     std::size_t nodes(std::size_t terms, double error) const {
-        const Grid& grid = the_grid();
+        const EllipseGrid& grid = the_grid;
         const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
         double needed = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
@@ -103,7 +128,7 @@ class Ellipses {
 
    private:
     void measure(const double* phase, std::size_t terms) {
-        const Grid& grid = the_grid();
+        const EllipseGrid& grid = the_grid;
         if (terms <= 2) {
             // |Im Phi| = |sin| sinh / 2 |c1 + c2 (1 + cos cosh)| = |A sin + B sin cos|, whose maxima are known.
             const double c1 = terms > 0 ? phase[0] : 0.0, c2 = terms > 1 ? phase[1] : 0.0;
@@ -116,7 +141,7 @@ class Ellipses {
         }
         for (std::size_t i = 0; i < count; ++i) {
             double top = 0.0;
-            for (std::size_t j = 0; j <= steps; ++j) {
+            for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
                 const double x = 0.5 * (1.0 + grid.cos[j] * grid.cosh[i]), y = -0.5 * grid.sin[j] * grid.sinh[i];
                 double re = 0.0, im = 0.0;
                 for (std::size_t k = terms; k-- > 0;) {
@@ -127,12 +152,9 @@ class Ellipses {
                 top = std::max(top, std::abs(im));
             }
             // A trigonometric polynomial of this degree between grid points (Ehlich and Zeller, 1964).
-            g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * pi() / static_cast<double>(steps));
+            g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
         }
     }
-
-    static constexpr std::size_t steps = 96;
-    static double pi() { return 3.14159265358979323846; }
 
     // max over c = cos of sqrt(1 - c^2) (a + b c), a, b >= 0: at 2 b c^2 + a c - b = 0.
     static double largest(double a, double b) {
@@ -143,35 +165,14 @@ class Ellipses {
         return std::sqrt(std::max(0.0, 1.0 - c * c)) * (a + b * c);
     }
 
-    struct Grid {
-        std::array<double, count> eta, sinh, cosh, decay, perimeter, quadrature;
-        std::array<double, steps + 1> sin, cos;
-    };
-    static const Grid& the_grid() {
-        static const Grid grid = [] {
-            Grid g;
-            for (std::size_t i = 0; i < count; ++i) {
-                const double eta = 2e-3 * std::pow(2000.0, static_cast<double>(i) / (count - 1));
-                g.eta[i] = eta;
-                g.sinh[i] = std::sinh(eta);
-                g.cosh[i] = std::cosh(eta);
-                g.decay[i] = std::exp(-eta);
-                const double closed = std::log(-std::expm1(-2.0 * eta));
-                // log(l / pi) <= log sqrt(2 cosh 2 eta)
-                g.perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta)) - closed;
-                g.quadrature[i] = std::log(32.0 / 15.0) - closed - std::log(std::expm1(eta));
-            }
-            for (std::size_t j = 0; j <= steps; ++j) {
-                g.sin[j] = std::sin(pi() * static_cast<double>(j) / steps);
-                g.cos[j] = std::cos(pi() * static_cast<double>(j) / steps);
-            }
-            return g;
-        }();
-        return grid;
-    }
+    // Made when the program is loaded: a fork must not find it half done.
+    static inline const EllipseGrid the_grid;
 
     std::array<double, count> g_;
 };
+
+// How far from the axis, in v: beyond, light is less than 1e-17 of that of an aperture in focus, and roundings of v show.
+constexpr double max_reach = 1e6;
 
 // log of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and the rate at which it falls with m.
 inline double kapteyn(double m, double v, double& rate) {
@@ -201,7 +202,7 @@ inline double window_tail(std::size_t terms, double reach) {
     return 2.0 / reach * std::sqrt(m) * std::exp(top) / (1.0 - ratio);
 }
 
-// Fewest terms for which window_tail() is at most `error`.
+// Fewest terms for which window_tail() is at most `error`; the reach is at most max_reach.
 inline std::size_t window_terms(double reach, double error) {
     std::size_t n = static_cast<std::size_t>(0.5 * reach) + 1;
     std::size_t step = 1;

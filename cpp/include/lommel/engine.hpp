@@ -26,6 +26,25 @@ struct PhaseTooLarge : std::domain_error {
     using std::domain_error::domain_error;
 };
 
+inline void check_reach(double reach) {
+    if (!(reach <= max_reach)) {
+        char message[96];
+        std::snprintf(message, sizeof message, "v up to %.3g from the axis is more than the limit of %.3g", reach, max_reach);
+        throw PhaseTooLarge(message);
+    }
+}
+
+// Where a field is wanted: at radii[0 .. count), rising, `step` in v each; or anywhere up to a reach in v.
+struct Places {
+    const double* radii;
+    std::size_t count;
+    double step;
+
+    Places(const double* at, std::size_t n, double scale) : radii(at), count(n), step(scale) {}
+    Places(double reach) : radii(nullptr), count(0), step(reach) {}
+    double reach() const { return count > 0 ? radii[count - 1] * step : radii == nullptr ? step : 0.0; }
+};
+
 // The pupil function exp(i Phi - gaussian t): coefficients of t, t^2, ... of the phase, in radians.
 struct Phase {
     const double* coefficients;
@@ -54,6 +73,7 @@ struct Expansion {
 
     Expansion() = default;
     Expansion(const Ellipses& ellipses, double reach, double error) {
+        check_reach(reach);
         const std::size_t by_phase = ellipses.terms(0.5 * error), by_window = window_terms(reach, 0.5 * error);
         terms = std::min(by_phase, by_window);
         truncation = by_phase <= by_window ? ellipses.tail(terms) : window_tail(terms, reach);
@@ -63,7 +83,7 @@ struct Expansion {
                                 " nodes, more than the limit of " + std::to_string(max_terms) +
                                 "; Geometric, which leaves diffraction out, has none");
         }
-        rule = LegendreRules::get(nodes, terms);
+        rule = LegendreRule::get(nodes, terms);
         quadrature = ellipses.quadrature(2 * rule->half, terms);
     }
 
@@ -86,6 +106,10 @@ inline void check_size(const Phase& phase) {
         throw PhaseTooLarge(message);
     }
 }
+
+// What the rounding of radii does to U up to v: in units of a piece they are off by three roundings, the step in v by three,
+// and |U'| <= int sqrt(t) |J_1(v sqrt t)| dt is at most 1/2 and, |J_1(x)| being at most 0.826 / sqrt(x), 0.661 / sqrt(v).
+inline double radius_rounding(double v) { return 6.0 * unit_roundoff * std::min(0.5 * v, 0.661 * std::sqrt(v)); }
 
 // The Legendre series of t^power exp(i Phi) on a full disk.
 struct Disk {
@@ -113,14 +137,14 @@ struct Disk {
 // grown.
 class Field {
    public:
-    // Makes ready for v up to `reach`, with t^power before exp(i Phi); returns the bound on the error of U.
-    double prepare(const Phase& phase, std::size_t power, double obscuration, double reach, double error) {
+    // Makes ready for some places, with t^power before exp(i Phi); returns the bound on the error of U.
+    double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error) {
+        const double reach = places.reach();
         // An obscuration that takes less light than the rounding is none.
         obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
         const double area = obscuration_ * obscuration_;
         double bound = outer_.expand(phase, power, reach, 0.5 * error, scratch_);
-        // Radii in units of a piece are off by three roundings, and |U'| <= int sqrt(t) |J_1| dt < 1/2.
-        bound += 1.5 * unit_roundoff * reach;
+        bound += radius_rounding(reach);
         weight_ = 0.0;
         if (area > 0.0) {
             // The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).
@@ -134,22 +158,26 @@ class Field {
                 weight_ *= area;
             }
             const Phase inner{inner_phase_.data(), phase.terms, area * phase.gaussian};
-            bound += weight_ * inner_.expand(inner, power, obscuration_ * reach, 0.5 * error, scratch_);
+            bound += weight_ * (inner_.expand(inner, power, obscuration_ * reach, 0.5 * error, scratch_) +
+                                radius_rounding(obscuration_ * reach));
         }
         const std::size_t terms = std::max(outer_.terms, area > 0.0 ? inner_.terms : 0);
         std::size_t width = 0;
         while (width < widths.size() && piece_error(widths[width]) * (1.0 + weight_) > 0.4 * error) {
             ++width;
         }
-        if (width == widths.size()) {
-            table_ = nullptr;
-            // By Cauchy and Parseval, the magnitudes of what is added sum to at most 1.
-            return bound + unit_roundoff * (1.0 + weight_) * (static_cast<double>(terms) + 16.0);
+        // By Cauchy and Parseval, the magnitudes of what is added sum to at most 1.
+        const double by_series = static_cast<double>(terms) + 16.0;
+        table_ = nullptr;
+        if (width < widths.size()) {
+            const WantedPieces wanted = pieces_for(places, reach, widths[width], terms);
+            table_ = wanted.end() > 0 ? even_pieces.get(width, wanted, terms) : nullptr;
         }
-        const std::size_t pieces = static_cast<std::size_t>(reach / widths[width]) + 1;
-        table_ = PieceTables::get(width, pieces, terms);
-        return bound + (1.0 + weight_) * (piece_error(table_->width) +
-                                          unit_roundoff * table_->magnitude * (0.5 * static_cast<double>(terms) + 40.0));
+        if (table_ == nullptr) {
+            return bound + unit_roundoff * (1.0 + weight_) * by_series;
+        }
+        const double by_table = table_->magnitude * (0.5 * static_cast<double>(terms) + 40.0);
+        return bound + (1.0 + weight_) * (piece_error(table_->width) + unit_roundoff * std::max(by_table, few_ ? by_series : 0.0));
     }
 
     // Hands U at radii[first .. last), rising, `step` in v each, to sink(i - first, re, im), a vector at a time. The
@@ -175,32 +203,85 @@ class Field {
     }
 
    private:
+    // Near the axis every piece that holds a radius is worth its table, which all calls share. Farther out only those are that
+    // hold as many radii as the table takes points; the other radii are summed by the series, one by one.
+    static constexpr double near = 4096.0;
+    static constexpr std::size_t crowd = degree_count;
+    static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // of the pieces for one call
+
+    std::size_t piece_at(double radius, double per_pixel) const {
+        return std::min(static_cast<std::size_t>(radius * per_pixel), all_ - 1);
+    }
+    // The end of the radii in piece s from `first` on.
+    std::size_t end_of(std::size_t s, const double* radii, std::size_t first, std::size_t last, double per_pixel) const {
+        if (s + 1 == all_) {
+            return last;
+        }
+        const double end = static_cast<double>(s + 1) / per_pixel;
+        return static_cast<std::size_t>(std::lower_bound(radii + first + 1, radii + last, end) - radii);
+    }
+    bool by_table(std::size_t s, std::size_t radii) const { return s < leading_ || (radii >= crowd && s < end_); }
+
+    WantedPieces pieces_for(const Places& places, double reach, double width, std::size_t terms) {
+        all_ = leading_ = end_ = static_cast<std::size_t>(reach / width) + 1;
+        few_ = false;
+        WantedPieces wanted;
+        if (places.count == 0 || (places.count >= all_ && reach <= near)) {
+            wanted.leading = all_;
+            return wanted;
+        }
+        leading_ = std::min(all_, static_cast<std::size_t>(near / width));
+        for (const double scale : {1.0, obscuration_}) {
+            const double per_pixel = scale * places.step / width;
+            for (std::size_t i = 0; scale > 0.0 && i < places.count;) {
+                const std::size_t s = piece_at(places.radii[i], per_pixel);
+                const std::size_t stop = end_of(s, places.radii, i, places.count, per_pixel);
+                if (by_table(s, stop - i)) {
+                    wanted.others.push_back(s);
+                } else {
+                    few_ = true;
+                }
+                i = stop;
+            }
+        }
+        std::sort(wanted.others.begin(), wanted.others.end());
+        wanted.others.erase(std::unique(wanted.others.begin(), wanted.others.end()), wanted.others.end());
+        const std::size_t room = most_bytes / (sizeof(double) * degree_count * (terms + 32));
+        if (wanted.others.size() > room) {
+            wanted.others.resize(room);
+            few_ = true;
+        }
+        end_ = wanted.end();
+        leading_ = std::min(leading_, end_);
+        return wanted;
+    }
+
     template <class I, class Sink>
     LOMMEL_INLINE void evaluate_disk(I isa, const Disk& disk, const double* radii, std::size_t first, std::size_t last,
                                      double step, const Sink& sink) {
         using V = typename I::pack;
-        if (table_ == nullptr) {
-            for (std::size_t i = first; i < last; i += I::lanes) {
-                alignas(64) double re[I::lanes], im[I::lanes];
-                for (std::size_t j = 0; j < I::lanes; ++j) {
-                    sum(disk, radii[i + j] * step, re[j], im[j]);
-                }
-                sink(i - first, load<V>(re), load<V>(im));
-            }
-            return;
-        }
         constexpr std::size_t unroll = I::unroll;
-        const PieceTable& table = *table_;
-        const double per_pixel = step / table.width;
-        const std::size_t final_piece = table.pieces.size() - 1;
+        const double per_pixel = table_ == nullptr ? 0.0 : step / table_->width;
         for (std::size_t i = first; i < last;) {
-            const std::size_t s = std::min(static_cast<std::size_t>(radii[i] * per_pixel), final_piece);
-            const double end = static_cast<double>(s + 1) / per_pixel;
-            const std::size_t stop =
-                s == final_piece ? last
-                                 : static_cast<std::size_t>(std::lower_bound(radii + i + 1, radii + last, end) - radii);
+            std::size_t s = 0, stop = last;
+            if (table_ != nullptr) {
+                s = piece_at(radii[i], per_pixel);
+                stop = end_of(s, radii, i, last, per_pixel);
+            }
+            if (table_ == nullptr || !by_table(s, stop - i)) {
+                for (; i < stop; i += I::lanes) {
+                    look();
+                    alignas(64) double re[I::lanes], im[I::lanes];
+                    for (std::size_t j = 0; j < I::lanes; ++j) {
+                        sum(disk, radii[std::min(i + j, stop - 1)] * step, re[j], im[j]);
+                    }
+                    sink(i - first, load<V>(re), load<V>(im));
+                }
+                i = stop;
+                continue;
+            }
             alignas(64) double re[degree_count], im[degree_count];
-            combine(isa, *table.pieces[s], disk.terms, disk.re.data(), disk.im.data(), re, im);
+            combine(isa, *table_->pieces[s], disk.terms, disk.re.data(), disk.im.data(), re, im);
             const V slope = splat<V>(2.0 * per_pixel), offset = splat<V>(-(2.0 * static_cast<double>(s) + 1.0));
             for (; i < stop; i += unroll * I::lanes) {
                 // Two chains of multiply-adds a vector: enough vectors at once hide their latency.
@@ -240,6 +321,9 @@ class Field {
     Disk outer_, inner_;
     double obscuration_ = 0.0, weight_ = 0.0;
     std::shared_ptr<const PieceTable> table_;
+    // Pieces up to the reach; those that one radius is enough for; those for which there may be tables.
+    std::size_t all_ = 1, leading_ = 0, end_ = 0;
+    bool few_ = false;  // whether the series serves some radii
     SeriesScratch scratch_;
     std::vector<double> inner_phase_, transforms_, bessel_;
     Doubles re_, im_;
@@ -258,6 +342,15 @@ inline double relative_error(double peak, double field_error) {
 
 // The error of values divided by their own largest one, itself in error by `relative`.
 inline double normalized_error(double relative) { return relative < 1.0 ? 2.0 * relative / (1.0 - relative) : 1e300; }
+
+// What storing values of type T adds to their error over the peak. The sum of two squares, the scale and the product with it
+// are six roundings to double at most; to float, if it is that, values are rounded once, or twice if they are divided by their
+// largest one after they have been stored.
+template <class T>
+constexpr double storing(bool twice) {
+    return 6.0 * unit_roundoff + (sizeof(T) == 4 ? (twice ? 2.0 : 1.0) * 5.9604644775390625e-08 : 0.0);
+}
+inline double stored(double relative, double storing) { return relative + (1.0 + relative) * storing; }
 
 // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
 inline double likely_peak(const Phase& phase, double obscuration) {
@@ -285,7 +378,7 @@ inline double scanned_peak(const Phase& phase, double obscuration, double error)
     }
     Field field;
     const double step = blur / samples;
-    field.prepare(phase, 0, obscuration, radii.back() * step, error);
+    field.prepare(phase, 0, obscuration, {radii.data(), samples, step}, error);
     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         field.evaluate(isa, radii.data(), 0, samples, step, [&](std::size_t i, auto re, auto im) LOMMEL_INLINE_LAMBDA {
             store(values.data() + i, re * re + im * im);
@@ -300,22 +393,22 @@ struct Settled {
     double top, peak;     // largest I in the window; the peak, where that was looked for elsewhere
 };
 
-// Prepares `field` for v up to `reach`, tightening the error until max|I - I_exact| / max I <= tol is proven. `evaluate`
-// computes the intensities of the window from the field and returns the largest, by which they will be divided if
-// `normalize`.
+// Prepares `field` for some places, tightening the error until max|I - I_exact| / max I <= tol is proven, what storing
+// adds included. `evaluate` computes the intensities of the window from the field and returns the largest, by which they will
+// be divided if `normalize`.
 template <class Evaluate>
-Settled settle(Field& field, const Phase& phase, double obscuration, double reach, double tol, bool normalize,
-               const Evaluate& evaluate) {
+Settled settle(Field& field, const Phase& phase, double obscuration, const Places& places, double tol, bool normalize,
+               const Evaluate& evaluate, double storing = lommel::storing<double>(false)) {
     Settled s{first_error(phase, obscuration, tol), 0.0, 1e300, 0.0, 0.0};
     for (;; s.error *= 0.1) {
-        s.bound = field.prepare(phase, 0, obscuration, reach, s.error);
+        look();
+        s.bound = field.prepare(phase, 0, obscuration, places, s.error);
         s.top = s.peak = evaluate();
         s.relative = relative_error(s.peak, s.bound);
-        if (normalize) {
-            s.relative = normalized_error(s.relative);
-        } else if (s.relative > tol) {
+        s.relative = stored(normalize ? normalized_error(s.relative) : s.relative, storing);
+        if (!normalize && s.relative > tol) {
             s.peak = std::max(s.peak, scanned_peak(phase, obscuration, s.error));
-            s.relative = relative_error(s.peak, s.bound);
+            s.relative = stored(relative_error(s.peak, s.bound), storing);
         }
         if (s.relative <= tol) {
             return s;

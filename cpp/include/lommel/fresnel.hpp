@@ -15,7 +15,6 @@ class FresnelAuxiliary {
     static constexpr std::size_t terms = 26;
 
     static std::complex<double> at(double s) {
-        static const FresnelAuxiliary kernel;
         const double y = (s - center) / (s + center);
         double re = kernel.re_[terms - 1], im = kernel.im_[terms - 1];
         for (std::size_t k = terms - 1; k-- > 0;) {
@@ -33,6 +32,7 @@ class FresnelAuxiliary {
     }
 
    private:
+    static const FresnelAuxiliary kernel;
     static constexpr double center = 2.1;
 
     // Interpolates at Chebyshev points; the conversion to monomials is done in extended precision.
@@ -87,5 +87,6 @@ class FresnelAuxiliary {
 
     std::array<double, terms> re_{}, im_{};
 };
+inline const FresnelAuxiliary FresnelAuxiliary::kernel;
 
 }  // namespace lommel

@@ -5,6 +5,8 @@
 #include <complex>
 #include <cstddef>
 
+#include "lommel/watch.hpp"
+
 namespace lommel {
 
 // field = sum over sources of a * (d / rho)^2 * exp(i k (rho - rho_0)), where rho is the exact distance from
@@ -16,7 +18,9 @@ inline void huygens_sum(const double* x, const double* y, const std::complex<dou
                         std::size_t sources, const double* sx, const double* sy, std::size_t points,
                         double distance, double wavenumber, std::complex<double>* out) {
     const double d2 = distance * distance;
+    Glance glance;
     for (std::size_t p = 0; p < points; ++p) {
+        glance(8 * sources);
         const double r2 = sx[p] * sx[p] + sy[p] * sy[p];
         double re = 0.0, im = 0.0;
         for (std::size_t s = 0; s < sources; ++s) {

@@ -150,7 +150,7 @@ class Renderer {
                                       values.data() + p * table->stride);
                 }
             });
-            const double rounding = unit_roundoff * (static_cast<double>(plan.terms) + 16.0 + 1.5 * reach);
+            const double rounding = unit_roundoff * (static_cast<double>(plan.terms) + 16.0) + radius_rounding(reach);
             for (std::size_t p = 0; p < here; ++p) {
                 deliver(first + p, values.data() + p * table->stride, plan.error(stack_[first + p]) + rounding);
             }
@@ -162,7 +162,7 @@ class Renderer {
         double peak = 0.0;
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA { peak = largest(intensity, layout_->count); });
         const double simple = relative_error(peak, bound);
-        const double relative = answer_.scales[pupil] == 0.0 ? normalized_error(simple) : simple;
+        const double relative = stored(answer_.scales[pupil] == 0.0 ? normalized_error(simple) : simple, storing<T>(false));
         if (!(relative <= tol_)) {
             return render(pupil, 1);
         }
@@ -190,6 +190,7 @@ class Renderer {
     }
 
     std::size_t pixels() const { return layout_->height * layout_->width; }
+    Places places() const { return {layout_->radii.data(), layout_->count, step_}; }
 
     // One pupil, by pieces.
     void render(std::size_t pupil, int threads) {
@@ -198,9 +199,9 @@ class Renderer {
         profile.resize(layout_->count);
         const Phase phase = stack_[pupil];
         const double fixed = answer_.scales[pupil];
-        const Settled settled = settle(field, phase, stack_.obscuration, layout_->reach() * step_, tol_, fixed == 0.0, [&] {
-            return intensities(field, fixed == 0.0 ? 1.0 : fixed, profile.data(), threads);
-        });
+        const auto evaluate = [&] { return intensities(field, fixed == 0.0 ? 1.0 : fixed, profile.data(), threads); };
+        const Settled settled =
+            settle(field, phase, stack_.obscuration, places(), tol_, fixed == 0.0, evaluate, storing<T>(fixed == 0.0));
         finish(pupil, settled.top, settled.relative);
         if (fixed == 0.0) {
             const double scale = answer_.scales[pupil];
@@ -232,6 +233,7 @@ class Renderer {
         };
         if (tasks < 16) {
             for (std::size_t task = 0; task < tasks; ++task) {
+                look();
                 work(field, task);
             }
         } else {
@@ -254,15 +256,16 @@ class Renderer {
     // dI/dc_k = 2 Re(conj(U) i T), T = int t^k exp(i Phi) J0 dt: further right-hand sides on the same table.
     void differentiate(std::size_t pupil, std::size_t which, const Settled& settled) {
         const std::size_t count = layout_->count;
-        const double reach = layout_->reach() * step_, scale = answer_.scales[pupil];
+        const double scale = answer_.scales[pupil];
         Field field, derivative;
-        field.prepare(stack_[pupil], 0, stack_.obscuration, reach, settled.error);
-        const double own = derivative.prepare(stack_[pupil], answer_.powers[which], stack_.obscuration, reach, settled.error);
+        field.prepare(stack_[pupil], 0, stack_.obscuration, places(), settled.error);
+        const double own = derivative.prepare(stack_[pupil], answer_.powers[which], stack_.obscuration, places(), settled.error);
         std::vector<T> profile(count);
         double largest = 0.0;
         // Vectors overlap where pieces meet, so the results must not replace what they are made of.
         Doubles re(chunk + widest_step), im(re.size()), slope(re.size()), size(re.size());
         for (std::size_t first = 0; first < count; first += chunk) {
+            look();
             const std::size_t last = std::min(count, first + chunk);
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 using V = typename decltype(isa)::pack;
@@ -284,8 +287,10 @@ class Renderer {
             }
         }
         paint(profile.data(), answer_.derivative_images + (which * stack_.count + pupil) * pixels(), 1);
+        // |dI/dc_k| <= 2 |U| |T|, over the exact peak.
+        const double u = std::sqrt(settled.peak), t = std::sqrt(largest), exact = u - settled.bound;
         answer_.derivative_bounds[which * stack_.count + pupil] =
-            2.0 * (std::sqrt(settled.peak) * own + std::sqrt(largest) * settled.bound + own * settled.bound) / settled.peak;
+            2.0 * (u * own + t * settled.bound + own * settled.bound + u * t * storing<T>(false)) / (exact * exact);
     }
 
     static constexpr std::size_t group = 32;  // pupils a task

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <vector>
 
+#include "lommel/cache.hpp"
 #include "lommel/render.hpp"
 
 namespace lommel {
@@ -32,26 +31,10 @@ struct Layout {
     std::size_t bytes() const { return sizeof(double) * radii.size() + sizeof(std::int32_t) * index.size(); }
     double reach() const { return radii.back(); }
 
-    // Layouts shared by all calls: the most recent ones, up to 96 MiB.
-    static std::shared_ptr<const Layout> get(std::size_t h, std::size_t w) {
-        static std::mutex mutex;
-        static std::list<std::shared_ptr<const Layout>> recent;
-        const std::lock_guard<std::mutex> lock(mutex);
-        for (auto at = recent.begin(); at != recent.end(); ++at) {
-            if ((*at)->height == h && (*at)->width == w) {
-                recent.splice(recent.begin(), recent, at);
-                return recent.front();
-            }
-        }
-        recent.push_front(std::make_shared<const Layout>(h, w));
-        const std::shared_ptr<const Layout> found = recent.front();
-        std::size_t bytes = 0;
-        for (auto at = recent.begin(); at != recent.end();) {
-            bytes += (*at)->bytes();
-            at = bytes > (std::size_t{96} << 20) ? recent.erase(at) : std::next(at);
-        }
-        return found;
-    }
+    bool is(std::size_t h, std::size_t w) const { return height == h && width == w; }
+
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
+    static std::shared_ptr<const Layout> get(std::size_t h, std::size_t w) { return cache<Layout>.get(h, w); }
 };
 
 }  // namespace lommel

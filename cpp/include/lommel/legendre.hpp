@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lommel/watch.hpp"
+
 namespace lommel {
 
 // Nodes (ascending) and weights of the n-point rule: Newton's method from Tricomi's initial guess, in
@@ -14,6 +16,7 @@ void gauss_legendre(std::size_t n, Number* nodes, Number* weights) {
     const real pi = std::acos(real(-1));
     const real order = static_cast<real>(n);
     for (std::size_t i = 0; i < (n + 1) / 2; ++i) {
+        look();
         const real theta = pi * (static_cast<real>(i) + real(0.75)) / (order + real(0.5));
         real x = std::cos(theta) * (1 - (order - 1) / (8 * order * order * order));
         real slope = 1;

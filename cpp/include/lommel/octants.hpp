@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <vector>
+
+#include "lommel/cache.hpp"
 
 namespace lommel {
 
@@ -24,17 +24,27 @@ struct Octants {
         const std::int64_t far_x = std::max(std::abs(c), std::abs(w - 1 - c));
         const std::int64_t near_y = r < 0 ? -r : std::max<std::int64_t>(0, r - h + 1);
         const std::int64_t near_x = c < 0 ? -c : std::max<std::int64_t>(0, c - w + 1);
-        const auto within = [](std::int64_t x, std::int64_t low, std::int64_t high) { return x >= low && x <= high; };
-        for (std::int64_t a = 0; a <= std::max(far_x, far_y); ++a) {
-            for (std::int64_t b = 0; b <= a; ++b) {
-                if ((within(a, near_x, far_x) && within(b, near_y, far_y)) ||
-                    (within(b, near_x, far_x) && within(a, near_y, far_y))) {
+        // a and b are |x| and |y| or |y| and |x|; b below a. Both ranges of b are short where the axis is far outside.
+        Glance glance;
+        for (std::int64_t a = std::min(near_x, near_y); a <= std::max(far_x, far_y); ++a) {
+            const bool along_x = a >= near_x && a <= far_x, along_y = a >= near_y && a <= far_y;
+            std::int64_t from = 0;
+            const auto add = [&](bool here, std::int64_t low, std::int64_t high) {
+                high = std::min(a, high);
+                for (std::int64_t b = std::max(from, low); here && b <= high; ++b) {
                     groups.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)});
+                    from = b + 1;
+                    glance();
                 }
-            }
+            };
+            const bool y_first = near_y <= near_x;
+            add(y_first ? along_x : along_y, std::min(near_x, near_y), y_first ? far_y : far_x);
+            add(y_first ? along_y : along_x, std::max(near_x, near_y), y_first ? far_x : far_y);
         }
-        std::stable_sort(groups.begin(), groups.end(),
-                         [](const Group& p, const Group& q) { return p.square() < q.square(); });
+        std::stable_sort(groups.begin(), groups.end(), [&](const Group& p, const Group& q) {
+            glance();
+            return p.square() < q.square();
+        });
     }
 
     // The first group at a distance of at least `radius` pixels.
@@ -47,26 +57,11 @@ struct Octants {
 
     std::size_t bytes() const { return sizeof(Group) * groups.size(); }
 
-    // The most recent ones, up to 48 MiB.
-    static std::shared_ptr<const Octants> get(std::int64_t h, std::int64_t w, std::int64_t r, std::int64_t c) {
-        static std::mutex mutex;
-        static std::list<std::shared_ptr<const Octants>> recent;
-        const std::lock_guard<std::mutex> lock(mutex);
-        for (auto at = recent.begin(); at != recent.end(); ++at) {
-            if ((*at)->height == h && (*at)->width == w && (*at)->row == r && (*at)->column == c) {
-                recent.splice(recent.begin(), recent, at);
-                return recent.front();
-            }
-        }
-        recent.push_front(std::make_shared<const Octants>(h, w, r, c));
-        const std::shared_ptr<const Octants> made = recent.front();
-        std::size_t bytes = 0;
-        for (auto at = recent.begin(); at != recent.end();) {
-            bytes += (*at)->bytes();
-            at = bytes > (std::size_t{48} << 20) ? recent.erase(at) : std::next(at);
-        }
-        return made;
+    bool is(std::int64_t h, std::int64_t w, std::int64_t r, std::int64_t c) const {
+        return height == h && width == w && row == r && column == c;
     }
+
+    static constexpr std::size_t most_bytes = std::size_t{48} << 20;
 };
 
 }  // namespace lommel

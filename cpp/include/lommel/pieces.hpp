@@ -7,12 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
 
 #include "lommel/bessel.hpp"
+#include "lommel/cache.hpp"
 #include "lommel/ellipse.hpp"
 #include "lommel/simd.hpp"
 
@@ -43,7 +43,17 @@ struct PieceTable {
     double magnitude = 0.0;
     // The same for all azimuthal orders together: max of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the degree.
     double azimuthal = 0.0;
-    std::vector<std::shared_ptr<const Piece>> pieces;
+    std::vector<std::shared_ptr<const Piece>> pieces;  // by their place; those that nobody wanted are missing
+    std::size_t leading = 0;                           // so many from the first on are there
+
+    bool has(std::size_t s) const { return s < pieces.size() && pieces[s] != nullptr; }
+};
+
+// All pieces below one, and some beyond, rising.
+struct WantedPieces {
+    std::size_t leading = 0;
+    std::vector<std::size_t> others;
+    std::size_t end() const { return others.empty() ? leading : others.back() + 1; }
 };
 
 inline double chebyshev_point(std::size_t j, std::size_t count) {
@@ -52,11 +62,10 @@ inline double chebyshev_point(std::size_t j, std::size_t count) {
 
 // From values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ...: [power][point].
 template <std::size_t Count>
-const std::array<std::array<long double, Count>, Count>& chebyshev_to_monomials() {
-    using Matrix = std::array<std::array<long double, Count>, Count>;
-    static const Matrix matrix = [] {
+struct ChebyshevToMonomials : std::array<std::array<long double, Count>, Count> {
+    ChebyshevToMonomials() : std::array<std::array<long double, Count>, Count>{} {
         // Monomial coefficients of T_0, T_1, ...
-        Matrix t{}, result{};
+        std::array<std::array<long double, Count>, Count> t{};
         t[0][0] = 1;
         t[1][1] = 1;
         for (std::size_t i = 2; i < Count; ++i) {
@@ -69,75 +78,106 @@ const std::array<std::array<long double, Count>, Count>& chebyshev_to_monomials(
             for (std::size_t i = 0; i < Count; ++i) {
                 const long double c = (i == 0 ? 1.0L : 2.0L) / Count * std::cos(pi * i * (j + 0.5L) / Count);
                 for (std::size_t k = 0; k < Count; ++k) {
-                    result[k][j] += c * t[i][k];
+                    (*this)[k][j] += c * t[i][k];
                 }
             }
         }
-        return result;
-    }();
-    return matrix;
-}
+    }
+};
+template <std::size_t Count>
+inline const ChebyshevToMonomials<Count> chebyshev_to_monomials;
 
 // What all rows that a piece leaves out can add to U, whatever the pupil.
 constexpr double left_out = 1e-19;
 
-class PieceTables {
+class PieceTables final : Shared {
    public:
-    // A table with at least this many pieces and rows. Built where it is missing, shared by all threads; it is kept
-    // until all tables of its parity outgrow 128 MiB.
-    static std::shared_ptr<const PieceTable> get(std::size_t width_index, std::size_t pieces, std::size_t terms,
-                                                 std::size_t parity = 0) {
-        static PieceTables both[2] = {PieceTables(0), PieceTables(1)};
-        PieceTables& tables = both[parity];
-        const std::lock_guard<std::mutex> lock(tables.mutex_);
-        std::shared_ptr<const PieceTable>& held = tables.tables_[width_index];
-        if (held && held->pieces.size() >= pieces && held->terms >= terms) {
-            return held;
+    explicit PieceTables(std::size_t parity) : parity_(parity) {}
+
+    // A table with at least these pieces, of as many rows. Pieces are made where they are missing, shared by all threads, and
+    // kept until all of their parity outgrow 128 MiB.
+    std::shared_ptr<const PieceTable> get(std::size_t width_index, const WantedPieces& wanted, std::size_t terms) {
+        if (auto found = held(width_index); serves(found.get(), wanted, terms)) {
+            return found;
         }
-        const std::shared_ptr<const PieceTable> table = tables.extended(held.get(), widths[width_index], pieces, terms);
-        held = table;
-        if (tables.bytes() > (std::size_t{128} << 20)) {
-            tables.tables_ = {};
+        const Turn::Taken turn(turn_);
+        const auto old = held(width_index);
+        if (serves(old.get(), wanted, terms)) {
+            return old;
+        }
+        const std::shared_ptr<const PieceTable> table = extended(old.get(), widths[width_index], wanted, terms);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        tables_[width_index] = table;
+        if (bytes() > (std::size_t{128} << 20)) {
+            tables_ = {};
         }
         return table;
     }
 
    private:
-    explicit PieceTables(std::size_t parity) : parity_(parity) {}
+    std::shared_ptr<const PieceTable> held(std::size_t width_index) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return tables_[width_index];
+    }
+
+    static bool serves(const PieceTable* table, const WantedPieces& wanted, std::size_t terms) {
+        return table != nullptr && table->terms >= terms && table->leading >= wanted.leading &&
+               std::all_of(wanted.others.begin(), wanted.others.end(), [&](std::size_t s) { return table->has(s); });
+    }
 
     std::size_t bytes() const {
         std::size_t sum = 0;
         for (const auto& table : tables_) {
             for (std::size_t i = 0; table && i < table->pieces.size(); ++i) {
-                sum += sizeof(double) * table->pieces[i]->rows.size();
+                sum += table->has(i) ? sizeof(double) * table->pieces[i]->rows.size() : 0;
             }
         }
         return sum;
     }
 
-    std::shared_ptr<const PieceTable> extended(const PieceTable* old, double width, std::size_t pieces,
+    std::shared_ptr<const PieceTable> extended(const PieceTable* old, double width, const WantedPieces& wanted,
                                                std::size_t terms) {
         auto table = std::make_shared<PieceTable>();
         table->width = width;
         // Rounded up, so that a little more defocus does not mean a new table.
         table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
-        table->pieces.resize(std::max(pieces, old ? old->pieces.size() : 0));
-        for (std::size_t s = 0; s < table->pieces.size(); ++s) {
-            const std::size_t useful = window_terms(width * static_cast<double>(s + 1), left_out);
-            const std::size_t rows = std::min(table->terms, useful);
-            if (old && s < old->pieces.size() && old->pieces[s]->terms() >= rows) {
+        table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
+        const auto rows = [&](std::size_t s) {
+            return std::min(table->terms, window_terms(width * static_cast<double>(s + 1), left_out));
+        };
+        // Of the old ones those that have rows enough, as all have unless there are more terms now.
+        for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
+            if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {
                 table->pieces[s] = old->pieces[s];
-            } else {
-                table->pieces[s] = made(width, s, rows);
             }
-            table->magnitude = std::max(table->magnitude, table->pieces[s]->magnitude);
-            table->azimuthal = std::max(table->azimuthal, table->pieces[s]->azimuthal);
+        }
+        std::vector<double> scratch;
+        const auto need = [&](std::size_t s) {
+            if (!table->pieces[s]) {
+                look();
+                table->pieces[s] = made(width, s, rows(s), scratch);
+            }
+        };
+        for (std::size_t s = 0; s < wanted.leading; ++s) {
+            need(s);
+        }
+        for (const std::size_t s : wanted.others) {
+            need(s);
+        }
+        while (table->has(table->leading)) {
+            ++table->leading;
+        }
+        for (const auto& piece : table->pieces) {
+            if (piece) {
+                table->magnitude = std::max(table->magnitude, piece->magnitude);
+                table->azimuthal = std::max(table->azimuthal, piece->azimuthal);
+            }
         }
         return table;
     }
 
     // Values at Chebyshev points to monomials, in extended precision: in double, the conversion would lose five digits.
-    std::shared_ptr<const Piece> made(double width, std::size_t s, std::size_t terms) {
+    std::shared_ptr<const Piece> made(double width, std::size_t s, std::size_t terms, std::vector<double>& scratch) const {
         constexpr std::size_t m = degree_count;
         auto piece = std::make_shared<Piece>();
         piece->rows.resize(terms * m);
@@ -145,13 +185,13 @@ class PieceTables {
         for (std::size_t j = 0; j < m; ++j) {
             const double x = chebyshev_point(j, m);
             const double v = width * (static_cast<double>(s) + 0.5 * (1.0 + x));
-            zernike_transforms(parity_, v, terms, &values[j * terms], scratch_);
+            zernike_transforms(parity_, v, terms, &values[j * terms], scratch);
         }
         for (std::size_t n = 0; n < terms; ++n) {
             for (std::size_t k = 0; k < m; ++k) {
                 long double sum = 0;
                 for (std::size_t j = 0; j < m; ++j) {
-                    sum += chebyshev_to_monomials<m>()[k][j] * static_cast<long double>(values[j * terms + n]);
+                    sum += chebyshev_to_monomials<m>[k][j] * static_cast<long double>(values[j * terms + n]);
                 }
                 piece->rows[n * m + k] = static_cast<double>(sum);
             }
@@ -171,10 +211,10 @@ class PieceTables {
     }
 
     std::size_t parity_;
-    std::mutex mutex_;
-    std::vector<double> scratch_;
     std::array<std::shared_ptr<const PieceTable>, widths.size()> tables_;
 };
+inline PieceTables& even_pieces = *new PieceTables(0);
+inline PieceTables& odd_pieces = *new PieceTables(1);
 
 // The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Bound by reading the
 // table once.

@@ -17,6 +17,16 @@ inline Doubles padded(const double* v, std::size_t count) {
     return radii;
 }
 
+// Calls f(first, last) for parts of 0 .. count - 1 whose values stay in the first cache, looking in between.
+template <class F>
+void in_parts(std::size_t count, const F& f) {
+    constexpr std::size_t part = 4096;
+    for (std::size_t first = 0; first < count; first += part) {
+        look();
+        f(first, std::min(count, first + part));
+    }
+}
+
 // U at rising v, out[pupil * count + i], with an error that serves an intensity within `tol` of the likely peak.
 inline void fields(const Stack& stack, const double* v, std::size_t count, double tol, std::complex<double>* out,
                    double* bounds) {
@@ -25,12 +35,15 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
     Field field;
     for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
         const Phase phase = stack[pupil];
-        bounds[pupil] = field.prepare(phase, 0, stack.obscuration, radii.back(),
+        bounds[pupil] = field.prepare(phase, 0, stack.obscuration, {radii.data(), count, 1.0},
                                       first_error(phase, stack.obscuration, tol));
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            field.evaluate(isa, radii.data(), 0, count, 1.0, [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
-                store(re.data() + i, a);
-                store(im.data() + i, b);
+        in_parts(count, [&](std::size_t first, std::size_t last) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                field.evaluate(isa, radii.data(), first, last, 1.0,
+                               [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
+                                   store(re.data() + first + i, a);
+                                   store(im.data() + first + i, b);
+                               });
             });
         });
         for (std::size_t i = 0; i < count; ++i) {
@@ -48,16 +61,18 @@ inline void profiles(const Stack& stack, const double* v, std::size_t count, dou
     Field field;
     for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
         const auto evaluate = [&] {
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                field.evaluate(isa, radii.data(), 0, count, 1.0,
-                               [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
-                                   store(values.data() + i, a * a + b * b);
-                               });
+            in_parts(count, [&](std::size_t first, std::size_t last) {
+                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                    field.evaluate(isa, radii.data(), first, last, 1.0,
+                                   [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
+                                       store(values.data() + first + i, a * a + b * b);
+                                   });
+                });
             });
             return largest(values.data(), count);
         };
         try {
-            const Settled s = settle(field, stack[pupil], stack.obscuration, radii.back(), tol, false, evaluate);
+            const Settled s = settle(field, stack[pupil], stack.obscuration, {radii.data(), count, 1.0}, tol, false, evaluate);
             bounds[pupil] = s.relative;
             peaks[pupil] = s.peak;
         } catch (const ToleranceNotMet& failure) {

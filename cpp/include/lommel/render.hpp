@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lommel/simd.hpp"
+#include "lommel/watch.hpp"
 
 namespace lommel {
 
@@ -17,6 +18,7 @@ inline std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t co
     const std::size_t largest = rows * rows + cols * cols;
     std::vector<std::int32_t> rank(largest + 1, 0);
     for (std::size_t y = 0; y <= rows; ++y) {
+        look();
         for (std::size_t x = 0; x <= cols; ++x) {
             rank[y * y + x * x] = 1;
         }
@@ -29,6 +31,7 @@ inline std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t co
         }
     }
     for (std::size_t y = 0; y <= rows; ++y) {
+        look();
         for (std::size_t x = 0; x <= cols; ++x) {
             index[y * (cols + 1) + x] = rank[y * y + x * x];
         }

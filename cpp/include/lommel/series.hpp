@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <vector>
 
+#include "lommel/cache.hpp"
 #include "lommel/legendre.hpp"
 #include "lommel/simd.hpp"
 #include "lommel/sincos.hpp"
@@ -29,6 +28,7 @@ struct LegendreRule {
         std::vector<double> x(nodes), w(nodes), p(blocks * 2 * row_lanes);
         gauss_legendre(nodes, x.data(), w.data());
         for (std::size_t q = 0; q < half; ++q) {
+            look();
             upper[q] = 0.5 * (1.0 + x[half + q]);
             lower[q] = 0.5 * (1.0 - x[half + q]);
             legendre_sequence(x[half + q], p.size(), p.data());
@@ -40,35 +40,18 @@ struct LegendreRule {
         }
     }
 
+    bool is(std::size_t nodes, std::size_t terms) const { return 2 * half == nodes && blocks == (terms + 2 * row_lanes - 1) / (2 * row_lanes); }
     std::size_t bytes() const { return sizeof(double) * (even.size() + odd.size() + 2 * half); }
-};
 
-// Rules shared by all calls, at sizes rounded up so that there are few; the cache is emptied when it outgrows 32 MiB.
-class LegendreRules {
-   public:
+    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
+    // At sizes rounded up so that there are few.
     static std::shared_ptr<const LegendreRule> get(std::size_t nodes, std::size_t terms) {
-        static LegendreRules rules;
         const std::size_t n = round_up(nodes, nodes < 256 ? 16 : 64), k = round_up(terms, n <= 256 ? 16 : 64);
-        const std::lock_guard<std::mutex> lock(rules.mutex_);
-        std::shared_ptr<const LegendreRule>& entry = rules.rules_[{n, k}];
-        if (!entry) {
-            auto made = std::make_shared<const LegendreRule>(n, k);
-            rules.bytes_ += made->bytes();
-            if (rules.bytes_ > (std::size_t{32} << 20)) {
-                rules.rules_.clear();
-                rules.bytes_ = made->bytes();
-                return rules.rules_[{n, k}] = made;
-            }
-            entry = made;
-        }
-        return entry;
+        return cache<LegendreRule>.get(n, k);
     }
 
    private:
     static std::size_t round_up(std::size_t n, std::size_t step) { return (n + step - 1) / step * step; }
-    std::mutex mutex_;
-    std::size_t bytes_ = 0;
-    std::map<std::pair<std::size_t, std::size_t>, std::shared_ptr<const LegendreRule>> rules_;
 };
 
 // Scratch of one thread; grows and is kept.

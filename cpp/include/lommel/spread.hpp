@@ -88,7 +88,9 @@ class Spreader {
     void adjoint(const T* image, T* out) const {
         parallel_for(height_, threads_, [&](std::size_t, std::size_t y) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                Glance glance;
                 for (std::size_t x = 0; x < width_; ++x) {
+                    glance(1 + bank_.widest * bank_.widest);
                     const double position = positions_[y * width_ + x];
                     out[y * width_ + x] = position < 0.0 ? T(0) : gather(isa, position, image, y, x);
                 }
@@ -106,7 +108,9 @@ class Spreader {
         const std::size_t wide = width_ + 2 * bank_.widest + beyond;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using Row = Rows<decltype(isa)>;
+            Glance glance;
             for (std::size_t x = left; x < right; ++x) {
+                glance((bottom - top) * (1 + bank_.widest * bank_.widest));
                 // Down, not across: a sum that has just been stored is loaded again from the same address, which a processor
                 // does at once, whereas it waits for one that was stored across.
                 for (std::size_t y = top; y < bottom; ++y) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "lommel/simd.hpp"
+#include "lommel/watch.hpp"
 
 namespace lommel {
 
@@ -23,8 +24,10 @@ template <class T>
 LOMMEL_INLINE void paint_subpixel(const double* samples, double per_step, double scale, double center_y, double center_x,
                                   const double* nodes, const double* weights, std::size_t node_count,
                                   std::size_t height, std::size_t width, T* out) {
+    Glance glance;
     for (std::size_t y = 0; y < height; ++y) {
         for (std::size_t x = 0; x < width; ++x) {
+            glance(node_count * node_count);
             double sum = 0.0;
             for (std::size_t j = 0; j < node_count; ++j) {
                 const double dy = static_cast<double>(y) - center_y + nodes[j];

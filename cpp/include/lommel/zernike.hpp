@@ -5,11 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <vector>
 
+#include "lommel/cache.hpp"
 #include "lommel/disk_bounds.hpp"
 #include "lommel/legendre.hpp"
 #include "lommel/simd.hpp"
@@ -106,6 +105,7 @@ struct DiskRule {
         }
         const double unit = 3.14159265358979323846 / static_cast<double>(4 * quarter);
         for (std::size_t m = 0; m < orders; ++m) {
+            look();
             for (std::size_t i = 0; i < quarter; ++i) {
                 // m theta modulo a turn, exactly.
                 const double angle = unit * static_cast<double>(m * (2 * i + 1) % (8 * quarter));
@@ -115,29 +115,13 @@ struct DiskRule {
         }
     }
 
+    bool is(std::size_t exact, std::size_t order_count) const { return degree == exact && orders >= order_count; }
     std::size_t bytes() const { return sizeof(double) * (2 * orders * quarter + 3 * rings); }
 
-    // The most recent ones, up to 64 MiB.
-    static std::shared_ptr<const DiskRule> get(std::size_t degree, std::size_t orders) {
-        static std::mutex mutex;
-        static std::list<std::shared_ptr<const DiskRule>> recent;
-        // Rounded up, so that a little more aberration does not mean new tables.
-        degree = (degree + 31) / 32 * 32;
-        const std::lock_guard<std::mutex> lock(mutex);
-        for (auto at = recent.begin(); at != recent.end(); ++at) {
-            if ((*at)->degree == degree && (*at)->orders >= orders) {
-                recent.splice(recent.begin(), recent, at);
-                return recent.front();
-            }
-        }
-        recent.push_front(std::make_shared<const DiskRule>(degree, orders));
-        const std::shared_ptr<const DiskRule> made = recent.front();
-        std::size_t bytes = 0;
-        for (auto at = recent.begin(); at != recent.end();) {
-            bytes += (*at)->bytes();
-            at = bytes > (std::size_t{64} << 20) ? recent.erase(at) : std::next(at);
-        }
-        return made;
+    static constexpr std::size_t most_bytes = std::size_t{64} << 20;
+    // With the degree rounded up, so that a little more aberration does not mean new tables.
+    static std::shared_ptr<const DiskRule> get(std::size_t exact, std::size_t order_count) {
+        return cache<DiskRule>.get((exact + 31) / 32 * 32, order_count);
     }
 };
 
@@ -223,6 +207,7 @@ class ZernikeAnalysis {
             }
         }
         for (std::size_t k = 0; k < rings; ++k) {
+            look();
             double* out = &folded_[k * 8 * q];
             // Each angle stands for four, and the mean over all is wanted.
             const double size = std::exp(-phase.gaussian * rule.t[k]) * rule.weights[k] * 0.25 / static_cast<double>(q);
@@ -268,6 +253,7 @@ class ZernikeAnalysis {
         rings_.resize((orders + 2 * I::lanes) * 4 * rings);
         for (std::size_t parity = 0; parity < 2; ++parity) {
             for (std::size_t k = 0; k < rings; k += together) {
+                look();
                 const double* in = &folded_[k * 8 * q + parity * 4 * q];
                 for (std::size_t first = 0; 2 * first + parity < orders; first += I::lanes) {
                     const double *c = &rule.cosines[parity][first], *s = &rule.sines[parity][first];
@@ -307,6 +293,7 @@ class ZernikeAnalysis {
         const std::size_t rings = rule.rings;
         constexpr std::size_t most = 64;  // vectors of rings whose recurrences are kept
         for (std::size_t m = 0; m < series.orders; ++m) {
+            look();
             const double* in = &rings_[m * 4 * rings];
             const std::size_t count = series.count(m), to = series.start[m];
             for (std::size_t j = 0; j < count; ++j) {

@@ -20,9 +20,24 @@ namespace lommel {
 
 constexpr std::size_t max_degrees = 1600;  // of a Zernike series; it takes about 30 n^2 bytes
 
-constexpr double max_reach = 6e4;  // in v: tables take time in proportion to its square, then half a minute
+constexpr double max_coefficients = 134217728.0;  // of all pieces of an image: 1 GiB
 
 constexpr std::size_t ring_degree = 8;  // coefficients of a ring, a part of a piece
+
+// From values at the 8 Chebyshev points to coefficients, in double.
+struct RingMatrix {
+    double at[ring_degree][ring_degree];
+
+    RingMatrix() {
+        const ChebyshevToMonomials<ring_degree> exact;
+        for (std::size_t k = 0; k < ring_degree; ++k) {
+            for (std::size_t j = 0; j < ring_degree; ++j) {
+                at[k][j] = static_cast<double>(exact[k][j]);
+            }
+        }
+    }
+};
+inline const RingMatrix ring_matrix;
 
 // Bound on the error of interpolation at 8 Chebyshev points on a ring, relative to sup|U|, as piece_error().
 inline double ring_error(double width) { return 2.0 * std::pow(0.25 * width, ring_degree) / 40320.0; }
@@ -41,6 +56,21 @@ inline void check_size(const ZernikePhase& phase) {
     }
 }
 
+// Some directions, none of them an axis of symmetry.
+struct Directions {
+    static constexpr std::size_t count = 32;
+    std::array<double, count> cosine, sine;
+
+    Directions() {
+        for (std::size_t i = 0; i < count; ++i) {
+            const double psi = 6.283185307179586 * (static_cast<double>(i) + 0.37) / count;
+            cosine[i] = std::cos(psi);
+            sine[i] = std::sin(psi);
+        }
+    }
+};
+inline const Directions directions;
+
 class ZernikeField {
    public:
     // Expands the pupil, to `error` in U for v up to `reach`. `inner` is the phase within the obscuration, as a function of the
@@ -51,7 +81,7 @@ class ZernikeField {
         const double area = obscuration_ * obscuration_;
         reach_ = reach;
         weight_ = 1.0 + area;
-        // Radii in units of a ring are off by three roundings, and |U'| < 1.
+        // Radii in units of a ring are off by three roundings, the step in v by three, and |U'| < 1/2.
         base_ = expand(outer, reach, 0.5 * error, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {
@@ -73,8 +103,8 @@ class ZernikeField {
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using I = decltype(isa);
             using V = typename I::pack;
-            for (std::size_t first = 0; first < angles; first += I::lanes) {
-                const V turn_c = load<V>(directions().cosine.data() + first), turn_s = load<V>(directions().sine.data() + first);
+            for (std::size_t first = 0; first < Directions::count; first += I::lanes) {
+                const V turn_c = load<V>(directions.cosine.data() + first), turn_s = load<V>(directions.sine.data() + first);
                 V c = splat<V>(1.0), s = splat<V>(0.0), re = s, im = s;
                 for (std::size_t m = 0; m < count; ++m) {
                     const double* order = &orders[4 * m];
@@ -94,8 +124,9 @@ class ZernikeField {
     }
 
     // Makes ready for evaluation; what it leaves out adds no more than about `error` to U. base() is then the error that
-    // every piece has.
-    void prepare(double error, int threads) {
+    // every piece has. Of so many pieces `lit` tells those that are wanted, rising.
+    template <class Lit>
+    void prepare(double error, int threads, const Lit& lit) {
         measure_orders();
         base_ += trim(outer_, 1.0, 0.1 * error) + trim(inner_, weight_ - 1.0, 0.1 * error);
         base_ += choose_orders(0.1 * error);
@@ -107,22 +138,40 @@ class ZernikeField {
         width_ = widths[width];
         base_ += weight_ * 3.1 * piece_error(width_);
         const std::size_t pieces = static_cast<std::size_t>(reach_ / width_) + 1;
-        const std::size_t inner_pieces = static_cast<std::size_t>(obscuration_ * reach_ / width_) + 1;
+        WantedPieces wanted, within;
+        wanted.others = lit(pieces);
+        if (obscured()) {
+            inner_rows_.resize(static_cast<std::size_t>(obscuration_ * reach_ / width_) + 1);
+            for (const std::size_t s : wanted.others) {
+                for (std::size_t p = inner_piece(static_cast<double>(s)); p <= inner_piece(static_cast<double>(s + 1)); ++p) {
+                    if (within.others.empty() || within.others.back() < p) {
+                        within.others.push_back(p);
+                    }
+                }
+            }
+        }
+        if (static_cast<double>(wanted.others.size() + within.others.size()) *
+                static_cast<double>(kept_.size() * 4 * degree_count) > max_coefficients) {
+            throw PhaseTooLarge("aberrations and a window that reaches to v = " + std::to_string(reach_) +
+                                " take more than 1 GiB of coefficients");
+        }
         Tables tables, inner_tables;
         double magnitude = 0.0;
         for (std::size_t parity = 0; parity < 2; ++parity) {
-            tables[parity] = PieceTables::get(width, pieces, (outer_.degrees + 2) / 2, parity);
+            PieceTables& all = parity == 0 ? even_pieces : odd_pieces;
+            tables[parity] = all.get(width, wanted, (outer_.degrees + 2) / 2);
             magnitude += tables[parity]->azimuthal;
             if (obscured()) {
-                inner_tables[parity] = PieceTables::get(width, inner_pieces, (inner_.degrees + 2) / 2, parity);
+                inner_tables[parity] = all.get(width, within, (inner_.degrees + 2) / 2);
             }
         }
         // By Cauchy and Parseval, sum |beta| |2 J_{n+1} / v| over all n and m is at most 1; cosines and sines double it.
         const double terms = static_cast<double>(std::max(outer_.degrees, inner_.degrees));
         base_ += 2.0 * weight_ * unit_roundoff * (magnitude * (0.5 * terms + 60.0) + 6.0 * terms);
-        combine_all(outer_, tables, pieces, rows_, threads);
+        rows_.resize(pieces);
+        combine_all(outer_, tables, wanted.others, rows_, threads);
         if (obscured()) {
-            combine_all(inner_, inner_tables, inner_pieces, inner_rows_, threads);
+            combine_all(inner_, inner_tables, within.others, inner_rows_, threads);
         }
     }
 
@@ -181,7 +230,7 @@ class ZernikeField {
             return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings);
         };
         const auto piece_at = [&](double x) {
-            return std::min(inner_rows_.size() - 1, static_cast<std::size_t>(at(x)));
+            return inner_piece(static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings);
         };
         for (std::size_t p = piece_at(-1.0); p <= piece_at(1.0); ++p) {
             resample(onto, [&](double x, double* powers) {
@@ -196,31 +245,17 @@ class ZernikeField {
     }
 
    private:
+    // Of the inner disk, at a place in pieces of the outer one.
+    std::size_t inner_piece(double at) const {
+        return std::min(inner_rows_.size() - 1, static_cast<std::size_t>(obscuration_ * at));
+    }
+
     using Tables = std::array<std::shared_ptr<const PieceTable>, 2>;
 
-    static constexpr std::size_t angles = 32;
-    struct Directions {
-        std::array<double, angles> cosine, sine;
-    };
-    static const Directions& directions() {
-        static const Directions made = [] {
-            Directions d;
-            for (std::size_t i = 0; i < angles; ++i) {
-                const double psi = 6.283185307179586 * (static_cast<double>(i) + 0.37) / angles;
-                d.cosine[i] = std::cos(psi);
-                d.sine[i] = std::sin(psi);
-            }
-            return d;
-        }();
-        return made;
-    }
 
     double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
         check_size(phase);
-        if (!(reach <= max_reach)) {
-            throw PhaseTooLarge("a window and a tilt that reach to v = " + std::to_string(reach) +
-                                " from the axis exceed the limit of " + std::to_string(max_reach));
-        }
+        check_reach(reach);
         const DiskBounds bounds = phase.bounds();
         // Leaving out orders, too, magnifies what the other degrees left out by the Lebesgue constant of Fourier sums, below 5.
         const std::size_t by_phase = bounds.degrees(0.16 * error), by_window = disk_window_degrees(reach, 0.16 * error);
@@ -382,11 +417,11 @@ class ZernikeField {
         return left;
     }
 
-    // The coefficients of every piece: [order kept][re A, im A, re B, im B][power, rising].
-    void combine_all(const ZernikeSeries& series, const Tables& tables, std::size_t pieces, std::vector<Doubles>& rows,
-                     int threads) const {
-        rows.resize(pieces);
-        parallel_for(pieces, threads, [&](std::size_t, std::size_t s) {
+    // The coefficients of the pieces: [order kept][re A, im A, re B, im B][power, rising].
+    void combine_all(const ZernikeSeries& series, const Tables& tables, const std::vector<std::size_t>& pieces,
+                     std::vector<Doubles>& rows, int threads) const {
+        parallel_for(pieces.size(), threads, [&](std::size_t, std::size_t task) {
+            const std::size_t s = pieces[task];
             rows[s].resize(kept_.size() * 4 * degree_count);
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 double* to = rows[s].data();
@@ -417,22 +452,13 @@ class ZernikeField {
     // The matrix from 16 coefficients of a piece to those of its interpolant at 8 points: [power][highest first].
     template <class Powers>
     static void resample(double* onto, const Powers& powers_at) {
-        static const auto matrix = [] {
-            std::array<std::array<double, ring_degree>, ring_degree> m;
-            for (std::size_t k = 0; k < ring_degree; ++k) {
-                for (std::size_t j = 0; j < ring_degree; ++j) {
-                    m[k][j] = static_cast<double>(chebyshev_to_monomials<ring_degree>()[k][j]);
-                }
-            }
-            return m;
-        }();
         std::fill(onto, onto + degree_count * ring_degree, 0.0);
         double powers[degree_count];
         for (std::size_t j = 0; j < ring_degree; ++j) {
             powers_at(chebyshev_point(j, ring_degree), powers);
             for (std::size_t l = 0; l < degree_count; ++l) {
                 for (std::size_t k = 0; k < ring_degree; ++k) {
-                    onto[l * ring_degree + ring_degree - 1 - k] += powers[l] * matrix[k][j];
+                    onto[l * ring_degree + ring_degree - 1 - k] += powers[l] * ring_matrix.at[k][j];
                 }
             }
         }

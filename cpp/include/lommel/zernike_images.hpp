@@ -60,13 +60,24 @@ class ZernikeImage {
             const double u = 2.0 * std::sqrt(intensity);
             return all / (u + std::sqrt(u * u + all));
         };
-        field_.prepare(allowed(2.0 * all / tol), threads_);
-        parts_.assign(field_.pieces(), Part());
-        std::size_t first = 0;
+        field_.prepare(allowed(2.0 * all / tol), threads_, [&](std::size_t pieces) {
+            std::vector<std::size_t> lit;
+            parts_.assign(pieces, Part());
+            std::size_t first = 0;
+            for (std::size_t s = 0; s < pieces; ++s) {
+                parts_[s].first = first;
+                first = s + 1 == pieces ? octants_->groups.size() : boundary(s, 1, 1, first, octants_->groups.size());
+                parts_[s].last = first;
+                if (parts_[s].first < first) {
+                    lit.push_back(s);
+                }
+            }
+            return lit;
+        });
         for (std::size_t s = 0; s < parts_.size(); ++s) {
-            parts_[s].first = first;
-            first = s + 1 == parts_.size() ? octants_->groups.size() : boundary(s, 1, 1, first, octants_->groups.size());
-            parts_[s].last = first;
+            if (parts_[s].first == parts_[s].last) {
+                continue;
+            }
             // The looks in the piece and one on either side.
             const double low = field_.width() * static_cast<double>(s), high = low + field_.width();
             double seen = 0.0;
@@ -215,7 +226,9 @@ class ZernikeImage {
         const std::int64_t inner = std::min(std::min(octants_->row, octants_->height - 1 - octants_->row),
                                             std::min(octants_->column, width - 1 - octants_->column));
         Real peak = 0;
+        Glance glance;
         for (std::size_t g = first; g < last; g += at_once) {
+            glance(at_once * (1 + 4 * plan.rows.size()));
             alignas(64) Real x[at_once], c[at_once], s[at_once], values[at_once * 8];
             const std::size_t here = std::min(at_once, last - g);
             alignas(64) double a[at_once], b[at_once];
@@ -293,18 +306,23 @@ class ZernikeRenderer {
 
    private:
     void render(std::size_t pupil, int threads) {
-        const auto octants = Octants::get(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_), rows_[pupil],
-                                          columns_[pupil]);
+        const auto octants = cache<Octants>.get(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_),
+                                                rows_[pupil], columns_[pupil]);
         const bool normalize = scales_[pupil] == 0.0;
         check_size(stack_.phase(pupil));
-        // Values divided by their own largest one are off by twice as much.
-        const double tol = normalize ? 0.4 * tol_ : tol_, scale = normalize ? 1.0 : scales_[pupil];
+        // Storing takes its part of the tolerance, and values divided by their own largest one are off by twice as much.
+        const double rest = tol_ - (1.0 + tol_) * storing<T>(normalize);
+        if (rest <= 0.0) {
+            throw ToleranceNotMet(storing<T>(normalize));
+        }
+        const double tol = normalize ? 0.4 * rest : rest, scale = normalize ? 1.0 : scales_[pupil];
         T* values = images_ + pupil * height_ * width_;
         thread_local ZernikeImage image;
         image.begin(octants, step_, threads);
         double relative = 1e300;
         const double first = first_guess(pupil, tol);
         for (double error = first; error > unit_roundoff; error *= 0.1) {
+            look();
             // Where all pixels are dim beside what lies between them, the first tolerance does not do.
             image.prepare(stack_.phase(pupil), stack_.inner_phase(pupil), stack_.obscuration, error, tol * error / first);
             for (;;) {
@@ -339,9 +357,9 @@ class ZernikeRenderer {
     }
 
     void finish(std::size_t pupil, T* values, double peak, double relative) {
-        bounds_[pupil] = relative;
-        if (scales_[pupil] == 0.0) {
-            bounds_[pupil] = normalized_error(relative);
+        const bool normalize = scales_[pupil] == 0.0;
+        bounds_[pupil] = stored(normalize ? normalized_error(relative) : relative, storing<T>(normalize));
+        if (normalize) {
             scales_[pupil] = 1.0 / peak;
             for (std::size_t i = 0; i < height_ * width_; ++i) {
                 values[i] = static_cast<T>(static_cast<double>(values[i]) / peak);
@@ -356,7 +374,7 @@ class ZernikeRenderer {
         constexpr std::int64_t side = 65;
         std::vector<double> values(static_cast<std::size_t>(side * side));
         ZernikeImage image;
-        image.begin(Octants::get(side, side, side / 2, side / 2), std::min(blur, 400.0) / 32.0, 1);
+        image.begin(cache<Octants>.get(side, side, side / 2, side / 2), std::min(blur, 400.0) / 32.0, 1);
         image.prepare(stack_.phase(pupil), stack_.inner_phase(pupil), stack_.obscuration, error, tol_);
         image.paint(1.0, values.data());
         if (image.peak() > peak) {

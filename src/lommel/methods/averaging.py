@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.grid import Grid
-from lommel.methods.method import Images, Intensities, ToleranceError, normalized_error, not_met
+from lommel.methods.method import Images, Intensities, ToleranceError, normalized_error, not_met, stored, storing
 from lommel.pupil import Pupil
 
 _SIDE = 2048  # samples along a side at once
@@ -49,8 +49,10 @@ Sample = Callable[[Pupil, Grid, float], Rendered]
 """From pupils, pixels and a tolerance to the intensity at their centres in double precision."""
 
 
-def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, *, normalize: bool) -> Intensities:
-    """Return the intensity averaged over each pixel, with bounds on its error below `tol`.
+def averaged(
+    sample: Sample, pupil: Pupil, grid: Grid, tol: float, *, normalize: bool, dtype: DTypeLike = np.float64
+) -> Intensities:
+    """Return the intensity averaged over each pixel, with bounds on its error below `tol` once stored as `dtype`.
 
     The error is over the largest average that a pixel has anywhere, or, with `normalize`, that of values divided by
     the largest average in the window.
@@ -63,7 +65,7 @@ def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, *, normalize:
     step, ceiling = grid.step(pupil), pupil.amplitude**2
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
-    aim = 0.4 * tol if normalize else tol
+    aim = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
     # As if the largest average were a few times the least it can be, and the peak not faint.
     finer, response = 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
     for _ in range(5):
@@ -82,7 +84,7 @@ def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, *, normalize:
         if not found.min() > 0:
             break
         relative = (given + own) / found
-        bounds = normalized_error(relative) if normalize else relative
+        bounds = stored(normalized_error(relative) if normalize else relative, dtype)
         if bounds.max() <= tol:
             return Intensities(total, bounds, found)
         finer *= min(1.0, 0.5 * aim / float((given / found).max()))
@@ -100,7 +102,7 @@ def averaged_images(
     out: NDArray[Any] | None = None,
 ) -> Images:
     """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
-    made = averaged(sample, pupil, grid, tol, normalize=scale is None)
+    made = averaged(sample, pupil, grid, tol, normalize=scale is None, dtype=dtype)
     scales = 1.0 / made.values.max(axis=(1, 2)) if scale is None else np.full(len(made.values), scale)
     values = np.empty(made.values.shape, dtype) if out is None else out
     np.multiply(made.values, scales[:, None, None], out=values, casting="same_kind")

@@ -16,6 +16,7 @@ from lommel.methods.method import Images, Intensities, Method, not_met
 from lommel.pupil import Pupil
 from lommel.special import zernike
 
+_LEAST_TOL = 1e-12
 _BLOCK = 2**22  # values between two looks at the keyboard
 
 
@@ -66,7 +67,7 @@ class ChordalGauss(Method):
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-12, below=1e-1))
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=_LEAST_TOL, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return None: every pupil is supported."""
@@ -81,8 +82,8 @@ class ChordalGauss(Method):
         return Intensities(made.values, made.bounds, made.peaks)
 
     def tightened(self) -> ChordalGauss:
-        """Return the same method with half the tolerance."""
-        return ChordalGauss(0.5 * self.tol)
+        """Return the same method with half the tolerance, or with the least that there is."""
+        return ChordalGauss(max(0.5 * self.tol, _LEAST_TOL))
 
     def images(
         self,
@@ -120,35 +121,38 @@ def _render(
     terms, outer, inner = disk_terms(pupil)
     n = len(outer)
     values = np.empty((n, *grid.shape), dtype) if out is None else out
-    # The compiled core takes 0 for "divide by the largest value".
-    scales, bounds = np.full(n, 0.0 if scale is None else scale), np.empty(n)
+    scales, bounds = np.empty(n), np.empty(n)
     block = max(1, _BLOCK // (grid.height * grid.width))
-    for first in range(0, n, block):
-        part = slice(first, first + block)
-        unmet = _core.chordal(
-            terms,
-            outer[part],
-            inner[part],
-            pupil.obscuration,
-            pupil.apodization,
-            *grid.center,
-            grid.step(pupil),
-            tol,
-            threads,
-            values[part],
-            scales[part],
-            bounds[part],
-        )
-        if unmet:
-            raise not_met(tol, unmet, "the largest value in the window")
-    peaks = values.max(axis=(1, 2)) / scales
-    added = (2.0 if scale is None else 1.0) * phase_rounding(pupil, peaks)
-    if (bounds + added).max() <= tol:
-        return Rendered(values, scales, bounds + added, peaks)
-    if added.max() > 0.4 * tol:
-        raise not_met(tol, float((bounds + added).max()), "the largest value in the window")
-    # Proven with nothing to spare: with half the tolerance there is.
-    return _render(pupil, grid, scale, dtype, 0.5 * tol, out=values, threads=threads)
+    left = tol
+    while True:
+        # The compiled core takes 0 for "divide by the largest value".
+        scales.fill(0.0 if scale is None else scale)
+        for first in range(0, n, block):
+            part = slice(first, first + block)
+            unmet = _core.chordal(
+                terms,
+                outer[part],
+                inner[part],
+                pupil.obscuration,
+                pupil.apodization,
+                *grid.center,
+                grid.step(pupil),
+                left,
+                threads,
+                values[part],
+                scales[part],
+                bounds[part],
+            )
+            if unmet:
+                raise not_met(tol, unmet, "the largest value in the window")
+        peaks = values.max(axis=(1, 2)) / scales
+        added = (2.0 if scale is None else 1.0) * phase_rounding(pupil, peaks)
+        if (bounds + added).max() <= tol:
+            return Rendered(values, scales, bounds + added, peaks)
+        # Proven with nothing to spare: what is added is now known.
+        left -= 1.1 * float(added.max())
+        if left < 0.2 * tol:
+            raise not_met(tol, float((bounds + added).max()), "the largest value in the window")
 
 
 def disk_terms(pupil: Pupil) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:

@@ -18,7 +18,7 @@ from lommel.pupil import Pupil
 from lommel.special.bessel import j0_series, tangent_line
 from lommel.special.chirp import chirp_moments, unit_moments
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf
-from lommel.special.legendre import gauss_legendre
+from lommel.special.legendre import gauss_panels
 from lommel.special.piecewise import FITS, SPLITS, PiecewiseQuadratic, fit_quadratics
 
 
@@ -125,6 +125,7 @@ class ClosedForm(FieldMethod):
         if {"tangent", "erf"} & set(options):
             raise TypeError("options must not name tangent and erf, which are what is looked for")
         grid = Grid(shape, pixel)
+        grid.require_reach(pupil)
         # Every radius of a small window, some of a large one; each weighs the pixels from it to the next.
         count = grid.radii.size
         chosen = np.unique(np.linspace(0, count - 1, min(count, 600)).astype(int))
@@ -223,7 +224,7 @@ class ClosedForm(FieldMethod):
     ) -> NDArray[np.complex128]:
         """Return the integral of the power series (Eq. 6) up to the transition, by quadrature of its moments."""
         span = (abs(alpha) * (low + high.max()) + abs(beta)) * float((high - low).max())
-        x, w = gauss_legendre(24 + self.terms // 2 + math.ceil(0.6 * span))
+        x, w = gauss_panels(24 + self.terms // 2 + math.ceil(0.6 * span))
         radius = low + (high - low)[:, None] * x
         wave = w * (high - low)[:, None] * radius * np.exp(1j * radius * (alpha * radius + beta))
         return np.asarray((wave * j0_series(v[:, None] * radius, self.terms)).sum(axis=1))

@@ -15,7 +15,7 @@ from lommel.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
 _BLOCK = 2**21  # values of J0 held at once: 16 MiB
-_MAX_NODES = 20_000
+_MAX_NODES = 16_000
 
 
 @dataclass(frozen=True)

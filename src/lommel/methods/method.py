@@ -114,7 +114,7 @@ class Method(ABC):
     """Whether apertures with a spider, vignetting or a mask are supported."""
 
     keeps_tol: ClassVar[bool] = True
-    """Whether a bound, where there is one, counts everything and never exceeds `tol`."""
+    """Whether a bound, where there is one, counts everything, storing included, and never exceeds `tol`."""
 
     tol: float = 1e-6
 
@@ -173,18 +173,30 @@ class Method(ABC):
         """
         if powers:
             raise ValueError(f"derivatives are not available from {type(self).__name__}; use NijboerZernike")
-        intensity, error, _ = self.intensity(pupil, grid, threads)
-        if scale is None:
-            peak = intensity.reshape(intensity.shape[0], -1).max(axis=1)
-            if not np.all(peak > 0):
-                raise ValueError('normalize="peak" is impossible: no light falls into the window')
-            scales = 1.0 / peak
-            error = None if error is None else normalized_error(error)
-        else:
-            scales = np.full(intensity.shape[0], scale)
+        way = self
+        intensity, error = way._bounded(pupil, grid, scale, dtype, threads)
+        while self.keeps_tol and error is not None and error.max() > self.tol:
+            # Values divided by their own largest one are off by twice as much.
+            finer = way.tightened() if scale is not None else way.tightened().tightened()
+            if finer == way:
+                raise not_met(self.tol, float(error.max()), "the peak")
+            way = finer
+            intensity, error = way._bounded(pupil, grid, scale, dtype, threads)
+        scales = np.full(len(intensity), scale) if scale is not None else 1.0 / _largest(intensity)
         values = np.empty((intensity.shape[0], *grid.shape), dtype=dtype) if out is None else out
         grid.paint(intensity, scales, values)
         return Images(values, scales, error)
+
+    def _bounded(
+        self, pupil: Pupil, grid: Grid, scale: float | None, dtype: DTypeLike, threads: int
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
+        """Return the intensity, and the bound on what images of it are off by once they are scaled and stored."""
+        intensity, error, _ = self.intensity(pupil, grid, threads)
+        if scale is None and not np.all(_largest(intensity) > 0):
+            raise ValueError('normalize="peak" is impossible: no light falls into the window')
+        if error is None:
+            return intensity, None
+        return intensity, stored(normalized_error(error) if scale is None else error, dtype)
 
     def require(self, pupil: Pupil) -> None:
         """Raise ValueError if `pupil` is not supported."""
@@ -265,6 +277,20 @@ def relative_error(intensity: NDArray[np.float64], field_error: NDArray[np.float
     exact = peak - field_error
     error = field_error * (2.0 * peak + field_error)
     return np.asarray(np.divide(error, exact**2, out=np.full(peak.shape, np.inf), where=exact > 1e-150))
+
+
+def storing(dtype: DTypeLike) -> float:
+    """Bound what it adds to errors over the peak that values are scaled and stored, as the compiled core does."""
+    return 6.0 * 2.0**-53 + (2.0**-24 if np.dtype(dtype) == np.float32 else 0.0)
+
+
+def stored(relative: NDArray[np.float64], dtype: DTypeLike) -> NDArray[np.float64]:
+    """Bound the error of values that are off by `relative` of the peak before they are stored."""
+    return np.asarray(relative + (1.0 + relative) * storing(dtype))
+
+
+def _largest(intensity: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.asarray(intensity.reshape(len(intensity), -1).max(axis=1))
 
 
 def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -23,6 +23,7 @@ from lommel.methods.method import (
 )
 from lommel.pupil import Pupil
 
+_LEAST_TOL = 1e-12
 _BLOCK = 2**22  # values between two looks at the keyboard
 
 
@@ -65,7 +66,7 @@ class NijboerZernike(FieldMethod):
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-12, below=1e-1))
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=_LEAST_TOL, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return None: every pupil is supported."""
@@ -97,8 +98,8 @@ class NijboerZernike(FieldMethod):
         return sums
 
     def tightened(self) -> NijboerZernike:
-        """Return the same method with half the tolerance."""
-        return NijboerZernike(0.5 * self.tol)
+        """Return the same method with half the tolerance, or with the least that there is."""
+        return NijboerZernike(max(0.5 * self.tol, _LEAST_TOL))
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""

@@ -60,6 +60,11 @@ class Polychromatic(RadialMethod):
         object.__setattr__(self, "method", method)
 
     @property
+    def keeps_tol(self) -> bool:  # type: ignore[override]
+        """That of the method."""
+        return (self.method or SERIES).keeps_tol
+
+    @property
     def tol(self) -> float:  # type: ignore[override]
         """Tolerance of the method."""
         return (self.method or SERIES).tol
@@ -70,8 +75,8 @@ class Polychromatic(RadialMethod):
         return (self.method or SERIES).sampling
 
     def tightened(self) -> Polychromatic:
-        """Return the same sum with half the tolerance, if a method was named."""
-        return self if self.method is None else replace(self, method=self.method.tightened())
+        """Return the same sum with half the tolerance; by the series, if no method was named."""
+        return replace(self, method=(self.method or SERIES).tightened())
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return the reason where the reference wavelength is unknown, or where the method gives one."""

@@ -98,7 +98,7 @@ def _one(
         added += 2.0 * pixel_error(step, nodes) * ceiling if integrate else 0.0
         bound = (given + added) / float(image.max())
         # A method whose tolerance is no contract on the intensity is carried on without loss.
-        if bound <= method.tol or (finer == method and added <= given):
+        if bound <= method.tol or (not method.keeps_tol and added <= given):
             return image, bound
         bright *= 0.1
         finer = finer.tightened().tightened().tightened()

@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel import _core
+from lommel.validation import MAX_REACH
 
 
 def bessel_sequence(v: ArrayLike, count: int) -> NDArray[np.float64]:
-    """Return ``J_0(v), ..., J_{count-1}(v)`` for finite ``v >= 0``, shape ``(len(v), count)``.
+    """Return ``J_0(v), ..., J_{count-1}(v)`` for ``0 <= v <= 1e6``, shape ``(len(v), count)``.
 
     Miller's backward recurrence (DLMF 3.6(vi)); absolute error a few units of 2^-53.
     """
@@ -49,4 +50,6 @@ def _radii(v: ArrayLike) -> NDArray[np.float64]:
     if radii.ndim != 1 or bad.any():
         found = f"shape {radii.shape}" if radii.ndim != 1 else radii[bad][0]
         raise ValueError(f"v must be a one-dimensional array of finite numbers >= 0, got {found}")
+    if radii.size and radii.max() > MAX_REACH:
+        raise ValueError(f"v must be at most {MAX_REACH:.0e}, got {radii.max():g}")
     return radii

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.special.erf import Erf, FresnelErf
 from lommel.special.fresnel import HALF
-from lommel.special.legendre import gauss_legendre
+from lommel.special.legendre import gauss_legendre, gauss_panels
 
 _NEARLY_LINEAR = 0.1  # a h^2 below which the closed form loses more digits than quadrature costs
 _BLOCK = 2**20
@@ -69,7 +69,8 @@ def _by_quadrature(
     length = high - low
     span = (a * (low + high) + np.abs(b)) * length
     nodes = int(0.5 * span.max() + 3.0 * span.max() ** (1.0 / 3.0)) + 20
-    x, w = gauss_legendre(nodes)
+    x, w = gauss_panels(nodes)
+    nodes = x.size
     out = np.empty((3, b.size), dtype=np.complex128)
     rows = max(1, _BLOCK // nodes)
     for first in range(0, b.size, rows):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -9,9 +10,14 @@ from numpy.typing import NDArray
 
 from lommel import _core
 
+_MAX_NODES = 20_000  # they take time in proportion to the square, then half a second
+_PANEL, _PANEL_NODES = 200, 256
+
 
 @lru_cache(maxsize=64)
 def _rule(n: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    if n > _MAX_NODES:
+        raise ValueError(f"phases and radii must be smaller: they take {n:.6g} nodes, more than {_MAX_NODES}")
     nodes, weights = _core.gauss_legendre(n)
     nodes.flags.writeable = weights.flags.writeable = False
     return nodes, weights
@@ -25,3 +31,16 @@ def gauss_legendre(n: int, low: float = 0.0, high: float = 1.0) -> tuple[NDArray
     nodes, weights = _rule(n)
     half = 0.5 * (high - low)
     return low + half * (1.0 + nodes), half * weights
+
+
+def gauss_panels(n: int, low: float = 0.0, high: float = 1.0) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the rule of n nodes, or where they are many one of panels that resolves as many waves.
+
+    256 nodes take the place of 200: rules are exact to rounding once they have a node for two radians, and some.
+    """
+    panels = math.ceil(n / _PANEL)
+    if n <= _PANEL_NODES:
+        return gauss_legendre(n, low, high)
+    x, w = gauss_legendre(_PANEL_NODES)
+    width = (high - low) / panels
+    return (low + width * (np.arange(panels)[:, None] + x)).ravel(), np.tile(width * w, panels)

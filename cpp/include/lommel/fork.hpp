@@ -1,0 +1,42 @@
+// What a fork must not find half done: it copies memory as it is, and of all threads the one that calls it.
+#pragma once
+
+#include <vector>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <pthread.h>
+#endif
+
+namespace lommel {
+
+// Whoever derives from this is told of every fork. For objects that are made when the program is loaded, when there is one
+// thread, and last as long as the process.
+class ForkAware {
+   public:
+    ForkAware(const ForkAware&) = delete;
+    ForkAware& operator=(const ForkAware&) = delete;
+
+   protected:
+    ForkAware() {
+#if defined(__unix__) || defined(__APPLE__)
+        if (all().empty()) {
+            pthread_atfork([] { for (ForkAware* one : all()) one->before_fork(); },
+                           [] { for (ForkAware* one : all()) one->after_fork(false); },
+                           [] { for (ForkAware* one : all()) one->after_fork(true); });
+        }
+#endif
+        all().push_back(this);
+    }
+    ~ForkAware() = default;
+
+    virtual void before_fork() {}
+    virtual void after_fork(bool in_child) = 0;
+
+   private:
+    static std::vector<ForkAware*>& all() {
+        static std::vector<ForkAware*>& list = *new std::vector<ForkAware*>;
+        return list;
+    }
+};
+
+}  // namespace lommel

@@ -1,0 +1,104 @@
+// How a long call is ended from outside: it looks up now and then, at places where it can be left.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <ctime>
+
+namespace lommel {
+
+struct Stopped {};  // thrown by look() where the caller wants no more
+
+// For as long as it lives, the thread that made it asks every 50 ms whether to stop, and with it all threads that help it.
+class Watch {
+   public:
+    using Ask = bool (*)();
+
+    explicit Watch(Ask ask) : ask_(ask), next_(now() + interval.count()), before_(seat()) {
+        if (ask != nullptr) {
+            seat() = {this, true};
+        }
+    }
+    ~Watch() { seat() = before_; }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+    static constexpr std::chrono::milliseconds interval{50};
+
+    // The one that watches over this thread, or none.
+    static Watch* mine() { return seat().watch; }
+    // A thread that helps has it told by the one that asks.
+    static void help(Watch* watch) { seat() = {watch, false}; }
+
+    static void look() {
+        const Seat here = seat();
+        if (here.watch != nullptr) {
+            here.watch->look(here.asks);
+        }
+    }
+
+   private:
+    // In milliseconds. The coarse clock, where there is one, costs a tenth of the fine one.
+    static std::int64_t now() {
+#if defined(CLOCK_MONOTONIC_COARSE)
+        std::timespec t;
+        clock_gettime(CLOCK_MONOTONIC_COARSE, &t);
+        return std::int64_t{t.tv_sec} * 1000 + t.tv_nsec / 1000000;
+#else
+        return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+#endif
+    }
+
+    struct Seat {
+        Watch* watch = nullptr;
+        bool asks = false;
+    };
+    static Seat& seat() {
+        thread_local Seat mine;
+        return mine;
+    }
+
+    void look(bool asks) {
+        if (asks && !stopped_.load(std::memory_order_relaxed)) {
+            const std::int64_t here = now();
+            if (here < next_) {
+                return;
+            }
+            next_ = here + interval.count();
+            if (ask_()) {
+                stopped_.store(true, std::memory_order_relaxed);
+            }
+        }
+        if (stopped_.load(std::memory_order_relaxed)) {
+            throw Stopped();
+        }
+    }
+
+    Ask ask_;
+    std::int64_t next_;
+    Seat before_;
+    std::atomic<bool> stopped_{false};
+};
+
+// Costs some 10 ns: for loops whose steps take microseconds.
+inline void look() { Watch::look(); }
+
+// For loops whose steps take less: looks each time that `work`, in operations, has come to some microseconds.
+class Glance {
+   public:
+    void operator()(std::size_t work = 1) {
+        done_ += work;
+        if (done_ >= enough) {
+            done_ = 0;
+            look();
+        }
+    }
+
+   private:
+    static constexpr std::size_t enough = 1 << 14;
+    std::size_t done_ = 0;
+};
+
+}  // namespace lommel

@@ -1,0 +1,156 @@
+// The compiled core as callers meet it, for sanitizers: asked for what is far out of reach, stopped while it works, and forked.
+// Returns 1 and says where if it does not answer as it should.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <random>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#if defined(__unix__)
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
+#include "lommel/images.hpp"
+#include "lommel/profiles.hpp"
+#include "lommel/zernike_images.hpp"
+
+#include "check.hpp"
+
+namespace {
+
+// Reaches that no double can be turned into an integer for are refused; far ones are done, piece by piece or one by one.
+void far_windows(double obscuration) {
+    const double coefficients[] = {7.0, 3.0};
+    const lommel::Stack stack{coefficients, 1, 2, obscuration};
+    for (const double reach : {1.1e6, 1e10, 1e25, 1e300, HUGE_VAL, std::nan("")}) {
+        std::complex<double> u;
+        double value, bound, peak;
+        int refused = 0;
+        try {
+            lommel::fields(stack, &reach, 1, 1e-6, &u, &bound);
+        } catch (const std::domain_error&) {
+            ++refused;
+        }
+        try {
+            lommel::profiles(stack, &reach, 1, 1e-6, &value, &bound, &peak);
+        } catch (const std::domain_error&) {
+            ++refused;
+        }
+        double image[25], scale = 1.0;
+        try {
+            lommel::Renderer<double>(stack, 5, 5, reach, 1e-6, 1, {image, &scale, &bound, nullptr, 0, nullptr, nullptr}).run();
+        } catch (const std::domain_error&) {
+            ++refused;
+        }
+        const std::int32_t n[] = {2, 3}, m[] = {0, 1};
+        const std::int64_t axis = 2;
+        const lommel::ZernikeStack general{n, m, coefficients, coefficients, 1, 2, obscuration, 0.0};
+        try {
+            lommel::ZernikeRenderer<double>(general, 5, 5, &axis, &axis, reach, 1e-6, 1, image, &scale, &bound, &peak).run();
+        } catch (const std::domain_error&) {
+            ++refused;
+        }
+        check(refused == 4, "far windows that are refused", refused);
+    }
+    // Of these radii some crowd in a piece, and some are alone.
+    std::vector<double> v;
+    for (double at = 3.0; at < 9e5; at *= 1.7) {
+        v.push_back(at);
+    }
+    for (int i = 0; i < 64; ++i) {
+        v.push_back(9e5 + 0.1 * i);
+    }
+    std::vector<std::complex<double>> fine(v.size());
+    std::vector<double> found(v.size());
+    double bound, relative, peak;
+    lommel::fields(stack, v.data(), v.size(), 1e-13, fine.data(), &bound);  // no piece meets this
+    lommel::profiles(stack, v.data(), v.size(), 1e-6, found.data(), &relative, &peak);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        check(std::abs(found[i] - std::norm(fine[i])) <= (relative + 1e-12) * peak, "far profile", v[i]);
+    }
+}
+
+// A call that is told to stop does, from every thread and place, and the next one finds all in order.
+int times_to_ask = 0;
+bool stops() { return --times_to_ask < 0; }
+
+void a_call_stops_where_it_is_told_to() {
+    for (int patience = 0; patience < 4; ++patience) {
+        const lommel::Watch watch(&stops);
+        times_to_ask = patience;
+        int stopped = 0;
+        try {
+            lommel::parallel_for(1000000, 3, [](std::size_t, std::size_t) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            });
+        } catch (const lommel::Stopped&) {
+            ++stopped;
+        }
+        check(stopped == 1, "a call that was stopped", patience);
+    }
+    std::atomic<int> done{0};
+    lommel::parallel_for(100, 3, [&](std::size_t, std::size_t) { ++done; });
+    check(done == 100 && lommel::helpers.at_work == 0, "the call after it", done);
+}
+
+// The largest value of an image of some defocus.
+double image_of(std::size_t side, double defocus) {
+    std::vector<double> image(side * side);
+    double scale = 1.0, bound = 0.0;
+    lommel::Renderer<double>({&defocus, 1, 1, 0.0}, side, side, 0.7, 1e-6, 2, {image.data(), &scale, &bound, nullptr, 0, nullptr, nullptr})
+        .run();
+    return *std::max_element(image.begin(), image.end());
+}
+
+// A child of a process whose other threads are at work computes as if there were none.
+void children_of_busy_parents() {
+#if defined(__unix__) && !defined(__SANITIZE_THREAD__)
+    std::atomic<bool> enough{false};
+    std::vector<std::thread> busy;
+    for (unsigned seed = 0; seed < 2; ++seed) {
+        busy.emplace_back([&enough, seed] {
+            std::mt19937 random(seed);
+            while (!enough) {
+                image_of(3 + random() % 90, 0.1 * static_cast<double>(random() % 99));
+            }
+        });
+    }
+    for (unsigned turn = 0; turn < 20; ++turn) {
+        const pid_t child = fork();
+        if (child == 0) {
+            alarm(20);
+            _exit(image_of(31 + turn, 3.0) > 0.9 || lommel::helpers.at_work != 0);
+        }
+        int status = -1;
+        waitpid(child, &status, 0);
+        check(status == 0, "a child of a busy parent", status);
+    }
+    enough = true;
+    for (std::thread& one : busy) {
+        one.join();
+    }
+#endif
+}
+
+}  // namespace
+
+int main() {
+    lommel::work_per_thread() = 1e-3;
+    for (const lommel::Level level : {lommel::Level::portable, lommel::Level::avx2, lommel::Level::avx512}) {
+        lommel::level_limit() = level;
+        far_windows(0.0);
+        far_windows(0.4);
+    }
+    a_call_stops_where_it_is_told_to();
+    children_of_busy_parents();
+    std::printf(failures == 0 ? "all good\n" : "%d failures\n", failures.load());
+    return failures == 0 ? 0 : 1;
+}

@@ -43,7 +43,7 @@ def assert_within_bound(pupil: lm.Pupil, answer: lm.PSF, count: int = 12, seed: 
     columns = np.array([*rng.integers(0, width, count), brightest[1], 0, width - 1])
     error = np.abs(answer.values[rows, columns] - exact_intensity(pupil, answer, rows, columns)).max()
     assert answer.error_bound is not None
-    assert error / answer.values.max() <= answer.error_bound <= answer.method.tol + 2.0**-24
+    assert error / answer.values.max() <= answer.error_bound <= answer.method.tol
 
 
 @pytest.mark.parametrize(
@@ -245,7 +245,7 @@ def test_averages_of_a_window_far_from_the_light_are_within_a_bound_related_to_t
     # A pixel around the axis is nearly the best placed one.
     best = float(answer.scale) * exact_averages(pupil, lm.Grid(1, 1.1), [(0, 0)])[0]
     peak = answer.values.max() if normalize == "peak" else max(best, answer.values.max())
-    assert error / peak <= answer.error_bound <= tol + 2.0**-53
+    assert error / peak <= answer.error_bound <= tol
 
 
 @pytest.mark.parametrize("center", [(12.3, -4.2), (40.0, -12.0), (3000.0, 0.7)])
@@ -269,7 +269,7 @@ def test_pixels_so_large_that_their_samples_miss_the_peak_are_averaged():
     answer = lm.psf(pupil, 9, 5.0, integrate=True, method=lm.NijboerZernike(1e-6), dtype=np.float64)
     exact = exact_averages(pupil, answer.grid, [(4, 4), (4, 5)], 40)
     found = answer.values[4, [4, 5]] / float(answer.scale)
-    assert np.abs(found - exact).max() / exact.max() <= answer.error_bound <= 1e-6 + 2.0**-53
+    assert np.abs(found - exact).max() / exact.max() <= answer.error_bound <= 1e-6
 
 
 @pytest.mark.parametrize("tol", [1e-3, 1e-9])
@@ -280,13 +280,13 @@ def test_a_window_of_pixels_that_all_miss_the_peak_can_be_divided_by_its_largest
     )
     rows, columns = (part.ravel() for part in np.indices(answer.shape))
     exact = exact_intensity(pupil, answer, rows, columns) / float(answer.scale)
-    assert np.abs(answer.values.ravel() - exact / exact.max()).max() <= answer.error_bound <= tol + 2.0**-53
+    assert np.abs(answer.values.ravel() - exact / exact.max()).max() <= answer.error_bound <= tol
 
 
 @pytest.mark.parametrize(
     ("tilt", "message"),
     [
-        (1e5, r"v = 100006\.\d+ from the axis exceed the limit"),
+        (1.5e6, r"v up to 1\.5e\+06 from the axis is more than the limit"),
         (1e18, r"axis at column 6\.37e\+17, more than the limit"),
         (-1e308, r"axis at column -.*more than the limit"),
     ],

@@ -66,7 +66,7 @@ def test_random_wavefronts_agree_with_direct_quadrature(
     )
     exact = polar(pupil, grid)
     assert error(answer, exact) <= answer.error_bound + 1e-12 / exact.max()
-    assert answer.error_bound <= tol + 2.0**-53
+    assert answer.error_bound <= tol
 
 
 def test_the_tolerance_is_kept_eight_times_a_decade_and_the_bound_is_never_below_the_error():
@@ -76,7 +76,7 @@ def test_the_tolerance_is_kept_eight_times_a_decade_and_the_bound_is_never_below
     errors = []
     for tol in 10.0 ** -np.arange(3.0, 10.0 + 1e-9, 0.125):
         answer = lm.psf(pupil, 13, 0.8, method=lm.ChordalGauss(tol), dtype=np.float64, threads=1)
-        assert error(answer, exact) <= answer.error_bound <= tol + 2.0**-53
+        assert error(answer, exact) <= answer.error_bound <= tol
         errors.append(answer.error_bound)
     # A bound that stays where it is would mean that the tolerance is ignored.
     assert len(set(errors)) >= 8
@@ -213,7 +213,7 @@ def test_precisions_and_given_arrays_hold_the_same_values(normalize):
     assert np.abs(coarse.values - fine.values).max() <= 2.0**-23 * fine.values.max()
     if normalize == "peak":
         assert fine.values.max() == pytest.approx(1.0, rel=4e-16)
-        assert fine.error_bound <= 1e-6 + 2.0**-53
+        assert fine.error_bound <= 1e-6
 
 
 def test_a_positive_x_tilt_moves_the_image_to_higher_columns_by_whole_pixels():

@@ -8,9 +8,10 @@ import sys
 import pytest
 
 BLUR = """
-lens = lm.Lens(focal_length=50e-3, f_number=2.0, focus_distance=1.0, wavelength=550e-9)
-blur = lm.imaging.DepthBlur(lens, np.full((1500, 1500), 20.0), 6e-6, largest=201, tol=1e-2, threads=2)
-image = np.ones((1500, 1500), np.float32)
+from lommel import _core
+windows, halves, energies = np.ones((7, 101, 208), np.float32), np.full(6, 100.0), np.full((6, 101), 4e4)
+positions, scene = np.full((1200, 1200), 2.5), np.ones((1200, 1200), np.float32)
+wide = np.ones((1400, 1416), np.float32)
 """
 
 # Each takes many seconds: what comes before, and the call.
@@ -30,8 +31,8 @@ CALLS = {
         "lm.Hankel().field(lm.Pupil(), [1.0])",
         "[lm.Hankel().field(lm.Pupil(lm.Wavefront(9.0 + i)), [25_000.0 + i]) for i in range(99)]",
     ),
-    "spread": (BLUR, "blur.forward(image)"),
-    "collect": (BLUR, "blur.adjoint(image)"),
+    "spread": (BLUR, "_core.spread(windows, halves, energies, positions, scene, 2, wide)"),
+    "collect": (BLUR, "_core.collect(windows, halves, energies, positions, wide[:, :1400].copy(), 2, scene)"),
 }
 
 PROGRAM = """

@@ -112,7 +112,7 @@ def test_the_json_is_about_the_lens_and_the_psf_that_python_knows(printed, lense
         assert printed[key] == pytest.approx(float(number), rel=1e-5), key
     assert printed["psf"]["method"] == {"name": "NijboerZernike", "tol": 1e-6}
     assert (printed["psf"]["shape"], printed["psf"]["dtype"]) == ([8, 9], "float64")
-    assert (printed["psf"]["normalize"], printed["psf"]["sampling"]) == ("peak", "center")
+    assert (printed["psf"]["normalize"], printed["psf"]["sampling"]) == ("peak", "pixel")
     assert printed["psf"]["peak"] == 1.0
     assert printed["psf"]["energy"] == pytest.approx(psf.energy)
     assert printed["psf"]["error_bound"] == pytest.approx(psf.error_bound)
@@ -337,7 +337,7 @@ def test_compare_judges_vanes_by_the_finest_method_that_takes_them(call_lommel, 
 
 def test_the_strehl_ratio_of_a_comatic_lens_is_that_of_its_image(call_lommel, lenses, tmp_path):
     lens = lenses["newtonian-off-axis"]
-    arguments = (lens, "--tol", "1e-9", "--normalize", "strehl")
+    arguments = (lens, "--tol", "1e-9", "--normalize", "strehl", "--sample")
     facts = json.loads(call_lommel("psf", *arguments, "--shape", 1, "-o", "a.npy", "--json", folder=tmp_path).stdout)
     # The one pixel of this window is on the axis.
     assert facts["psf"]["peak"] == pytest.approx(facts["strehl"], rel=1e-8)

@@ -21,7 +21,7 @@ ORDER = [
     {"units"},
     {"reading"},
     {"special"},
-    {"descriptions"},
+    {"descriptions", "aplanatic"},
     {"wavefront", "aperture"},
     {"fitting", "faults", "opening"},
     {"zernikefile"},

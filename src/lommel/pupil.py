@@ -52,7 +52,7 @@ class Geometry:
 
     @property
     def sphere(self) -> float:
-        """Curvature of the reference sphere of an aplanatic lens, 1/metres: see :mod:`lommel.aplanatic`."""
+        """Curvature of the reference sphere of an aplanatic lens, 1/metres: see :func:`lommel.aplanatic.path`."""
         return self.in_focus if self.corrected_for == "focus" else -1.0 / self.sensor_distance
 
     def focused(self) -> Geometry:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import fields
@@ -134,6 +133,10 @@ class Method(ABC):
         """Return the peak of the same aperture without aberration, to which "strehl" relates."""
         return pupil.amplitude**2
 
+    def stretch(self, pupil: Pupil) -> float:
+        """Return the exponential type of U in v: how much faster than at the wavelength of the pupil it varies."""
+        return 1.0
+
     def tightened(self) -> Self:
         """Return the same method with half the tolerance, if it has one."""
         return self
@@ -224,10 +227,6 @@ class RadialMethod(Method):
         """Return the method itself for a radial pupil, else None."""
         return self if pupil.radial else None
 
-    def stretch(self, pupil: Pupil) -> float:
-        """Return the exponential type of U in v: how much faster than at the wavelength of the pupil it varies."""
-        return 1.0
-
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if not grid.symmetric:
@@ -287,9 +286,7 @@ def widened(made: Images, pupil: Pupil, method: Method, *, normalized: bool) -> 
     """
     if not pupil.wavefront.error or made.error is None:
         return made
-    shortest = min(getattr(method, "wavelengths", (math.inf,)))
-    growth = 1.0 if pupil.wavelength is None else max(1.0, pupil.wavelength / shortest) ** 2
-    left = np.asarray(pupil.wavefront.error * pupil.amplitude * growth)
+    left = np.asarray(pupil.wavefront.error * pupil.amplitude * max(1.0, method.stretch(pupil)) ** 2)
     brightest = made.values.reshape(len(made.values), -1).max(axis=1).astype(np.float64) / made.scale
     more = relative_error(brightest[:, None], left)
     error = made.error + (normalized_error(more) if normalized else more)

@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf photo test sanitize bench peers docs lint types format lock wheel clean FORCE
+.PHONY: help env build psf photo test fuzz sanitize bench peers docs lint types format lock wheel clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -139,6 +139,10 @@ photo: build ## blur a photograph by its depth: near, far, and from one to the o
 
 test: build lint types ## build, lint, check the types and run the tests
 	@.venv/bin/pytest
+
+# 20 000 bad arguments, 2 000 bad command lines, 1 000 mutations of each kind of file; `make test` has a sample.
+fuzz: build ## try what no user should: bad arguments, command lines and files
+	@LOMMEL_FUZZ=1 .venv/bin/pytest tests/fuzz
 
 # The core alone, without Python: memory, undefined behaviour, then data races.
 sanitize: ## exercise the compiled core under the compiler's sanitizers

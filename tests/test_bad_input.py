@@ -51,7 +51,7 @@ def refuses(call, name: str, shown: str) -> None:
     ("normalize", [("Energy", "'Energy'"), ("", "''"), (None, "None"), (1, "1"), (["peak"], "['peak']")]),
     ("dtype", [("float16", "'float16'"), (int, "int"), (complex, "complex"), ("junk", "'junk'"), (">f8", "'>f8'")]),
     ("dtype", [("2f4", "'2f4'"), (3, "3"), (np.longdouble, "longdouble")]),
-    ("pupil", [(lm.Wavefront(1.0), "Wavefront(defocus=1.0"), (None, "None"), (1.0, "1.0"), ([PUPIL], "[Pupil(")]),
+    ("pupil", [(lm.Wavefront(1.0), "a Wavefront"), (None, "None"), (1.0, "1.0"), ([PUPIL], "[Pupil(")]),
 )  # fmt: skip
 def test_a_bad_argument_of_psf_is_refused_by_every_method(method, name, value, shown):
     arguments = {"pupil": PUPIL, "shape": 5, "pixel": 1e-6, "method": method} | {name: value}
@@ -262,3 +262,59 @@ def test_a_bad_radius_is_refused(ask, name, value, shown):
 @pytest.mark.parametrize("rho", [-0.1, math.nan, "1", True])
 def test_a_bad_pupil_radius_is_refused(rho):
     refuses(lambda: lm.Wavefront(1.0).phase(rho), "rho", str(rho))
+
+
+@pytest.mark.parametrize("value", ["x", 550, math.nan, [5e-7], True])
+def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
+    calls = [
+        lambda: lm.Wavefront.zernike({4: 1.0}, order="noll", unit="waves", wavelength=value),
+        lambda: lm.Wavefront(1.0).to_zernike(unit="waves", wavelength=value),
+        lambda: lm.fit_opd(np.zeros((9, 9)), unit="waves", degree=2, wavelength=value),
+        lambda: lm.fit_radial(lambda rho: rho**2, unit="waves", wavelength=value),
+        lambda: lm.opd_map(lm.Wavefront(), 5, unit="radians", wavelength=value),
+    ]
+    for call in calls:
+        refuses(call, "wavelength", "got ")
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda: lm.metrics.strehl(1), "answer must be a PSF, got 1"),
+        (lambda: lm.spot.fwhm("psf"), "answer must be a PSF, got 'psf'"),
+        (lambda: lm.transfer.image_otf(None, 0.1), "answer must be a PSF, got None"),
+        (lambda: lm.encircled.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
+        (lambda: lm.encircled.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
+        (lambda: lm.best_focus(SPHERICAL, 1.0, method="x"), "method must be a RadialMethod, got 'x'"),
+        (lambda: lm.psf(SPHERICAL, 3, 0.5).plot(ax=1), "ax must be axes of matplotlib or None, got 1"),
+        (lambda: lm.ZernikeTable(1, "noll", "nm", "rms"), "terms must map indices to coefficients, got 1"),
+        (lambda: lm.PSF.load(1), "path must be a path, got 1"),
+        (lambda: lm.fieldtable.read_rows([], [], "noll"), "the first columns must be height, or x and y, got none"),
+        (lambda: lm.opening.Opening(obscuration="x"), "obscuration must be a real number, got 'x'"),
+        (lambda: SPHERICAL.rule(2.5), "degree must be an integer, got 2.5"),
+        (lambda: SPHERICAL.v("nan"), "radius must hold real numbers, got 'nan'"),
+        (lambda: lm.Hankel().field(SPHERICAL, ["1", "2"]), "v must hold real numbers, got ['1', '2']"),
+        (lambda: lm.Hankel().field(SPHERICAL, np.array([1j])), "v must hold real numbers, got array([0.+1.j])"),
+        (lambda: lm.FresnelErf().on_ray(math.nan), "s must be finite, got nan"),
+        (lambda: lm.mse(["1"], ["1"]), "values must hold real numbers, got ['1']"),
+        (lambda: lm.PSFGrid(1, [], [], (1, 1)), "psf must be a PSF, got 1"),
+    ],
+)
+def test_what_is_of_the_wrong_kind_is_refused_by_name(call, name):
+    refuses(call, name, "")
+
+
+def test_no_radii_give_no_energies():
+    assert lm.psf(SPHERICAL, 3, 0.5).encircled_energy([]).shape == (0,)
+    assert lm.encircled.encircled(SPHERICAL, []).fraction.shape == (0,)
+
+
+@pytest.mark.parametrize(
+    "value", [np.ones((50, 50)), [1.0] * 5000, "x" * 5000, "a\nb", {str(k): k for k in range(999)}, 10**400]
+)
+def test_a_message_is_one_line_and_short_whatever_is_given(value):
+    for call in (lambda: lm.psf(value, 5, 0.5), lambda: lm.Pupil(obscuration=value), lambda: lm.Spider(0.1, value)):
+        with pytest.raises(BAD) as caught:
+            call()
+        assert len(str(caught.value).splitlines()) == 1
+        assert len(str(caught.value)) < 300

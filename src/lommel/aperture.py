@@ -59,7 +59,8 @@ class Spider:
         angles = validation.real_array("angles", self.angles)
         if angles.ndim != 1 or not 1 <= angles.size <= MAX_VANES:
             raise ValueError(
-                f"angles must be a sequence of 1 to {MAX_VANES} numbers, got {self.angles!r} of shape {angles.shape}"
+                f"angles must be a sequence of 1 to {MAX_VANES} numbers, "
+                f"got {validation.shown(self.angles)} of shape {angles.shape}"
             )
         object.__setattr__(self, "angles", tuple(angles.tolist()))
 
@@ -155,14 +156,14 @@ class CatEye:
     radius: float = 1.0
 
     def __post_init__(self) -> None:
-        if not isinstance(self.shift, tuple | list | np.ndarray) or len(self.shift) != 2:
-            raise TypeError(f"shift must be a pair (x, y), got {self.shift!r}")
+        if not isinstance(self.shift, tuple | list | np.ndarray) or np.shape(self.shift)[:1] != (2,):
+            raise TypeError(f"shift must be a pair (x, y), got {validation.shown(self.shift)}")
         x, y = (validation.real(f"shift[{i}]", part) for i, part in enumerate(self.shift))
         radius = validation.real("radius", self.radius, above=0.0, below=1000.0 + 1e-9)
         if math.hypot(x, y) >= 1.0 + radius:
             raise ValueError(
                 f"shift must be shorter than 1 + radius = {1.0 + radius:g}, or the circles do not overlap, "
-                f"got {self.shift!r}"
+                f"got {validation.shown(self.shift)}"
             )
         object.__setattr__(self, "shift", (x, y))
         object.__setattr__(self, "radius", radius)
@@ -239,7 +240,7 @@ class Mask:
         """
         n = validation.integer("side", side, least=2, most=MAX_SIDE)
         if not callable(function):
-            raise TypeError(f"function must be callable, got {function!r}")
+            raise TypeError(f"function must be callable, got {validation.shown(function)}")
         at = cell_centers(n)
         return cls(np.broadcast_to(validation.array("function", function(at[None, :], at[:, None])), (n, n)))
 
@@ -250,6 +251,7 @@ class Mask:
 
     def at(self, x: Array, y: Array) -> Array:
         """Return the amplitude of the cell that each point lies in, 0 outside of the square."""
+        x, y = (np.clip(validation.real_array(name, part), -2.0, 2.0) for name, part in (("x", x), ("y", y)))
         row, column = (np.floor(0.5 * (part + 1.0) * self.side) for part in (y, x))
         # The far edge belongs to the last cell.
         row, column = np.where(y == 1.0, self.side - 1, row), np.where(x == 1.0, self.side - 1, column)

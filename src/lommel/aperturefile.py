@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from lommel import reading
+from lommel import reading, validation
 from lommel.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
 from lommel.entries import Angle, Length, Number, Section, beside
 
@@ -77,7 +77,7 @@ class _Mask(Section):
     @classmethod
     def _file(cls, value: Any, info: ValidationInfo) -> Any:
         if not isinstance(value, str):
-            raise ValueError(f"must be the name of a file, {', '.join(_SUFFIXES)}, got {value!r}")
+            raise ValueError(f"must be the name of a file, {', '.join(_SUFFIXES)}, got {validation.shown(value)}")
         if "holds" not in info.data:
             return value  # its own fault is told
         try:
@@ -130,7 +130,7 @@ def read_transmission(path: Path) -> NDArray[Any]:
     """
     suffix = path.suffix.lower()
     if suffix not in _SUFFIXES:
-        raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {path.name!r}")
+        raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
     if suffix == ".npy":
         try:
             return reading.npy(reading.contents(path), MAX_SIDE**2)[0]

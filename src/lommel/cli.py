@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from lommel.optional import how_to_get
+from lommel.validation import shown
 
 try:
     import click
@@ -123,7 +124,7 @@ def psf(
         if field is not None:
             fieldfiles.check_suffix(path, "--output")
         elif path.suffix.lower() not in files.SUFFIXES:
-            raise ValueError(f"--output must end in {', '.join(files.SUFFIXES)}, got {str(path)!r}")
+            raise ValueError(f"--output must end in {', '.join(files.SUFFIXES)}, got {shown(str(path))}")
     if figure is not None:
         _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape, integrate)
@@ -184,7 +185,7 @@ def _psf_over_field(
     from lommel import report, tables
 
     if not isinstance(field, tuple) or len(field) != 2:
-        raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {field!r}")
+        raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
     rows, columns = field
     field_map, sensor = instrument.field(), instrument.sensor
     assert sensor is not None  # as long as there is a map
@@ -349,7 +350,7 @@ def _instrument(
 def _figure_format(path: Path) -> str:
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in ("png", "pdf", "svg"):
-        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {str(path)!r}")
+        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {shown(str(path))}")
     return suffix
 
 

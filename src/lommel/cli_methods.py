@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from lommel.cli_parts import one_line_errors, print_json
+from lommel.validation import shown
 
 if TYPE_CHECKING:
     from lommel.instrument import Instrument
@@ -76,15 +77,15 @@ def build_method(name: str, settings: tuple[str, ...] = (), tol: float | None = 
     for setting in settings:
         key, equals, text = setting.partition("=")
         if not equals:
-            raise ValueError(f"--set takes NAME=VALUE, got {setting!r}")
+            raise ValueError(f"--set takes NAME=VALUE, got {shown(setting)}")
         if key == "erf":
             erf, colon, count = text.partition(":")
             if erf not in ERFS:
                 raise ValueError(
-                    f"--set erf must be one of {', '.join(ERFS)}, with a count after a colon, got {text!r}"
+                    f"--set erf must be one of {', '.join(ERFS)}, with a count after a colon, got {shown(text)}"
                 )
             if colon and not dataclasses.fields(ERFS[erf]):
-                raise ValueError(f"--set erf={erf} takes no count, got {text!r}")
+                raise ValueError(f"--set erf={erf} takes no count, got {shown(text)}")
             options[key] = ERFS[erf](*([_value(count)] if colon else []))
         elif key in options:
             raise ValueError(f"{key} is given twice")

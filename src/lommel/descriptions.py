@@ -157,7 +157,7 @@ class Descriptions:
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
         w = {name: 2 * math.pi * validation.real_array(name, value) for name, value in waves.items()}
         if not isinstance(field, tuple | list) or len(field) != 2:
-            raise TypeError(f"field must be a pair (x, y), got {field!r}")
+            raise TypeError(f"field must be a pair (x, y), got {validation.shown(field)}")
         x, y = validation.real_array("field[0]", field[0]), validation.real_array("field[1]", field[1])
         higher = [w["W060"], w["W080"]]
         while higher and not np.any(higher[-1]):
@@ -209,6 +209,8 @@ class Descriptions:
 def radians_per(unit: str, wavelength: float | None) -> float:
     """Return the radians of phase of one `unit`: of phase, of waves, or of metres of optical path."""
     validation.choice("unit", unit, UNITS)
+    if wavelength is not None:
+        validation.wavelength(wavelength)
     if unit != "metres":
         return 1.0 if unit == "radians" else 2.0 * math.pi
     if wavelength is None:
@@ -221,4 +223,6 @@ def _pairs(terms: Any) -> list[tuple[Any, Any]]:
     try:
         return [(index, value) for index, value in (terms.items() if isinstance(terms, Mapping) else terms)]
     except (TypeError, ValueError):
-        raise TypeError(f"terms must map indices to coefficients, or be pairs of them, got {terms!r}") from None
+        raise TypeError(
+            f"terms must map indices to coefficients, or be pairs of them, got {validation.shown(terms)}"
+        ) from None

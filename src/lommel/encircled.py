@@ -20,7 +20,7 @@ from lommel.methods import NijboerZernike
 from lommel.methods.method import Method
 from lommel.metrics import energy_per_pixel, radial_energy
 from lommel.psf import PSF, psf
-from lommel.pupil import Pupil
+from lommel.pupil import Pupil, checked
 from lommel.special.legendre import gauss_legendre
 
 _PITCH = 0.25
@@ -76,7 +76,9 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
         If a radius is not finite or out of range, or the pupil is a stack.
     """
     at = np.atleast_1d(validation.real_array("radius", radius, least=0.0))
-    if pupil.shape != ():
+    if method is not None:
+        validation.instance("method", method, Method)
+    if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     if pupil.radial:
         way = NijboerZernike()

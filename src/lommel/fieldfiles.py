@@ -23,9 +23,11 @@ _KEY = "field"  # of what a description says about the positions
 
 def check_suffix(path: str | PathLike[str], name: str = "path") -> str:
     """Return the suffix in small letters; ValueError if it is none of :data:`SUFFIXES`."""
-    suffix = Path(path).suffix.lower()
+    suffix = validation.path("path", path).suffix.lower()
     if suffix not in SUFFIXES:
-        raise ValueError(f"{name} must end in {', '.join(SUFFIXES)} for a grid of PSFs, got {str(path)!r}")
+        raise ValueError(
+            f"{name} must end in {', '.join(SUFFIXES)} for a grid of PSFs, got {validation.shown(str(path))}"
+        )
     return suffix
 
 
@@ -52,9 +54,9 @@ def save(grid: PSFGrid, path: str | PathLike[str]) -> None:
         If it cannot be written.
     """
     suffix = check_suffix(path)
-    psf, target = grid.psf, Path(path)
+    psf, target = grid.psf, validation.path("path", path)
     if psf.derivatives and suffix != ".npz":
-        raise ValueError(f"path must end in .npz for PSFs with derivatives, got {str(path)!r}")
+        raise ValueError(f"path must end in .npz for PSFs with derivatives, got {validation.shown(str(path))}")
     field = {"x": grid.x.tolist(), "y": grid.y.tolist(), "sensor": list(grid.sensor), "unit": grid.unit}
     description = files.describe(psf) | {_KEY: field}
     if suffix == ".zarr":
@@ -80,7 +82,7 @@ def load(path: str | PathLike[str]) -> PSFGrid:
     OSError
         If it cannot be read.
     """
-    source = Path(path)
+    source = validation.path("path", path)
     suffix = check_suffix(path)
     psf, description = _read_zarr(source) if suffix == ".zarr" else files.load_described(source)
     try:
@@ -105,7 +107,9 @@ def _zarr() -> Any:
 def _write_zarr(grid: PSFGrid, target: Path, description: dict[str, Any]) -> None:
     zarr = _zarr()
     if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
-        raise ValueError(f"path must be new or a Zarr store, got {str(target)!r}, which is something else")
+        raise ValueError(
+            f"path must be new or a Zarr store, got {validation.shown(str(target))}, which is something else"
+        )
 
     def fill(folder: Path) -> None:
         group = zarr.create_group(folder, zarr_format=3, attributes={"lommel": description})

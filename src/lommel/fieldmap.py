@@ -285,12 +285,17 @@ class FieldMap:
             Also if a centre lies outside of the map.
         """
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
-        if not isinstance(sensor, tuple | list) or len(sensor) != 2:
-            raise TypeError(f"sensor must be (height, width), got {sensor!r}")
-        sides = [validation.real(f"sensor[{k}]", side, above=0.0, unit=self.unit) for k, side in enumerate(sensor)]
+        sides = _sides(sensor, self.unit)
         # Exactly symmetric, so that the middle one of an odd number is on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(sides, counts, strict=True))
-        return PSFGrid(self.psf(x, y[:, None], shape, pixel, method=method, **options), x, y, (sides[0], sides[1]))
+        return PSFGrid(self.psf(x, y[:, None], shape, pixel, method=method, **options), x, y, sides)
+
+
+def _sides(sensor: Any, unit: str) -> tuple[float, float]:
+    if not isinstance(sensor, tuple | list) or len(sensor) != 2:
+        raise TypeError(f"sensor must be (height, width), got {validation.shown(sensor)}")
+    height, width = (validation.real(f"sensor[{k}]", side, above=0.0, unit=unit) for k, side in enumerate(sensor))
+    return height, width
 
 
 @dataclass(frozen=True, eq=False)
@@ -311,6 +316,15 @@ class PSFGrid:
     x: Array
     y: Array
     sensor: tuple[float, float]
+
+    def __post_init__(self) -> None:
+        stack = validation.instance("psf", self.psf, PSF).pupil.shape
+        for name, count in (("y", 0), ("x", 1)):
+            places = validation.real_array(name, getattr(self, name))
+            if len(stack) != 2 or places.shape != stack[count : count + 1]:
+                raise ValueError(f"{name} must be the places of PSFs of shape {stack}, got shape {places.shape}")
+            object.__setattr__(self, name, places)
+        object.__setattr__(self, "sensor", _sides(self.sensor, self.unit))
 
     @property
     def values(self) -> NDArray[Any]:
@@ -334,6 +348,7 @@ class PSFGrid:
         """Draw each PSF, enlarged, in its place on the sensor; see :func:`lommel.plot.field`."""
         from lommel import plot
 
+        validation.axes("ax", ax)
         return plot.field(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:

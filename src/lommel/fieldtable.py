@@ -5,10 +5,9 @@ from __future__ import annotations
 import csv
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,7 +15,7 @@ import numpy as np
 from lommel import reading, validation
 from lommel.faults import TOLD
 from lommel.fieldmap import FieldMap
-from lommel.pupil import Pupil
+from lommel.pupil import Pupil, checked
 from lommel.special import zernike
 from lommel.units import parse_length
 from lommel.wavefront import Wavefront
@@ -40,6 +39,22 @@ class FieldTable:
     terms: dict[int, tuple[float, ...]]
     order: str
 
+    def __post_init__(self) -> None:
+        validation.choice("order", self.order, ("noll", "ansi", "fringe"))
+        places = self.positions.keys() if isinstance(self.positions, dict) else None
+        if places not in ({"height"}, {"x", "y"}):
+            raise TypeError(
+                f'positions must be a dict of "height", or "x" and "y", got {validation.shown(self.positions)}'
+            )
+        if not isinstance(self.terms, dict) or not self.terms:
+            raise TypeError(f"terms must be a dict of indices to coefficients, got {validation.shown(self.terms)}")
+        columns = [validation.real_array(f"positions[{name!r}]", at) for name, at in self.positions.items()]
+        for index, values in self.terms.items():
+            zernike.term(index, self.order)
+            columns.append(validation.real_array(f"terms[{validation.shown(index)}]", values))
+        if any(column.ndim != 1 or column.size == 0 or column.size != columns[0].size for column in columns):
+            raise ValueError(f"positions and terms must be equally long, got shapes {[c.shape for c in columns]}")
+
     def field_map(self, pupil: Pupil, *, unit: str, normalization: str, direction: str) -> FieldMap:
         """Return the map, with the obscuration and the scale of `pupil`.
 
@@ -52,6 +67,8 @@ class FieldTable:
             Along which heights are given: rising columns, or rising rows (downwards). Coefficients are in the axes
             of the sensor all the same: the coma of heights along y is a sine.
         """
+        validation.choice("direction", direction, ("x", "y"))
+        checked(pupil)
         wavefront = Wavefront.zernike(
             self.terms, order=self.order, unit=unit, normalization=normalization, wavelength=pupil.wavelength
         )
@@ -79,7 +96,8 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     OSError
         If the file cannot be read.
     """
-    source = Path(path)
+    source = validation.path("path", path)
+    validation.choice("order", order, ("noll", "ansi", "fringe"))
     try:
         numbered = [
             (number, [cell.strip() for cell in row])
@@ -91,10 +109,13 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     if not numbered:
         raise ValueError(f"{source.name} is empty; its first line must name the columns")
     rows = [(f"{source.name} line {number}", row) for number, row in numbered[1:]]
-    return _table(numbered[0][1], rows, order)
+    try:
+        return _table(numbered[0][1], rows, order)
+    except ValueError as error:
+        raise error if source.name in str(error) else ValueError(f"{source.name}: {error}") from None
 
 
-def read_rows(columns: Sequence[str], rows: Iterable[Sequence[Any]], order: str) -> FieldTable:
+def read_rows(columns: Sequence[str], rows: Sequence[Sequence[Any]], order: str) -> FieldTable:
     """Return a table from names of columns and rows of cells.
 
     The first column is ``height``, or the first two are ``x`` and ``y``: lengths, texts with a unit, or 0. The
@@ -105,6 +126,14 @@ def read_rows(columns: Sequence[str], rows: Iterable[Sequence[Any]], order: str)
     ValueError
         For every fault at once, each with its row.
     """
+    for name, value in (("columns", columns), ("rows", rows)):
+        if not isinstance(value, list | tuple):
+            raise TypeError(f"{name} must be a list, got {validation.shown(value)}")
+    if not all(isinstance(name, str) for name in columns):
+        raise TypeError(f"columns must be names, got {validation.shown(columns)}")
+    if not all(isinstance(row, list | tuple) for row in rows):
+        raise TypeError(f"rows must be lists of cells, got {validation.shown(rows)}")
+    validation.choice("order", order, ("noll", "ansi", "fringe"))
     return _table(columns, [(f"row {k}", row) for k, row in enumerate(rows, 1)], order)
 
 
@@ -141,6 +170,7 @@ def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], or
     if not rows:
         faults.append("there must be a row for each position, got none")
     if faults:
+        faults = [validation.brief(fault, 200) for fault in faults[:TOLD]] + faults[TOLD:]
         more = f"; and {len(faults) - TOLD} more" if len(faults) > TOLD else ""
         raise ValueError("; ".join(faults[:TOLD]) + more)
     whole = [tuple(values) for values in cells]

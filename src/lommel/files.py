@@ -7,7 +7,6 @@ import json
 import math
 import zlib
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -58,13 +57,13 @@ def save(psf: PSF, path: str | PathLike[str]) -> None:
     OSError
         If the file cannot be written.
     """
-    target = Path(path)
+    target = validation.path("path", path)
     writers = {".tif": _tiff, ".tiff": _tiff, ".npy": _npy, ".npz": _npz, ".png": _png}
     writer = writers.get(target.suffix.lower())
     if writer is None:
-        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
+        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
     if psf.derivatives and writer is not _npz:
-        raise ValueError(f"path must end in .npz for a PSF with derivatives, got {str(path)!r}")
+        raise ValueError(f"path must end in .npz for a PSF with derivatives, got {validation.shown(str(path))}")
     atomic.write(target, writer(psf, describe(psf)))
 
 
@@ -83,7 +82,7 @@ def load(path: str | PathLike[str]) -> PSF:
 
 def load_described(path: str | PathLike[str]) -> tuple[PSF, dict[str, Any]]:
     """Read a PSF and the whole description in its file, which may say more than a PSF holds."""
-    source = Path(path)
+    source = validation.path("path", path)
     readers = {
         ".tif": _read_tiff,
         ".tiff": _read_tiff,
@@ -93,7 +92,7 @@ def load_described(path: str | PathLike[str]) -> tuple[PSF, dict[str, Any]]:
     }
     reader = readers.get(source.suffix.lower())
     if reader is None:
-        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
+        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
     data = reading.contents(source)
     try:
         arrays, text = reader(data)

@@ -216,7 +216,7 @@ def opd_map(
         In `unit`, without the constant; NaN at pixels whose middle lies outside of the pupil.
     """
     if not isinstance(wavefront, Wavefront):
-        raise TypeError(f"wavefront must be a Wavefront, got {wavefront!r}")
+        raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
     scale = radians_per(unit, wavelength)
     size = validation.image_shape(shape)
     x, y = _pupil_coordinates(size, center, radius)
@@ -360,5 +360,6 @@ def _pupil_coordinates(
     height, width = shape
     row, column = ((height - 1) / 2, (width - 1) / 2) if center is None else validation.position("center", center)
     size = 0.5 * min(height, width) if radius is None else validation.real("radius", radius, above=0.0, unit="pixels")
-    y, x = np.meshgrid((np.arange(height) - row) / size, (np.arange(width) - column) / size, indexing="ij")
+    with np.errstate(over="ignore"):  # pixels far outside of a small pupil
+        y, x = np.meshgrid((np.arange(height) - row) / size, (np.arange(width) - column) / size, indexing="ij")
     return x, y

@@ -41,7 +41,7 @@ class Grid:
         height, width = validation.image_shape(shape)
         middle = (float(height // 2), float(width // 2))
         if not isinstance(integrate, bool):
-            raise TypeError(f"integrate must be True or False, got {integrate!r}")
+            raise TypeError(f"integrate must be True or False, got {validation.shown(integrate)}")
         object.__setattr__(self, "height", height)
         object.__setattr__(self, "width", width)
         object.__setattr__(self, "pixel", validation.real("pixel", pixel, above=0.0))

@@ -40,7 +40,7 @@ class Instrument:
     object_distance: float
     pixel: float
     shape: tuple[int, int] | None
-    radii: dict[str, float]
+    radii: dict[str, float] = field(hash=False)
     sensor: tuple[float, float] | None = None
     aberrations_of_field: FieldMap | None = field(default=None, repr=False)
     integrate: bool | None = None

@@ -140,7 +140,7 @@ class Radial(Known):
         if np.any(np.abs(values[0, orders != 0]) > _AXIS):
             raise ValueError(
                 "the wavefront at height 0, on the axis of a rotationally symmetric lens, must not depend on the "
-                f"direction, got {wavefront[0]!r}"
+                f"direction, got {validation.shown(wavefront[0])}"
             )
         # Half a turn maps the height to its negative and a term to (-1)^m times itself.
         parity = np.where(orders % 2, -1.0, 1.0)
@@ -218,7 +218,7 @@ def _every(values: Array) -> range:
 def _pack(wavefront: Wavefront, shape: tuple[int, ...], what: str) -> tuple[Array, list[tuple[int, int]]]:
     """Return coefficients, shape ``shape + (k,)``, and for each (n, m), or (0, 0) for a power of rho^2."""
     if not isinstance(wavefront, Wavefront):
-        raise TypeError(f"wavefront must be a Wavefront, got {wavefront!r}")
+        raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
     if wavefront.shape != shape:
         raise ValueError(f"wavefront must have the shape {what}, {shape}, got {wavefront.shape}")
     others = wavefront.nonradial

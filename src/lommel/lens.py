@@ -105,6 +105,9 @@ class Lens:
             diameter = f / validation.real("f_number", f_number, above=0.0)
         else:
             diameter = validation.real("aperture_diameter", aperture_diameter, above=0.0, unit="metres")
+        validation.real(
+            "aperture_diameter, focal_length / f_number,", diameter, least=1e-12, below=1e6, unit="metres"
+        )
         if focus_distance is not None and sensor_distance is not None:
             raise ValueError(
                 "give at most one of focus_distance and sensor_distance, "
@@ -122,7 +125,7 @@ class Lens:
             d = 1.0 / (1.0 / f - 1.0 / s)
         aberrations = Wavefront() if aberrations is None else aberrations
         if not isinstance(aberrations, Wavefront):
-            raise TypeError(f"aberrations must be a Wavefront, got {aberrations!r}")
+            raise TypeError(f"aberrations must be a Wavefront, got {validation.shown(aberrations)}")
         values: dict[str, Any] = {
             "focal_length": f,
             "aperture_diameter": diameter,
@@ -280,10 +283,11 @@ class Lens:
         distance = validation.array("object_distance", value)
         if distance.dtype.kind not in "iuf":
             raise TypeError(f"object_distance must be a number of metres, got {validation.shown(value)}")
-        distance = np.array(distance, dtype=np.float64)
+        with np.errstate(over="ignore"):
+            distance = np.array(distance, dtype=np.float64)
         if distance.size == 0:
             raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
-        bad = ~(distance > 0.0)
+        bad = ~(distance >= 1e-150)  # whose inverse is a number, and its square
         if bad.any():
             raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
         return distance

@@ -7,7 +7,6 @@ import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from os import PathLike
-from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
@@ -62,7 +61,7 @@ def _told_with_units(check: Callable[[], float]) -> float:
 def _radius(value: Any) -> str | float:
     """Return a length or an angle as it was written, if it is one."""
     if not 0.0 < parse_radius(value, 1.0) < math.inf:
-        raise ValueError(f"must be a positive length or angle, got {value!r}")
+        raise ValueError(f"must be a positive length or angle, got {validation.shown(value)}")
     found: str | float = value
     return found
 
@@ -128,7 +127,7 @@ class _Field(Section):
     @classmethod
     def _rows(cls, value: Any, info: ValidationInfo) -> Any:
         if not isinstance(value, list) or not all(isinstance(row, list) for row in value):
-            raise ValueError(f"must be a list of lists, one for each position, got {value!r}")
+            raise ValueError(f"must be a list of lists, one for each position, got {validation.shown(value)}")
         if not {"order", "columns"} <= info.data.keys():
             return value  # their own faults are told
         if info.data["columns"] is None:
@@ -139,7 +138,7 @@ class _Field(Section):
     @classmethod
     def _file(cls, value: Any, info: ValidationInfo) -> Any:
         if not isinstance(value, str):
-            raise ValueError(f"must be the name of a CSV file, got {value!r}")
+            raise ValueError(f"must be the name of a CSV file, got {validation.shown(value)}")
         if "order" not in info.data:
             return value
         try:
@@ -246,7 +245,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     OSError
         If it cannot be read.
     """
-    source = Path(path)
+    source = validation.path("path", path)
     try:
         text = reading.text(source)
         raw = tomllib.loads(text)
@@ -289,7 +288,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
     if others:
         return None, [f"{where(['file'])}: the file states everything; leave out {', '.join(others)}"]
     if not isinstance(name, str):
-        return None, [f"{where(['file'])}: must be the path of a table, got {name!r}"]
+        return None, [f"{where(['file'])}: must be the path of a table, got {validation.shown(name)}"]
     try:
         path = beside(context, name)
         table = zernikefile.load_zernike(path)

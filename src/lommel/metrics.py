@@ -13,7 +13,7 @@ from lommel.methods.method import Method, RadialMethod
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
 from lommel.psf import PSF, Numbers
-from lommel.pupil import Pupil
+from lommel.pupil import Pupil, checked
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
 from lommel.wavefront import Wavefront
@@ -26,6 +26,7 @@ def strehl(answer: PSF) -> Numbers:
     wavefront (:func:`lommel.strehl`) for others that sample the intensity; `Geometric`, which has no diffraction,
     gives that of the pixel on the axis. :func:`lommel.spot.peak_strehl` looks for the brightest point instead.
     """
+    validation.instance("answer", answer, PSF)
     method, pupil = answer.method, answer.pupil
     radial = answer.radial_method
     if radial is not None:
@@ -72,6 +73,7 @@ def encircled_energy(answer: PSF, radius: ArrayLike, *, about: str = "axis") -> 
         pixels. Else the sum over pixels, each by the exact part of its area inside: as if its value held all over
         it, which errs by about the square of the pixel over the width of the image, and limited to the window.
     """
+    validation.instance("answer", answer, PSF)
     at = validation.real_array("radius", radius, least=0.0)
     center = _center(answer, about)
     if answer.radial_method is not None:
@@ -104,6 +106,7 @@ def ensquared_energy(answer: PSF, half_width: ArrayLike, *, about: str = "axis")
     -------
     float or ndarray, shape ``pupil.shape + half_width.shape``
     """
+    validation.instance("answer", answer, PSF)
     at = validation.real_array("half_width", half_width, least=0.0)
     center = _center(answer, about)
     pupil = answer.pupil
@@ -131,6 +134,7 @@ def ensquared_energy(answer: PSF, half_width: ArrayLike, *, about: str = "axis")
 
 def value_centroid(answer: PSF) -> NDArray[np.float64]:
     """Return the centroid (x, y) of the values, from the axis, shape ``pupil.shape + (2,)``."""
+    validation.instance("answer", answer, PSF)
     share = energy_per_pixel(answer)
     total = share.sum(axis=(-2, -1))
     if not np.all(total > 0):
@@ -149,6 +153,7 @@ def _center(answer: PSF, about: str) -> NDArray[np.float64]:
 
 def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numbers:
     """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 (1 - eps^2))``, by quadrature."""
+    validation.instance("method", method, RadialMethod)
     at = validation.real_array("radius", radius, least=0.0)
     method.require(pupil)
     if at.size == 0:
@@ -171,6 +176,7 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
 
 def window_energy(answer: PSF) -> Numbers:
     """Return the fraction of all light inside the window, to the edges of its outer pixels."""
+    validation.instance("answer", answer, PSF)
     if answer.radial_method is None:
         summed: Numbers = energy_per_pixel(answer).sum(axis=(-2, -1))[()]
         return summed
@@ -194,7 +200,7 @@ def _rectangles(
     """Return the light in rectangles from the axis to (a, b) in v, each (weight, a, b), shape (n,)."""
     nodes, weights = [np.zeros(1)], [np.zeros(1)]
     for factor, a, b in rectangles:
-        if a > 0 and b > 0:
+        if a > 1e-150 and b > 1e-150:  # whose inverses are numbers
             v, w = _quadrant_rule(a, b, method.stretch(pupil))
             nodes.append(v)
             weights.append(factor * w)
@@ -246,9 +252,9 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     """
     from scipy.optimize import minimize_scalar
 
-    way = NijboerZernike() if method is None else method
+    way = validation.instance("method", NijboerZernike() if method is None else method, RadialMethod)
     at = validation.real("radius", radius, above=0.0)
-    if pupil.shape != ():
+    if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     way.require(pupil)
     if not pupil.radial:

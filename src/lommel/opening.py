@@ -65,7 +65,11 @@ def degree_needed(terms: Iterable[tuple[int, float]], v: float, gaussian: float,
     error : float
         Of U, relative to U(0) = 1 of the unaberrated disc.
     """
+    v, gaussian = validation.real("v", v, least=0.0), validation.real("gaussian", gaussian, least=0.0)
+    error = validation.real("error", error, above=0.0)
     growth = v * np.sinh(_B) + 0.5 * gaussian * (np.cosh(2.0 * _B) - 1.0)
+    if not isinstance(terms, Iterable):
+        raise TypeError(f"terms must be pairs (n, amplitude), got {validation.shown(terms)}")
     for n, amplitude in terms:
         growth = growth + amplitude * np.sinh(np.minimum(n * _B, 700.0))
 
@@ -116,7 +120,10 @@ class Opening:
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return a function that is positive where light passes and changes by at most the distance of points."""
-        rho = np.hypot(validation.real_array("x", x), validation.real_array("y", y))
+        return self._margin(validation.real_array("x", x), validation.real_array("y", y))
+
+    def _margin(self, x: Array, y: Array) -> Array:
+        rho = np.hypot(x, y)
         least = np.minimum(1.0 - rho, rho - self.obscuration) if self.obscuration > 0.0 else 1.0 - rho
         for part in (self.spider, self.vignetting):
             if part is not None:
@@ -129,12 +136,14 @@ class Opening:
         Exact for discs and annuli; else counted on 16 x 16 points of each cell that an edge may cross, those next to
         an edge by their distance from it.
         """
+        x, y = validation.real_array("x", x), validation.real_array("y", y)
+        half = validation.real("half", half, above=0.0)
         if self.circular:
             cell = (x - half, x + half, y - half, y + half)
             inner = disk_overlap(self.obscuration, *cell) if self.obscuration > 0.0 else 0.0
             return np.asarray((disk_overlap(1.0, *cell) - inner) / (4.0 * half * half))
         across, down = np.broadcast_arrays(x, y)
-        margin = self.margin(across, down)
+        margin = self._margin(across, down)
         part = (margin >= 0.0).astype(np.float64)
         cut = np.abs(margin) < math.sqrt(2.0) * half
         place = half * ((2.0 * np.arange(_SUB) + 1.0) / _SUB - 1.0)
@@ -144,7 +153,7 @@ class Opening:
         count = np.zeros(xs.size)
         for dy in place:
             for dx in place:
-                here = 0.5 + round_part.margin(xs + dx, ys + dy) / soft
+                here = 0.5 + round_part._margin(xs + dx, ys + dy) / soft
                 if self.spider is not None:
                     # A softer edge than a vane is wide would fill it in.
                     vanes = self.spider.margin(xs + dx, ys + dy) / min(soft, self.spider.width)

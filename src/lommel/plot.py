@@ -125,7 +125,7 @@ def compare(answers: Mapping[str, PSF], reference: str) -> Figure:
         The one that the errors are taken from.
     """
     if reference not in answers:
-        raise ValueError(f"reference must be one of {', '.join(answers)}, got {reference!r}")
+        raise ValueError(f"reference must be one of {', '.join(answers)}, got {validation.shown(reference)}")
     columns = max(len(answers), 3)
     figure: Figure = library("matplotlib.figure", *_USER).Figure(figsize=(2.2 * columns, 7.2), layout="constrained")
     parts: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.6))

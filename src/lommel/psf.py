@@ -145,9 +145,11 @@ class Plan:
         threads: int | None = None,
     ) -> None:
         if method is not None and not isinstance(method, Method):
-            raise TypeError(f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {method!r}")
+            raise TypeError(
+                f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {validation.shown(method)}"
+            )
         if not (integrate is None or isinstance(integrate, bool)):
-            raise TypeError(f"integrate must be True, False or None, got {integrate!r}")
+            raise TypeError(f"integrate must be True, False or None, got {validation.shown(integrate)}")
         if integrate is False and method is not None and method.sampling == "pixel":
             raise ValueError(
                 f"integrate must not be False for {type(method).__name__}, which has no point values; leave it out"
@@ -239,7 +241,9 @@ _POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
 
 def _powers(derivatives: Sequence[str]) -> tuple[int, ...]:
     if isinstance(derivatives, str) or not isinstance(derivatives, Sequence):
-        raise TypeError(f"derivatives must be a sequence of names such as ('defocus',), got {derivatives!r}")
+        raise TypeError(
+            f"derivatives must be a sequence of names such as ('defocus',), got {validation.shown(derivatives)}"
+        )
     return tuple(_POWERS[validation.choice("derivatives", name, _POWERS)] for name in derivatives)
 
 
@@ -254,10 +258,10 @@ def _output_type(dtype: DTypeLike | None, tol: float) -> np.dtype[Any]:
         return _FLOAT32 if tol >= 1e-6 else _FLOAT64
     try:
         kind = np.dtype(dtype)
-    except TypeError:
-        raise TypeError(f"dtype must be float32 or float64, got {dtype!r}") from None
+    except Exception:  # NumPy has many for what is none
+        raise TypeError(f"dtype must be float32 or float64, got {validation.shown(dtype)}") from None
     if kind not in (_FLOAT32, _FLOAT64):
-        raise TypeError(f"dtype must be float32 or float64, got {dtype!r}")
+        raise TypeError(f"dtype must be float32 or float64, got {validation.shown(dtype)}")
     if kind == _FLOAT32 and tol < 2.0**-22:
         raise ValueError(f"dtype float32 cannot hold tol={tol:g}; use float64, or a tolerance of at least 2.4e-7")
     return kind
@@ -299,6 +303,15 @@ class PSF:
     scale: NDArray[np.float64] = field(repr=False)
     derivatives: dict[str, NDArray[Any]] = field(default_factory=dict, repr=False)
     derivative_bounds: dict[str, float] = field(default_factory=dict, repr=False)
+
+    def __post_init__(self) -> None:
+        for name, kind in (("grid", Grid), ("pupil", Pupil), ("method", Method)):
+            validation.instance(name, getattr(self, name), kind)
+        wanted = self.pupil.shape + self.grid.shape
+        if not isinstance(self.values, np.ndarray) or self.values.dtype not in (_FLOAT32, _FLOAT64):
+            raise TypeError(f"values must be an array of float32 or float64, got {validation.shown(self.values)}")
+        if self.values.shape != wanted:
+            raise ValueError(f"values must have the shape {wanted}, got {self.values.shape}")
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -444,6 +457,7 @@ class PSF:
         """
         from lommel import plot
 
+        validation.axes("ax", ax)
         return plot.plot(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:

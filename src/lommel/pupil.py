@@ -127,9 +127,11 @@ class Pupil:
 
     def __post_init__(self) -> None:
         if not isinstance(self.wavefront, Wavefront):
-            raise TypeError(f"wavefront must be a Wavefront, got {self.wavefront!r}")
+            raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(self.wavefront)}")
         if self.geometry is not None and not isinstance(self.geometry, Geometry):
-            raise TypeError(f"geometry must be a Geometry, as Lens.pupil makes, got {self.geometry!r}")
+            raise TypeError(
+                f"geometry must be a Geometry, as Lens.pupil makes, got {validation.shown(self.geometry)}"
+            )
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
         object.__setattr__(self, "obscuration", eps)
         fall = validation.real("apodization", self.apodization, least=0.0, below=100.0 + 1e-9)
@@ -142,7 +144,7 @@ class Pupil:
         if self.wavelength is not None:
             object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
             object.__setattr__(self, "f_number", validation.real("f_number", self.f_number, above=0.0))
-        object.__setattr__(self, "circular", (self.spider or self.vignetting or self.mask) is None)
+        object.__setattr__(self, "circular", all(part is None for part in (self.spider, self.vignetting, self.mask)))
         object.__setattr__(self, "radial", self.circular and self.wavefront.radial)
         if not self.circular:
             self._check_aperture()
@@ -153,7 +155,7 @@ class Pupil:
             part = getattr(self, name)
             if part is not None and not isinstance(part, kind):
                 allowed = " or ".join(k.__name__ for k in getattr(kind, "__args__", (kind,)))
-                raise TypeError(f"{name} must be of the type {allowed}, or None, got {part!r}")
+                raise TypeError(f"{name} must be of the type {allowed}, or None, got {validation.shown(part)}")
         if self.area < 1e-12:
             parts = {name: getattr(self, name) for name, _ in kinds if getattr(self, name) is not None}
             listed = ", ".join(f"{name}={part!r}" for name, part in parts.items())
@@ -227,7 +229,9 @@ class Pupil:
 
     def v(self, radius: ArrayLike) -> NDArray[np.float64]:
         """Return the optical coordinate ``v = pi radius / (lambda N)`` of radii on the sensor."""
-        return math.pi / self.scale * validation.number_array("radius", radius).astype(np.float64)
+        at = validation.real_array("radius", radius)
+        with np.errstate(over="ignore"):
+            return validation.real_array("radius over lambda*N", math.pi / self.scale * at)
 
     def coefficients(self) -> NDArray[np.float64]:
         """Return the phase coefficients of t = rho^2 for the flattened stack, shape ``(n, terms)``."""
@@ -384,4 +388,4 @@ def checked(pupil: Any) -> Pupil:
         "PSF": "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image",
         "FieldMap": "a FieldMap; field.pupil(x, y) is that of a position",
     }
-    raise TypeError(f"pupil must be a Pupil, got {ways.get(type(pupil).__name__) or repr(pupil)}")
+    raise TypeError(f"pupil must be a Pupil, got {ways.get(type(pupil).__name__) or validation.shown(pupil)}")

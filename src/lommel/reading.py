@@ -174,8 +174,10 @@ def _tiff_page(data: bytes, tags: dict[int, Sequence[int]]) -> None:
     most = (across * samples * bits + 7) // 8 * down
     if compression == 1 and (width * samples * bits + 7) // 8 * height > len(data):
         raise ValueError(f"{width} x {height} pixels without compression are more than the file holds")
-    parts = math.ceil(width / across) * math.ceil(height / down) * samples
+    parts = math.ceil(width / across) * math.ceil(height / down) * (samples if one(284, 1) == 2 else 1)
     places, sizes = (tags.get(324, ()), tags.get(325, ())) if tiled else (tags.get(273, ()), tags.get(279, ()))
+    if len(places) < parts or (compression != 1 and len(sizes) < parts):
+        raise ValueError(f"it has {min(len(places), len(sizes))} parts; {width} x {height} pixels take {parts}")
     for place, size in zip(places[:parts], sizes[:parts], strict=False):
         if compression in _DEFLATE and not _inflates_within(data[place : place + size], most):
             raise ValueError(f"a part of it inflates to more than its {most} bytes")

@@ -30,6 +30,7 @@ def peak_position(answer: PSF) -> NDArray[np.float64]:
         unless it is at the edge of the window: well below a tenth of a pixel where a pixel is at most half a
         lambda*N. Of several pixels that are equally bright, as on a ring, it is the first in reading order.
     """
+    validation.instance("answer", answer, PSF)
     grid = answer.grid
     values = np.asarray(answer.values, dtype=np.float64).reshape(-1, *grid.shape)
     out = np.empty((len(values), 2))
@@ -62,6 +63,7 @@ def peak_strehl(answer: PSF) -> Numbers:
     -------
     float or ndarray, shape ``pupil.shape``
     """
+    validation.instance("answer", answer, PSF)
     top = answer.values.max(axis=(-2, -1)) / answer.scale
     result: Numbers = np.asarray(top / answer.method.unaberrated_peak(answer.pupil), dtype=np.float64)[()]
     return result
@@ -83,6 +85,7 @@ def centroid(answer: PSF) -> NDArray[np.float64]:
     ValueError
         If no light falls into the window.
     """
+    validation.instance("answer", answer, PSF)
     return value_centroid(answer)
 
 
@@ -109,6 +112,7 @@ def fwhm(answer: PSF, along: str = "mean") -> Numbers:
     ValueError
         If the values do not fall to half inside the window.
     """
+    validation.instance("answer", answer, PSF)
     validation.choice("along", along, ("mean", "x", "y"))
     if answer.radial_method is not None:
         return radial_fwhm(answer.radial_method, answer.pupil)
@@ -193,6 +197,7 @@ def energy_diameter(answer: PSF, fraction: float, *, about: str = "axis") -> Num
         If `fraction` is out of range, if the window does not hold so much light, or if the circle would be wider
         than about 6000 lambda*N.
     """
+    validation.instance("answer", answer, PSF)
     wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
     validation.choice("about", about, ("axis", "centroid"))
     if answer.radial_method is not None:

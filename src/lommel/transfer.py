@@ -97,7 +97,7 @@ def otf(
         blur = np.sinc(across * pitch) * np.sinc(down * pitch)
     total = np.zeros((math.prod(pupil.shape), across.size), dtype=np.complex128)
     if spectrum is not None and not isinstance(spectrum, Polychromatic):
-        raise TypeError(f"spectrum must be a Polychromatic, got {spectrum!r}")
+        raise TypeError(f"spectrum must be a Polychromatic, got {validation.shown(spectrum)}")
     for _, weight, part in colours(spectrum, pupil):
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
         total += weight * _autocorrelation(part, f, goal)
@@ -220,6 +220,7 @@ def image_otf(answer: PSF, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     TypeError, ValueError
         If the frequencies are not finite, do not broadcast, or exceed that of Nyquist.
     """
+    validation.instance("answer", answer, PSF)
     across, down = _frequencies(fx, fy)
     limit = 0.5 / answer.pixel
     for name, part in (("fx", across), ("fy", down)):
@@ -247,6 +248,7 @@ def image_spectrum(answer: PSF) -> tuple[NDArray[np.float64], NDArray[np.float64
         Rising, in steps of 1 / (width pixel) and 1 / (height pixel); 0 at ``width // 2`` and ``height // 2``.
     values : complex ndarray, shape ``answer.values.shape``
     """
+    validation.instance("answer", answer, PSF)
     from scipy import fft
 
     grid = answer.grid

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Iterable
 
-from lommel.validation import shown
+from lommel.validation import real, shown
 
 _LENGTHS = {
     "m": 1.0,
@@ -51,7 +51,7 @@ def parse_length(text: str | float) -> float:
 def parse_angle(text: str | float) -> float:
     """Return radians from ``"0.1 arcsec"``, or a number of radians. Units: rad, mrad, deg, arcmin, arcsec, mas."""
     if isinstance(text, int | float) and not isinstance(text, bool):
-        return float(text)
+        return real("an angle", text, infinite=True)
     return _parse(text, _ANGLES, "angle", "0.1 arcsec")
 
 
@@ -59,12 +59,13 @@ def parse_radius(text: str | float, focal_length: float) -> float:
     """Return metres on the sensor from a length, or from an angle on the sky times the focal length."""
     found = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     if found and found[2] in _ANGLES:
-        return parse_angle(found[0]) * focal_length
+        return parse_angle(found[0]) * real("focal_length", focal_length, above=0.0)
     return _parse(text, _LENGTHS, "length", "5 um", others=_ANGLES)
 
 
 def format_length(metres: float, *, like: float | None = None, digits: int = 4) -> str:
     """Return a length with a unit that suits it, or that suits another length: ``"3.45 um"``."""
+    metres = metres if isinstance(metres, float) else real("metres", metres, infinite=True)
     if math.isinf(metres):
         return "infinity" if metres > 0 else "-infinity"
     size = abs(metres if like is None else like)
@@ -86,7 +87,7 @@ def _parse(text: str | float, units: dict[str, float], kind: str, example: str, 
     article = "an" if kind == "angle" else "a"
     if isinstance(text, bool) or not isinstance(text, str | int | float):
         raise ValueError(f"{article} {kind} is a number with a unit, a text such as {example!r}, got {shown(text)}")
-    text = text if isinstance(text, str) else format(float(text), "g")
+    text = text if isinstance(text, str) else format(real(f"{article} {kind}", text, infinite=True), "g")
     found = _QUANTITY.fullmatch(text)
     if not found:
         raise ValueError(f"{shown(text)} is not {article} {kind}; write for example {example!r}")

@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 import numbers
 import operator
+import os
 import reprlib
 from collections.abc import Iterable
+from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
@@ -24,7 +26,7 @@ _brief = reprlib.Repr()
 _brief.maxstring = _brief.maxother = _brief.maxlong = _SHOWN
 _brief.maxlevel = 3
 
-_Kind = TypeVar("_Kind")
+_Value = TypeVar("_Value")
 
 
 def shown(value: Any) -> str:
@@ -46,12 +48,21 @@ def line(text: object) -> str:
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(text))
 
 
-def instance(name: str, value: Any, kind: type[_Kind]) -> _Kind:
+def instance(name: str, value: _Value, kind: type[Any]) -> _Value:
     """Return `value` if it is of this type; TypeError otherwise."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIOU" else "a"
         raise TypeError(f"{name} must be {article} {kind.__name__}, got {shown(value)}")
     return value
+
+
+def path(name: str, value: Any) -> Path:
+    """Return `value` as a path; TypeError or ValueError if it is none."""
+    if not isinstance(value, str | os.PathLike) or isinstance(os.fspath(value), bytes):
+        raise TypeError(f"{name} must be a path, got {shown(value)}")
+    if "\0" in os.fspath(value):
+        raise ValueError(f"{name} must be a path without null characters, got {shown(value)}")
+    return Path(value)
 
 
 def real(
@@ -162,6 +173,25 @@ def real_array(name: str, value: ArrayLike, *, least: float = -math.inf) -> NDAr
     return found
 
 
+def axes(name: str, value: Any) -> None:
+    """Refuse what is neither None nor axes of matplotlib, which may not be there, with a TypeError."""
+    if value is not None and not callable(getattr(value, "imshow", None)):
+        raise TypeError(f"{name} must be axes of matplotlib or None, got {shown(value)}")
+
+
+def kind(name: str, value: Any, *allowed: Any) -> np.dtype[Any]:
+    """Return the type of values that `value` names, one of those allowed; TypeError otherwise."""
+    options = [np.dtype(one) for one in allowed]
+    try:
+        found: np.dtype[Any] = np.dtype(value)
+    except Exception:  # NumPy has many for what is none
+        found = np.dtype(object)
+    if value is None or found not in options:
+        *others, last = map(str, options)
+        raise TypeError(f"{name} must be {', '.join(others)} or {last}, got {shown(value)}")
+    return found
+
+
 def image_shape(shape: Any) -> tuple[int, int]:
     """Return ``(height, width)`` from an int (a square) or a pair of ints, each 1 to `MAX_SIDE`."""
     pair = isinstance(shape, tuple | list) or (isinstance(shape, np.ndarray) and shape.ndim > 0)
@@ -174,7 +204,7 @@ def image_shape(shape: Any) -> tuple[int, int]:
 
 def position(name: str, value: Any) -> tuple[float, float]:
     """Return ``(row, column)`` from a pair of finite numbers within 1e6 pixels."""
-    if not isinstance(value, tuple | list | np.ndarray) or len(value) != 2:
+    if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:
         raise ValueError(f"{name} must be (row, column), got {shown(value)}")
     row, column = (real(name, part, above=-1e6, below=1e6, unit="pixels") for part in value)
     return row, column

@@ -15,6 +15,7 @@ from lommel import validation
 from lommel.descriptions import Descriptions
 from lommel.special import zernike
 
+_FAR = 1e3  # the pupil ends at 1; beyond this, powers of rho overflow
 MAX_HIGHER = 8
 """Most coefficients beyond rho^4."""
 
@@ -83,14 +84,14 @@ class Wavefront(Descriptions):
         error: float = 0.0,
     ) -> None:
         if not isinstance(higher, Sequence) or isinstance(higher, str | bytes):
-            raise TypeError(f"higher must be a sequence of coefficients, got {higher!r}")
+            raise TypeError(f"higher must be a sequence of coefficients, got {validation.shown(higher)}")
         if len(higher) > MAX_HIGHER:
             raise ValueError(f"higher must hold at most {MAX_HIGHER} coefficients, got {len(higher)}")
         object.__setattr__(self, "defocus", validation.real_array("defocus", defocus))
         object.__setattr__(self, "spherical", validation.real_array("spherical", spherical))
         rest = tuple(validation.real_array(f"higher[{i}]", c) for i, c in enumerate(higher))
         object.__setattr__(self, "higher", rest)
-        others = _nonradial(nonradial) if nonradial else {}
+        others = {} if nonradial is None else _nonradial(nonradial)
         object.__setattr__(self, "nonradial", MappingProxyType(others))
         object.__setattr__(self, "error", validation.real("error", error, least=0.0))
         terms = (2.0 * self.defocus, self.spherical, *rest)
@@ -173,6 +174,8 @@ class Wavefront(Descriptions):
             r, angle = np.broadcast_arrays(r, angle)
         except ValueError:
             raise ValueError(f"rho and theta must broadcast, got shapes {r.shape} and {angle.shape}") from None
+        if r.size and r.max() > _FAR:
+            raise ValueError(f"rho must be at most {_FAR:g}, got {r.max():g}")
         t = r**2
         dim = len(self.shape)
         coefficients = self.coefficients.reshape(self.shape + (-1,) + (1,) * t.ndim)
@@ -275,8 +278,8 @@ class Wavefront(Descriptions):
     def __truediv__(self, divisor: float) -> Wavefront:
         """Return the wavefront divided by a number."""
         d = validation.real("divisor", divisor)
-        if d == 0:
-            raise ValueError("divisor must not be 0")
+        if d == 0 or math.isinf(1.0 / d):
+            raise ValueError(f"divisor must not be 0, nor so close to it, got {d:g}")
         return self * (1.0 / d)
 
     def __neg__(self) -> Wavefront:
@@ -302,7 +305,14 @@ class Wavefront(Descriptions):
         # The read-only view of `nonradial` cannot be pickled.
         return Wavefront, (self.defocus, self.spherical, self.higher, dict(self.nonradial), self.error)
 
-    __hash__ = None  # type: ignore[assignment]
+    def __hash__(self) -> int:
+        """Hash what :meth:`__eq__` compares: no term that is zero throughout, no sign of a zero."""
+        powers = np.moveaxis(self.coefficients, -1, 0) + 0.0
+        radial = [(k, c.tobytes()) for k, c in enumerate(powers) if np.any(c)]
+        others = [
+            (t, (np.broadcast_to(c, self.shape) + 0.0).tobytes()) for t, c in self.nonradial.items() if np.any(c)
+        ]
+        return hash((self.shape, tuple(radial), tuple(others)))
 
     def __repr__(self) -> str:
         parts = {"defocus": self.defocus, "spherical": self.spherical}
@@ -342,7 +352,7 @@ class Wavefront(Descriptions):
 
 def _nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[tuple[int, int], NDArray[np.float64]]:
     if not isinstance(terms, Mapping):
-        raise TypeError(f"nonradial must map (n, m) to coefficients, got {terms!r}")
+        raise TypeError(f"nonradial must map (n, m) to coefficients, got {validation.shown(terms)}")
     found: dict[tuple[int, int], NDArray[np.float64]] = {}
     for key in terms:
         n, m = zernike.term(key, "nm")

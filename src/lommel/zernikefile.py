@@ -11,7 +11,6 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 from lommel import atomic, faults, reading, validation
@@ -69,6 +68,8 @@ class ZernikeTable:
         validation.choice("normalization", self.normalization, NORMALIZATIONS)
         if self.wavelength is not None:
             object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
+        if not isinstance(self.terms, Mapping):
+            raise TypeError(f"terms must map indices to coefficients, got {validation.shown(self.terms)}")
         terms = {i: validation.real(f"the Zernike coefficient {i!r}", c) for i, c in self.terms.items()}
         object.__setattr__(self, "terms", terms)
         Wavefront.zernike(terms, order=self.order)  # which names the terms that do not exist
@@ -85,7 +86,7 @@ class ZernikeTable:
     ) -> ZernikeTable:
         """Describe a single wavefront; units of length need `wavelength`, in metres."""
         if not isinstance(wavefront, Wavefront):
-            raise TypeError(f"wavefront must be a Wavefront, got {wavefront!r}")
+            raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
         if wavefront.shape != ():
             raise ValueError(f"wavefront must be a single one, got a stack of shape {wavefront.shape}")
         plain, size = _unit(validation.choice("unit", unit, _UNITS))
@@ -155,10 +156,10 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     OSError
         If the file cannot be read.
     """
-    source = Path(path)
+    source = validation.path("path", path)
     read = {".json": _read_json, ".toml": _read_toml, ".csv": _read_csv}.get(source.suffix.lower())
     if read is None:
-        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
+        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
     try:
         table, found = read(reading.text(source))
     except ValueError as error:
@@ -184,11 +185,11 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
     if isinstance(table, Wavefront):
         table = ZernikeTable.from_wavefront(table)
     if not isinstance(table, ZernikeTable):
-        raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {table!r}")
-    target = Path(path)
+        raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {validation.shown(table)}")
+    target = validation.path("path", path)
     suffix = target.suffix.lower()
     if suffix not in SUFFIXES:
-        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
+        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
     settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
     if table.wavelength is not None:
         settings["wavelength"] = f"{table.wavelength!r} m"
@@ -366,10 +367,10 @@ def _index(text: str, order: str) -> _Index:
     if order == "nm":
         pair = _PAIR.fullmatch(text.strip())
         if not pair:
-            raise ValueError(f'an index of the order "nm" is written "n,m", got {text!r}')
+            raise ValueError(f'an index of the order "nm" is written "n,m", got {validation.shown(text)}')
         return int(pair[1]), int(pair[2])
     if not re.fullmatch(r"\s*[+-]?\d+\s*", text, re.ASCII):
-        raise ValueError(f"an index of the order {order!r} is an integer, got {text!r}")
+        raise ValueError(f"an index of the order {order!r} is an integer, got {validation.shown(text)}")
     return int(text)
 
 

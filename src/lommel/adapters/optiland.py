@@ -113,7 +113,7 @@ def _tracer(optic: Any, wavelength: float | None) -> tuple[traced.Trace, float]:
     except ImportError:
         raise ImportError("this needs optiland: pip install optiland") from None
     if not isinstance(optic, Optic):
-        raise TypeError(f"optic must be an optiland Optic, got {optic!r}")
+        raise TypeError(f"optic must be an optiland Optic, got {validation.shown(optic)}")
     micrometres = optic.primary_wavelength if wavelength is None else 1e6 * validation.wavelength(wavelength)
     index = float(np.ravel(optic.surfaces.n(micrometres))[-1])
 

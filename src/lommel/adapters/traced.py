@@ -127,7 +127,7 @@ def field_map(
     scale = {"wavelength": wavelength, "f_number": f_number}
     if fields is not None:
         if not isinstance(fields, Sequence | np.ndarray):
-            raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {fields!r}")
+            raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {validation.shown(fields)}")
         at = [_point(f"fields[{k}]", field) for k, field in enumerate(fields)]
         several = [trace(hx, hy, *points) for hx, hy in at]
         wavefront = _stack([fit(one, degree, tol)[0] for one in several])
@@ -167,7 +167,7 @@ def _stack(several: Sequence[dict[tuple[int, int], float]]) -> Wavefront:
 
 def _point(name: str, value: Any) -> tuple[float, float]:
     if not isinstance(value, tuple | list | np.ndarray) or len(value) != 2:
-        raise TypeError(f"{name} must be a pair (hx, hy), got {value!r}")
+        raise TypeError(f"{name} must be a pair (hx, hy), got {validation.shown(value)}")
     hx, hy = (validation.real(f"{name}[{k}]", part) for k, part in enumerate(value))
     if math.hypot(hx, hy) > math.sqrt(2.0) + 1e-9:
         raise ValueError(f"{name} must be fractions of the edge of the field, from -1 to 1, got {(hx, hy)}")

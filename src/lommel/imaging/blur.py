@@ -92,9 +92,7 @@ class DepthBlur:
         self.lens = lens
         self.pixel = validation.pixel(pixel, metric=True)
         self.border = validation.choice("border", border, BORDERS)
-        self.dtype = np.dtype(dtype)
-        if self.dtype not in (np.dtype(np.float32), np.dtype(np.float64)):
-            raise TypeError(f"dtype must be float32 or float64, got {dtype!r}")
+        self.dtype = validation.kind("dtype", dtype, np.float32, np.float64)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
         self.place(depth)
         held = validation.real("energy", energy, least=0.5, below=0.9999 + 1e-12)
@@ -111,6 +109,10 @@ class DepthBlur:
             f_number=lens.working_f_number,
         )
         reach = (float(self.defocus.min()), float(self.defocus.max()))
+        if channels is not None and not isinstance(channels, Sequence):
+            raise TypeError(
+                f"channels must be a sequence of wavelengths or spectra, got {validation.shown(channels)}"
+            )
         spectra = [_spectrum(c) for c in ([lens.wavelength] if channels is None else channels)]
         known: dict[tuple[tuple[float, float], ...], Bank] = {}
         for spectrum in spectra:
@@ -203,8 +205,9 @@ class DepthBlur:
         """Return the margin of the border, and where each point is in the bank, below 0 for those left out."""
         positions = np.maximum(bank.positions(self.defocus), 0.0)
         if weight is not None:
-            if not isinstance(weight, np.ndarray) or weight.dtype != np.bool_ or weight.shape != self.shape:
-                got = f"{np.asarray(weight).dtype} of the shape {np.shape(weight)}"
+            given = validation.array("weight", weight)
+            if not isinstance(weight, np.ndarray) or given.dtype != np.bool_ or given.shape != self.shape:
+                got = f"{given.dtype} of the shape {given.shape}"
                 raise TypeError(f"weight must be an array of bool of the shape {self.shape}, got {got}")
             positions = np.where(weight, positions, -1.0)
         margin = 0 if self.border == "zero" else bank.half
@@ -242,7 +245,7 @@ def _depth(depth: ArrayLike) -> NDArray[np.float64]:
     metres = distances.astype(np.float64)
     if np.isnan(metres).any():
         count = int(np.isnan(metres).sum())
-        raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
+        raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there, see missing=")
     if not np.all(metres > 0.0):
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres
@@ -250,9 +253,14 @@ def _depth(depth: ArrayLike) -> NDArray[np.float64]:
 
 def _spectrum(channel: Spectrum) -> tuple[tuple[float, float], ...]:
     if isinstance(channel, Sequence):
+        if not all(isinstance(pair, Sequence) and not isinstance(pair, str) and len(pair) == 2 for pair in channel):
+            raise TypeError(
+                "channels and wavelengths must be numbers, or pairs (wavelength, weight), "
+                f"got {validation.shown(channel)}"
+            )
         pairs = [(validation.wavelength(w), validation.real("weight", s, least=0.0)) for w, s in channel]
         total = math.fsum(s for _, s in pairs)
         if not total > 0.0:
-            raise ValueError(f"a channel must have a wavelength with a weight, got {channel!r}")
+            raise ValueError(f"a channel must have a wavelength with a weight, got {validation.shown(channel)}")
         return tuple((w, s / total) for w, s in pairs)
     return ((validation.wavelength(channel), 1.0),)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -45,7 +44,7 @@ def read_depth(
     OSError
         If it cannot be read.
     """
-    source = Path(path)
+    source = validation.path("path", path)
     factor = 1.0 if scale is None else validation.real("scale", scale, above=0.0, unit="metres per level")
     data = reading.contents(source)
     start = data[:6]
@@ -78,7 +77,7 @@ def _metres(
         raise PhotoError(f"{source} holds {values.dtype}; a depth map holds numbers")
     if values.dtype.kind != "f" and not scaled:
         raise PhotoError(f"{source} holds levels ({values.dtype}); say how many metres one is: depth scale")
-    with np.errstate(over="ignore"):
+    with np.errstate(over="ignore", invalid="ignore"):  # of a NaN that signals
         metres = values.astype(np.float64) * factor
     zero = values == 0
     if zero.any():

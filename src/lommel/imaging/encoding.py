@@ -23,10 +23,12 @@ def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -
         If `values` are neither integers nor floats, or not finite, or negative where they must be sRGB.
     """
     validation.choice("encoding", encoding, ENCODINGS)
+    validation.kind("dtype", dtype, np.float32, np.float64)
     if values.dtype.kind == "u":
         light = values.astype(dtype) / np.asarray(np.iinfo(values.dtype).max, dtype=dtype)
     elif values.dtype.kind == "f":
-        light = values.astype(dtype)
+        with np.errstate(over="ignore", invalid="ignore"):
+            light = values.astype(dtype)
         if not np.all(np.isfinite(light)):
             raise ValueError(f"{name} must be finite, got {values[~np.isfinite(light)].flat[0]}")
     else:

@@ -25,24 +25,26 @@ SUFFIXES = (*_ANIMATIONS, ".tif", ".tiff")
 
 def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
     """Return a path that frames can be written to, with a number such as ``%03d`` or none; ValueError otherwise."""
-    target = Path(path)
+    target = validation.path("path", path)
     numbers = _NUMBER.findall(target.name)
     if len(numbers) != target.name.count("%") or len(numbers) > 1 or "%" in str(target.parent):
         raise ValueError(
-            f"{name} may have one number such as %03d in its last part and no other %, got {str(path)!r}"
+            f"{name} may have one number such as %03d in its last part and no other %, "
+            f"got {validation.shown(str(path))}"
         )
     if numbers:
         return photo_output.check_suffix(target, name)
     if target.suffix.lower() not in SUFFIXES:
         raise ValueError(
-            f"{name} must have a number such as %03d, or end in {', '.join(SUFFIXES)} for one file, got {str(path)!r}"
+            f"{name} must have a number such as %03d, or end in {', '.join(SUFFIXES)} for one file, "
+            f"got {validation.shown(str(path))}"
         )
     return target
 
 
 def is_animation(path: str | PathLike[str]) -> bool:
     """Return whether frames would be written to one file of 8 bits."""
-    target = Path(path)
+    target = validation.path("path", path)
     return not _NUMBER.search(target.name) and target.suffix.lower() in _ANIMATIONS
 
 
@@ -90,7 +92,13 @@ def write_frames(
 
 def _alike(frames: Iterable[NDArray[Any]]) -> Iterable[NDArray[Any]]:
     first = None
+    if not isinstance(frames, Iterable) or np.ma.is_masked(frames):
+        raise TypeError(f"frames must be arrays, got {validation.shown(frames)}")
     for frame in frames:
+        if not isinstance(frame, np.ndarray) or frame.ndim not in (2, 3):
+            raise TypeError(
+                f"frames must be arrays of shape (height, width) or with 3 channels, got {validation.shown(frame)}"
+            )
         first = frame if first is None else first
         if (frame.shape, frame.dtype) != (first.shape, first.dtype):
             raise ValueError(f"frames must be alike, got {first.shape} {first.dtype} and {frame.shape} {frame.dtype}")

@@ -21,15 +21,15 @@ SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff")
 
 def check_suffix(path: str | PathLike[str], name: str = "path") -> Path:
     """Return a path that a photograph can be written to; ValueError otherwise."""
-    target = Path(path)
+    target = validation.path("path", path)
     if target.suffix.lower() not in SUFFIXES:
-        raise ValueError(f"{name} must end in {', '.join(SUFFIXES)}, got {str(path)!r}")
+        raise ValueError(f"{name} must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
     return target
 
 
 def check_dtype(path: str | PathLike[str], dtype: DTypeLike) -> None:
     """Refuse values that the format of a photograph does not hold, with a ValueError."""
-    target, kind = Path(path), np.dtype(dtype)
+    target, kind = validation.path("path", path), np.dtype(dtype)
     most = {".png": 2, ".jpg": 1, ".jpeg": 1}.get(target.suffix.lower(), 4)
     if kind.itemsize > most:
         raise ValueError(f"{target.name} holds {'8 or 16' if most == 2 else '8'} bits, not {kind}")
@@ -71,6 +71,8 @@ def write_photo(
         If the file cannot be written.
     """
     target = check_suffix(path)
+    if profile is not None:
+        validation.instance("profile", profile, bytes)
     values, clipped = stored(light, encoding, dtype)
     atomic.write(target, encoded(target, values, quality, profile))
     return clipped
@@ -79,9 +81,8 @@ def write_photo(
 def stored(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> tuple[NDArray[Any], float]:
     """Return light as values of uint8, uint16 or float32 in an encoding, and the share that integers clip."""
     validation.choice("encoding", encoding, ENCODINGS)
-    kind = np.dtype(dtype)
-    if kind not in (np.dtype(np.uint8), np.dtype(np.uint16), np.dtype(np.float32)):
-        raise ValueError(f"dtype must be uint8, uint16 or float32, got {kind}")
+    kind = validation.kind("dtype", dtype, np.uint8, np.uint16, np.float32)
+    light = validation.array("light", light)
     if light.dtype.kind != "f":
         raise TypeError(f"light must hold floats, got {light.dtype}")
     if light.ndim not in (2, 3) or light.shape[2:] not in ((), (3,)) or 0 in light.shape:

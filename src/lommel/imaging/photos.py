@@ -7,7 +7,6 @@ import math
 import warnings
 from dataclasses import dataclass
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -69,6 +68,9 @@ class Exif:
         ValueError
             If either focal length is unknown.
         """
+        if not isinstance(shape, tuple | list) or len(shape) < 2:
+            raise TypeError(f"shape must be (height, width), got {validation.shown(shape)}")
+        validation.image_shape(tuple(shape[:2]))
         if self.focal_length is None or self.film_focal_length is None:
             raise ValueError("the EXIF does not state a focal length and its 35 mm equivalent; give the pixel pitch")
         return _FILM_DIAGONAL * self.focal_length / self.film_focal_length / math.hypot(*shape[:2])
@@ -130,7 +132,7 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
 
 def read_raster(path: str | PathLike[str]) -> tuple[NDArray[Any], Exif, bytes | None]:
     """Return the upright values of a PNG, JPEG or TIFF file, its EXIF and its ICC profile; see :func:`read_photo`."""
-    source = Path(path)
+    source = validation.path("path", path)
     data = reading.contents(source)
     kind = next((name for start, name in _SIGNATURES.items() if data.startswith(start)), None)
     if kind is None:

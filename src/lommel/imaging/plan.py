@@ -70,7 +70,7 @@ class FocusPlan:
     ) -> None:
         require_lens(lens, "image, depth, lens, pixel")
         if not isinstance(occlusion, bool | np.bool_):
-            raise TypeError(f"occlusion must be True or False, got {occlusion!r}")
+            raise TypeError(f"occlusion must be True or False, got {validation.shown(occlusion)}")
         given = validation.array("image", image)
         if given.ndim not in (2, 3) or 0 in given.shape:
             raise ValueError(

@@ -60,11 +60,13 @@ def photograph(seen: NDArray[Any], blur: DepthBlur, encoding: str, dtype: DTypeL
 def channels_of(image: NDArray[Any], lens: Lens, wavelengths: Sequence[Spectrum] | None) -> Sequence[Spectrum]:
     """Return the spectrum of each channel of an image."""
     if not isinstance(lens, Lens):
-        raise TypeError(f"lens must be a Lens, got {lens!r}")
+        raise TypeError(f"lens must be a Lens, got {validation.shown(lens)}")
     count = 1 if image.ndim == 2 else image.shape[2]
     if wavelengths is not None:
         if not isinstance(wavelengths, Sequence | np.ndarray):
-            raise TypeError(f"wavelengths must be a sequence, one for each channel, got {wavelengths!r}")
+            raise TypeError(
+                f"wavelengths must be a sequence, one for each channel, got {validation.shown(wavelengths)}"
+            )
         if len(wavelengths) != count:
             raise ValueError(f"wavelengths must be one for each of the {count} channels, got {len(wavelengths)}")
         return wavelengths

@@ -162,6 +162,8 @@ def depth_of_field_by_tiles(
     elif not out.flags.writeable or np.may_share_memory(out, image) or np.may_share_memory(out, depth):
         raise ValueError("out must be writeable, and must not share memory with image or depth")
     validation.choice("missing", missing, MISSING)
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
     blur = TileBlur(
         image.shape, depth_range(depth, missing), lens, pixel, encoding=encoding, missing=missing, **options
     )
@@ -194,7 +196,7 @@ def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, flo
         part = fill_missing(np.asarray(depth[first : first + rows]), "infinity" if missing == "infinity" else "raise")
         low, high = np.minimum(low, part.min()), np.maximum(high, part.max())
     if np.isnan(low):
-        raise ValueError("depth is NaN at some points; say what is there by `missing`")
+        raise ValueError("depth is NaN at some points; say what is there, see missing=")
     return float(low), float(high)
 
 

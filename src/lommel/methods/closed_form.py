@@ -14,7 +14,7 @@ from lommel import validation
 from lommel.grid import Grid
 from lommel.methods.method import FieldMethod, FieldValues, annulus
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.pupil import Pupil
+from lommel.pupil import Pupil, checked
 from lommel.special.bessel import j0_series, tangent_line
 from lommel.special.chirp import chirp_moments, unit_moments
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf
@@ -92,14 +92,14 @@ class ClosedForm(FieldMethod):
         object.__setattr__(self, "terms", validation.integer("terms", self.terms, least=1, most=60))
         validation.choice("variant", self.variant, ("corrected", "printed"))
         if not isinstance(self.erf, Erf):
-            raise TypeError(f"erf must be AbramowitzErf, TableErf or FresnelErf, got {self.erf!r}")
+            raise TypeError(f"erf must be AbramowitzErf, TableErf or FresnelErf, got {validation.shown(self.erf)}")
         if self.truncate is not None:
             object.__setattr__(self, "truncate", validation.real("truncate", self.truncate, above=0.0))
         object.__setattr__(self, "segments", validation.integer("segments", self.segments, least=1, most=4096))
         validation.choice("split", self.split, SPLITS)
         validation.choice("fit", self.fit, FITS)
         if not isinstance(self.piston, bool):
-            raise TypeError(f"piston must be True or False, got {self.piston!r}")
+            raise TypeError(f"piston must be True or False, got {validation.shown(self.piston)}")
 
     @classmethod
     def best(cls, pupil: Pupil, shape: int | tuple[int, int], pixel: float, **options: Any) -> ClosedForm:
@@ -120,7 +120,7 @@ class ClosedForm(FieldMethod):
         """
         from scipy.optimize import minimize_scalar
 
-        if pupil.shape != ():
+        if checked(pupil).shape != ():
             raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
         if {"tangent", "erf"} & set(options):
             raise TypeError("options must not name tangent and erf, which are what is looked for")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -64,10 +65,10 @@ class HuygensFresnel(FieldMethod):
 
     def __post_init__(self) -> None:
         if not isinstance(self.symmetry, bool):
-            raise TypeError(f"symmetry must be True or False, got {self.symmetry!r}")
+            raise TypeError(f"symmetry must be True or False, got {validation.shown(self.symmetry)}")
         if self.nodes is not None:
-            if np.ndim(self.nodes) != 1 or len(self.nodes) != 2:
-                raise ValueError(f"nodes must be (radial, azimuthal), got {self.nodes!r}")
+            if not isinstance(self.nodes, Sequence) or isinstance(self.nodes, str) or len(self.nodes) != 2:
+                raise ValueError(f"nodes must be (radial, azimuthal), got {validation.shown(self.nodes)}")
             pair = tuple(validation.integer("nodes", n, least=2, most=10**6) for n in self.nodes)
             object.__setattr__(self, "nodes", pair)
 

@@ -244,7 +244,7 @@ class FieldMethod(RadialMethod):
     def field(self, pupil: Pupil, v: ArrayLike) -> NDArray[np.complex128]:
         """Return the complex field U at optical coordinates `v`, shape ``pupil.shape + v.shape``."""
         self.require(pupil)
-        at = validation.real_array("v", v, least=0.0)
+        at = validation.real_array("v", v, least=0.0) + 0.0  # no -0
         values, where = np.unique(_radii(at.ravel()), return_inverse=True)
         return self.evaluate(pupil, values).values[:, where].reshape(pupil.shape + at.shape)
 

@@ -51,10 +51,13 @@ class Polychromatic(RadialMethod):
         shares = validation.real_array("weights", weights, least=0.0)
         if shares.shape != (len(waves),) or not waves or not shares.sum() > 0:
             raise ValueError(
-                f"weights must be one for each of the {len(waves)} wavelengths, and not all 0, got {weights!r}"
+                f"weights must be one for each of the {len(waves)} wavelengths, and not all 0, "
+                f"got {validation.shown(weights)}"
             )
         if not (method is None or isinstance(method, Method)) or isinstance(method, Polychromatic):
-            raise TypeError(f"method must be a Method of one wavelength such as NijboerZernike(), got {method!r}")
+            raise TypeError(
+                f"method must be a Method of one wavelength such as NijboerZernike(), got {validation.shown(method)}"
+            )
         object.__setattr__(self, "wavelengths", waves)
         object.__setattr__(self, "weights", tuple((shares / shares.sum()).tolist()))
         object.__setattr__(self, "method", method)

@@ -29,9 +29,16 @@ class Erf(ABC):
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return ``erf(e^{-i pi/4} s)`` for real s of either sign."""
-        at = validation.real_array("s", s)
+        at = _arguments(s)
         size = np.abs(at)
         return np.asarray(np.where(at < 0, -1.0, 1.0) * (1.0 - np.exp(1j * size**2) * self.auxiliary(size) / HALF))
+
+
+def _arguments(s: ArrayLike) -> NDArray[np.float64]:
+    at = validation.real_array("s", s)
+    if at.size and np.abs(at).max() > 1e150:
+        raise ValueError(f"s must be at most 1e150, got {np.abs(at).max():g}")
+    return at
 
 
 @dataclass(frozen=True)
@@ -103,13 +110,16 @@ class AbramowitzErf(Erf):
         """
         from scipy.special import erf
 
-        at = np.asarray(z, dtype=np.complex128)
+        at = validation.array("z", z)
+        if at.dtype.kind not in "iufc" or not np.all(np.isfinite(at)):
+            raise TypeError(f"z must hold finite numbers, got {validation.shown(z)}")
+        at = at.astype(np.complex128)
         # erf is odd; the formula is used for x >= 0
         side = np.where(at.real < 0, -1.0, 1.0)
         x, y = side * at.real, side * at.imag
-        two = 2.0 * x * y
-        fall = np.exp(-x * x)
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            two = 2.0 * x * y
+            fall = np.exp(-x * x)
             # (1 - cos 2xy + i sin 2xy) / (2 pi x), whose limit at x = 0 is i y / pi
             first = np.where(x > 1e-150, (2.0 * np.sin(0.5 * two) ** 2 + 1j * np.sin(two)) / (2.0 * np.pi * x), 0)
             total = erf(x) + fall * np.where(x > 1e-150, first, 1j * y / np.pi)
@@ -129,7 +139,7 @@ class AbramowitzErf(Erf):
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
         """Return Eq. (14) at ``e^{-i pi/4} s``."""
-        return self(_RAY * validation.real_array("s", s))
+        return self(_RAY * _arguments(s))
 
     def auxiliary(self, s: NDArray[np.float64]) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0`` as the complement of Eq. (14)."""

@@ -104,11 +104,11 @@ def fit_quadratics(
     """
     c = validation.real_array("coefficients", coefficients)
     if c.ndim != 1 or c.size == 0:
-        raise ValueError(f"coefficients must be a sequence of numbers, got {coefficients!r}")
+        raise ValueError(f"coefficients must be a sequence of numbers, got {validation.shown(coefficients)}")
     edges = split_edges(segments, split)
     validation.choice("fit", fit, FITS)
     if not isinstance(piston, bool):
-        raise TypeError(f"piston must be True or False, got {piston!r}")
+        raise TypeError(f"piston must be True or False, got {validation.shown(piston)}")
     rows = []
     for low, high in pairwise(edges.tolist()):
         row = _interpolated(c, low, high) if piston else _osculating(c, low, high)

@@ -46,12 +46,12 @@ def term(index: Any, order: str) -> tuple[int, int]:
     validation.choice("order", order, ORDERS)
     if order == "nm":
         if not isinstance(index, tuple | list) or len(index) != 2:
-            raise TypeError(f'a term in the order "nm" must be a pair (n, m), got {index!r}')
+            raise TypeError(f'a term in the order "nm" must be a pair (n, m), got {validation.shown(index)}')
         return check_term(*index)
     first = 0 if order == "ansi" else 1
     most = 37 if order == "fringe" else first + (MAX_DEGREE + 1) * (MAX_DEGREE + 2) // 2 - 1
     if isinstance(index, tuple | list):
-        raise TypeError(f'a term in the order "{order}" must be an integer, got {index!r}')
+        raise TypeError(f'a term in the order "{order}" must be an integer, got {validation.shown(index)}')
     j = validation.integer(f"a Zernike index in the order {order!r}", index, least=first, most=most)
     if order == "ansi":
         n = (math.isqrt(8 * j + 1) - 1) // 2

@@ -1,0 +1,355 @@
+"""Bad arguments, over the whole public interface: ValueError or TypeError, one line that names the argument."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+import random
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel import encircled, fieldtable, imaging, metrics, quality, spot, transfer, units, validation
+from lommel.files import FileError
+from lommel.imaging import frames
+from lommel.methods import METHODS
+from lommel.opening import Opening, degree_needed
+
+SQUARE = np.linspace(0.1, 1.0, 24 * 24).reshape(24, 24)
+DEPTH = 1.8 + 0.3 * SQUARE
+PUPIL = lm.Pupil(lm.Wavefront(1.0, 0.5))
+COMA = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 0.5}), obscuration=0.2)
+LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+CAMERA = LENS.pupil(1.9)
+VANES = lm.Pupil(spider=lm.Spider.equal(3, width=0.1), obscuration=0.2)
+STACK = lm.Pupil(lm.Wavefront([0.0, 1.0]))
+PSF = lm.psf(PUPIL, 5, 0.5)
+ODD = lm.psf(COMA, 5, 0.5)
+FIELD = lm.FieldMap.from_seidel(1.0, W131=0.5)
+GRID = FIELD.grid(2, 2, sensor=(1.0, 1.0), shape=5, pixel=0.5)
+TABLE = fieldtable.FieldTable({"height": (0.0, 1e-3)}, {4: (0.0, 0.1)}, "noll")
+PLAN = imaging.FocusPlan(SQUARE, DEPTH, LENS, 8e-6, encoding="linear")
+BLUR = imaging.DepthBlur(LENS, DEPTH, 8e-6)
+CHART = lm.opd_map(lm.Wavefront(1.0), 24, unit="radians")
+MASK = lm.Mask(np.ones((8, 8)))
+
+
+def tagged(name: str, call, **valid: object) -> tuple[str, object, dict[str, object]]:
+    return name, call, valid
+
+
+def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
+    """Every public callable, as its name, what calls it, and arguments that are right."""
+    lens = {"focal_length": 50e-3, "wavelength": 550e-9, "f_number": 4.0, "focus_distance": 2.0, "obscuration": 0.1}
+    image = {"image": SQUARE, "depth": DEPTH, "lens": LENS, "pixel": 8e-6}
+    blur = image | {"encoding": "linear", "wavelengths": [550e-9], "missing": "raise", "border": "reflect"}
+    blur |= {"energy": 0.95, "tol": 1e-3, "largest": 11, "dtype": np.float32, "threads": 1}
+    window = {"shape": 5, "pixel": 0.5, "normalize": "energy", "dtype": "float32", "center": (2.0, 2.5), "threads": 1}
+    window |= {"integrate": False}
+    at = {"fx": [0.1, 0.2], "fy": 0.1}
+    scale = {"wavelength": 550e-9, "f_number": 2.0, "obscuration": 0.1}
+    units_of = {"order": "noll", "unit": "waves", "normalization": "rms", "wavelength": 550e-9}
+    seidel = dict.fromkeys(("W020", "W040", "W060", "W080", "W131", "W222", "W220", "W311"), 0.1)
+    psf_parts = {f.name: getattr(PSF, f.name) for f in dataclasses.fields(PSF) if f.init}
+    found = [
+        tagged("psf", lm.psf, pupil=PUPIL, method=None, derivatives=(), out=None, **window | {"integrate": True}),
+        tagged("psf", lm.psf, pupil=COMA, method=lm.NijboerZernike(), **window),
+        tagged("psf", lm.psf, pupil=VANES, **window),
+        tagged("psf", lm.psf, pupil=CAMERA, **window | {"pixel": 1e-6, "integrate": True}),
+        tagged("psf", lm.psf, pupil=PUPIL, shape=5, pixel=0.5, derivatives=["defocus"]),
+        tagged("psf", lm.psf, pupil=PUPIL, shape=5, pixel=0.5, out=np.empty((5, 5))),
+        tagged("psf", lm.psf, pupil=CAMERA, shape=5, pixel=1e-6, method=lm.Polychromatic([5e-7, 6e-7], [1, 2])),
+        tagged("Plan", lm.Plan, **window),
+        tagged("Plan()", lm.Plan(5, 0.5), pupil=PUPIL, derivatives=(), out=None),
+        tagged("PSF", lm.PSF, **psf_parts),
+        tagged("Grid", lm.Grid, shape=5, pixel=0.5, center=(1, 2), integrate=False),
+        tagged("Wavefront", lm.Wavefront, defocus=1.0, spherical=[1.0, 2.0], higher=[0.1], nonradial={(3, 1): 0.5}),
+        tagged("Wavefront.zernike", lm.Wavefront.zernike, terms={4: 0.1, 8: 0.2}, **units_of | {"unit": "metres"}),
+        tagged("Wavefront.to_zernike", lm.Wavefront(1.0).to_zernike, **units_of),
+        tagged("Wavefront.from_seidel", lm.Wavefront.from_seidel, **seidel, field=(0.5, 0.5)),
+        tagged("Wavefront.balanced_spherical", lm.Wavefront.balanced_spherical, rms=0.1, obscuration=0.2),
+        tagged("Wavefront.phase", COMA.wavefront.phase, rho=[0.1, 0.5], theta=0.3),
+        tagged("Wavefront.rotated", COMA.wavefront.rotated, angle=0.3),
+        tagged("Wavefront.scaled", COMA.wavefront.scaled, radius=0.3),
+        tagged("Wavefront.flipped", COMA.wavefront.flipped, axis="x"),
+        tagged("Wavefront*", COMA.wavefront.__mul__, factor=2.0),
+        tagged("Wavefront/", COMA.wavefront.__truediv__, divisor=2.0),
+        tagged("Pupil", lm.Pupil, wavefront=lm.Wavefront(), **scale, apodization=0.1, geometry=None),
+        tagged("Pupil", lm.Pupil, spider=VANES.spider, vignetting=lm.Ellipse(0.9, 0.8), mask=MASK),
+        tagged("Pupil.v", PUPIL.v, radius=[0.1]),
+        tagged("Pupil.rule", PUPIL.rule, degree=10),
+        tagged("Pupil.values", COMA.values, x=[0.1, 0.2], y=0.1),
+        tagged("Opening", Opening, obscuration=0.1, spider=VANES.spider, vignetting=lm.CatEye((0.1, 0.2))),
+        tagged("Opening.margin", VANES.opening.margin, x=np.array([0.1]), y=np.array([0.2])),
+        tagged("Opening.coverage", VANES.opening.coverage, x=np.array([0.1]), y=np.array([0.2]), half=0.01),
+        tagged("Opening.rule", VANES.opening.rule, degree=10),
+        tagged("degree_needed", lambda **k: degree_needed([(3, 1.0)], **k), v=10.0, gaussian=0.0, error=1e-6),
+        tagged("Spider", lm.Spider, width=0.1, angles=(0.1, 0.2)),
+        tagged("Spider.equal", lm.Spider.equal, count=3, width=0.1, first=0.1),
+        tagged("Ellipse", lm.Ellipse, a=0.9, b=0.8, angle=0.1),
+        tagged("CatEye", lm.CatEye, shift=(0.1, 0.2), radius=0.9),
+        tagged("Mask", lm.Mask, values=np.ones((4, 4))),
+        tagged("Mask.sample", lm.Mask.sample, function=lambda x, y: x > y, side=4),
+        tagged("Mask.at", MASK.at, x=np.array([0.1]), y=np.array([0.2])),
+        tagged("Lens", lm.Lens, **lens, aberrations=lm.Wavefront(1.0), spider=VANES.spider),
+        tagged("Lens.defocus", LENS.defocus, object_distance=[1.0, 2.0]),
+        tagged("Lens.pupil", LENS.pupil, object_distance=[1.0, 2.0]),
+        tagged("encircled_energy", PSF.encircled_energy, radius=[0.5, 1.0], about="axis"),
+        tagged("encircled_energy", ODD.encircled_energy, radius=[0.5, 1.0], about="centroid"),
+        tagged("ensquared_energy", PSF.ensquared_energy, half_width=[0.5, 1.0], about="axis"),
+        tagged("ensquared_energy", ODD.ensquared_energy, half_width=[0.5, 1.0], about="centroid"),
+        tagged("energy_diameter", PSF.energy_diameter, fraction=0.5, about="axis"),
+        tagged("energy_diameter", ODD.energy_diameter, fraction=0.3, about="axis"),
+        tagged("fwhm", PSF.fwhm, along="mean"),
+        tagged("PSF.otf", PSF.otf, **at),
+        tagged("PSF.mtf", ODD.mtf, **at),
+        tagged("PSF.profile", PSF.profile, radius=[0.1, 0.2]),
+        tagged("PSF.plot", PSF.plot, ax=None, stretch="sqrt"),
+        tagged("PSF.save", PSF.save, path=folder / "a.npz"),
+        tagged("PSF.load", lm.PSF.load, path=folder / "psf.npz"),
+        tagged("PSF[]", lm.psf(STACK, 3, 0.5).__getitem__, index=0),
+        tagged("Wavefront[]", STACK.wavefront.__getitem__, index=0),
+        tagged("Pupil[]", STACK.__getitem__, index=0),
+        tagged("FieldMap.on_grid", lm.FieldMap.on_grid, x=[0.0, 1.0], y=[0.0, 1.0],
+               wavefront=lm.Wavefront([[0.0, 1.0], [2.0, 3.0]]), **scale),
+        tagged("FieldMap.scattered", lm.FieldMap.scattered, x=[0.0, 1.0, 0.0], y=[0.0, 0.0, 1.0],
+               wavefront=lm.Wavefront([0.0, 1.0, 2.0]), **scale),
+        tagged("FieldMap.radial", lm.FieldMap.radial, height=[0.0, 1.0], wavefront=lm.Wavefront([0.0, 1.0]),
+               azimuth=0.1, **scale),
+        tagged("FieldMap.from_seidel", lm.FieldMap.from_seidel, edge=1.0, **seidel, **scale),
+        tagged("FieldMap.pupil", FIELD.pupil, x=0.1, y=[0.1, 0.2]),
+        tagged("FieldMap.psf", FIELD.psf, x=0.1, y=0.2, shape=3, pixel=0.5, method=lm.NijboerZernike()),
+        tagged("FieldMap.grid", FIELD.grid, rows=1, columns=2, sensor=(1.0, 1.0), shape=3, pixel=0.5, method=None),
+        tagged("PSFGrid", lm.PSFGrid, psf=GRID.psf, x=GRID.x, y=GRID.y, sensor=GRID.sensor),
+        tagged("PSFGrid.plot", GRID.plot, ax=None, stretch="sqrt"),
+        tagged("PSFGrid.save", GRID.save, path=folder / "g.npz"),
+        tagged("PSFGrid.load", lm.PSFGrid.load, path=folder / "grid.npz"),
+        tagged("FieldTable", fieldtable.FieldTable, positions={"height": (0.0, 1.0)}, terms={4: (0.1, 0.2)},
+               order="noll"),
+        tagged("FieldTable.field_map", TABLE.field_map, pupil=PUPIL, unit="waves", normalization="rms",
+               direction="x"),
+        tagged("read_rows", fieldtable.read_rows, columns=["height", "Z4"], rows=[["0", 0.1], ["1 mm", 0.2]],
+               order="noll"),
+        tagged("read_csv", fieldtable.read_csv, path=folder / "field.csv", order="noll"),
+        tagged("fit_opd", lm.fit_opd, opd=CHART, unit="metres", wavelength=550e-9, mask=None, degree=3,
+               center=(11.5, 11.5), radius=12.0, tol=1.0),
+        tagged("fit_opd", lm.fit_opd, opd=np.nan_to_num(CHART), unit="waves", wavelength=550e-9,
+               mask=~np.isnan(CHART)),
+        tagged("fit_radial", lm.fit_radial, phase=SQUARE[0], rho=np.linspace(0, 1, 24), degree=4, unit="waves",
+               wavelength=550e-9, tol=10.0),
+        tagged("fit_radial", lm.fit_radial, phase=lambda rho: rho**2, degree=4),
+        tagged("opd_map", lm.opd_map, wavefront=lm.Wavefront(1.0), shape=8, unit="waves", wavelength=550e-9,
+               center=(3.0, 3.0), radius=3.0),
+        tagged("ZernikeTable", lm.ZernikeTable, terms={4: 0.1}, **units_of),
+        tagged("ZernikeTable.from_wavefront", lm.ZernikeTable.from_wavefront, wavefront=lm.Wavefront(1.0),
+               **units_of),
+        tagged("ZernikeTable.wavefront", lm.ZernikeTable({4: 1.0}, "noll", "nm", "rms").wavefront, wavelength=5e-7),
+        tagged("load_zernike", lm.load_zernike, path=folder / "table.json"),
+        tagged("save_zernike", lm.save_zernike, path=folder / "t.csv", table=lm.load_zernike(folder / "table.json")),
+        tagged("load_instrument", lm.load_instrument, path=folder / "lens.toml", folder_only=False),
+        tagged("best_focus", lm.best_focus, pupil=PUPIL, radius=1.0, method=lm.NijboerZernike()),
+        tagged("centroid", lm.centroid, pupil=COMA),
+        tagged("marechal", lm.marechal, pupil=COMA),
+        tagged("rms", lm.rms, pupil=COMA, unit="waves"),
+        tagged("strehl", lm.strehl, pupil=COMA),
+        tagged("spot_radius", lm.spot_radius, pupil=COMA),
+        tagged("mse", lm.mse, values=SQUARE, reference=SQUARE),
+        tagged("peak_error", lm.peak_error, values=SQUARE, reference=SQUARE),
+        tagged("mtf", lm.mtf, pupil=PUPIL, **at, pixel=0.5, spectrum=None, tol=1e-8),
+        tagged("otf", lm.otf, pupil=COMA, **at, pixel=0.5, spectrum=None, tol=1e-6),
+        tagged("ptf", lm.ptf, pupil=COMA, **at, spectrum=None, tol=1e-6),
+        tagged("mtf_frequency", lm.mtf_frequency, pupil=lm.Pupil(), level=0.5, angle=0.1, pixel=None),
+        tagged("encircled", encircled.encircled, pupil=PUPIL, radius=[1.0], method=None),
+        tagged("metrics.strehl", metrics.strehl, answer=PSF),
+        tagged("metrics.window_energy", metrics.window_energy, answer=PSF),
+        tagged("radial_energy", metrics.radial_energy, method=lm.NijboerZernike(), pupil=PUPIL, radius=[1.0]),
+        tagged("spot.fwhm", spot.fwhm, answer=PSF, along="x"),
+        tagged("spot.centroid", spot.centroid, answer=PSF),
+        tagged("spot.peak_strehl", spot.peak_strehl, answer=PSF),
+        tagged("image_otf", transfer.image_otf, answer=PSF, **at),
+        tagged("image_spectrum", transfer.image_spectrum, answer=PSF),
+        tagged("quality.rms", quality.rms, pupil=lm.Wavefront(1.0), unit="radians"),
+        tagged("DepthBlur", imaging.DepthBlur, lens=LENS, depth=DEPTH, pixel=8e-6, channels=[550e-9],
+               border="zero", energy=0.9, tol=1e-3, largest=11, dtype=np.float64, threads=1),
+        tagged("DepthBlur.forward", BLUR.forward, image=SQUARE, weight=None),
+        tagged("DepthBlur.adjoint", BLUR.adjoint, image=SQUARE),
+        tagged("FocusPlan", imaging.FocusPlan, **blur, occlusion=True, keep=2),
+        tagged("FocusPlan()", PLAN, focus_distance=2.0, f_number=5.6, out=None),
+        tagged("depth_of_field", imaging.depth_of_field, **blur, occlusion=False),
+        tagged("by_tiles", imaging.depth_of_field_by_tiles, **blur, side=16, out=None, progress=None),
+        tagged("read_depth", imaging.read_depth, path=folder / "depth.npy", scale=0.5, zero_is_unknown=False),
+        tagged("read_photo", imaging.read_photo, path=folder / "photo.png", encoding="srgb"),
+        tagged("write_photo", imaging.write_photo, path=folder / "p.png", light=SQUARE, encoding="srgb",
+               dtype=np.uint8, quality=90, profile=None),
+        tagged("write_frames", frames.write_frames, path=folder / "f.gif", frames=[(255 * SQUARE).astype(np.uint8)],
+               fps=10.0, quality=90),
+        tagged("Picture.light", imaging.Picture(SQUARE, "linear", imaging.Exif()).light, dtype=np.float32),
+        tagged("Exif.pixel", imaging.Exif(5e-3, 2.0, 26e-3).pixel, shape=(10, 20)),
+        tagged("Polychromatic", lm.Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=lm.Hankel()),
+        tagged("ClosedForm.best", lm.ClosedForm.best, pupil=PUPIL, shape=5, pixel=0.5),
+        tagged("AbramowitzErf()", lm.AbramowitzErf(), z=[0.1, 0.5]),
+        tagged("format_length", units.format_length, metres=0.1),
+        tagged("parse_length", units.parse_length, text="1 mm"),
+        tagged("parse_angle", units.parse_angle, text="1 deg"),
+        tagged("parse_radius", units.parse_radius, text="1 arcsec", focal_length=1.0),
+    ]  # fmt: skip
+    for name, kind in {**METHODS, "table": lm.TableErf, "abramowitz": lm.AbramowitzErf}.items():
+        valid = {f.name: getattr(kind(), f.name) for f in dataclasses.fields(kind) if f.init}
+        if valid:
+            found.append(tagged(name, kind, **valid))
+        if hasattr(kind, "field") and name != "huygens-fresnel":
+            found.append(tagged(f"{name}.field", kind().field, pupil=lm.Pupil(lm.Wavefront(2.0)), v=[1.0, 2.0]))
+        if hasattr(kind, "on_ray"):
+            found.append(tagged(f"{name}.on_ray", kind().on_ray, s=[1.0, -2.0]))
+    return found
+
+
+def hostile(folder: Path) -> list[object]:
+    """What an argument may be in place of what it should be."""
+    masked = np.ma.masked_array([0.1, 0.2], mask=[True, False])
+    pixels = np.ma.masked_array(SQUARE, mask=SQUARE > 0.5)
+    numbers = [math.nan, math.inf, -math.inf, 0, 0.0, -0.0, -1, 1, 2.5, 1e300, -1e300, 5e-324, 1e-300, 1e20, 10**30]
+    numbers += [10**400, 2**31, 2**63, -(2**63), 1e6, 1e-6, 3, 7, 1j, True, np.float32("nan"), np.longdouble("1e400")]
+    words = ["", "x", "1", "nan", "energy", "a\nb", "\0", "ä" * 5000, b"1", "1 mm", "waves", "../.."]
+    others = [None, (), [], {}, set(), object(), int, np, lambda *_: 0, slice(None), iter([1.0]), NotImplemented, ...]
+    arrays = [np.array([]), np.array([[]]), np.zeros((0, 5)), np.array(["1"]), np.array([None]), np.array([object()])]
+    arrays += [np.array([(1, 2.0)], dtype="i,f"), np.array(["2020"], dtype="M8[s]"), SQUARE.view(np.matrix), masked]
+    arrays += [pixels, np.ma.masked, np.array([1j]), np.array([True]), np.array(math.nan), np.full((24, 24), np.inf)]
+    arrays += [np.zeros((3, 3, 3)), np.zeros((24, 24)), -SQUARE, SQUARE.astype(int), np.ones((24, 24), bool)]
+    arrays += [
+        np.broadcast_to(1.0, (50, 60)),
+        [[1.0], [1.0, 2.0]],
+        [1.0, math.nan],
+        ["a"],
+        [None],
+        [[]],
+        [1.0] * 5000,
+    ]
+    arrays += [np.array([1e308, 1e308]), np.array([5e-324]), [10**400], np.array([1.0, -1.0]), range(3), (1.0, 2.0)]
+    arrays += [np.float16(1.0), np.array([2.0], ">f8"), np.array([1, 2], np.uint8), [masked, masked], (math.nan, 1.0)]
+    objects = [PUPIL, STACK, COMA, VANES, lm.Wavefront(1.0), lm.Wavefront([1.0, 2.0, 3.0]), LENS, PSF, GRID, FIELD]
+    objects += [lm.Hankel(), lm.Hankel, lm.LommelSeries(), lm.Ellipse(0.5, 0.5), MASK, VANES.spider, TABLE, folder]
+    objects += [folder / "nowhere.npz", {"height": ()}, {4: "x"}, {(2, 2): 1e308}, {"a": 1}, [(4, 1.0), (4, 2.0)]]
+    return numbers + words + others + arrays + objects
+
+
+ALLOWED = (ValueError, TypeError, OSError, ImportError, OverflowError, IndexError)
+
+
+def complaint(error: Exception, entry: str, argument: str, value: object) -> str | None:
+    """Return what is wrong with an error, if anything is."""
+    message = str(error)
+    kind = type(error).__name__
+    if isinstance(error, Warning) or not isinstance(error, (ValueError, TypeError, OSError)):
+        # Documented: Eq. (14) overflows; indices are NumPy's.
+        if isinstance(error, OverflowError) and ("erf" in entry.lower() or "abramowitz" in entry):
+            return None
+        if isinstance(error, IndexError | OverflowError) and entry.endswith("[]"):
+            return None
+        return f"{kind}: {message[:300]}"
+    if isinstance(error, FileError | OSError):
+        return None
+    if len(message.splitlines()) != 1 or len(message) > (1500 if entry in MANY else 400):
+        return f"a message of {len(message.splitlines())} lines, {len(message)} characters: {message[:400]!r}"
+    if argument in ("function", "phase") and callable(value):
+        return None  # it may raise what it likes
+    words = (*NAMES.get(argument, ()), argument)
+    if not entry.endswith("[]") and not any(word in message for word in words):
+        return f"names no {argument}: {kind}: {message}"
+    return None
+
+
+def far(argument: str, value: object) -> bool:
+    """Whether a radius is so far out that there is only an answer, or a refusal, where reaches have a limit."""
+    if hasattr(validation, "MAX_REACH") or argument not in ("radius", "half_width", "v", "pixel"):
+        return False
+    try:
+        return bool(np.max(np.abs(np.asarray(value, dtype=np.float64)), initial=0.0) > 1e5)
+    except Exception:
+        return False
+
+
+# Every fault of these is told at once.
+MANY = {"read_rows", "load_zernike", "load_instrument"}
+# Other words for what an argument is; what has the right kind is judged by what it is for.
+NAMES: dict[str, tuple[str, ...]] = {
+    "text": ("a length", "an angle", "unit"),
+    "pupil": ("out must", "supports", "needs a pupil", "derivatives", "aberrations", "dtype"),
+    "method": ("supports", "needs", "derivatives", "dtype", "erf"),
+    "wavelengths": ("wavelength",),
+    "channels": ("wavelength", "weight"),
+    "gaussian": ("aberrations",),
+    "v": ("aberrations",),
+    "terms": ("term", "coefficient", "Zernike index"),
+    "rho": ("samples",),
+    "degree": ("samples",),
+    "opd": ("samples", "residual"),
+    "phase": ("samples", "residual"),
+    "radius": ("samples", "must not be empty"),
+    "center": ("samples",),
+    "mask": ("samples", "opd", "aperture"),
+    "tol": ("residual",),
+    "function": ("values",),
+    "out": ("dtype",),
+    "focal_length": ("focal length",),
+    "frames": ("frame",),
+    "rows": ("row",),
+    "nonradial": ("a term",),
+    "focus_distance": ("windows",),
+    "f_number": ("windows",),
+    "lens": ("windows", "aberrations"),
+    "pixel": ("windows",),
+    "energy": ("windows",),
+    "largest": ("windows",),
+    "depth": ("windows",),
+    "wavefront": ("wavelength", "table"),
+    "angle": ("must not be empty",),
+    "rms": ("must not be empty",),
+    "x": ("position", "shape"),
+    "y": ("position", "shape"),
+    "positions": ("height",),
+    "index": ("a single",),
+    **dict.fromkeys(("W020", "W040", "W060", "W080", "W131", "W222", "W220", "W311"), ("must not be empty",)),
+}
+
+
+@pytest.mark.filterwarnings("ignore:the matrix subclass:PendingDeprecationWarning")
+def test_bad_arguments_are_refused_by_name(tmp_path, hunt, count):
+    lm.psf(PUPIL, 3, 0.5).save(tmp_path / "psf.npz")
+    GRID.save(tmp_path / "grid.npz")
+    np.save(tmp_path / "depth.npy", SQUARE)
+    imaging.write_photo(tmp_path / "photo.png", SQUARE)
+    (tmp_path / "field.csv").write_text("height,Z4\n0,0\n1 mm,1\n")
+    (tmp_path / "lens.toml").write_text(
+        'name = "a"\n[lens]\nfocal_length = "50 mm"\nf_number = 2\nwavelength = "550 nm"\n'
+        '[sensor]\npixel = "3 um"\nshape = 9\n'
+    )
+    lm.save_zernike(tmp_path / "table.json", lm.ZernikeTable({4: 0.1}, "noll", "nm", "rms"))
+    known, bad = entries(tmp_path), hostile(tmp_path)
+
+    def case(k: int) -> str | None:
+        draw = random.Random(k)
+        name, call, valid = draw.choice(known)
+        argument = draw.choice(list(valid))
+        value = draw.choice(bad)
+        if far(argument, value):
+            return None
+        arguments = valid | {argument: value}
+        told = f"{name}({argument}={' '.join(repr(value).split())[:80]})"
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            warnings.filterwarnings("ignore", "the matrix subclass")
+            try:
+                call(**arguments)
+            except MemoryError:
+                return f"{told}: MemoryError"
+            except Exception as error:
+                wrong = complaint(error, name, argument, value)
+                return f"{told}: {wrong}" if wrong else None
+        return None
+
+    findings = hunt(case, count(800, 20_000), seconds=20)
+    assert not findings, "\n".join(findings)

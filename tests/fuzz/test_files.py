@@ -1,0 +1,185 @@
+"""Mutated files of every kind that is read: a clear error, or the values that were written, in little memory."""
+
+from __future__ import annotations
+
+import logging
+import random
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image
+
+import lommel as lm
+from lommel import imaging
+from lommel.fieldtable import read_csv
+
+DEPTH = np.linspace(1.0, 3.0, 12 * 15).reshape(12, 15).astype(np.float32)
+GREY = np.arange(12 * 15, dtype=np.uint8).reshape(12, 15)
+LENS = """name = "a"
+[lens]
+focal_length = "50 mm"
+f_number = 2
+focus_distance = "2 m"
+wavelength = "550 nm"
+obscuration = 0.1
+[aperture.spider]
+width = "1 mm"
+vanes = 3
+[aperture.mask]
+file = "mask.npy"
+[aberrations]
+W040 = 0.25
+W131 = 0.5
+field = [0.5, 0.5]
+[aberrations.zernike]
+order = "noll"
+unit = "waves"
+normalization = "rms"
+wavelength = "600 nm"
+[aberrations.zernike.terms]
+8 = 0.1
+[object]
+distance = "1.5 m"
+[sensor]
+pixel = "3 um"
+shape = [9, 11]
+[report]
+encircled_energy = ["5 um", "1 mrad"]
+"""
+
+
+def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
+    """Each kind of file as the path of a good one, what reads it, and what of the answer must stay the same."""
+    psf = lm.psf(lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 0.2})), 9, 0.5)
+    grid = lm.FieldMap.from_seidel(1.0, W131=0.5).grid(2, 2, sensor=(1.0, 1.0), shape=5, pixel=0.5)
+    table = lm.ZernikeTable({4: 0.1, 8: -0.25}, "noll", "nm", "rms", 6e-7)
+    found = {}
+
+    def of_psf(path: Path) -> object:
+        loaded = lm.PSF.load(path)
+        return loaded.values.tobytes(), repr(loaded), repr(loaded.pupil.to_dict())
+
+    def of_grid(path: Path) -> object:
+        loaded = lm.PSFGrid.load(path)
+        return loaded.values.tobytes(), loaded.x.tobytes(), loaded.sensor
+
+    for suffix in (".tif", ".npy", ".npz", ".png"):
+        psf.save(folder / f"psf{suffix}")
+        found[f"psf{suffix}"] = (folder / f"psf{suffix}", of_psf, True)
+    for suffix in (".tif", ".npz"):
+        grid.save(folder / f"grid{suffix}")
+        found[f"grid{suffix}"] = (folder / f"grid{suffix}", of_grid, True)
+    np.save(folder / "depth.npy", DEPTH)
+    tifffile.imwrite(folder / "depth.tif", DEPTH)
+    tifffile.imwrite(folder / "depth-deflated.tif", DEPTH, compression="zlib", tile=(16, 16))
+    tifffile.imwrite(folder / "photo.tif", np.stack([GREY] * 3, axis=2), photometric="rgb", byteorder=">")
+    (folder / "depth.pfm").write_bytes(b"Pf\n15 12\n-1.0\n" + DEPTH.tobytes())
+    Image.fromarray(GREY).save(folder / "photo.png")
+    Image.fromarray(np.stack([GREY] * 3, axis=2)).save(folder / "photo.jpg")
+    imaging.write_photo(folder / "deep.png", np.stack([GREY / 255.0] * 3, axis=2), dtype=np.uint16)
+    for name in ("depth.npy", "depth.tif", "depth-deflated.tif", "depth.pfm"):
+        found[name] = (folder / name, imaging.read_depth, False)
+    for name in ("photo.tif", "photo.png", "photo.jpg", "deep.png"):
+        found[name] = (folder / name, imaging.read_photo, False)
+    for suffix in (".json", ".toml", ".csv"):
+        lm.save_zernike(folder / f"table{suffix}", table)
+        found[f"table{suffix}"] = (folder / f"table{suffix}", lm.load_zernike, False)
+    np.save(folder / "mask.npy", np.ones((8, 8)))
+    (folder / "lens.toml").write_text(LENS)
+    found["lens.toml"] = (folder / "lens.toml", lambda path: lm.load_instrument(path).pupil(), False)
+    (folder / "field.csv").write_text("x,y,Z4,Z8\n0,0,0.1,0.2\n1 mm,0,0.3,0.4\n0,1 mm,0.5,0.6\n")
+    found["field.csv"] = (folder / "field.csv", lambda path: read_csv(path, "noll"), False)
+    return found
+
+
+def mutated(data: bytes, draw: random.Random) -> bytes:
+    """Bits turned, ends cut, parts moved, and numbers of headers replaced."""
+    out = bytearray(data)
+    for _ in range(draw.choice((1, 1, 1, 2, 5))):
+        at = draw.randrange(min(len(out), draw.choice((32, 256, 1 << 20)))) if out else 0
+        way = draw.randrange(7)
+        if way == 0 and out:
+            out[at] ^= 1 << draw.randrange(8)
+        elif way == 1:
+            out = out[:at]
+        elif way == 2:
+            start = draw.randrange(len(out) + 1)
+            out[at:at] = out[start : start + draw.randrange(1, 200)]
+        elif way == 3:
+            del out[at : at + draw.randrange(1, 64)]
+        elif way == 4:
+            out[at : at + 4] = draw.choice(
+                (b"\xff" * 4, b"\x7f\xff\xff\xff", b"\0\0\0\x80", b"\0" * 4, b"\x01\0\0\0")
+            )
+        elif way == 5:
+            out[at : at + 1] = bytes([draw.randrange(256)])
+        else:
+            out[at:at] = draw.choice(
+                (b"9" * 40, b"1e308", b"nan", b"-", b"\n", b"[" * 50, b'"', b"inf", b"\xc3\x28", b",")
+            )
+    return bytes(out)
+
+
+KINDS = [
+    "psf.tif",
+    "psf.npy",
+    "psf.npz",
+    "psf.png",
+    "grid.tif",
+    "grid.npz",
+    "depth.npy",
+    "depth.tif",
+    "depth-deflated.tif",
+    "depth.pfm",
+    "photo.tif",
+    "photo.png",
+    "photo.jpg",
+    "deep.png",
+    "table.json",
+    "table.toml",
+    "table.csv",
+    "lens.toml",
+    "field.csv",
+]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_mutated_file_is_refused_or_read_as_it_was(kind, tmp_path, hunt, count):
+    path, read, sealed = kinds(tmp_path)[kind]
+    data, whole = path.read_bytes(), read(path)
+    path = path.rename(tmp_path / f"mutated{path.suffix}")
+
+    def case(k: int) -> str | None:
+        draw = random.Random(f"{kind} {k}")
+        path.write_bytes(mutated(data, draw))
+        records: list[logging.LogRecord] = []
+        handler = logging.Handler()
+        handler.emit = records.append  # type: ignore[method-assign]
+        logging.getLogger().addHandler(handler)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            try:
+                answer = read(path)
+            except (ValueError, OSError) as error:
+                message = str(error)
+                if isinstance(error, UnicodeError) or path.stem not in message:
+                    return f"{type(error).__name__} that does not name the file: {message[:300]}"
+                most = 15 if path.suffix in (".toml", ".json", ".csv") else 1
+                if len(message.splitlines()) > most or len(message) > 300 * most + 200:
+                    return (
+                        f"a message of {len(message.splitlines())} lines, {len(message)} characters: {message[:300]}"
+                    )
+                return None if not records else f"logged: {records[0].getMessage()[:200]}"
+            except BaseException as error:
+                return f"{type(error).__name__}: {str(error)[:300]}"
+        if records:
+            return f"logged: {records[0].getMessage()[:200]}"
+        if sealed and answer != whole:
+            return "it was read as something else"
+        return None
+
+    findings = hunt(case, count(15, 1000), seconds=10, memory=3 * 2**29)
+    assert not findings, "\n".join(findings)

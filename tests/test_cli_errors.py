@@ -152,7 +152,7 @@ def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_pyth
     np.save(folder / "gaps.npy", np.where(x + y, 2.0, np.nan))
     np.save(folder / "near.npy", np.full((20, 20), 0.3))
     photo = ("blur", "photo.png", "gaps.npy", lenses["nifty-fifty"], "-o", "a.png")
-    refused(call_lommel(*photo, folder=folder), "say what is there, see --missing")
+    refused(call_lommel(*photo, folder=folder), "say what is there by --missing")
     photo = (*photo[:2], "near.npy", *photo[3:])
     refused(call_lommel(*photo, folder=folder), "allow larger windows (--largest")
     refused(call_lommel(*photo, "--focus", "10 mm", folder=folder), "--focus must exceed the focal length")

@@ -54,7 +54,7 @@ BAD = [
         "must have the size of the upright photo, 36 x 30, got",
     ),
     ("blur photo.png depth.png lens.toml -o out.png", "depth.png holds levels (uint16); say how many metres"),
-    ("blur photo.png holes.npy lens.toml -o out.png", "points; say what is there, see --missing"),
+    ("blur photo.png holes.npy lens.toml -o out.png", "points; say what is there by --missing"),
     (
         f"{BLUR} -o out.png --focus 2m --pixel 40um",
         "give a lens file or --focal-length: photo.png has none",
@@ -88,7 +88,10 @@ BAD = [
     (f"{FULL} --tol 0", "tol must be"),
     (f"{FULL} --bits float", "out.png holds 8 or 16 bits, not float32"),
     (f"{FULL} --quality 0 ", "quality must be from 1 to 100, got 0"),
-    (f"{FULL} --largest 1", "to hold 0.98 of the light; stop down, allow larger windows (--largest 3 or more)"),
+    (
+        f"{FULL} --largest 1",
+        "stop down, allow larger windows (--largest 3 or more), or ask for less of it (--energy)",
+    ),
     (f"{BLUR} lens.toml -o nowhere/out.png", "nowhere/out.png: No such file or directory"),
     (f"{BLUR} lens.toml -o taken.png", "'taken.png' is a directory"),
     (f"{PULL} --from 2m -o f-%03d.png", "Missing option '--to'"),

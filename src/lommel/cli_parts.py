@@ -99,14 +99,14 @@ def _with_options(message: str) -> str:
     names = {kind.__name__: name for name, kind in METHODS.items()}
 
     def told(found: re.Match[str]) -> str:
-        name, equals, value = found.groups()
-        option = "--" + name.replace("_", "-")
-        if option not in options or not (equals or "_" in name):
+        quoted, name, equals, value = found.groups()
+        option = "--" + (quoted or name).replace("_", "-")
+        if option not in options or not (quoted or equals or "_" in name):
             return found[0]
         return option + (" " if equals and value else "")
 
-    # What only names look like: "see missing=", "tol=1e-9", "object_distance"; not what was given as --set tol=1.
-    message = re.sub(r"(?<!--set )\b([a-z][a-z_]*)(=)?(?=([\w'])?)", told, message)
+    # What only names look like: "`missing`", "largest=", "tol=1e-9", "f_number"; not what was given as --set tol=1.
+    message = re.sub(r"`([a-z_]+)`|(?<!--set )\b([a-z][a-z_]*)(=)?(?=([\w'])?)", told, message)
     return re.sub(
         r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
     )

@@ -245,7 +245,7 @@ def _depth(depth: ArrayLike) -> NDArray[np.float64]:
     metres = distances.astype(np.float64)
     if np.isnan(metres).any():
         count = int(np.isnan(metres).sum())
-        raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there, see missing=")
+        raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
     if not np.all(metres > 0.0):
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres

@@ -80,7 +80,7 @@ def depth_of_field_of_chunks(
         low, high = dask.compute(known.min(), known.max())
         depths = (float(low), float(high))
         if math.isnan(depths[0]):
-            raise ValueError("depth is NaN at some points; say what is there, see missing=")
+            raise ValueError("depth is NaN at some points; say what is there by `missing`")
     blur = TileBlur(
         image.shape, depths, lens, pixel, encoding=encoding, missing=missing, **({"threads": 1} | options)
     )

@@ -196,7 +196,7 @@ def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, flo
         part = fill_missing(np.asarray(depth[first : first + rows]), "infinity" if missing == "infinity" else "raise")
         low, high = np.minimum(low, part.min()), np.maximum(high, part.max())
     if np.isnan(low):
-        raise ValueError("depth is NaN at some points; say what is there, see missing=")
+        raise ValueError("depth is NaN at some points; say what is there by `missing`")
     return float(low), float(high)
 
 

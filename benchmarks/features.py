@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import lommel as lm
+from benchmarks.averages import average_truth
 from benchmarks.baselines import fft
 from benchmarks.engine import engine
 from benchmarks.report import Table
@@ -66,7 +67,7 @@ def _contenders(settings: Settings) -> list[tuple[Contender, Truth]]:
         values = _slope(names[-1])
         one = engine(b, name=f"derivatives by {' and '.join(names)}", derivatives=names)
         found.append((_with(one, values), _slope_truth(names[-1])))
-    found += [(engine(aside, name="axis between pixels, `center=`"), truth(aside)), (centered, _average_truth())]
+    found += [(engine(aside, name="axis between pixels, `center=`"), truth(aside)), (centered, average_truth(b))]
     if not settings.quick:
         found.append(_polychromatic(7))
     return found
@@ -95,21 +96,6 @@ def _slope_truth(name: str) -> Truth:
         total += weight * exact(lm.Pupil(wavefront), offsets[:, None], offsets, BASE.step)
     total /= 12.0 * h
     return Truth(np.s_[:, :], total, float(np.abs(total).max()))
-
-
-def _average_truth() -> Truth:
-    """Return the averages over the middle pixel and 499 others."""
-    n = BASE.n
-    rows, columns = np.random.default_rng(1885).integers(0, n, (2, 500))
-    rows[0] = columns[0] = n // 2
-    # Most of the light is near the axis: half of the pixels judged are.
-    rows[1:250] = n // 2 + rows[1:250] % 32 - 16
-    columns[1:250] = n // 2 + columns[1:250] % 32 - 16
-    x, w = np.polynomial.legendre.leggauss(8)
-    y_at = rows[:, None, None] - n // 2 + 0.5 * x[:, None]
-    x_at = columns[:, None, None] - n // 2 + 0.5 * x
-    values = 0.25 * np.einsum("kab,a,b->k", exact(BASE.pupil(), y_at, x_at, BASE.step), w, w)
-    return Truth((rows, columns), values, float(values.max()))
 
 
 def _polychromatic(count: int) -> tuple[Contender, Truth]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 
-from benchmarks import chordal, depth, nonradial
+from benchmarks import averages, chordal, depth, nonradial
 from benchmarks import targets as t
 from benchmarks.report import Table
 from benchmarks.settings import Settings
@@ -56,6 +56,21 @@ TARGETS = [
         _PLAIN + "the distinct radii only, gathered",
         *(None, None, "x", True),
         partial(t.focus, ways=("spline", "direct")),
+    ),
+    *(
+        Target(
+            f"512², float32, pixels of {pixel:g} λN averaged, into `out`",
+            "the same window sampled",
+            *(must, aim, "", False),
+            partial(averages.over_samples, pixel=pixel),
+        )
+        for pixel, must, aim in ((0.25, 5, 2.5), (0.5, 10, 5), (1.0, 30, 18))
+    ),
+    Target(
+        "1000 of 33², float32, pixels of 3.45 µm at f/1.8 averaged, into `out`",
+        "the same stack sampled",
+        *(8, 3, "", False),
+        averages.stack_over_samples,
     ),
     *(
         Target(

@@ -20,10 +20,10 @@
 #include "lommel/images.hpp"
 #include "lommel/legendre.hpp"
 #include "lommel/means.hpp"
+#include "lommel/pixel_images.hpp"
 #include "lommel/profiles.hpp"
 #include "lommel/render.hpp"
 #include "lommel/spread.hpp"
-#include "lommel/subpixel.hpp"
 #include "lommel/watch.hpp"
 #include "lommel/zernike_images.hpp"
 
@@ -164,33 +164,6 @@ void scatter(In<double, 2> profiles, In<double, 1> scales, In<std::int32_t, 2> i
     }
 }
 
-// Intensities in double: the caller scales and casts them.
-void paint_subpixel(In<double, 1> samples, double per_step, double center_y, double center_x, In<double, 1> nodes,
-                    In<double, 1> weights, int threads, Out<double, 2> out) {
-    const std::size_t height = out.shape(0), width = out.shape(1), n = nodes.shape(0);
-    require(weights.shape(0) == n && n > 0, "one weight a node");
-    require(threads >= 0, "threads must be at least 0");
-    // Four samples around the farthest point of the image must be there.
-    double far = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double dy = std::max(std::abs(center_y - nodes.data()[i]),
-                                   std::abs(static_cast<double>(height - 1) - center_y + nodes.data()[i]));
-        const double dx = std::max(std::abs(center_x - nodes.data()[i]),
-                                   std::abs(static_cast<double>(width - 1) - center_x + nodes.data()[i]));
-        far = std::max(far, dx * dx + dy * dy);
-    }
-    require(std::isfinite(center_y) && std::isfinite(center_x), "the centre must be finite");
-    require(per_step > 0.0 && per_step * std::sqrt(far) + 4.0 < static_cast<double>(samples.shape(0)),
-            "the profile must reach beyond the corners");
-    Released nogil;
-    lommel::parallel_for(height, threads, [&](std::size_t, std::size_t y) {
-        lommel::dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            lommel::paint_subpixel(samples.data(), per_step, 1.0, center_y - static_cast<double>(y), center_x,
-                                   nodes.data(), weights.data(), n, 1, width, out.data() + y * width);
-        });
-    });
-}
-
 template <class T>
 double rendered(const lommel::Stack& stack, double step, double tol, int threads, const Out<T, 3>& images,
                 const Out<double, 1>& scales, const Out<double, 1>& bounds, const std::vector<std::size_t>& powers,
@@ -219,23 +192,106 @@ double render(In<double, 2> coefficients, double obscuration, double gaussian, d
                        nullptr);
 }
 
+std::vector<std::size_t> powers_of(const In<std::int64_t, 1>& powers) {
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < powers.shape(0); ++i) {
+        require(powers.data()[i] >= 1 && powers.data()[i] <= 64, "powers must be from 1 to 64");
+        which.push_back(static_cast<std::size_t>(powers.data()[i]));
+    }
+    return which;
+}
+
+template <class T>
+void require_slopes(std::size_t k, std::size_t n, std::size_t height, std::size_t width, const Out<T, 4>& images,
+                    const Out<double, 2>& bounds) {
+    require(images.shape(0) == k && bounds.shape(0) == k, "one derivative a power");
+    require(images.shape(1) == n && images.shape(2) == height && images.shape(3) == width && bounds.shape(1) == n,
+            "derivatives must match the images");
+}
+
 template <class T>
 double differentiate(In<double, 2> coefficients, double obscuration, double gaussian, double step, double tol, int threads,
                      Out<T, 3> images, Out<double, 1> scales, Out<double, 1> bounds, In<std::int64_t, 1> powers,
                      Out<T, 4> derivative_images, Out<double, 2> derivative_bounds) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
-    const std::size_t k = powers.shape(0);
-    require(derivative_images.shape(0) == k && derivative_bounds.shape(0) == k, "one derivative a power");
-    require(derivative_images.shape(1) == stack.count && derivative_images.shape(2) == images.shape(1) &&
-                derivative_images.shape(3) == images.shape(2) && derivative_bounds.shape(1) == stack.count,
-            "derivatives must match the images");
-    std::vector<std::size_t> which;
-    for (std::size_t i = 0; i < k; ++i) {
-        require(powers.data()[i] >= 1 && powers.data()[i] <= 64, "powers must be from 1 to 64");
-        which.push_back(static_cast<std::size_t>(powers.data()[i]));
-    }
+    const std::vector<std::size_t> which = powers_of(powers);
+    require_slopes(which.size(), stack.count, images.shape(1), images.shape(2), derivative_images, derivative_bounds);
     return rendered<T>(stack, step, tol, threads, images, scales, bounds, which, derivative_images.data(),
                        derivative_bounds.data());
+}
+
+lommel::PixelWindow window_of(std::size_t height, std::size_t width, double center_y, double center_x, double step,
+                              bool integrate) {
+    require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
+    require(std::abs(center_y) <= 1e6 && std::abs(center_x) <= 1e6, "the centre must be within 1e6 pixels");
+    require(step > 0.0 && step <= 1e7, "step must be above 0, and 1e7 at most");
+    return {height, width, center_y, center_x, step, integrate};
+}
+
+int level_of(int level) {
+    require(level >= 1 && level <= 15, "level must be from 1 to 15");
+    return level;
+}
+
+// Returns 0, or the bound on the error where the tolerance cannot be met.
+template <class T>
+double render_pixels(In<double, 2> coefficients, double obscuration, double gaussian, double center_y, double center_x,
+                     double step, bool integrate, double tol, int threads, Out<T, 3> images, Out<double, 1> scales,
+                     Out<double, 1> bounds, Out<double, 1> peaks, In<std::int64_t, 1> powers, Out<T, 4> derivative_images,
+                     Out<double, 2> derivative_bounds) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
+    const std::size_t n = stack.count, k = powers.shape(0), height = images.shape(1), width = images.shape(2);
+    const lommel::PixelWindow window = window_of(height, width, center_y, center_x, step, integrate);
+    require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n && peaks.shape(0) == n,
+            "one image, scale, bound and peak a pupil");
+    require(tol > 0.0 && threads >= 0, "tol must be positive, threads at least 0");
+    const std::vector<std::size_t> which = powers_of(powers);
+    require_slopes(k, n, height, width, derivative_images, derivative_bounds);
+    Released nogil;
+    try {
+        lommel::PixelRenderer<T>(stack, window, tol, threads,
+                                 {images.data(), scales.data(), bounds.data(), which.data(), k, derivative_images.data(),
+                                  derivative_bounds.data()},
+                                 peaks.data())
+            .run();
+    } catch (const lommel::ToleranceNotMet& failure) {
+        return failure.bound;
+    }
+    return 0.0;
+}
+
+// The radii where I is wanted, and what becomes of its errors.
+std::tuple<Out<double, 1>, double, double, double, double> pixel_radii(std::size_t height, std::size_t width, double center_y,
+                                                               double center_x, double step, bool integrate, int level,
+                                                               int threads) {
+    const lommel::PixelWindow window = window_of(height, width, center_y, center_x, step, integrate);
+    require(threads >= 0, "threads must be at least 0");
+    std::shared_ptr<const lommel::PixelTable> table;
+    {
+        Released nogil;
+        table = lommel::PixelTable::get(window, level_of(level), threads);
+    }
+    auto radii = new_array<double, 1>({table->count});
+    std::copy_n(table->radii.data(), table->count, radii.data());
+    return {radii, table->error, table->of_nodes, table->of_grid, table->rounding};
+}
+
+Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double center_x, double step, bool integrate, int level,
+                            int threads, Out<double, 3> out) {
+    const std::size_t n = out.shape(0), height = out.shape(1), width = out.shape(2);
+    const lommel::PixelWindow window = window_of(height, width, center_y, center_x, step, integrate);
+    require(profiles.shape(0) == n && threads >= 0, "one profile an image, threads at least 0");
+    auto penalties = new_array<double, 1>({n});
+    Released nogil;
+    const auto table = lommel::PixelTable::get(window, level_of(level), threads);
+    require(profiles.shape(1) == table->count, "profiles must be at the radii of the window");
+    lommel::WindowValues made;
+    for (std::size_t i = 0; i < n; ++i) {
+        made.make(*table, profiles.data() + i * table->count, threads);
+        table->groups.paint(made.values.data(), 0, table->groups.rows.distances.size(), out.data() + i * height * width);
+        penalties.data()[i] = made.penalty;
+    }
+    return penalties;
 }
 
 // Returns 0, or the bound on the error where the tolerance cannot be met.
@@ -541,9 +597,26 @@ NB_MODULE(_core, m) {
     m.def("chordal", &chordal<double>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
           "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert());
-    m.def("paint_subpixel", &paint_subpixel, "samples"_a, "per_step"_a, "center_y"_a, "center_x"_a, "nodes"_a,
-          "weights"_a, "threads"_a, "out"_a.noconvert(),
-          "Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.");
+    m.def("render_pixels", &render_pixels<float>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "center_y"_a, "center_x"_a,
+          "step"_a, "integrate"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+          "bounds"_a.noconvert(), "peaks"_a.noconvert(), "powers"_a, "derivative_images"_a.noconvert(),
+          "derivative_bounds"_a.noconvert(), "differentiate() of pixels that average, or around an axis anywhere.");
+    m.def("render_pixels", &render_pixels<double>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
+          "center_x"_a, "step"_a, "integrate"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+          "bounds"_a.noconvert(), "peaks"_a.noconvert(), "powers"_a, "derivative_images"_a.noconvert(),
+          "derivative_bounds"_a.noconvert());
+    m.def("pixel_radii", &pixel_radii, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
+          "threads"_a,
+          "Rising v that the pixels of a window take, the error of the pixels over half the range of I, what errors are "
+          "multiplied by at these radii and between the places of harmonics, and roundings over the largest I.");
+    m.def("pixel_values", &pixel_values, "profiles"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
+          "threads"_a, "out"_a.noconvert(), "Pixels of windows from profiles at pixel_radii(); returns further roundings.");
+    m.def("interpolation_error", &lommel::interpolation_error, "half"_a, "points"_a,
+          "Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.");
+    m.def("gauss_error", &lommel::gauss_error, "side"_a, "points"_a,
+          "Bound on averaging it over a square by points x points of Gauss and Legendre, over half its range.");
+    m.def("harmonics_error", &lommel::harmonics_error, "side"_a, "angles"_a,
+          "Bound on interpolating the average over a square at so many angles, over half the range.");
     m.def("field", &field, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
     m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a,
           "I at rising v, bounds on its error over the peak, negative where tol cannot be met, and the peaks.");

@@ -199,7 +199,6 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
     profiles = np.ascontiguousarray(np.tile(np.sqrt(squares), (max(1, 12 // scale), 1)))
     pupils = np.ascontiguousarray(np.linspace([-90.0, 0.0], [90.0, 50.0], max(1, 200 // scale)))
     far = np.linspace(0.0, 64.0, 400_000 // scale)
-    uniform = np.exp(-np.arange(3000.0) / 500)
     sources, points = np.linspace(-1e-3, 1e-3, 4000), np.linspace(0.0, 1e-5, 400 // scale)
 
     def scatter() -> NDArray[np.float32]:
@@ -213,9 +212,20 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
         _core.render(pupils, 0.0, 0.0, 1.0, 1e-6, 2, out, np.ones(n), np.empty(n))
         return out
 
-    def paint() -> NDArray[np.float64]:
-        out = np.empty((1600 // scale, 1200))
-        _core.paint_subpixel(uniform, 1.0, 100.5, 77.7, np.linspace(-0.4, 0.4, 3), np.ones(3), 2, out)
+    def pixels() -> NDArray[np.float32]:
+        n = max(1, len(pupils) // 4)
+        out = np.empty((n, 300, 301), np.float32)
+        slopes, none = np.empty((0, n, 300, 301), np.float32), np.empty(0, np.int64)
+        place = (150.0, 150.0 / scale, 0.7, True, 1e-6, 2)
+        parts = np.ones(n), np.empty(n), np.empty(n)
+        _core.render_pixels(pupils[:n], 0.0, 0.0, *place, out, *parts, none, slopes, np.empty((0, n)))
+        return out
+
+    def averages() -> NDArray[np.float64]:
+        place = (100.5, 77.7, 0.7, True, 8, 2)
+        v = _core.pixel_radii(1600 // scale, 300, *place)[0]
+        out = np.empty((1, 1600 // scale, 300))
+        _core.pixel_values(np.exp(-v / 500)[None], *place, out)
         return out
 
     return {
@@ -227,7 +237,8 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
         "render": render,
         "field": lambda: _core.field(pupils, 0.3, 0.5, far, 1e-6)[0][0],
         "profile": lambda: _core.profile(pupils, 0.3, 0.5, far, 1e-6)[0][0],
-        "paint_subpixel": paint,
+        "render_pixels": pixels,
+        "pixel_values": averages,
         "huygens_sum": lambda: _core.huygens_sum(sources, sources, np.exp(1e4j * sources), points, points, 0.1, 1e7),
     }
 

@@ -13,9 +13,9 @@
 #include "lommel/chordal.hpp"
 #include "lommel/huygens.hpp"
 #include "lommel/images.hpp"
+#include "lommel/pixel_images.hpp"
 #include "lommel/profiles.hpp"
 #include "lommel/spread.hpp"
-#include "lommel/subpixel.hpp"
 #include "lommel/zernike_images.hpp"
 
 #include "check.hpp"
@@ -263,17 +263,48 @@ void every_path_of_the_spreader(unsigned seed) {
     }
 }
 
-void pixels_off_the_grid_read_nothing_beyond_the_profile() {
-    const double h = 0.25;
-    std::vector<double> profile;
-    for (int i = -1; i < 60; ++i) {
-        profile.push_back(std::exp(-0.01 * h * h * i * i));
+// Windows of every kind: the pixels themselves, one ring, rings with and without harmonics; one pupil, and stacks.
+template <class T>
+void pixels_around_any_axis(std::mt19937& random) {
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    struct Case {
+        std::size_t height, width, count;
+        double row, column, step;
+        bool integrate;
+    };
+    for (const Case& c : {Case{9, 7, 1, 3.3, -40.4, 0.4, false}, Case{33, 33, 6, 16, 16, 9.0, true},
+                          Case{150, 90, 1, 75, 45, 0.5, true}, Case{60, 90, 5, 20.5, 30.5, 1.6, true},
+                          Case{80, 120, 1, -9.25, 60.0, 0.3, false}, Case{1, 1, 4, 0.0, 0.0, 2.0, true},
+                          Case{40, 41, 1, 20, 20, 25.0, true}}) {
+        const std::size_t pixels = c.height * c.width;
+        std::vector<double> coefficients(2 * c.count), scales(c.count, share(random) < 0.5 ? 0.0 : 1.0), bounds(c.count),
+            peaks(c.count), slope_bounds(2 * c.count);
+        for (double& x : coefficients) {
+            x = 20.0 * share(random) - 10.0;
+        }
+        std::vector<T> images(pixels * c.count), slopes(2 * pixels * c.count);
+        const std::size_t powers[2] = {1, 3};
+        const double obscuration = c.count == 1 ? 0.3 : 0.0;
+        const std::size_t derivatives = scales[0] > 0.0 && c.count < 6 ? 2 : 0;
+        lommel::PixelRenderer<T>({coefficients.data(), c.count, 2, obscuration, 0.5},
+                                 {c.height, c.width, c.row, c.column, c.step, c.integrate}, 1e-5, 2,
+                                 {images.data(), scales.data(), bounds.data(), powers, derivatives, slopes.data(),
+                                  slope_bounds.data()},
+                                 peaks.data())
+            .run();
+        for (std::size_t i = 0; i < c.count; ++i) {
+            check(bounds[i] > 0.0 && bounds[i] <= 1e-5, "bound of averages", bounds[i]);
+            const double top = static_cast<double>(*std::max_element(images.begin() + static_cast<std::ptrdiff_t>(i * pixels),
+                                                                     images.begin() + static_cast<std::ptrdiff_t>((i + 1) * pixels)));
+            check(top <= 1.0 + 1e-6 && top > 0.0, "largest average", top);
+        }
     }
-    const double node = 0.0, weight = 1.0;
-    std::vector<double> out(9 * 7);
-    lommel::paint_subpixel(profile.data(), 1.0 / h, 1.0, 3.3, 4.4, &node, &weight, 1, 9, 7, out.data());
-    const double exact = std::exp(-0.01 * (3.3 * 3.3 + 4.4 * 4.4));
-    check(std::abs(out[0] - exact) < 1e-6, "interpolated pixel", out[0] - exact);
+}
+
+void every_kind_of_pixel(unsigned seed) {
+    std::mt19937 random(seed);
+    pixels_around_any_axis<float>(random);
+    pixels_around_any_axis<double>(random);
 }
 
 void huygens_sum_of_one_source() {
@@ -289,11 +320,11 @@ void huygens_sum_of_one_source() {
 int main() {
     lommel::work_per_thread() = 1e-3;
     bessel_functions_agree_with_the_standard_library();
-    pixels_off_the_grid_read_nothing_beyond_the_profile();
     huygens_sum_of_one_source();
     for (const lommel::Level level : {lommel::Level::portable, lommel::Level::avx2, lommel::Level::avx512}) {
         lommel::level_limit() = level;
         every_path_of_the_engine(1);
+        every_kind_of_pixel(1);
         every_path_of_the_chordal_rule(1);
         every_path_of_the_spreader(1);
     }
@@ -301,6 +332,7 @@ int main() {
     for (unsigned seed = 2; seed < 6; ++seed) {
         callers.emplace_back(seed % 2 == 0 ? every_path_of_the_engine : every_path_of_the_chordal_rule, seed);
         callers.emplace_back(every_path_of_the_spreader, seed);
+        callers.emplace_back(every_kind_of_pixel, seed);
     }
     for (std::thread& caller : callers) {
         caller.join();

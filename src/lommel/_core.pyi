@@ -65,9 +65,36 @@ def chordal(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), orde
 @overload
 def chordal(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, center_y: float, center_x: float, step: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float: ...
 
-def paint_subpixel(samples: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], per_step: float, center_y: float, center_x: float, nodes: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> None:
+@overload
+def render_pixels(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, center_y: float, center_x: float, step: float, integrate: bool, tol: float, threads: int, images: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], peaks: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], powers: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], derivative_images: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None, None), order='C', device='cpu')], derivative_bounds: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float:
+    """differentiate() of pixels that average, or around an axis anywhere."""
+
+@overload
+def render_pixels(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, center_y: float, center_x: float, step: float, integrate: bool, tol: float, threads: int, images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], peaks: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], powers: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], derivative_images: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None, None), order='C', device='cpu')], derivative_bounds: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float: ...
+
+def pixel_radii(height: int, width: int, center_y: float, center_x: float, step: float, integrate: bool, level: int, threads: int) -> tuple[Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], float, float, float, float]:
     """
-    Pixels as weighted sums of a profile sampled at (i - 1) / per_step pixels.
+    Rising v that the pixels of a window take, the error of the pixels over half the range of I, what errors are multiplied by at these radii and between the places of harmonics, and roundings over the largest I.
+    """
+
+def pixel_values(profiles: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], center_y: float, center_x: float, step: float, integrate: bool, level: int, threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')]) -> Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]:
+    """
+    Pixels of windows from profiles at pixel_radii(); returns further roundings.
+    """
+
+def interpolation_error(half: float, points: int) -> float:
+    """
+    Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.
+    """
+
+def gauss_error(side: float, points: int) -> float:
+    """
+    Bound on averaging it over a square by points x points of Gauss and Legendre, over half its range.
+    """
+
+def harmonics_error(side: float, angles: int) -> float:
+    """
+    Bound on interpolating the average over a square at so many angles, over half the range.
     """
 
 def field(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, v: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], tol: float) -> tuple[Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]]:

@@ -15,12 +15,12 @@
 namespace lommel {
 
 struct RadiusTable {
-    std::shared_ptr<const Layout> layout;  // keeps the key alive
+    std::shared_ptr<const Radii> layout;  // keeps the key alive
     double step;
     std::size_t terms, stride;
     Doubles rows;  // [n][radius], rows padded to two of the widest vectors
 
-    RadiusTable(const std::shared_ptr<const Layout>& l, double pixel_step, std::size_t n)
+    RadiusTable(const std::shared_ptr<const Radii>& l, double pixel_step, std::size_t n)
         : layout(l), step(pixel_step), terms(n), stride((l->count + 15) / 16 * 16),
           rows(terms * stride) {
         std::vector<double> values(terms), scratch;
@@ -33,14 +33,14 @@ struct RadiusTable {
         }
     }
 
-    bool is(const std::shared_ptr<const Layout>& l, double pixel_step, std::size_t n) const {
+    bool is(const std::shared_ptr<const Radii>& l, double pixel_step, std::size_t n) const {
         return layout == l && step == pixel_step && terms >= n;
     }
     std::size_t bytes() const { return sizeof(double) * rows.size(); }
 
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
     // With terms rounded up, so that a little more defocus does not mean a new table.
-    static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Layout>& layout, double step,
+    static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Radii>& layout, double step,
                                                   std::size_t terms) {
         return cache<RadiusTable>.get(layout, step, (terms + 7) / 8 * 8);
     }

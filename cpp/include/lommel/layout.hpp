@@ -12,11 +12,16 @@
 
 namespace lommel {
 
-struct Layout {
+// Radii, rising; padded so that the widest kernel can read anywhere. In units of their own.
+struct Radii {
+    Doubles radii;
+    std::size_t count = 0;  // radii that are not padding
+    double reach() const { return radii.back(); }
+};
+
+struct Layout : Radii {  // distinct radii in pixels
     std::size_t height, width;
     std::vector<std::int32_t> index;  // quadrant, (height / 2 + 1) x (width / 2 + 1): rank of each pixel's radius
-    Doubles radii;        // distinct radii in pixels, rising; padded so that eight can be read anywhere
-    std::size_t count;                // radii that are not padding
 
     Layout(std::size_t h, std::size_t w) : height(h), width(w), index((h / 2 + 1) * (w / 2 + 1)) {
         const std::vector<std::int64_t> squares = distinct_radii(h / 2, w / 2, index.data());
@@ -29,7 +34,6 @@ struct Layout {
 
     static constexpr std::size_t padding = widest_step;
     std::size_t bytes() const { return sizeof(double) * radii.size() + sizeof(std::int32_t) * index.size(); }
-    double reach() const { return radii.back(); }
 
     bool is(std::size_t h, std::size_t w) const { return height == h && width == w; }
 

@@ -148,6 +148,10 @@ class ClosedForm(FieldMethod):
                 return cls(tangent=tangent, erf=AbramowitzErf(terms), **options)
         return cls(tangent=tangent, erf=FresnelErf(), **options)
 
+    def stretch(self, pupil: Pupil) -> float:
+        """Return 8: the form changes at `transition` and where its pieces meet, and is band-limited nowhere."""
+        return 8.0
+
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return None: every pupil is supported."""
         return None

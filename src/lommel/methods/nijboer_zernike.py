@@ -103,8 +103,11 @@ class NijboerZernike(FieldMethod):
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
-        if pupil.radial:
+        if pupil.radial and grid.symmetric:
             return super().intensity(pupil, grid, threads)
+        if pupil.radial:
+            images, peaks = self._pixel_images(pupil, grid, 1.0, np.float64, None, (), threads)
+            return Intensities(images.values, images.error, peaks)
         sample = self._sample(threads)
         if grid.integrate:
             return averaged(sample, pupil, grid, self.tol, normalize=False)
@@ -126,9 +129,7 @@ class NijboerZernike(FieldMethod):
         if not pupil.radial:
             return self._nonradial_images(pupil, grid, scale, dtype, out, powers, threads)
         if not grid.symmetric:
-            if powers:
-                raise ValueError("derivatives are available of samples on the centred grid only")
-            return super().images(pupil, grid, scale, dtype, out=out, threads=threads)
+            return self._pixel_images(pupil, grid, scale, dtype, out, powers, threads)[0]
         coefficients = pupil.coefficients()
         n, shape = len(coefficients), grid.shape
         values = np.empty((n, *shape), dtype) if out is None else out
@@ -153,6 +154,47 @@ class NijboerZernike(FieldMethod):
             if unmet:
                 raise self._not_met(unmet)
         return Images(values, scales, bounds, slopes)
+
+    def _pixel_images(
+        self,
+        pupil: Pupil,
+        grid: Grid,
+        scale: float | None,
+        dtype: DTypeLike,
+        out: NDArray[Any] | None,
+        powers: tuple[int, ...],
+        threads: int,
+    ) -> tuple[Images, NDArray[np.float64]]:
+        """Return images of pixels that average, or around an axis anywhere, and what their bounds are related to."""
+        coefficients = pupil.coefficients()
+        n, k = len(coefficients), len(powers)
+        values = np.empty((n, *grid.shape), dtype) if out is None else out
+        scales, bounds, peaks = np.full(n, 0.0 if scale is None else scale), np.empty(n), np.empty(n)
+        slopes = Slopes(np.empty((k, n, *grid.shape), dtype), np.empty((k, n)))
+        block = max(1, _BLOCK // (grid.height * grid.width))
+        for first in range(0, n, block):
+            part = slice(first, first + block)
+            own = Slopes(np.empty((k, len(scales[part]), *grid.shape), dtype), np.empty((k, len(scales[part]))))
+            unmet = _core.render_pixels(
+                coefficients[part],
+                pupil.obscuration,
+                pupil.apodization,
+                *grid.center,
+                grid.step(pupil),
+                grid.integrate,
+                self.tol,
+                threads,
+                values[part],
+                scales[part],
+                bounds[part],
+                peaks[part],
+                np.array(powers, dtype=np.int64),
+                *own,
+            )
+            if unmet:
+                raise not_met(self.tol, unmet, "the largest value in the window" if scale is None else "the peak")
+            slopes.values[:, part], slopes.error[:, part] = own
+        return Images(values, scales, bounds, slopes if powers else None), peaks
 
     def _nonradial_images(
         self,

@@ -132,14 +132,30 @@ class Polychromatic(RadialMethod):
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
         for halvings in range(8):
-            made = _summed(
-                (share * scale**2, self._way(part, grid, halvings).intensity(part, grid, threads))
-                for share, scale, part in self.parts(pupil)
-            )
+            made = self._sum(pupil, grid, threads, halvings)
             # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
             if made.error is None or made.error.max() <= self.tol:
                 break
         return self._proven(made)
+
+    def window_intensity(self, pupil: Pupil, grid: Grid, threads: int, tol: float) -> Intensities:
+        """Return the sum on the pixels of `grid`, to `tol` of the largest value in the window."""
+        for halvings in range(12):
+            made = self._sum(pupil, grid, threads, halvings)
+            if made.error is None or made.peak is None:
+                return made
+            off = made.error * made.peak
+            least = made.values.max(axis=(1, 2)) - off
+            relative = np.divide(off, least, out=np.full(off.shape, np.inf), where=least > 0)
+            if relative.max() <= tol:
+                return Intensities(made.values, relative, least)
+        raise not_met(self.tol, float(relative.max()), "the largest value in the window")
+
+    def _sum(self, pupil: Pupil, grid: Grid, threads: int, halvings: int) -> Intensities:
+        return _summed(
+            (share * scale**2, self._way(part, grid, halvings).intensity(part, grid, threads))
+            for share, scale, part in self.parts(pupil)
+        )
 
     def _way(self, part: Pupil, grid: Grid, halvings: int) -> Method:
         way = choose(part, grid) if self.method is None else self.method

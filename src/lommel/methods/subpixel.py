@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,93 +16,141 @@ from lommel.special.legendre import gauss_legendre
 if TYPE_CHECKING:
     from lommel.methods.method import Intensities, RadialMethod
 
-_MAX_SAMPLES = 2**26
-_MAX_WORK = 10**11
+_ROUNDOFF = 2.0**-53
+_LEVELS = range(3, 16)  # errors of 10^-level that tables of the compiled core may have
+_USUAL = 10
+_SCAN = 512
 
 
-def subpixel_intensity(method: RadialMethod, pupil: Pupil, grid: Grid, threads: int) -> Intensities:
-    r"""Return I at, or averaged over, each pixel, shape ``(n, height, width)``.
+class _Values(NamedTuple):
+    """Values of pixels, and the parts of the bound on their error; None where the method has none."""
 
-    Averages are Gauss-Legendre sums. The profile is evaluated at each point, or tabulated at a uniform step h and
-    interpolated by cubics where that takes fewer evaluations. I is
-    band-limited (of exponential type 2 in v, and U of type 1 with ``|U| <= 1 - eps^2``), so
-    ``|I^(k)| <= 2^(k-1) (1 - eps^2)^2`` (Bernstein): the cubic errs by ``3 h^4 / 16`` of that square, the q-point
-    average over a pixel of width a by ``a^(2q) (q!)^4 2^(2q-1) / ((2q+1) ((2q)!)^3)`` of it along each axis.
+    values: NDArray[np.float64]
+    given: NDArray[np.float64] | None
+    added: NDArray[np.float64]
+
+
+def subpixel_intensity(
+    method: RadialMethod, pupil: Pupil, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
+) -> Intensities:
+    r"""Return I at, or averaged over, each pixel, shape ``(n, height, width)``, from profiles of a method.
+
+    Every value is a weighted sum of I at few radii; the weights depend on the window only, and the core keeps
+    them. I is band-limited (of exponential type 2 in v) and within half its largest value of a constant, which bounds
+    what the sums are off by; see section 9 of docs/certificate.md.
+
+    Parameters
+    ----------
+    method, pupil, grid, threads
+    tol : float, optional
+        What the bound should not exceed, by default the tolerance of the method.
+    window : bool, default False
+        Relate the error to the largest value in the window, not to the largest over the plane.
+
+    Returns
+    -------
+    Intensities
+        Its `peak` is what the largest value is at least.
+
+    Raises
+    ------
+    ToleranceError
+        If the bound cannot be brought below `tol`. A method whose tolerance is no contract is carried on without loss
+        instead.
     """
-    from lommel.methods.method import Intensities
+    from lommel.methods.method import Intensities, ToleranceError
 
-    finer = method.tightened()
-    step = grid.step(pupil)
-    # A centred image is four times its quadrant, whose first pixel has the axis in its middle.
-    shape = (grid.height // 2 + 1, grid.width // 2 + 1) if grid.centered else grid.shape
-    center = (0.0, 0.0) if grid.centered else grid.center
-    half = 0.5 if grid.integrate else 0.0
-    far = math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in zip(center, shape, strict=True)))
-    images, errors = [], []
-    for one in [pupil] if pupil.shape == () else [pupil[index] for index in np.ndindex(pupil.shape)]:
-        image, error = _one(method, finer, one, step, shape, center, far, grid.integrate, threads)
-        images.append(grid.unfold(image) if grid.centered else image)
-        errors.append(error)
-    bounds = None if any(e is None for e in errors) else np.array(errors, dtype=np.float64)
-    return Intensities(np.stack(images), bounds)
-
-
-def _one(
-    method: RadialMethod,
-    finer: RadialMethod,
-    pupil: Pupil,
-    step: float,
-    shape: tuple[int, int],
-    center: tuple[float, float],
-    far: float,
-    integrate: bool,
-    threads: int,
-) -> tuple[NDArray[np.float64], float | None]:
-    from lommel.methods.method import ToleranceError
-
-    ceiling = pupil.area**2
-    # A first look at how bright the window is; the answer is checked against what it turns out to be.
-    look = finer.profile(pupil, np.linspace(0.0, far * step, 257)).values[0]
-    bright = float(look.mean() if integrate else look.max())
-    for _ in range(8):
-        budget = 0.1 * method.tol * bright / ceiling
-        spacing = (16.0 / 3.0 * budget) ** 0.25
-        nodes = pixel_nodes(step, budget) if integrate else 1
-        x, w = gauss_legendre(nodes, -0.5, 0.5) if integrate else (np.zeros(1), np.ones(1))
-        count = math.ceil(far * step / spacing) + 6
-        work = shape[0] * shape[1] * nodes**2
-        image = np.empty(shape)
-        tabulated = count < work
-        if min(count, work) > _MAX_SAMPLES or work > _MAX_WORK:
-            raise ValueError(
-                f"pixels of v = {step:.3g} to {method.tol:g} take {min(count, work):.2g} radii and {work:.2g} "
-                f"interpolations, more than the limits of {_MAX_SAMPLES} and {_MAX_WORK:.0g}"
+    allowed, finer = method.tol if tol is None else tol, method
+    level = _level(0.2 * allowed * _likely_value(pupil, grid) / (0.5 * method.unaberrated_peak(pupil)))
+    if method.profile(pupil, np.zeros(1)).error is None:
+        level = _USUAL  # whatever the stack
+    elsewhere, looked = np.zeros(math.prod(pupil.shape)), window
+    while True:
+        made = _values(finer, pupil, grid, level, threads)
+        top = made.values.max(axis=(1, 2))
+        if made.given is None:
+            return Intensities(made.values, None, top)
+        error = made.given + made.added
+        peak = np.maximum(top - error, elsewhere)
+        if not looked and np.any(error > allowed * peak):
+            elsewhere, looked = _peak_at_least(finer, pupil, grid, level, threads), True
+            peak = np.maximum(peak, elsewhere)
+        relative = np.divide(error, peak, out=np.full(peak.shape, np.inf), where=peak > 1e-300)
+        worst = int(relative.argmax())
+        room = 0.2 * allowed * max(float(top[worst]), float(elsewhere[worst]), 1e-3 * float(error[worst]))
+        before = level, finer
+        if made.added[worst] > room:
+            level = max(level, min(_LEVELS[-1], level + math.ceil(math.log10(made.added[worst] / room))))
+        if made.given[worst] > room:
+            finer = _finer(finer, method)
+        stuck = (level, finer) == before
+        if relative[worst] <= allowed or (stuck and not method.keeps_tol):
+            return Intensities(made.values, relative, peak)
+        if stuck:
+            raise ToleranceError(
+                f"tol={method.tol:g} cannot be met: the error is bounded by {relative[worst]:.2g} of the "
+                f"{'largest value in the window' if window else 'peak'}"
             )
-        if tabulated:
-            profile = finer.profile(pupil, spacing * np.arange(count))
-            samples = np.concatenate([profile.values[0, 1:2], profile.values[0]])
-            _core.paint_subpixel(samples, step / spacing, *center, x, w, threads, image)
-        else:
-            y_at = (np.arange(shape[0]) - center[0])[:, None] + x
-            x_at = (np.arange(shape[1]) - center[1])[:, None] + x
-            radii = np.hypot(y_at[:, None, :, None], x_at[None, :, None, :])
-            v, where = np.unique(step * radii.ravel(), return_inverse=True)
-            profile = finer.profile(pupil, v)
-            image[:] = np.einsum("yxab,a,b->yx", profile.values[0][where].reshape(radii.shape), w, w)
-        if profile.error is None:
-            return image, None
-        top = float(profile.values.max() if profile.peak is None else profile.peak[0])
-        # Cubic interpolation magnifies the errors of the samples by 1.25 at most.
-        given = float(profile.error[0]) * top * (1.25 if tabulated else 1.0)
-        added = 3.0 / 16.0 * spacing**4 * ceiling if tabulated else 0.0
-        added += 2.0 * pixel_error(step, nodes) * ceiling if integrate else 0.0
-        bound = (given + added) / float(image.max())
-        # A method whose tolerance is no contract on the intensity is carried on without loss.
-        if bound <= method.tol or (not method.keeps_tol and added <= given):
-            return image, bound
-        bright *= 0.1
-        finer = finer.tightened().tightened().tightened()
-    raise ToleranceError(f"tol={method.tol:g} cannot be met: the bound on the error stays at {bound:.2g} of the peak")
+
+
+def _values(method: RadialMethod, pupil: Pupil, grid: Grid, level: int, threads: int) -> _Values:
+    # What varies faster than I is I of a larger window.
+    faster, ceiling = method.stretch(pupil), method.unaberrated_peak(pupil)
+    row, column = grid.center
+    step = faster * grid.step(pupil)
+    v, error, of_nodes, of_grid, rounding = _core.pixel_radii(
+        grid.height, grid.width, row, column, step, grid.integrate, level, threads
+    )
+    profile = method.profile(pupil, v / faster)
+    values = np.empty((len(profile.values), *grid.shape))
+    penalties = _core.pixel_values(
+        np.ascontiguousarray(profile.values), row, column, step, grid.integrate, level, threads, values
+    )
+    size = profile.values.max(axis=1)
+    # |I'| = 2 |U| |U'|, and |U'| < 1/2; radii, places in a pixel and pixels are off by a few roundings each.
+    slope = np.sqrt(of_nodes * size * max(1.0, ceiling))
+    places = float(v[-1]) * slope * (3.0 * of_grid * of_nodes + 6.0 * of_grid + 4.0)
+    added = 0.5 * ceiling * error + _ROUNDOFF * (rounding * size + penalties + places)
+    if profile.error is None:
+        return _Values(values, None, added)
+    peak = size if profile.peak is None else profile.peak
+    return _Values(values, of_grid * of_nodes * profile.error * peak, added)
+
+
+def _likely_value(pupil: Pupil, grid: Grid) -> float:
+    """Return what the largest value may be: the peak of I or, of pixels that hold all light, its average."""
+    size = float(np.abs(pupil.coefficients()).sum(axis=1).max())
+    side = grid.step(pupil) if grid.integrate else 0.0
+    peak = (pupil.amplitude / (1.0 + 2.0 * size)) ** 2
+    return 1.0 / (1.0 / peak + side**2 / (4.0 * math.pi * pupil.transmission))
+
+
+def _level(error: float) -> int:
+    return min(max(math.ceil(-math.log10(error)), _LEVELS[0]), _LEVELS[-1])
+
+
+def _finer(method: RadialMethod, asked: RadialMethod) -> RadialMethod:
+    """Return a method with about a tenth of the tolerance, or the same where there is none."""
+    for _ in range(3):
+        try:
+            method = method.tightened()
+        except ValueError:  # its least tolerance
+            break
+    return method if method.tol >= 1e-5 * asked.tol else asked
+
+
+def _peak_at_least(method: RadialMethod, pupil: Pupil, grid: Grid, level: int, threads: int) -> NDArray[np.float64]:
+    """Return what the largest value over the plane is at least: a window may miss the peak.
+
+    Looks at pixels on a line from the axis to where the last rays arrive.
+    """
+    blur = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
+    pixel = grid.pixel if grid.integrate else blur / _SCAN / grid.step(pupil) * grid.pixel
+    count = min(_SCAN, math.ceil(blur / (grid.step(pupil) * pixel / grid.pixel))) + 1
+    line = Grid((1, count), pixel, center=(0.0, 0.0), integrate=grid.integrate)
+    made = _values(method, pupil, line, level, threads)
+    assert made.given is not None
+    return np.asarray(made.values.max(axis=(1, 2)) - made.given - made.added)
 
 
 def gauss_pixel(width: float, error: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -116,15 +164,8 @@ def gauss_pixel(width: float, error: float) -> tuple[NDArray[np.float64], NDArra
 
 def pixel_error(width: float, nodes: int) -> float:
     """Bound the error of the q-point average over a pixel of `width` in v, along one axis, over sup|U|^2."""
-    q = nodes
-    logarithm = (
-        2 * q * math.log(width)
-        + 4 * math.lgamma(q + 1)
-        + (2 * q - 1) * math.log(2.0)
-        - math.log(2 * q + 1)
-        - 3 * math.lgamma(2 * q + 1)
-    )
-    return math.exp(min(logarithm, 700.0))
+    # The core bounds both axes, over half the range of I.
+    return 0.25 * _core.gauss_error(width, nodes)
 
 
 def pixel_nodes(width: float, error: float) -> int:

@@ -70,6 +70,13 @@ def test_an_error_bound_that_is_none_is_not_taken_from_a_file(bound):
         read(bound)
 
 
+def test_scales_of_other_pupils_are_not_taken_from_a_file():
+    answer = lm.psf(lm.Pupil(), 9, 0.5)
+    arrays, description = {"values": answer.values}, files.describe(answer) | {"scale": [1.0, 2.0]}
+    with pytest.raises(ValueError, match=r"scales of \(2,\) for pupils of \(\)"):
+        files.rebuild(arrays, files.sealed(description, arrays))
+
+
 def test_a_wavefront_divided_by_nothing_says_so():
     with pytest.raises(ValueError, match="divisor must not be 0"):
         lm.Wavefront(1.0) / 0

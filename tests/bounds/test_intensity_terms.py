@@ -163,6 +163,14 @@ def test_errors_are_tightened_as_far_as_rounding_allows(tol):
     assert 1.0 / answer.scale == pytest.approx(exact**2, rel=tol)
 
 
+def test_pupils_of_a_stack_whose_bound_is_too_weak_are_done_again():
+    defocus = np.array([1.0, 3 * math.pi * 1.001, 2.0, 3 * math.pi * 1.0001])
+    pupil, method = lm.Pupil(lm.Wavefront(defocus)), lm.NijboerZernike(1e-7)
+    answer = lm.psf(pupil, 1, 0.5, method=method, normalize="peak", dtype=np.float64)
+    assert answer.error_bound <= 1e-7
+    assert 1.0 / answer.scale == pytest.approx(np.sinc(defocus / math.pi) ** 2, rel=1e-7)
+
+
 def test_what_rounding_does_not_allow_is_refused():
     with pytest.raises(lm.ToleranceError, match="tol=1e-12 cannot be met"):
         lm.psf(lm.Pupil(lm.Wavefront(400.0, 200.0)), 9, 0.5, method=lm.NijboerZernike(1e-12))

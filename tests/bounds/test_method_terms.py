@@ -11,9 +11,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import lommel as lm
+from lommel import _core
 from lommel.methods import bounds
 from lommel.methods.averaging import Rendered, averaged, filtered_by, least_average
-from lommel.methods.method import Intensities
+from lommel.methods.method import Intensities, stored
 from lommel.methods.subpixel import gauss_pixel, pixel_error, pixel_nodes
 from lommel.opening import degree_needed
 from lommel.special.legendre import gauss_legendre
@@ -171,6 +172,12 @@ def test_a_spectrum_adds_the_errors_of_its_parts_by_their_weight():
     assert found.error[0] == pytest.approx(error / found.peak[0], rel=1e-9, abs=0.0)
 
 
+@given(st.floats(0.0, 0.5), st.sampled_from([np.float32, np.float64]))
+def test_what_storing_adds_is_what_the_compiled_core_takes_it_for(relative, kind):
+    expected = _core.stored_bound(relative, kind == np.float32, False)
+    assert stored(np.array([relative]), kind)[0] == pytest.approx(expected, rel=1e-12, abs=0.0)
+
+
 @given(st.floats(1e-3, 60.0))
 def test_the_least_average_around_a_peak(step):
     """The average of cos(s)^2 over the disc in the pixel, in polar coordinates."""
@@ -220,7 +227,8 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
     own += (2 * len(taps.weights) + 8) * 2.0**-53 * taps.gain**2 * top * (1 - asked[-1])
     found = made.values.max() if normalize else max(made.values.max(), lowest * top * (1 - asked[-1]))
     relative = (taps.gain**2 * asked[-1] * top + own) / found
-    assert made.error[0] == pytest.approx(2 * relative / (1 - relative) if normalize else relative, rel=1e-7, abs=0.0)
+    whole = _core.stored_bound(2 * relative / (1 - relative) if normalize else relative, False, False)
+    assert made.error[0] == pytest.approx(whole, rel=1e-7, abs=0.0)
     assert made.error[0] <= tol
 
 

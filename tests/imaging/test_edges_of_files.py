@@ -40,7 +40,7 @@ def test_what_pillow_warns_of_is_refused(tmp_path):
 def test_a_folder_in_the_way_of_one_frame_keeps_all_from_being_written(tmp_path):
     (tmp_path / "f2.png").mkdir()
     made = [np.full((4, 4), 10 * k, np.uint8) for k in range(3)]
-    with pytest.raises(IsADirectoryError, match=r"f2\.png is a directory"):
+    with pytest.raises(IsADirectoryError, match=r"is a directory: .*f2\.png"):
         frames.write_frames(tmp_path / "f%d.png", made)
     assert [path.name for path in tmp_path.iterdir()] == ["f2.png"]
     (tmp_path / "f2.png").rmdir()

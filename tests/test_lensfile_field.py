@@ -103,7 +103,7 @@ def test_a_lens_without_a_field_says_so(load):
         ('sensor = ["24 kg", "36 mm"]\nW131 = 1\n', "field.sensor (line 20): '24 kg' has the unknown unit 'kg'"),
         ('sensor = ["24 mm", "-36 mm"]\nW131 = 1\n', "field.sensor (line 20): must be positive"),
         (SENSOR, "field (line 19): needs Seidel coefficients (W131, W222, W220, W311), rows, or file: one of"),
-        (SEIDEL + 'file = "lens.toml"\n', "field.file (line 23): the first columns must be"),
+        (SEIDEL + 'file = "lens.toml"\n', "field.file (line 23): lens.toml: the first columns must be"),
         (TABLE + "W131 = 1\n", "one of them, got rows and W131, W222, W220, W311"),
         (SEIDEL + "W132 = 1\n", "field.W132 (line 23): unknown key; did you mean"),
         (SENSOR + "W131 = inf\n", "field.W131 (line 21): must be finite"),

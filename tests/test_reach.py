@@ -111,7 +111,7 @@ def test_the_core_itself_refuses_what_no_integer_holds(v):
         lambda: _core.field(one, 0.0, 0.0, at, 1e-6),
         lambda: _core.profile(one, 0.3, 0.0, at, 1e-6),
         lambda: _core.bessel_sequence(at, 5),
-        lambda: _core.series_bounds(one[0], 0, v, 1e-9),
+        lambda: _core.series_bounds(one[0], 0.0, 0, v, 1e-9),
     ):
         with pytest.raises(ValueError, match=r"v|reach"):
             call()

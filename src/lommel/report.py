@@ -76,7 +76,7 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
         "airy_radius": airy,
         "geometric_radius": blur,
-        "strehl": float(quality.strehl(pupil)),
+        "strehl": known(lambda: float(quality.strehl(pupil))),
         "marechal": float(quality.marechal(pupil)),
         "rms_waves": float(quality.rms(pupil, unit="waves")),
         "fwhm": known(lambda: float(spot.radial_fwhm(way, pupil) if image is None else image.fwhm())),

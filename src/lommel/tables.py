@@ -53,7 +53,7 @@ def print_lens(facts: dict[str, Any]) -> None:
         ("Airy radius", format_length(facts["airy_radius"])),
         ("geometric blur radius", format_length(facts["geometric_radius"])),
         ("rms wavefront error", f"{facts['rms_waves']:.4g} waves"),
-        ("Strehl ratio (on axis)", f"{facts['strehl']:.4g}"),
+        ("Strehl ratio (on axis)", "-" if facts["strehl"] is None else f"{facts['strehl']:.4g}"),
         ("Marechal's estimate", f"{facts['marechal']:.4g}"
          + (" (holds where it is above 0.3)" if facts["marechal"] < 0.3 else "")),
         ("full width at half", "-" if facts["fwhm"] is None else format_length(facts["fwhm"])),

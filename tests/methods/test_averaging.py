@@ -43,13 +43,24 @@ def test_waves_within_the_band_are_averaged_over_each_pixel(wave):
 
     def samples(fine: lm.Grid) -> np.ndarray:
         sizes.append(fine.shape)
-        return np.cos(wave * step * fine.x + 0.4) * np.cos(0.7 * wave * step * fine.y[:, None])[None]
+        return 1.0 + np.cos(wave * step * fine.x + 0.4) * np.cos(0.7 * wave * step * fine.y[:, None])[None]
 
     found = averaging.filtered(samples, grid, taps)[0]
     across = np.sinc(0.5 * wave * step / math.pi) * np.cos(wave * step * grid.x + 0.4)
     down = np.sinc(0.35 * wave * step / math.pi) * np.cos(0.7 * wave * step * grid.y)
-    assert found == pytest.approx(down[:, None] * across, abs=3e-9)
+    assert found == pytest.approx(1.0 + down[:, None] * across, abs=6e-9)
     assert len(sizes) == 1
+
+
+@pytest.mark.parametrize(
+    "method", [None, lm.Fraunhofer(), lm.Hankel(), lm.NonuniformFFT(), lm.ChordalGauss(), lm.NijboerZernike(1e-3)]
+)
+def test_no_average_is_negative(method):
+    # Rings darker than what each method is off by.
+    for wavefront in (lm.Wavefront(), lm.Wavefront(nonradial={(3, 1): 0.0, (2, 2): 1e-3})):
+        if method is None or method.nonradial or wavefront.radial:
+            answer = lm.psf(lm.Pupil(wavefront), 33, 0.15, integrate=True, method=method, center=(5.0, 110.0))
+            assert answer.values.min() >= 0.0
 
 
 def test_tiles_change_nothing(monkeypatch):

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -208,14 +209,18 @@ class PixelRenderer {
         double& scale = answer_.scales[pupil];
         scale = scale == 0.0 ? 1.0 / top : scale;
         answer_.bounds[pupil] = bound;
-        paint(table, values, scale, answer_.images + pupil * pixels(), threads);
+        paint(table, values, scale, T{0}, answer_.images + pupil * pixels(), threads);
     }
 
-    static void paint(const PixelTable& table, const double* values, double scale, T* image, int threads) {
+    // No average of an intensity is negative, and none less exact for being `least`.
+    static void paint(const PixelTable& table, const double* values, double scale, T least, T* image, int threads) {
         thread_local std::vector<T> kept;
         std::vector<T>& rounded = kept;  // of this thread, whoever paints
         rounded.resize(table.value_count);
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA { scaled(values, scale, table.value_count, rounded.data()); });
+        for (T& value : rounded) {
+            value = std::max(value, least);
+        }
         const std::size_t rows = table.groups.rows.distances.size();
         const std::size_t block = std::max<std::size_t>(1, (std::size_t{1} << 18) / table.window.width);
         const T* from = rounded.data();
@@ -261,8 +266,8 @@ class PixelRenderer {
                                         2.0 * aperture_.area * aperture_.moment(power));
         answer_.derivative_bounds[which * stack_.count + pupil] =
             (off + storing<T>(false) * steepest * table.magnification()) / peaks_[pupil];
-        paint(table, made.values.data(), answer_.scales[pupil], answer_.derivative_images + (which * stack_.count + pupil) * pixels(),
-              threads);
+        paint(table, made.values.data(), answer_.scales[pupil], std::numeric_limits<T>::lowest(),
+              answer_.derivative_images + (which * stack_.count + pupil) * pixels(), threads);
     }
 
     // Many pupils on one small window, by the Bessel functions at the radii of its table. Returns false where it would

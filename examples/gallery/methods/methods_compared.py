@@ -15,12 +15,12 @@ import lommel as lm
 
 # %%
 # A 50 mm lens at f/8, an object out of focus by :math:`C_d` of about 20 radians (6.3 waves), an image of 129 x 129
-# pixels. Lommel's series, exact for pure defocus, is the reference: nothing in it is shared with the other methods
+# samples. Lommel's series, exact for pure defocus, is the reference: nothing in it is shared with the other methods
 # but the Bessel functions.
 
 lens = lm.Lens(focal_length=50e-3, f_number=8.0, focus_distance=2.0, wavelength=550e-9)
 pupil = lens.pupil(0.8217)
-size = {"shape": 129, "pixel": 0.5 * pupil.scale, "dtype": "float64", "threads": 1}
+size = {"shape": 129, "pixel": 0.5 * pupil.scale, "integrate": False, "dtype": "float64", "threads": 1}
 exact = lm.psf(pupil, method=lm.LommelSeries(), **size)
 
 

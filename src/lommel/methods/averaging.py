@@ -208,7 +208,9 @@ def filtered(samples: Callable[[Grid], NDArray[np.float64]], grid: Grid, taps: T
         row = []
         for x in range(0, grid.width, side):
             fine = _fine(grid, slice(y, min(y + side, grid.height)), slice(x, min(x + side, grid.width)), taps)
-            row.append(_apply(taps, _apply(taps, samples(fine), axis=1), axis=2))
+            average = _apply(taps, _apply(taps, samples(fine), axis=1), axis=2)
+            # No average of an intensity is negative, and none less exact for it.
+            row.append(np.maximum(average, 0.0))
         rows.append(np.concatenate(row, axis=2))
     return np.concatenate(rows, axis=1)
 

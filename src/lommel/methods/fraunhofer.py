@@ -127,7 +127,9 @@ def _averaged(intensity: NDArray[np.float64], stride: int) -> NDArray[np.float64
     side = len(intensity)
     across = np.sinc(stride / side * np.arange(side // 2 + 1))
     down = np.sinc(stride * np.fft.fftfreq(side))
-    return np.asarray(irfft2(rfft2(intensity) * (down[:, None] * across), s=intensity.shape))
+    # No average of an intensity is negative, and none less exact for it.
+    averages: NDArray[np.float64] = irfft2(rfft2(intensity) * (down[:, None] * across), s=intensity.shape)
+    return np.maximum(averages, 0.0)
 
 
 def _fft2(values: NDArray[np.complex128]) -> NDArray[np.complex128]:

@@ -106,6 +106,8 @@ def _values(method: RadialMethod, pupil: Pupil, grid: Grid, level: int, threads:
     penalties = _core.pixel_values(
         np.ascontiguousarray(profile.values), row, column, step, grid.integrate, level, threads, values
     )
+    # No average of an intensity is negative, and none less exact for it.
+    np.maximum(values, 0.0, out=values)
     size = profile.values.max(axis=1)
     # |I'| = 2 |U| |U'|, and |U'| < 1/2; radii, places in a pixel and pixels are off by a few roundings each.
     slope = np.sqrt(of_nodes * size * max(1.0, ceiling))

@@ -120,11 +120,13 @@ struct PixelTable : Radii {  // where I is wanted, in v
         const std::size_t entries = rings.back().first_weight + rings.back().nodes.count * rings.back().outputs;
         const std::size_t nodes = std::max(narrow.count, rings.front().nodes.count);
         if (entries > most_weights || nodes > most_nodes) {
-            throw std::invalid_argument("averages over pixels of v = " + std::to_string(w.step) + " take " +
+            throw std::invalid_argument("averages over pixels of " + std::to_string(w.step / 3.14159265358979324) +
+                                        " lambda*N take " +
                                         (nodes > most_nodes ? std::to_string(nodes) + " radii a pixel, more than the limit of " +
                                                                   std::to_string(most_nodes)
                                                             : std::to_string(entries) + " weights, more than the limit of " +
-                                                                  std::to_string(most_weights)));
+                                                                  std::to_string(most_weights)) +
+                                        "; take smaller pixels, and average blocks of them");
         }
         weights.resize(entries);
         const Square square(w.side(), gauss);

@@ -47,7 +47,7 @@ class NonuniformFFT(Method):
 
     Both parts relate to the peak that was found, in the window or on a coarse lattice over the whole blur; where that
     is dimmer than was guessed the sum is repeated.
-    `integrate` filters finer samples, as in :mod:`lommel.methods.averaging`.
+    `integrate` filters finer samples, as derived on the page about the certificate.
 
     References
     ----------

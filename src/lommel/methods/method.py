@@ -260,7 +260,7 @@ class RadialMethod(Method):
         powers: tuple[int, ...] = (),
         threads: int = 0,
     ) -> Images:
-        """Return the images of the flattened stack; see :meth:`lommel.methods.method.Method.images`."""
+        """Return the images of the flattened stack; see ``Method.images``."""
         if grid.symmetric or scale is not None or powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, scale, dtype, out=out, powers=powers, threads=threads)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.

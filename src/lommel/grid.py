@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -90,12 +90,18 @@ class Grid:
 
     def require_reach(self, pupil: Pupil) -> None:
         """Raise ValueError if the farthest pixel is farther from the axis than there is light worth computing."""
+        v = self._farthest * self.step(pupil)
+        if not v <= validation.MAX_REACH:
+            center = "" if self.centered else f" around center={self.center}"
+            what = f"pixel={self.pixel:g} with shape={self.shape}{center}"
+            validation.reach(what, v, pupil.scale, pupil.unit)
+
+    @cached_property
+    def _farthest(self) -> float:
+        """Distance of the farthest point of a pixel from the axis, in pixels."""
         half = 0.5 if self.integrate else 0.0
         sides = zip(self.center, self.shape, strict=True)
-        far = math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in sides))
-        center = "" if self.centered else f" around center={self.center}"
-        what = f"pixel={self.pixel:g} with shape={self.shape}{center}"
-        validation.reach(what, far * self.step(pupil), pupil.scale, pupil.unit)
+        return math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in sides))
 
     def v(self, pupil: Pupil) -> NDArray[np.float64]:
         """Return the optical coordinate of the distinct :attr:`radii`."""

@@ -241,6 +241,8 @@ _POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
 
 
 def _powers(derivatives: Sequence[str]) -> tuple[int, ...]:
+    if isinstance(derivatives, tuple) and not derivatives:
+        return ()
     if isinstance(derivatives, str) or not isinstance(derivatives, Sequence):
         raise TypeError(
             f"derivatives must be a sequence of names such as ('defocus',), got {validation.shown(derivatives)}"

@@ -81,11 +81,19 @@ void require(bool condition, const char* message) {
     }
 }
 
-lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration, double gaussian) {
+lommel::Amplitude amplitude_of(const In<double, 1>& powers) {
+    require(powers.shape(0) <= 1 + lommel::Amplitude::most, "amplitude must have at most 11 powers");
+    const lommel::Amplitude amplitude(powers.data(), powers.shape(0));
+    // 100 and what rounding may make of it.
+    require(amplitude.size() <= 100.0 * (1.0 + 1e-9), "amplitude must have an exponent of 100 at most");
+    require(amplitude.passive(), "amplitude must be at most 1");
+    return amplitude;
+}
+
+lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration, const In<double, 1>& amplitude) {
     require(coefficients.shape(0) > 0 && coefficients.shape(1) > 0, "coefficients must not be empty");
     require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
-    require(gaussian >= 0.0 && gaussian <= 100.0, "gaussian must be from 0 to 100");
-    return {coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration, gaussian};
+    return {coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration, amplitude_of(amplitude)};
 }
 
 constexpr std::size_t most_nodes = 20000;  // of Gauss: they take time in proportion to the square, then a second
@@ -186,9 +194,9 @@ double rendered(const lommel::Stack& stack, double step, double tol, int threads
 
 // Returns 0, or the bound on the error where the tolerance cannot be met.
 template <class T>
-double render(In<double, 2> coefficients, double obscuration, double gaussian, double step, double tol, int threads, Out<T, 3> images,
+double render(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, double step, double tol, int threads, Out<T, 3> images,
               Out<double, 1> scales, Out<double, 1> bounds) {
-    return rendered<T>(stack_of(coefficients, obscuration, gaussian), step, tol, threads, images, scales, bounds, {}, nullptr,
+    return rendered<T>(stack_of(coefficients, obscuration, amplitude), step, tol, threads, images, scales, bounds, {}, nullptr,
                        nullptr);
 }
 
@@ -210,10 +218,10 @@ void require_slopes(std::size_t k, std::size_t n, std::size_t height, std::size_
 }
 
 template <class T>
-double differentiate(In<double, 2> coefficients, double obscuration, double gaussian, double step, double tol, int threads,
+double differentiate(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, double step, double tol, int threads,
                      Out<T, 3> images, Out<double, 1> scales, Out<double, 1> bounds, In<std::int64_t, 1> powers,
                      Out<T, 4> derivative_images, Out<double, 2> derivative_bounds) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
+    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
     const std::vector<std::size_t> which = powers_of(powers);
     require_slopes(which.size(), stack.count, images.shape(1), images.shape(2), derivative_images, derivative_bounds);
     return rendered<T>(stack, step, tol, threads, images, scales, bounds, which, derivative_images.data(),
@@ -235,11 +243,11 @@ int level_of(int level) {
 
 // Returns 0, or the bound on the error where the tolerance cannot be met.
 template <class T>
-double render_pixels(In<double, 2> coefficients, double obscuration, double gaussian, double center_y, double center_x,
+double render_pixels(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, double center_y, double center_x,
                      double step, bool integrate, double tol, int threads, Out<T, 3> images, Out<double, 1> scales,
                      Out<double, 1> bounds, Out<double, 1> peaks, In<std::int64_t, 1> powers, Out<T, 4> derivative_images,
                      Out<double, 2> derivative_bounds) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
+    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
     const std::size_t n = stack.count, k = powers.shape(0), height = images.shape(1), width = images.shape(2);
     const lommel::PixelWindow window = window_of(height, width, center_y, center_x, step, integrate);
     require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n && peaks.shape(0) == n,
@@ -297,7 +305,7 @@ Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double cent
 // Returns 0, or the bound on the error where the tolerance cannot be met.
 template <class T>
 double render_zernike(In<std::int32_t, 1> n, In<std::int32_t, 1> m, In<double, 2> outer, In<double, 2> inner,
-                      double obscuration, double gaussian, In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, double step,
+                      double obscuration, In<double, 1> amplitude, In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, double step,
                       double tol, int threads, Out<T, 3> images, Out<double, 1> scales, Out<double, 1> bounds,
                       Out<double, 1> peaks) {
     const std::size_t count = images.shape(0), terms = n.shape(0), height = images.shape(1), width = images.shape(2);
@@ -305,7 +313,6 @@ double render_zernike(In<std::int32_t, 1> n, In<std::int32_t, 1> m, In<double, 2
     require(outer.shape(0) == count && outer.shape(1) == terms && inner.shape(0) == count && inner.shape(1) == terms,
             "outer and inner must have the shape (images, terms)");
     require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
-    require(gaussian >= 0.0 && gaussian <= 100.0, "gaussian must be from 0 to 100");
     require(rows.shape(0) == count && columns.shape(0) == count && scales.shape(0) == count && bounds.shape(0) == count &&
                 peaks.shape(0) == count,
             "one row, column, scale, bound and peak a pupil");
@@ -320,9 +327,10 @@ double render_zernike(In<std::int32_t, 1> n, In<std::int32_t, 1> m, In<double, 2
         require(std::abs(rows.data()[i]) <= 2000000 && std::abs(columns.data()[i]) <= 2000000,
                 "the axis must be within 2e6 pixels");
     }
+    const lommel::Amplitude light = amplitude_of(amplitude);
     Released nogil;
     try {
-        const lommel::ZernikeStack stack{n.data(), m.data(), outer.data(), inner.data(), count, terms, obscuration, gaussian};
+        const lommel::ZernikeStack stack{n.data(), m.data(), outer.data(), inner.data(), count, terms, obscuration, light};
         lommel::ZernikeRenderer<T>(stack, height, width, rows.data(), columns.data(), step, tol, threads, images.data(),
                                    scales.data(), bounds.data(), peaks.data())
             .run();
@@ -349,15 +357,14 @@ std::vector<lommel::ZernikeTerm> zernike_terms(const In<std::int64_t, 2>& given)
 
 // Returns 0, or the bound on the error where the tolerance cannot be met.
 template <class T>
-double chordal(In<std::int64_t, 2> terms, In<double, 2> outer, In<double, 2> inner, double obscuration, double gaussian,
+double chordal(In<std::int64_t, 2> terms, In<double, 2> outer, In<double, 2> inner, double obscuration, In<double, 1> amplitude,
                double center_y, double center_x, double step, double tol, int threads, Out<T, 3> images,
                Out<double, 1> scales, Out<double, 1> bounds) {
     const std::size_t n = outer.shape(0), count = terms.shape(0), height = images.shape(1), width = images.shape(2);
-    const lommel::ChordalStack stack{zernike_terms(terms), outer.data(), inner.data(), n, obscuration, gaussian};
+    const lommel::ChordalStack stack{zernike_terms(terms), outer.data(), inner.data(), n, obscuration, amplitude_of(amplitude)};
     require(n > 0, "there must be a pupil");
     require(outer.shape(1) == count && inner.shape(0) == n && inner.shape(1) == count, "one coefficient a term and pupil");
     require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
-    require(gaussian >= 0.0 && gaussian <= 100.0, "gaussian must be from 0 to 100");
     require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n, "one image, scale and bound a pupil");
     require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
     require(std::abs(center_y) <= 1e6 && std::abs(center_x) <= 1e6, "the centre must be within 1e6 pixels");
@@ -374,8 +381,8 @@ double chordal(In<std::int64_t, 2> terms, In<double, 2> outer, In<double, 2> inn
 }
 
 std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration,
-                                                 double gaussian, In<double, 1> v, double tol) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
+                                                 In<double, 1> amplitude, In<double, 1> v, double tol) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
     auto out = new_array<complex, 2>({stack.count, v.shape(0)});
     auto bounds = new_array<double, 1>({stack.count});
     {
@@ -387,8 +394,8 @@ std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, dou
 
 // Bounds are negative where the tolerance cannot be met.
 std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2> coefficients, double obscuration,
-                                                                   double gaussian, In<double, 1> v, double tol) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
+                                                                   In<double, 1> amplitude, In<double, 1> v, double tol) {
+    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
     auto out = new_array<double, 2>({stack.count, v.shape(0)});
     auto peaks = new_array<double, 1>({stack.count});
     auto bounds = new_array<double, 1>({stack.count});
@@ -400,9 +407,9 @@ std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2>
 }
 
 // Bounds are negative where the tolerance cannot be met.
-std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, double obscuration, double gaussian, In<double, 1> v,
+std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, In<double, 1> v,
                                                  double tol, In<double, 2> matrix, int threads) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration, gaussian);
+    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
     require(matrix.shape(0) == v.shape(0) && v.shape(0) > 0 && threads >= 0, "the matrix must have a row for each v");
     auto out = new_array<double, 2>({stack.count, matrix.shape(1)});
     auto bounds = new_array<double, 1>({stack.count});
@@ -570,38 +577,38 @@ NB_MODULE(_core, m) {
     m.def("scatter", &scatter<float>, "profiles"_a, "scales"_a, "index"_a, "out"_a.noconvert(),
           "Profiles at the distinct radii, times a scale each, onto a stack of images.");
     m.def("scatter", &scatter<double>, "profiles"_a, "scales"_a, "index"_a, "out"_a.noconvert());
-    m.def("render", &render<float>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
+    m.def("render", &render<float>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(),
           "Images of a stack of pupils by the spectral engine; returns 0, or the bound where tol cannot be met.");
-    m.def("render", &render<double>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
+    m.def("render", &render<double>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert());
-    m.def("differentiate", &differentiate<float>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
+    m.def("differentiate", &differentiate<float>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
           "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert(),
           "render(), and the derivatives by the coefficients of t^power.");
-    m.def("differentiate", &differentiate<double>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "step"_a, "tol"_a, "threads"_a,
+    m.def("differentiate", &differentiate<double>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
           "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert());
-    m.def("render_zernike", &render_zernike<float>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
+    m.def("render_zernike", &render_zernike<float>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
           "rows"_a, "columns"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert(), "peaks"_a.noconvert(),
           "Images of pupils with any Zernike terms, each with its axis on a pixel; returns as render() does.");
-    m.def("render_zernike", &render_zernike<double>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
+    m.def("render_zernike", &render_zernike<double>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
           "rows"_a, "columns"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert(), "peaks"_a.noconvert());
-    m.def("chordal", &chordal<float>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
+    m.def("chordal", &chordal<float>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
           "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert(),
           "Images of a stack of wavefronts in Zernike terms (n, m) by the chordal Gauss rule; returns 0, or the bound "
           "where tol cannot be met.");
-    m.def("chordal", &chordal<double>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
+    m.def("chordal", &chordal<double>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
           "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert());
-    m.def("render_pixels", &render_pixels<float>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "center_y"_a, "center_x"_a,
+    m.def("render_pixels", &render_pixels<float>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a,
           "step"_a, "integrate"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert(), "peaks"_a.noconvert(), "powers"_a, "derivative_images"_a.noconvert(),
           "derivative_bounds"_a.noconvert(), "differentiate() of pixels that average, or around an axis anywhere.");
-    m.def("render_pixels", &render_pixels<double>, "coefficients"_a, "obscuration"_a, "gaussian"_a, "center_y"_a,
+    m.def("render_pixels", &render_pixels<double>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
           "center_x"_a, "step"_a, "integrate"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert(), "peaks"_a.noconvert(), "powers"_a, "derivative_images"_a.noconvert(),
           "derivative_bounds"_a.noconvert());
@@ -617,10 +624,10 @@ NB_MODULE(_core, m) {
           "Bound on averaging it over a square by points x points of Gauss and Legendre, over half its range.");
     m.def("harmonics_error", &lommel::harmonics_error, "side"_a, "angles"_a,
           "Bound on interpolating the average over a square at so many angles, over half the range.");
-    m.def("field", &field, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
-    m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a,
+    m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
+    m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
           "I at rising v, bounds on its error over the peak, negative where tol cannot be met, and the peaks.");
-    m.def("means", &means, "coefficients"_a, "obscuration"_a, "gaussian"_a, "v"_a, "tol"_a, "matrix"_a, "threads"_a,
+    m.def("means", &means, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "matrix"_a, "threads"_a,
           "Weighted sums of I at rising v, and bounds on the error of I over its peak.");
     m.def("huygens_sum", &huygens_sum, "x"_a, "y"_a, "amplitude"_a, "sx"_a, "sy"_a, "distance"_a, "wavenumber"_a,
           "Sum of spherical wavelets from sources (x, y, 0) at sensor points (sx, sy, distance).");

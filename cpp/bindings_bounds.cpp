@@ -12,6 +12,7 @@
 #include "lommel/chordal_sharp.hpp"
 #include "lommel/engine.hpp"
 #include "lommel/pieces.hpp"
+#include "lommel/pixel_images.hpp"
 #include "lommel/zernike_images.hpp"
 
 namespace nb = nanobind;
@@ -42,26 +43,49 @@ std::pair<const char*, T> entry(const char* name, T value) {
     return {name, value};
 }
 
-lommel::Phase phase_of(const Doubles1& coefficients, double gaussian) {
-    require(coefficients.shape(0) > 0 && gaussian >= 0.0, "coefficients must not be empty, gaussian not negative");
-    return {coefficients.data(), coefficients.shape(0), gaussian};
+lommel::Amplitude amplitude_of(const Doubles1& powers) {
+    require(powers.shape(0) <= 1 + lommel::Amplitude::most, "amplitude must have at most 11 powers");
+    return {powers.data(), powers.shape(0)};
 }
 
-Named series_bounds(Doubles1 coefficients, double gaussian, std::size_t power, double reach, double error) {
+// The growth of the exponent on the ellipses of some cosh, roundings, the integral over an annulus, and values at t, of an
+// amplitude raised to a power on an inner disk of that area.
+Named amplitude_bounds(Doubles1 powers, Doubles1 cosh, Doubles1 t, double obscuration, double raised, double area) {
+    const lommel::Amplitude amplitude = amplitude_of(powers).raised(raised).scaled(area);
+    nb::list growth, values;
+    for (std::size_t i = 0; i < cosh.shape(0); ++i) {
+        growth.append(amplitude.growth(cosh.data()[i]));
+    }
+    for (std::size_t i = 0; i < t.shape(0); ++i) {
+        values.append(amplitude.at(t.data()[i]));
+    }
+    return named(entry("growth", growth), entry("sensitivity", amplitude.sensitivity()), entry("values", values),
+                 entry("integral", amplitude.integral(obscuration)), entry("size", amplitude.size()),
+                 entry("passive", amplitude.passive()), entry("area", lommel::Aperture(obscuration, amplitude).area));
+}
+
+// Not copied: the amplitude must outlive the phase.
+lommel::Phase phase_of(const Doubles1& coefficients, const lommel::Amplitude& amplitude) {
+    require(coefficients.shape(0) > 0, "coefficients must not be empty");
+    return {coefficients.data(), coefficients.shape(0), &amplitude};
+}
+
+Named series_bounds(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double reach, double error) {
     require(error > 0.0 && reach >= 0.0, "reach and error must be positive");
-    const lommel::Phase phase = phase_of(coefficients, gaussian);
-    const lommel::Expansion plan({phase.coefficients, phase.terms, gaussian, power}, reach, error);
+    const lommel::Amplitude light = amplitude_of(amplitude);
+    const lommel::Phase phase = phase_of(coefficients, light);
+    const lommel::Expansion plan({phase.coefficients, phase.terms, light, power}, reach, error);
     return named(entry("terms", plan.terms), entry("truncation", plan.truncation), entry("nodes", 2 * plan.rule->half),
                  entry("quadrature", plan.quadrature), entry("error", plan.error(phase)));
 }
 
 // Of one pupil, or of all between two.
-Named ellipse_bounds(In<double, 2> pupils, double gaussian, std::size_t power, std::size_t terms, std::size_t nodes) {
+Named ellipse_bounds(In<double, 2> pupils, Doubles1 amplitude, std::size_t power, std::size_t terms, std::size_t nodes) {
     require(pupils.shape(0) >= 1 && pupils.shape(0) <= 2 && pupils.shape(1) > 0, "pupils must have one row or two");
     const double *low = pupils.data(), *high = low + pupils.shape(1);
     const lommel::Ellipses ellipses = pupils.shape(0) == 1
-                                          ? lommel::Ellipses(low, pupils.shape(1), gaussian, power)
-                                          : lommel::Ellipses({low, high}, {high, high + pupils.shape(1)}, gaussian);
+                                          ? lommel::Ellipses(low, pupils.shape(1), amplitude_of(amplitude), power)
+                                          : lommel::Ellipses({low, high}, {high, high + pupils.shape(1)}, amplitude_of(amplitude));
     return named(entry("tail", ellipses.tail(terms)), entry("quadrature", ellipses.quadrature(nodes, terms)));
 }
 
@@ -83,9 +107,10 @@ Named piece_bounds(std::size_t width, std::size_t piece, std::size_t terms, std:
                  entry("largest_magnitude", table->magnitude), entry("largest_azimuthal", table->azimuthal));
 }
 
-double field_bound(Doubles1 coefficients, double gaussian, std::size_t power, double obscuration, double reach, double error) {
+double field_bound(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, double reach, double error) {
     require(error > 0.0 && reach >= 0.0, "reach and error must be positive");
-    return lommel::Field().prepare(phase_of(coefficients, gaussian), power, obscuration, reach, error);
+    const lommel::Amplitude light = amplitude_of(amplitude);
+    return lommel::Field().prepare(phase_of(coefficients, light), power, obscuration, reach, error);
 }
 
 Named intensity_bounds(double peak, double error) {
@@ -98,27 +123,28 @@ double stored_bound(double relative, bool single, bool twice) {
     return lommel::stored(relative, single ? lommel::storing<float>(twice) : lommel::storing<double>(twice));
 }
 
-Named peaks(Doubles1 coefficients, double gaussian, double obscuration, double tol) {
-    const lommel::Phase phase = phase_of(coefficients, gaussian);
+Named peaks(Doubles1 coefficients, Doubles1 amplitude, double obscuration, double tol) {
+    const lommel::Amplitude light = amplitude_of(amplitude);
+    const lommel::Phase phase = phase_of(coefficients, light);
     const double first = lommel::first_error(phase, obscuration, tol);
     return named(entry("likely", lommel::likely_peak(phase, obscuration)), entry("first_error", first),
                  entry("scanned", lommel::scanned_peak(phase, obscuration, first)));
 }
 
-lommel::ZernikePhase zernike_phase(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c, double gaussian) {
+lommel::ZernikePhase zernike_phase(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c, const lommel::Amplitude& amplitude) {
     require(n.shape(0) > 0 && m.shape(0) == n.shape(0) && c.shape(0) == n.shape(0), "n, m and coefficients must match");
-    return {n.data(), m.data(), c.data(), n.shape(0), gaussian};
+    return {n.data(), m.data(), c.data(), n.shape(0), amplitude};
 }
 
-Named disk_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, double gaussian, std::size_t count) {
-    const lommel::DiskBounds bounds = zernike_phase(n, m, coefficients, gaussian).bounds();
+Named disk_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, std::size_t count) {
+    const lommel::DiskBounds bounds = zernike_phase(n, m, coefficients, amplitude_of(amplitude)).bounds();
     return named(entry("tail", bounds.tail(count)), entry("orders_tail", bounds.orders_tail(count)),
                  entry("distance", bounds.distance(count)));
 }
 
-Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, double gaussian, double reach,
+Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, double reach,
                         double error) {
-    const lommel::ZernikePhase phase = zernike_phase(n, m, coefficients, gaussian);
+    const lommel::ZernikePhase phase = zernike_phase(n, m, coefficients, amplitude_of(amplitude));
     const lommel::DiskExpansion plan(phase.bounds(), reach, error);
     return named(entry("degrees", plan.degrees), entry("orders", plan.orders), entry("exact", plan.rule->degree),
                  entry("rings", plan.rule->rings), entry("quarter", plan.rule->quarter), entry("truncation", plan.truncation),
@@ -127,10 +153,11 @@ Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coef
 
 // Of one piece, for `wanted` in U, as an image asks for it.
 Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 outer, Doubles1 inner, double obscuration,
-                              double gaussian, double reach, double error, double wanted, std::size_t piece,
+                              Doubles1 amplitude, double reach, double error, double wanted, std::size_t piece,
                               std::size_t groups) {
+    const lommel::Amplitude light = amplitude_of(amplitude);
     lommel::ZernikeField field;
-    field.expand(zernike_phase(n, m, outer, gaussian), zernike_phase(n, m, inner, gaussian * obscuration * obscuration),
+    field.expand(zernike_phase(n, m, outer, light), zernike_phase(n, m, inner, light.scaled(obscuration * obscuration)),
                  obscuration, reach, error);
     const double expanded = field.base();
     std::size_t pieces = 0;
@@ -164,12 +191,12 @@ std::vector<lommel::ZernikeTerm> chordal_terms(const In<std::int64_t, 2>& given,
 }
 
 // Over a window of v from `low` to `high` in x and on the axis in y.
-Named chordal_bounds(In<std::int64_t, 2> terms, Doubles1 coefficients, double gaussian, double low, double high,
+Named chordal_bounds(In<std::int64_t, 2> terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high,
                         std::size_t chords) {
-    require(gaussian >= 0.0 && low <= high && chords >= 1, "gaussian and chords must be positive, low below high");
+    require(low <= high && chords >= 1, "low must be below high, chords positive");
     const lommel::ChordCurves curves(chordal_terms(terms, coefficients));
     lommel::ChordBound bound;
-    bound.prepare(curves, coefficients.data(), gaussian, {low, high, 0.0, 0.0});
+    bound.prepare(curves, coefficients.data(), amplitude_of(amplitude), {low, high, 0.0, 0.0});
     return named(entry("quadrature", bound.bound(chords)), entry("rounding", bound.rounding(chords)),
                  entry("variance", bound.variance()));
 }
@@ -190,32 +217,34 @@ double chordal_growth(In<std::int64_t, 2> terms, Doubles1 coefficients, double b
 }  // namespace
 
 void define_bounds(nb::module_& m) {
-    m.def("series_bounds", &series_bounds, "coefficients"_a, "gaussian"_a, "power"_a, "reach"_a, "error"_a,
-          "Terms and nodes of the series of t^power exp(i Phi - gaussian t) up to v = reach, and bounds on what they leave.");
-    m.def("ellipse_bounds", &ellipse_bounds, "pupils"_a, "gaussian"_a, "power"_a, "terms"_a, "nodes"_a,
+    m.def("amplitude_bounds", &amplitude_bounds, "powers"_a, "cosh"_a, "t"_a, "obscuration"_a, "raised"_a, "area"_a,
+          "Of the amplitude exp(-(g_0 + g_1 t + ...)), to a power and on an inner disk.");
+    m.def("series_bounds", &series_bounds, "coefficients"_a, "amplitude"_a, "power"_a, "reach"_a, "error"_a,
+          "Terms and nodes of the series of t^power A exp(i Phi) up to v = reach, and bounds on what they leave.");
+    m.def("ellipse_bounds", &ellipse_bounds, "pupils"_a, "amplitude"_a, "power"_a, "terms"_a, "nodes"_a,
           "Bounds on U beyond so many terms and nodes, for one pupil or for all between two.");
     m.def("window_bounds", &window_bounds, "count"_a, "reach"_a,
           "Bounds on U beyond so many Legendre terms, or degrees on the disk, whatever the pupil, up to v = reach.");
     m.def("piece_bounds", &piece_bounds, "width"_a, "piece"_a, "terms"_a, "parity"_a,
           "A piece of the table of Bessel functions, the error of its interpolation and the size of its coefficients.");
-    m.def("field_bound", &field_bound, "coefficients"_a, "gaussian"_a, "power"_a, "obscuration"_a, "reach"_a, "error"_a,
+    m.def("field_bound", &field_bound, "coefficients"_a, "amplitude"_a, "power"_a, "obscuration"_a, "reach"_a, "error"_a,
           "Bound on the error of U, all terms together.");
     m.def("intensity_bounds", &intensity_bounds, "peak"_a, "error"_a,
           "Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.");
     m.def("stored_bound", &stored_bound, "relative"_a, "single"_a, "twice"_a,
           "Bound on the error of values over their peak when they are stored.");
-    m.def("peaks", &peaks, "coefficients"_a, "gaussian"_a, "obscuration"_a, "tol"_a,
+    m.def("peaks", &peaks, "coefficients"_a, "amplitude"_a, "obscuration"_a, "tol"_a,
           "The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.");
-    m.def("disk_bounds", &disk_bounds, "n"_a, "m"_a, "coefficients"_a, "gaussian"_a, "count"_a,
+    m.def("disk_bounds", &disk_bounds, "n"_a, "m"_a, "coefficients"_a, "amplitude"_a, "count"_a,
           "Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.");
-    m.def("zernike_bounds", &zernike_bounds, "n"_a, "m"_a, "coefficients"_a, "gaussian"_a, "reach"_a, "error"_a,
+    m.def("zernike_bounds", &zernike_bounds, "n"_a, "m"_a, "coefficients"_a, "amplitude"_a, "reach"_a, "error"_a,
           "Degrees, orders and rule of a Zernike series, and bounds on what they leave.");
-    m.def("zernike_field_bounds", &zernike_field_bounds, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
+    m.def("zernike_field_bounds", &zernike_field_bounds, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
           "reach"_a, "error"_a, "wanted"_a, "piece"_a, "groups"_a,
           "Bounds on the error of U: of the series, of every piece, and of one.");
     m.def("single_rounding", &single_rounding, "orders"_a, "rows"_a, "coefficients"_a,
           "Bound on what single precision does to U on a ring.");
-    m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "gaussian"_a, "low"_a, "high"_a, "chords"_a,
+    m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "low"_a, "high"_a, "chords"_a,
           "Bounds on the error in U of the chordal Gauss rule for v from low to high along x.");
     m.def("chordal_growth", &chordal_growth, "terms"_a, "coefficients"_a, "b"_a,
           "Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.");

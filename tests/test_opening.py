@@ -171,7 +171,7 @@ def test_the_degree_for_a_plane_wave_is_enough_and_not_much_too_high(v, digits):
 )
 def test_the_degree_for_an_aberration_is_enough(term, amplitude, v, gaussian):
     n, m = term
-    degree = degree_needed([(n, amplitude)], v, gaussian, 1e-9)
+    degree = degree_needed([(n, amplitude)], v, lm.Apodization.gaussian(gaussian), 1e-9)
     found = []
     for rule in (Opening().rule(degree), Opening().rule(2 * degree + 40)):
         rho, theta = np.hypot(rule.x, rule.y), np.arctan2(rule.y, rule.x)
@@ -183,7 +183,7 @@ def test_the_degree_for_an_aberration_is_enough(term, amplitude, v, gaussian):
 def test_astigmatism_in_the_middle_is_a_bessel_function():
     # (1/pi) int exp(i a rho^2 cos 2 theta) = int_0^1 J0(a t) dt.
     a = 25.0
-    x, y, w = Opening().rule(degree_needed([(2, a)], 0.0, 0.0, 1e-13))
+    x, y, w = Opening().rule(degree_needed([(2, a)], 0.0, lm.Apodization(), 1e-13))
     t, u = np.polynomial.legendre.leggauss(60)
     exact = 0.5 * u @ jv(0, 0.5 * a * (t + 1))
     assert w @ np.exp(1j * a * (x * x - y * y)) == pytest.approx(exact, abs=1e-13)
@@ -191,4 +191,4 @@ def test_astigmatism_in_the_middle_is_a_bessel_function():
 
 def test_a_degree_beyond_the_limit_is_refused():
     with pytest.raises(ValueError, match=f"polynomials of a degree over {MAX_DEGREE}"):
-        degree_needed([(4, 1e9)], 1.0, 0.0, 1e-6)
+        degree_needed([(4, 1e9)], 1.0, lm.Apodization(), 1e-6)

@@ -52,7 +52,7 @@ void far_windows(double obscuration) {
         }
         const std::int32_t n[] = {2, 3}, m[] = {0, 1};
         const std::int64_t axis = 2;
-        const lommel::ZernikeStack general{n, m, coefficients, coefficients, 1, 2, obscuration, 0.0};
+        const lommel::ZernikeStack general{n, m, coefficients, coefficients, 1, 2, obscuration};
         try {
             lommel::ZernikeRenderer<double>(general, 5, 5, &axis, &axis, reach, 1e-6, 1, image, &scale, &bound, &peak).run();
         } catch (const std::domain_error&) {

@@ -47,7 +47,7 @@ void general_images_agree_with_radial_ones(double defocus, double obscuration, s
     const double step = 0.9, tol = 1e-6;
     std::vector<T> image(static_cast<std::size_t>(height * width), T(-1));
     double scale = 1.0, bound = 0.0, brightest = 0.0;
-    const lommel::ZernikeStack stack{n, m, outer, inner, 1, 4, obscuration, 0.0};
+    const lommel::ZernikeStack stack{n, m, outer, inner, 1, 4, obscuration};
     lommel::ZernikeRenderer<T>(stack, static_cast<std::size_t>(height), static_cast<std::size_t>(width), &row, &column, step, tol,
                                threads, image.data(), &scale, &bound, &brightest)
         .run();
@@ -85,8 +85,12 @@ void images_keep_their_bounds(std::mt19937& random, std::size_t height, std::siz
     const std::vector<std::size_t> powers = {1, 2};
     std::vector<T> images(count * height * width), slopes(powers.size() * images.size());
     std::vector<double> slope_bounds(powers.size() * count);
-    const double gaussian = count == 2 ? 1.5 : 0.0;
-    const lommel::Stack stack{coefficients.data(), count, 2, obscuration, gaussian};
+    // Even, Gaussian, and one that rises and falls, to nearly 1 in between.
+    const double wavy[] = {0.3, -1.2, 1.2, 0.1};
+    const lommel::Amplitude amplitude = count == 1   ? lommel::Amplitude(wavy, 4)
+                                        : count == 2 ? lommel::Amplitude::gaussian(1.5)
+                                                     : lommel::Amplitude();
+    const lommel::Stack stack{coefficients.data(), count, 2, obscuration, amplitude};
     const bool with_slopes = count < 4;
     lommel::Renderer<T>(stack, height, width, step, tol, threads,
                         {images.data(), scales.data(), bounds.data(), powers.data(), with_slopes ? powers.size() : 0,
@@ -100,7 +104,7 @@ void images_keep_their_bounds(std::mt19937& random, std::size_t height, std::siz
             const double v = step * std::hypot(x, y);
             std::complex<double> u;
             double bound;
-            const lommel::Stack one{coefficients.data() + 2 * pupil, 1, 2, obscuration, gaussian};
+            const lommel::Stack one{coefficients.data() + 2 * pupil, 1, 2, obscuration, amplitude};
             lommel::fields(one, &v, 1, 1e-12, &u, &bound);
             const double peak = normalize ? 1.0 : static_cast<double>(*std::max_element(
                 images.begin() + static_cast<std::ptrdiff_t>(pupil * height * width),
@@ -137,7 +141,7 @@ void every_path_of_the_engine(unsigned seed) {
 
 // Radial wavefronts by the chordal rule against the series; others against themselves, turned by a right angle.
 template <class T>
-void chordal_windows(std::mt19937& random, std::size_t count, std::size_t side, double obscuration, double gaussian,
+void chordal_windows(std::mt19937& random, std::size_t count, std::size_t side, double obscuration, const lommel::Amplitude& amplitude,
                      int threads, bool normalize) {
     std::uniform_real_distribution<double> phase(-2.0, 2.0);
     const double tol = sizeof(T) == 4 ? 1e-5 : 1e-8, step = 1.3, area = obscuration * obscuration;
@@ -160,8 +164,8 @@ void chordal_windows(std::mt19937& random, std::size_t count, std::size_t side, 
     std::vector<T> images(count * side * side), others(images.size());
     std::vector<double> scales(count, normalize ? 0.0 : 1.0), bounds(count), other_scales = scales;
     const lommel::ChordalWindow window{side, side, middle, middle, step};
-    const lommel::ChordalStack stack{terms, outer.data(), inner.data(), count, obscuration, gaussian};
-    const lommel::ChordalStack around{terms, turned.data(), turned_inner.data(), count, obscuration, gaussian};
+    const lommel::ChordalStack stack{terms, outer.data(), inner.data(), count, obscuration, amplitude};
+    const lommel::ChordalStack around{terms, turned.data(), turned_inner.data(), count, obscuration, amplitude};
     lommel::ChordalRenderer<T>(stack, window, tol, threads, {images.data(), scales.data(), bounds.data()}).run();
     lommel::ChordalRenderer<T>(around, window, tol, threads, {others.data(), other_scales.data(), bounds.data()}).run();
     for (std::size_t p = 0; p < count; ++p) {
@@ -179,7 +183,7 @@ void chordal_windows(std::mt19937& random, std::size_t count, std::size_t side, 
             const double v = step * middle;
             std::complex<double> u;
             double bound;
-            lommel::fields({powers.data() + p, 1, 1, obscuration, gaussian}, &v, 1, 1e-12, &u, &bound);
+            lommel::fields({powers.data() + p, 1, 1, obscuration, amplitude}, &v, 1, 1e-12, &u, &bound);
             const double found = static_cast<double>(image[(side / 2) * side]);
             check(std::abs(found - scales[p] * std::norm(u)) <= allowed, "chordal against the series", found);
         }
@@ -188,12 +192,14 @@ void chordal_windows(std::mt19937& random, std::size_t count, std::size_t side, 
 
 void every_path_of_the_chordal_rule(unsigned seed) {
     std::mt19937 random(seed);
+    const double fourth[] = {0.0, 0.5, 0.0, 0.0, 1.0};
+    const lommel::Amplitude even, beam = lommel::Amplitude::gaussian(1.5), steep(fourth, 5);
     for (const std::size_t side : {std::size_t{1}, std::size_t{2}, std::size_t{7}, std::size_t{12}}) {
         for (const int threads : {1, 3}) {
-            chordal_windows<float>(random, 1, side, 0.0, 0.0, threads, false);
-            chordal_windows<double>(random, 9, side, 0.4, 0.0, threads, true);
-            chordal_windows<double>(random, 19, side, 0.0, 1.5, threads, false);
-            chordal_windows<float>(random, 5, side, 0.2, 1.5, threads, true);
+            chordal_windows<float>(random, 1, side, 0.0, even, threads, false);
+            chordal_windows<double>(random, 9, side, 0.4, even, threads, true);
+            chordal_windows<double>(random, 19, side, 0.0, steep, threads, false);
+            chordal_windows<float>(random, 5, side, 0.2, beam, threads, true);
         }
     }
 }

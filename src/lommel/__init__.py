@@ -11,6 +11,7 @@ from lommel.psf import PSF, Plan, psf
 if TYPE_CHECKING:
     from lommel import imaging as imaging
     from lommel.aperture import CatEye, Ellipse, Mask, Spider
+    from lommel.apodization import Apodization
     from lommel.fieldmap import FieldMap, PSFGrid
     from lommel.fitting import WavefrontFit, fit_opd, fit_radial, opd_map
     from lommel.grid import Grid
@@ -44,6 +45,7 @@ if TYPE_CHECKING:
 _HOME = {
     "FieldMap": "fieldmap",
     "PSFGrid": "fieldmap",
+    "Apodization": "apodization",
     "CatEye": "aperture",
     "Ellipse": "aperture",
     "Mask": "aperture",
@@ -116,6 +118,7 @@ _ROOMS = (
 __all__ = [
     "PSF",
     "AbramowitzErf",
+    "Apodization",
     "CatEye",
     "ChordalGauss",
     "ClosedForm",

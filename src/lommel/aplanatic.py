@@ -29,7 +29,7 @@ _LEAST, _MOST = 2, 10  # powers of t that are kept; a wavefront holds ten
 _ROUNDING = 2.0**-47
 
 
-def _chebyshev_to_powers(degree: int) -> NDArray[np.float64]:
+def chebyshev_to_powers(degree: int) -> NDArray[np.float64]:
     """Return the coefficients of t^j in T_k(2t - 1), shape ``(degree + 1, degree + 1)``: whole numbers, exact."""
     matrix = np.zeros((degree + 1, degree + 1))
     matrix[0, 0], matrix[1, :2] = 1.0, (-1.0, 2.0)
@@ -99,6 +99,6 @@ def expansion(
     total = np.abs(series).sum(axis=1).max()
     tails = np.abs(series[:, ::-1]).cumsum(axis=1)[:, ::-1].max(axis=0)  # from each term on
     degree = next((k for k in range(_LEAST, _MOST) if tails[k + 1] <= _ROUNDING * total), _MOST)
-    powers = series[:, : degree + 1] @ _chebyshev_to_powers(degree)
+    powers = series[:, : degree + 1] @ chebyshev_to_powers(degree)
     rounding = _ROUNDING * (total + np.abs(powers).sum(axis=1).max())
     return powers[:, 1:], float(tails[degree + 1] + beyond + rounding) if size else 0.0

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Mask, Spider
 from lommel.aplanatic import expansion
+from lommel.apodization import Apodization, illumination
 from lommel.pupil import Geometry, Pupil
 from lommel.wavefront import Wavefront
 
@@ -44,7 +45,7 @@ class Lens:
         How defocus is turned into phase. "paraxial": the paper's Eq. 1-3, parabolas for spheres. "aplanatic": a lens
         that obeys Abbe's sine condition, so that a ray leaves for the axial point of the sensor at an angle whose
         sine is rho times ``aperture radius / sensor distance`` (1 / 2N, N the working f-number), and the exact path
-        difference between reference spheres. Light is uniform over rho.
+        difference between reference spheres.
     corrected_for : {"object", "focus"}, default "object"
         Of an aplanatic lens: which point it images without aberration. No lens that obeys the sine condition does so
         for points at two distances from it (Herschel's condition contradicts Abbe's), so one must say. "object": the
@@ -53,6 +54,13 @@ class Lens:
         focus, as of a lens at rest whose object is out of place, above all a microscope's. The spheres are those
         round the object and round the point in focus, and the sine of the angle there is rho times
         ``aperture radius / focus distance``.
+    apodization : float, Apodization or "aplanatic", default 0
+        The amplitude across the pupil, as of :class:`lommel.Pupil`: over rho the light is even by default.
+        "aplanatic", of an aplanatic lens only, is ``cos(theta)^(-1/2)``, theta being the angle whose sine the model
+        states. An evenly lit entrance pupil has the amplitude ``cos(theta)^(1/2)`` on the reference sphere, and
+        ``1 / cos(theta)`` is from the solid angle (Richards and Wolf 1959, doi:10.1098/rspa.1959.0200, of whom this
+        is the scalar part). Light that a point sends out evenly in all directions of that angle has the same. It
+        rises towards the rim.
 
     Raises
     ------
@@ -77,6 +85,7 @@ class Lens:
     mask: Mask | None
     model: str
     corrected_for: str
+    apodization: float | Apodization | str
 
     def __init__(
         self,
@@ -94,6 +103,7 @@ class Lens:
         mask: Mask | None = None,
         model: str = "paraxial",
         corrected_for: str = "object",
+        apodization: float | Apodization | str = 0.0,
     ) -> None:
         f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
         if (f_number is None) == (aperture_diameter is None):
@@ -138,6 +148,7 @@ class Lens:
             "mask": mask,
             "model": validation.choice("model", model, MODELS),
             "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
+            "apodization": _apodization(apodization, model),
         }
         # What is no such shape, or leaves nothing clear, is told now.
         Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
@@ -170,14 +181,15 @@ class Lens:
     def stopped(self, f_number: float) -> Lens:
         """Return the lens with its aperture at another f-number, as engraved; the sensor stays where it is.
 
-        What else there is keeps its size: the wavefront is that of the middle of the aperture, and the obscuration
-        and the vanes are larger over its radius.
+        What else there is keeps its size: wavefront and amplitude are those of the middle of the aperture, and the
+        obscuration and the vanes are larger over its radius. A Gaussian beam, stated as a number, is known beyond
+        the rim too, and an amplitude "aplanatic" is that of the angles that there are.
 
         Raises
         ------
         TypeError, ValueError
             If the f-number is no positive number, if the obscuration leaves nothing clear, if a lens with aberrations
-            is opened wider, where they are not known, or if it has vignetting or a mask.
+            or with an Apodization is opened wider, where these are not known, or if it has vignetting or a mask.
         """
         stop = validation.real("f_number", f_number, above=0.0)
         ratio = stop / self.f_number
@@ -192,8 +204,19 @@ class Lens:
                 f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its aberrations are "
                 f"known, got f/{stop:g}"
             )
+        light = self.apodization
+        if isinstance(light, Apodization) and not light.uniform:
+            if ratio < 1.0 - 1e-9:
+                raise ValueError(
+                    f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its apodization "
+                    f"is known, got f/{stop:g}"
+                )
+            light = light.scaled(min(1.0, 1.0 / ratio))
+        elif isinstance(light, float):
+            light = light / ratio**2
         return self._with(
             f_number=stop,
+            apodization=light,
             aperture_diameter=None,
             obscuration=self.obscuration * ratio,
             aberrations=self.aberrations if known else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
@@ -231,6 +254,13 @@ class Lens:
         return Wavefront(0.5 * first, second, rest, error=error)
 
     @property
+    def illumination(self) -> Apodization:
+        """The amplitude across the pupil."""
+        if not isinstance(self.apodization, str):
+            return illumination(self.apodization)
+        return Apodization.cosine(0.5 * self.aperture_diameter * abs(self._geometry.sphere), -0.5)
+
+    @property
     def _geometry(self) -> Geometry:
         radius = 0.5 * self.aperture_diameter
         return Geometry(radius, self.focal_length, self.sensor_distance, (), self.model, self.corrected_for)
@@ -266,6 +296,7 @@ class Lens:
             obscuration=self.obscuration,
             wavelength=self.wavelength,
             f_number=self.working_f_number,
+            apodization=self.illumination if isinstance(self.apodization, str) else self.apodization,
             geometry=geometry,
             spider=self.spider,
             vignetting=self.vignetting,
@@ -291,3 +322,17 @@ class Lens:
         if bad.any():
             raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
         return distance
+
+
+def _apodization(value: float | Apodization | str, model: str) -> float | Apodization | str:
+    """Return the apodization of a lens as it is kept."""
+    if not isinstance(value, str):
+        light = illumination(value)
+        return value if isinstance(value, Apodization) else light.slope
+    if value != "aplanatic":
+        raise ValueError(
+            f"apodization must be a number, an Apodization or 'aplanatic', got {validation.shown(value)}"
+        )
+    if model != "aplanatic":
+        raise ValueError("apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles")
+    return value

@@ -66,6 +66,15 @@ def _radius(value: Any) -> str | float:
     return found
 
 
+def _amplitude(value: Any) -> str | float:
+    """Return a number, or the name of the only amplitude that has one."""
+    if value == "aplanatic":
+        return "aplanatic"
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 <= value <= 100.0:
+        raise ValueError(f'must be a number from 0 to 100, or "aplanatic", got {validation.shown(value)}')
+    return float(value)
+
+
 class _Lens(Section):
     focal_length: Length
     f_number: Annotated[Number, Field(gt=0)] | None = None
@@ -76,6 +85,7 @@ class _Lens(Section):
     obscuration: Annotated[Number, Field(ge=0, lt=1)] = 0.0
     model: Literal["paraxial", "aplanatic"] = "paraxial"
     corrected_for: Literal["object", "focus"] = "object"
+    apodization: Annotated[Any, BeforeValidator(_amplitude)] = 0.0
 
 
 class _Aberrations(Section):
@@ -205,14 +215,14 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
 
     Lengths are texts with a unit (``"50 mm"``, ``"inf"``), angles also numbers of radians. Sections and keys:
     ``name`` (by default that of the file) and ``source``; ``[lens]`` focal_length, f_number or aperture_diameter,
-    focus_distance or sensor_distance, wavelength, obscuration, model ("paraxial" or "aplanatic") and corrected_for
-    ("object" or "focus"), see :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians),
-    W020, W040, W060, W080 (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131,
-    W222, W220, W311 (waves at the edge of the field) with field, a pair [x, y] over that edge, and a section
-    ``[aberrations.zernike]``, all of which add; ``[object]`` distance, by default that in focus; ``[sensor]``
-    pixel, shape (by default a window that holds about 98 % of the light) and integrate, whether its pixels average
-    over their area, which they do by default; ``[report]`` encircled_energy, a list of radii on the sensor or of
-    angles; ``[field]`` what changes over the sensor and adds to all of this.
+    focus_distance or sensor_distance, wavelength, obscuration, model ("paraxial" or "aplanatic"), corrected_for
+    ("object" or "focus") and apodization (a number, or "aplanatic"), see :class:`lommel.Lens`; ``[aberrations]``
+    defocus and spherical (C_d, C_s, radians), W020, W040, W060, W080 (waves), spherical_rms (a length: balanced
+    primary spherical over the annulus), W131, W222, W220, W311 (waves at the edge of the field) with field, a pair
+    [x, y] over that edge, and a section ``[aberrations.zernike]``, all of which add; ``[object]`` distance, by
+    default that in focus; ``[sensor]`` pixel, shape (by default a window that holds about 98 % of the light) and
+    integrate, whether its pixels average over their area, which they do by default; ``[report]`` encircled_energy, a
+    list of radii on the sensor or of angles; ``[field]`` what changes over the sensor and adds to all of this.
 
     ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
     them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Spider
+from lommel.apodization import Apodization
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
 
@@ -44,14 +45,16 @@ class Rule(NamedTuple):
 _B = np.geomspace(1e-3, 4.0, 192)
 
 
-def degree_needed(terms: Iterable[tuple[int, float]], v: float, gaussian: float, error: float) -> int:
+def degree_needed(
+    terms: Iterable[tuple[int, float]], v: float, light: Apodization, error: float, *, power: float = 1.0
+) -> int:
     r"""Return the total degree to which a rule must be exact for an error of U that is proven to be below `error`.
 
-    On the disc, and on any region within it, the integrand ``exp(i Phi - g rho^2 - i v.rho)`` with Phi a sum of
-    Zernike terms of degree n_j and amplitude W_j at the edge is bounded by
-    ``M(b) = exp(sum_j W_j sinh(n_j b) + v sinh(b) + (g/2) (cosh(2 b) - 1))``, b > 0 the size of the complex
-    neighbourhood. A rule with positive weights that is exact to the degree E errs in U by at most
-    ``2 sum_{n > E} (n + 1)^1.5 M(b) (1 + e^{-2 b}) e^{-n b}``; the best b is taken.
+    On the disc, and on any region within it, the integrand ``A exp(i Phi - i v.rho)`` with Phi a sum of Zernike
+    terms of degree n_j and amplitude W_j at the edge is bounded by
+    ``M(b) = exp(sum_j W_j sinh(n_j b) + v sinh(b) + a(cosh 2 b))``, b > 0 the size of the complex neighbourhood and
+    a the growth of the amplitude A, :meth:`lommel.Apodization.growth`. A rule with positive weights that is exact to
+    the degree E errs in U by at most ``2 sum_{n > E} (n + 1)^1.5 M(b) (1 + e^{-2 b}) e^{-n b}``; the best b is taken.
 
     Parameters
     ----------
@@ -60,14 +63,16 @@ def degree_needed(terms: Iterable[tuple[int, float]], v: float, gaussian: float,
         sum of squares.
     v : float
         The largest ``|v|`` of the image.
-    gaussian : float
-        g of the apodization.
+    light : Apodization
+        The amplitude.
     error : float
         Of U, relative to U(0) = 1 of the unaberrated disc.
+    power : float, default 1
+        To which the amplitude is taken.
     """
-    v, gaussian = validation.real("v", v, least=0.0), validation.real("gaussian", gaussian, least=0.0)
+    v, light = validation.real("v", v, least=0.0), validation.instance("light", light, Apodization)
     error = validation.real("error", error, above=0.0)
-    growth = v * np.sinh(_B) + 0.5 * gaussian * (np.cosh(2.0 * _B) - 1.0)
+    growth = v * np.sinh(_B) + power * light.growth(np.cosh(2.0 * _B))
     if not isinstance(terms, Iterable):
         raise TypeError(f"terms must be pairs (n, amplitude), got {validation.shown(terms)}")
     for n, amplitude in terms:

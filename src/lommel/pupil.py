@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Mask, Spider, cell_centers, vignetting_from_dict
+from lommel.apodization import Apodization, illumination
 from lommel.opening import Opening, Rule, degree_needed
 from lommel.wavefront import Wavefront
 
@@ -86,9 +87,10 @@ class Pupil:
         units of lambda*N.
     f_number : float, optional
         Working f-number N: sensor distance over aperture diameter.
-    apodization : float, default 0
-        g >= 0 of a Gaussian amplitude ``exp(-g rho^2)``, at most 100: a laser beam whose amplitude falls to 1/e at w
-        is clipped at the radius a with ``g = (a / w)^2``. See :attr:`lommel.Method.apodized` for who takes it.
+    apodization : float or Apodization, default 0
+        The amplitude across the aperture, of all pupils of a stack. A number is g >= 0 of a Gaussian
+        ``exp(-g rho^2)``, at most 100: a laser beam whose amplitude falls to 1/e at w is clipped at the radius a with
+        ``g = (a / w)^2``. See :attr:`lommel.Method.apodized` for who takes it.
     geometry : Geometry, optional
         Physical distances, filled in by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
     spider : Spider, optional
@@ -100,6 +102,8 @@ class Pupil:
 
     Attributes
     ----------
+    illumination : Apodization
+        The apodization, that of a Gaussian where it was given as a number.
     circular : bool
         Whether the aperture is a plain disc or annulus: without spider, vignetting and mask.
     radial : bool
@@ -116,11 +120,12 @@ class Pupil:
     obscuration: float = field(default=0.0, kw_only=True)
     wavelength: float | None = field(default=None, kw_only=True)
     f_number: float | None = field(default=None, kw_only=True)
-    apodization: float = field(default=0.0, kw_only=True)
+    apodization: float | Apodization = field(default=0.0, kw_only=True)
     geometry: Geometry | None = field(default=None, kw_only=True)
     spider: Spider | None = field(default=None, kw_only=True)
     vignetting: Ellipse | CatEye | None = field(default=None, kw_only=True)
     mask: Mask | None = field(default=None, kw_only=True)
+    illumination: Apodization = field(init=False, repr=False, compare=False)
     circular: bool = field(init=False, repr=False, compare=False)
     # A field, for a PSF asks several times and a small one takes microseconds.
     radial: bool = field(init=False, repr=False, compare=False)
@@ -134,8 +139,10 @@ class Pupil:
             )
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
         object.__setattr__(self, "obscuration", eps)
-        fall = validation.real("apodization", self.apodization, least=0.0, below=100.0 + 1e-9)
-        object.__setattr__(self, "apodization", fall)
+        light = illumination(self.apodization)
+        object.__setattr__(self, "illumination", light)
+        if not isinstance(self.apodization, Apodization):
+            object.__setattr__(self, "apodization", light.slope)
         if (self.wavelength is None) != (self.f_number is None):
             raise ValueError(
                 "wavelength and f_number must be given together (sensor in metres) or not at all "
@@ -188,22 +195,22 @@ class Pupil:
 
     @property
     def amplitude(self) -> float:
-        """Field at the peak without aberration, ``(1/pi) int A dx dy`` of the amplitude A; the area if g = 0.
+        """Field at the peak without aberration, ``(1/pi) int A dx dy`` of the amplitude A; the area if it is 1.
 
-        Closed forms if circular, else quadrature to about 1e-13, or the sum over the samples of a mask.
+        A closed form of a Gaussian over an annulus, else quadrature to about 1e-13, or the sum over the samples of
+        a mask.
         """
-        return self._integral(self.apodization)
+        return self._integral(1.0)
 
     @property
     def transmission(self) -> float:
-        """Light that passes, ``(1/pi) int A^2 dx dy`` of the amplitude A; the area if g = 0 and there is no mask."""
-        return self._integral(2.0 * self.apodization, 2)
+        """Light that passes, ``(1/pi) int A^2 dx dy`` of the amplitude A; the area if A is 1."""
+        return self._integral(2.0)
 
-    def _integral(self, g: float, power: int = 1) -> float:
+    def _integral(self, power: float) -> float:
         if not self.circular:
-            return _moment(self.opening, self.mask, g, power)
-        area = 1.0 - self.obscuration**2
-        return area if g < 1e-12 else math.exp(-g * self.obscuration**2) * -math.expm1(-g * area) / g
+            return _moment(self.opening, self.mask, self.illumination, power)
+        return self.illumination.integral(self.obscuration, power)
 
     @property
     def opening(self) -> Opening:
@@ -239,7 +246,7 @@ class Pupil:
         return c.reshape(-1, c.shape[-1])
 
     def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
-        """Return the pupil function at pupil coordinates, ``exp(-g rho^2 + i phase)`` where light passes, else 0.
+        """Return the pupil function at pupil coordinates, ``A exp(i phase)`` where light passes, else 0.
 
         Times the amplitude of the cell of the mask, if there is one, that a point lies in.
 
@@ -259,7 +266,7 @@ class Pupil:
         out = np.zeros((math.prod(self.shape), *rho.shape), dtype=np.complex128)
         inside = rho[clear]
         phase = self.wavefront.phase(inside, np.arctan2(down[clear], across[clear])).reshape(len(out), -1)
-        out[:, clear] = np.exp(-self.apodization * inside**2 + 1j * phase)
+        out[:, clear] = self.illumination.at(inside**2) * np.exp(1j * phase)
         if self.mask is not None:
             out *= self.mask.at(across, down)
         return out
@@ -319,7 +326,7 @@ class Pupil:
             "obscuration": self.obscuration,
             "wavelength": self.wavelength,
             "f_number": self.f_number,
-            "apodization": self.apodization,
+            "apodization": light.to_dict() if isinstance(light := self.apodization, Apodization) else light,
             "geometry": None if self.geometry is None else self.geometry.to_dict(),
         }
         shapes = {"spider": self.spider, "vignetting": self.vignetting, "mask": self.mask}
@@ -333,6 +340,8 @@ class Pupil:
         for name, build in _SHAPES.items():
             if name in parts:
                 parts[name] = build(parts[name])
+        if isinstance(parts.get("apodization"), dict):
+            parts["apodization"] = Apodization.from_dict(parts["apodization"])
         return cls(
             Wavefront.from_dict(parts.pop("wavefront")),
             geometry=None if geometry is None else Geometry.from_dict(geometry),
@@ -358,14 +367,14 @@ def _samples(opening: Opening, mask: Mask) -> Rule:
 
 
 @lru_cache(maxsize=64)
-def _moment(opening: Opening, mask: Mask | None, g: float, power: int) -> float:
-    """Return ``(1/pi) int T^power exp(-g rho^2) dx dy`` with the amplitude T of the mask."""
+def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: float) -> float:
+    """Return ``(1/pi) int (T A)^power dx dy``, amplitudes T of a mask and A of the light; at power 0 that of T."""
     if mask is None:
-        x, y, weight = opening.rule(degree_needed([], 0.0, g, 1e-14))
+        x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
     else:
         x, y, weight = _samples(opening, mask)
-        weight = weight * mask.at(x, y) ** (power - 1)
-    return float(weight @ np.exp(-g * (x * x + y * y)))
+        weight = weight * mask.at(x, y) ** (max(power, 1.0) - 1.0)
+    return float(weight @ light.at(x * x + y * y, power))
 
 
 def ray_height(coefficients: NDArray[np.float64], rho: NDArray[np.float64]) -> NDArray[np.float64]:

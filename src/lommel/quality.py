@@ -158,8 +158,8 @@ def _polynomial_rule(
     terms = pupil.wavefront.nonradial
     degree = max([2 * pupil.wavefront.coefficients.shape[-1], *(n for n, _ in terms)])
     order = max([0, *(abs(m) for _, m in terms)])
-    # n nodes are exact to the degree 2 n - 1 in t; a Gaussian takes some more.
-    fall = power * pupil.apodization
+    # n nodes are exact to the degree 2 n - 1 in t; an amplitude takes some more.
+    fall = power * pupil.illumination.slope
     if not pupil.circular:
         return _clear_rule(pupil, power, 2 * degree + 2 + (0 if fall == 0.0 else 48 + math.ceil(fall)))
     radial = degree // 2 + 2 + (0 if fall == 0.0 else 24 + math.ceil(0.5 * fall))
@@ -171,8 +171,9 @@ def _rule(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     low = pupil.obscuration**2
     t, weight = gauss_legendre(radial, low, 1.0)
-    # Relative to the innermost zone: a strong fall underflows otherwise.
-    weight = weight * np.exp(-power * pupil.apodization * (t - low))
+    # Relative to the brightest zone: a strong fall underflows otherwise.
+    fall = pupil.illumination.exponent_at(t)
+    weight = weight * np.exp(-power * (fall - fall.min()))
     theta = np.arange(around) * (2.0 * math.pi / around)
     rho = np.repeat(np.sqrt(t), around)
     return rho, np.tile(theta, radial), np.repeat(weight / (weight.sum() * around), around)
@@ -187,7 +188,7 @@ def _clear_rule(
     carried = 1.0 if pupil.mask is None else pupil.mask.at(x, y) ** (power - 1.0)
     # At the middle of a mask rho is 0, where slopes over rho have a limit only.
     rho = np.maximum(np.hypot(x, y), 1e-12)
-    weight = weight * carried * np.exp(-power * pupil.apodization * rho**2)
+    weight = weight * carried * pupil.illumination.at(rho**2, power)
     return rho, np.arctan2(y, x), weight / weight.sum()
 
 
@@ -220,13 +221,13 @@ def _strehl(pupil: Pupil) -> float:
     if not pupil.circular:
         # Known to more than 1e-12: the rule has positive weights and is exact to the degree that is proven enough.
         terms_of = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
-        rho, theta, weight = _clear_rule(pupil, 1.0, degree_needed(terms_of, 0.0, pupil.apodization, 1e-13))
+        rho, theta, weight = _clear_rule(pupil, 1.0, degree_needed(terms_of, 0.0, pupil.illumination, 1e-13))
         mean = np.sum(weight * np.exp(1j * pupil.wavefront.phase(rho, theta)))
         return float(mean.real**2 + mean.imag**2)
     blur = float(pupil.v(pupil.geometric_radius()))
     terms = pupil.wavefront.nonradial
     order = max([0, *(abs(m) for _, m in terms)])
-    radial = 24 + math.ceil(0.5 * blur + 0.5 * pupil.apodization)
+    radial = 24 + math.ceil(0.5 * blur + 0.5 * pupil.illumination.slope)
     around = 2 * (16 + 2 * order + math.ceil(0.6 * blur)) if terms else 2
 
     def quadrature(radial: int, around: int) -> float:

@@ -8,7 +8,10 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from lommel import metrics, quality, spot, transfer
+from lommel.apodization import Apodization
 from lommel.encircled import MAX_RADIUS, encircled
 from lommel.fieldmap import PSFGrid
 from lommel.instrument import Instrument, wide_enough
@@ -64,6 +67,8 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "wavelength": lens.wavelength,
         "model": lens.model,
         "corrected_for": lens.corrected_for,
+        "apodization": light.to_dict() if isinstance(light := lens.apodization, Apodization) else light,
+        "rim_amplitude": float(np.divide(*lens.illumination.value([1.0, 0.0]))),
         "other_model": other_model(instrument),
         "focus_distance": _finite(lens.focus_distance),
         "sensor_distance": lens.sensor_distance,
@@ -147,7 +152,9 @@ def other_model(instrument: Instrument) -> dict[str, Any]:
     side = "focus" if model == "aplanatic" and _magnifies(lens) else lens.corrected_for
     found = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
     try:
-        other = replace(lens, model=model, corrected_for=side).pupil(instrument.object_distance)
+        # The amplitude stays, also where it is made of angles that a paraxial lens does not have.
+        changed = replace(lens, model=model, corrected_for=side, apodization=lens.illumination)
+        other = changed.pupil(instrument.object_distance)
         pupils = {lens.model: instrument.pupil(), model: other}
         seen = {
             name: psf(p, instrument.window, instrument.pixel, dtype="float64", integrate=instrument.integrate)

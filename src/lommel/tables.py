@@ -45,6 +45,7 @@ def print_lens(facts: dict[str, Any]) -> None:
          f" (working f/{facts['working_f_number']:.4g})"),
         ("pixel", format_length(facts["pixel"])),
         ("model", _model(facts)),
+        *([] if facts["apodization"] == 0.0 else [("amplitude", _amplitude(facts))]),
         ("other model", model_in_words(facts["other_model"])),
         ("defocus C_d", f"{facts['defocus']:.4g} rad"),
         ("spherical C_s", f"{facts['spherical']:.4g} rad"),
@@ -124,6 +125,15 @@ def _print_field_of_lens(console: Console, field: dict[str, Any]) -> None:
     console.print()
     console.print(table)
     console.print("along a diagonal of the sensor; all else is of the axis", style="dim")
+
+
+def _amplitude(facts: dict[str, Any]) -> str:
+    kind = facts["apodization"]
+    if isinstance(kind, float):
+        name = f"Gaussian, exp(-{kind:.4g} rho^2)"
+    else:
+        name = "cos(theta)^(-1/2)" if kind == "aplanatic" else "a polynomial of rho^2 in the exponent"
+    return f"{name}: at the rim {facts['rim_amplitude']:.4g} of that of the middle"
 
 
 def _model(facts: dict[str, Any]) -> str:

@@ -311,7 +311,7 @@ def _refined(
     """Return the OTF at few frequencies with as many nodes as it takes."""
     # Half of the phase that a line of the overlap sees, about; too few nodes are found out by those that follow.
     swing = 2.0 * blur * (1.0 - float(shift.min())) * min(1.0, 2.0 * float(shift.max()))
-    nodes = 16 + math.ceil(0.25 * swing + 0.25 * pupil.apodization)
+    nodes = 16 + math.ceil(0.25 * swing + 0.25 * pupil.illumination.slope)
     before: NDArray[np.complex128] | None = None
     while nodes <= _MAX_NODES:
         value = _overlap_integral(pupil, f, shift, nodes)
@@ -354,8 +354,8 @@ def _radial_product(pupil: Pupil, s: NDArray[np.float64], t: NDArray[np.float64]
     powers = np.cumprod(np.broadcast_to(s, (coefficients.shape[1], *s.shape)), axis=0)
     powers -= np.cumprod(np.broadcast_to(t, powers.shape), axis=0)
     product = np.cos(np.tensordot(coefficients, powers, 1))
-    if pupil.apodization:
-        product *= np.exp(-pupil.apodization * (s + t))
+    if not pupil.illumination.uniform:
+        product *= pupil.illumination.at(s) * pupil.illumination.at(t)
     return np.asarray(product)
 
 

@@ -37,7 +37,7 @@ def same(found: float, expected: mp.mpf) -> bool:
 @given(phases, st.floats(0, 5), lows, st.floats(0, 90), st.floats(0, 9))
 def test_the_growth_of_the_integrand(phase, spread, low, v, gaussian):
     stack = np.array([[c - spread for c in phase], [c + spread for c in phase]])
-    found = bounds.growth(stack, low, v, gaussian)
+    found = bounds.growth(stack, low, v, lm.Apodization.gaussian(gaussian))
     low, half = mp.mpf(low), (1 - mp.mpf(low)) / 2
     for i in (0, 40, 95):
         eta, largest = ETAS[i], mp.mpf(0)
@@ -136,7 +136,7 @@ def test_cubic_interpolation_of_the_fastest_intensity_there_is_reaches_its_bound
 )
 def test_the_degree_to_which_a_rule_over_any_aperture_must_be_exact(terms, v, gaussian, error):
     curves = np.geomspace(1e-3, 4.0, 200)
-    degree = degree_needed(terms, v, gaussian, error)
+    degree = degree_needed(terms, v, lm.Apodization.gaussian(gaussian), error)
 
     def bound(e: int) -> mp.mpf:
         found = []

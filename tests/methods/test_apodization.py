@@ -95,6 +95,7 @@ def test_methods_for_uniform_illumination_refuse_any_other(name):
     pupil = lm.Pupil(wavelength=5e-7, f_number=8.0, apodization=1.0, geometry=lens.pupil().geometry)
     if kind.apodized:
         every = (lm.NijboerZernike, lm.Hankel, lm.ChordalGauss, lm.Fraunhofer, lm.MatrixFourier, lm.NonuniformFFT)
+        every += (lm.HuygensFresnel,)
         assert kind in every
         assert lm.psf(pupil, 5, 1e-6, method=kind()).values.shape == (5, 5)
     else:

@@ -304,7 +304,7 @@ def test_what_is_refused_is_named():
 def test_the_compiled_core_refuses_what_does_not_fit(change, message):
     arguments = {
         "terms": np.array([[2, 0]]), "outer": np.zeros((1, 1)), "inner": np.zeros((1, 1)), "obscuration": 0.0,
-        "gaussian": 0.0, "center_y": 1.0, "center_x": 1.0, "step": 1.0, "tol": 1e-6, "threads": 1,
+        "amplitude": np.zeros(1), "center_y": 1.0, "center_x": 1.0, "step": 1.0, "tol": 1e-6, "threads": 1,
         "images": np.zeros((1, 3, 3)), "scales": np.ones(1), "bounds": np.zeros(1),
     }  # fmt: skip
     with pytest.raises(ValueError, match=message):

@@ -23,7 +23,8 @@ struct ChordalStack {
     const double* outer;  // [pupil][term], radians at the edge
     const double* inner;  // the same for the obscured disk, its edge being the obscuration's; not read if there is none
     std::size_t count;
-    double obscuration, gaussian;
+    double obscuration;
+    Amplitude amplitude{};
 };
 
 struct ChordalWindow {
@@ -48,11 +49,11 @@ class ChordalRenderer {
         : stack_(stack), rows_(window.height, window.center_row), columns_(window.width, window.center_column),
           step_(window.step), tol_(tol), threads_(threads), answer_(answer), curves_(stack.terms),
           box_{step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
-          area_(stack.obscuration * stack.obscuration), states_(stack.count) {}
+          area_(stack.obscuration * stack.obscuration), inner_amplitude_(stack.amplitude.scaled(area_)),
+          states_(stack.count) {}
 
     void run() {
-        const double g = stack_.gaussian, clear = 1.0 - area_;
-        const double bright = g > 1e-6 ? std::exp(-g * area_) * -std::expm1(-g * clear) / g : clear;
+        const double bright = stack_.amplitude.integral(stack_.obscuration);
         ChordBound outer, inner;
         std::vector<std::size_t> pending(stack_.count);
         std::iota(pending.begin(), pending.end(), std::size_t{0});
@@ -121,9 +122,9 @@ class ChordalRenderer {
     }
 
     void prepare(std::size_t p, ChordBound& outer, ChordBound& inner) const {
-        outer.prepare(curves_, stack_.outer + p * stack_.terms.size(), stack_.gaussian, box_);
+        outer.prepare(curves_, stack_.outer + p * stack_.terms.size(), stack_.amplitude, box_);
         if (area_ > 0.0) {
-            inner.prepare(curves_, stack_.inner + p * stack_.terms.size(), area_ * stack_.gaussian,
+            inner.prepare(curves_, stack_.inner + p * stack_.terms.size(), inner_amplitude_,
                           box_.scaled(stack_.obscuration));
             inner.sharpen(states_[p].near.curve, states_[p].near.phase);
         }
@@ -145,7 +146,7 @@ class ChordalRenderer {
         const std::size_t terms = stack_.terms.size();
         for (std::size_t p = 0; p < stack_.count; ++p) {
             look();
-            bound.prepare(curves_, coefficients + p * terms, scale * scale * stack_.gaussian, box_.scaled(scale));
+            bound.prepare(curves_, coefficients + p * terms, stack_.amplitude.scaled(scale * scale), box_.scaled(scale));
             const double error = states_[p].error;
             const std::size_t curve = bound.best_curve(error, expected_share), plain = bound.estimate(curve, error, 1.0);
             const double gain = work(plain) - work(bound.estimate(curve, error, expected_share));
@@ -205,7 +206,7 @@ class ChordalRenderer {
     Tables tables(std::size_t chords, double scale) const {
         // The kernel first: it knows when there are too many chords.
         const auto k = kernel(chords, scale * step_);
-        return {cache<TermTable>.get(chords, stack_.terms, scale * scale * stack_.gaussian), k};
+        return {cache<TermTable>.get(chords, stack_.terms, stack_.amplitude.scaled(scale * scale)), k};
     }
 
     void dispatch_batches(const std::vector<std::size_t>& pending) {
@@ -336,6 +337,7 @@ class ChordalRenderer {
     ChordCurves curves_;
     VBox box_;
     double area_;
+    Amplitude inner_amplitude_;
     std::vector<State> states_;
 };
 

@@ -44,7 +44,7 @@ class ChordCurves {
         for (std::size_t k = 0; k < count; ++k, at *= 1.14) {
             b[k] = at;
             decay[k] = std::exp(-at);
-            gaussian[k] = 0.5 * (std::cosh(2.0 * at) - 1.0);
+            cosh[k] = std::cosh(2.0 * at);
             constant[k] = std::log1p(std::exp(-2.0 * at));
             for (std::size_t n = 0; n < degrees_; ++n) {
                 growth_[k * degrees_ + n] = std::sinh(static_cast<double>(n) * at);
@@ -66,7 +66,7 @@ class ChordCurves {
     const std::vector<ZernikeTerm>& terms() const { return terms_; }
     std::size_t partner(std::size_t j) const { return partner_[j]; }
 
-    double b[count], decay[count], gaussian[count], constant[count];
+    double b[count], decay[count], cosh[count], constant[count];
 
    private:
     std::vector<ZernikeTerm> terms_;
@@ -89,7 +89,7 @@ struct VBox {
 // One disk with its phase and its window: log_size[k] bounds the logarithm of the integrand on the curve of b_k.
 class ChordBound {
    public:
-    void prepare(const ChordCurves& curves, const double* coefficients, double gaussian, const VBox& window) {
+    void prepare(const ChordCurves& curves, const double* coefficients, const Amplitude& light, const VBox& window) {
         curves_ = &curves;
         const std::vector<ZernikeTerm>& terms = curves.terms();
         amplitude_.assign(curves.degrees(), 0.0);
@@ -119,7 +119,7 @@ class ChordBound {
         reach_ = window.reach(tilt_x, tilt_y);
         for (std::size_t k = 0; k < ChordCurves::count; ++k) {
             const double* growth = curves.growth(k);
-            base_[k] = gaussian * curves.gaussian[k] + curves.constant[k] + reach_ * growth[1];
+            base_[k] = light.growth(curves.cosh[k]) + curves.constant[k] + reach_ * growth[1];
             double sum = 0.0;
             for (std::size_t n = 2; n < amplitude_.size(); ++n) {
                 sum += amplitude_[n] * growth[n];

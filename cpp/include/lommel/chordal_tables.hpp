@@ -86,14 +86,14 @@ struct ChordRule {
 struct TermTable {
     std::size_t chords, half;
     std::vector<ZernikeTerm> terms;
-    double gaussian;
+    Amplitude amplitude;
     std::vector<std::size_t> order;  // of the terms, class by class
     std::size_t ends[4];             // of the classes
     Doubles values;                  // [chord][tile of nodes][term][node of the tile]
-    Doubles weights;                 // [chord][node], with the Gaussian amplitude
+    Doubles weights;                 // [chord][node], with the amplitude
 
-    TermTable(std::size_t n, const std::vector<ZernikeTerm>& list, double g)
-        : chords(n), half(n / 2), terms(list), gaussian(g), values(half * half * list.size()), weights(half * half) {
+    TermTable(std::size_t n, const std::vector<ZernikeTerm>& list, const Amplitude& light)
+        : chords(n), half(n / 2), terms(list), amplitude(light), values(half * half * list.size()), weights(half * half) {
         for (std::size_t parity = 0; parity < 4; ++parity) {
             for (std::size_t j = 0; j < list.size(); ++j) {
                 const std::size_t odd_y = list[j].m < 0 ? 1 : 0;
@@ -119,12 +119,12 @@ struct TermTable {
             for (std::size_t k = 0; k < half; ++k) {
                 const long double y = rule.s[i] * rule.eta[k];
                 weights[i * half + k] = static_cast<double>(
-                    rule.weight(i, k) * std::exp(-static_cast<long double>(g) * (rule.x[i] * rule.x[i] + y * y)));
+                    rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
             }
         }
     }
-    bool is(std::size_t n, const std::vector<ZernikeTerm>& list, double g) const {
-        return chords == n && gaussian == g && terms == list;
+    bool is(std::size_t n, const std::vector<ZernikeTerm>& list, const Amplitude& light) const {
+        return chords == n && amplitude == light && terms == list;
     }
     std::size_t bytes() const { return (values.size() + weights.size()) * sizeof(double); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;

@@ -35,10 +35,10 @@ class DiskBounds {
         }
     }
 
-    // The amplitude exp(-gaussian rho^2): rho^2 = (1 + R_2^0) / 2, whose real part is at least (1 - cosh 2b) / 2.
-    void add_gaussian(double gaussian) {
-        for (std::size_t i = 0; i < count; ++i) {
-            log_m_[i] += 0.5 * gaussian * (std::cosh(2.0 * b_[i]) - 1.0);
+    // The amplitude: on the line rho^2 = cos(phi)^2 + eta^2 sin(phi)^2 stays within the ellipse of cosh 2b around [0, 1].
+    void add(const Amplitude& amplitude) {
+        for (std::size_t i = 0; i < count && !amplitude.uniform(); ++i) {
+            log_m_[i] += amplitude.growth(std::cosh(2.0 * b_[i]));
         }
     }
 

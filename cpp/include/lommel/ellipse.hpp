@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/amplitude.hpp"
+
 namespace lommel {
 
 // The ellipses that are tried, and angles around them.
@@ -42,13 +44,12 @@ class Ellipses {
    public:
     static constexpr std::size_t count = EllipseGrid::count;
 
-    // Of t^power exp(i Phi - gaussian t), with the coefficients of t, t^2, ... in radians; gaussian >= 0.
-    Ellipses(const double* phase, std::size_t terms, double gaussian, std::size_t power) {
+    // Of t^power A exp(i Phi), with the coefficients of t, t^2, ... in radians and the amplitude A.
+    Ellipses(const double* phase, std::size_t terms, const Amplitude& amplitude, std::size_t power) {
         const EllipseGrid& grid = the_grid;
         measure(phase, terms);
-        for (std::size_t i = 0; i < count; ++i) {
-            // Re t >= (1 - cosh eta) / 2
-            g_[i] += 0.5 * gaussian * (grid.cosh[i] - 1.0);
+        for (std::size_t i = 0; i < count && !amplitude.uniform(); ++i) {
+            g_[i] += amplitude.growth(grid.cosh[i]);
         }
         for (std::size_t i = 0; i < count && power > 0; ++i) {
             g_[i] += static_cast<double>(power) * std::log(0.5 * (1.0 + grid.cosh[i]));
@@ -56,7 +57,7 @@ class Ellipses {
     }
 
     // Of every pupil between two, coefficient by coefficient: g is convex, so the corners of their box bound it.
-    Ellipses(const std::vector<double>& least, const std::vector<double>& most, double gaussian) {
+    Ellipses(const std::vector<double>& least, const std::vector<double>& most, const Amplitude& amplitude) {
         const std::size_t terms = least.size();
         std::vector<double> corner(terms);
         g_.fill(0.0);
@@ -64,7 +65,7 @@ class Ellipses {
             for (std::size_t k = 0; k < terms; ++k) {
                 corner[k] = (which >> k) % 2 == 0 ? least[k] : most[k];
             }
-            const Ellipses one(corner.data(), terms, gaussian, 0);
+            const Ellipses one(corner.data(), terms, amplitude, 0);
             for (std::size_t i = 0; i < count; ++i) {
                 g_[i] = std::max(g_[i], one.g_[i]);
             }

@@ -45,15 +45,16 @@ struct Places {
     double reach() const { return count > 0 ? radii[count - 1] * step : radii == nullptr ? step : 0.0; }
 };
 
-// The pupil function exp(i Phi - gaussian t): coefficients of t, t^2, ... of the phase, in radians.
+// The pupil function A exp(i Phi): coefficients of t, t^2, ... of the phase, in radians, and the amplitude, which is not
+// copied.
 struct Phase {
     const double* coefficients;
     std::size_t terms;
-    double gaussian = 0.0;
+    const Amplitude* amplitude = &even_light;
 
     double size() const { return weighted(0.0, 1.0); }
     // What relative roundings of t and of the steps of Horner's rule do to the phase, in units of roundoff.
-    double sensitivity() const { return weighted(3.0, 4.0) + 4.0 * gaussian; }
+    double sensitivity() const { return weighted(3.0, 4.0) + amplitude->sensitivity(); }
 
    private:
     double weighted(double slope, double start) const {
@@ -119,15 +120,15 @@ struct Disk {
     // Expands to `error` in U at every v up to `reach`; returns the bound that was reached, rounding included.
     double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch) {
         check_size(phase);
-        const Expansion plan(Ellipses(phase.coefficients, phase.terms, phase.gaussian, power), reach, error);
+        const Expansion plan(Ellipses(phase.coefficients, phase.terms, *phase.amplitude, power), reach, error);
         terms = plan.terms;
         if (re.size() < plan.room()) {
             re.resize(plan.room());
             im.resize(plan.room());
         }
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, phase.gaussian, power, terms, re.data(), im.data(),
-                                  scratch);
+            legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, *phase.amplitude, power, terms, re.data(),
+                                  im.data(), scratch);
         });
         return plan.error(phase);
     }
@@ -157,7 +158,8 @@ class Field {
             for (std::size_t k = 0; k < power; ++k) {
                 weight_ *= area;
             }
-            const Phase inner{inner_phase_.data(), phase.terms, area * phase.gaussian};
+            inner_amplitude_ = phase.amplitude->scaled(area);
+            const Phase inner{inner_phase_.data(), phase.terms, &inner_amplitude_};
             bound += weight_ * (inner_.expand(inner, power, obscuration_ * reach, 0.5 * error, scratch_) +
                                 radius_rounding(obscuration_ * reach));
         }
@@ -326,6 +328,7 @@ class Field {
     bool few_ = false;  // whether the series serves some radii
     SeriesScratch scratch_;
     std::vector<double> inner_phase_, transforms_, bessel_;
+    Amplitude inner_amplitude_;
     Doubles re_, im_;
 };
 
@@ -354,10 +357,7 @@ inline double stored(double relative, double storing) { return relative + (1.0 +
 
 // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
 inline double likely_peak(const Phase& phase, double obscuration) {
-    const double area = 1.0 - obscuration * obscuration, g = phase.gaussian;
-    // int exp(-g t) dt over the annulus, the peak without aberration.
-    const double bright = g > 1e-6 ? std::exp(-g * obscuration * obscuration) * -std::expm1(-g * area) / g : area;
-    return bright / (2.0 * phase.size() + 1.0);
+    return phase.amplitude->integral(obscuration) / (2.0 * phase.size() + 1.0);
 }
 
 inline double first_error(const Phase& phase, double obscuration, double tol) {

@@ -22,8 +22,8 @@ struct Stack {
     const double* coefficients;  // [pupil][term] of t, t^2, ...
     std::size_t count, terms;
     double obscuration;
-    double gaussian = 0.0;
-    Phase operator[](std::size_t i) const { return {coefficients + i * terms, terms, gaussian}; }
+    Amplitude amplitude{};
+    Phase operator[](std::size_t i) const { return {coefficients + i * terms, terms, &amplitude}; }
 };
 
 // Where the answer goes. For each pupil: the image, what the intensity was multiplied by (0 on entry: divide by the
@@ -124,10 +124,10 @@ class Renderer {
         for (std::size_t k = 0; k < largest.size(); ++k) {
             largest[k] = std::max(std::abs(least[k]), std::abs(most[k]));
         }
-        const Phase worst{largest.data(), largest.size(), stack_.gaussian};
+        const Phase worst{largest.data(), largest.size(), &stack_.amplitude};
         check_size(worst);
         const double error = first_error(worst, 0.0, tol_), reach = layout_->reach() * step_;
-        const Expansion plan(Ellipses(least, most, stack_.gaussian), reach, error);
+        const Expansion plan(Ellipses(least, most, stack_.amplitude), reach, error);
         const auto table = RadiusTable::get(layout_, step_, plan.terms);
         const std::size_t room = plan.room();
         parallel_for((stack_.count + group - 1) / group, threads_, [&](std::size_t, std::size_t task) {
@@ -142,7 +142,7 @@ class Renderer {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 for (std::size_t p = 0; p < here; ++p) {
                     const Phase phase = stack_[first + p];
-                    legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, phase.gaussian, 0, plan.terms,
+                    legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, *phase.amplitude, 0, plan.terms,
                                           re.data() + p * room, im.data() + p * room, scratch);
                 }
                 for (std::size_t p = 0; p < here; p += block_pupils) {

@@ -16,12 +16,13 @@
 
 namespace lommel {
 
-// sup|U| of an aperture, and the light that passes it over pi.
+// sup|U| of an aperture, or no more than its error above, and about the light that passes it over pi.
 struct Aperture {
     double area, light;
-    double obscuration, gaussian;
+    double obscuration;
 
-    Aperture(double eps, double g) : area(over(eps, g)), light(over(eps, 2.0 * g)), obscuration(eps), gaussian(g) {}
+    Aperture(double eps, const Amplitude& amplitude)
+        : area(bright(eps, amplitude)), light(amplitude.raised(2.0).integral(eps)), obscuration(eps) {}
 
     // sup of int t^power exp(i Phi) J0 dt.
     double moment(std::size_t power) const {
@@ -30,10 +31,19 @@ struct Aperture {
     }
 
    private:
-    // int exp(-g t) dt over the annulus.
-    static double over(double eps, double g) {
-        const double open = 1.0 - eps * eps;
-        return g > 1e-6 ? std::exp(-g * eps * eps) * -std::expm1(-g * open) / g : open;
+    // No closed form, no exact value: U on the axis and its error instead.
+    static double bright(double eps, const Amplitude& amplitude) {
+        if (amplitude.closed()) {
+            return amplitude.integral(eps);
+        }
+        const double flat = 0.0, axis[1 + widest_step] = {};
+        double found[1 + widest_step] = {};
+        Field field;
+        const double error = field.prepare({&flat, 1, &amplitude}, 0, eps, {axis, 1, 1.0}, 1e-12);
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            field.evaluate(isa, axis, 0, 1, 1.0, [&](std::size_t i, auto re, auto) LOMMEL_INLINE_LAMBDA { store(found + i, re); });
+        });
+        return std::min(1.0 - eps * eps, found[0] + error);
     }
 };
 
@@ -43,7 +53,7 @@ class PixelRenderer {
     // `peaks` receives what the bounds are related to: what the largest value over the plane, or in the window where
     // values are divided by that, is at least.
     PixelRenderer(const Stack& stack, const PixelWindow& window, double tol, int threads, const Answer<T>& answer, double* peaks)
-        : stack_(stack), aperture_(stack.obscuration, stack.gaussian), window_(window),
+        : stack_(stack), aperture_(stack.obscuration, stack.amplitude), window_(window),
           tol_(tol), allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads),
           answer_(answer), peaks_(peaks) {}
 
@@ -283,7 +293,7 @@ class PixelRenderer {
         for (std::size_t k = 0; k < stack_.terms; ++k) {
             farthest.push_back(std::max(std::abs(least[k]), std::abs(most[k])));
         }
-        const Phase worst{farthest.data(), farthest.size(), stack_.gaussian};
+        const Phase worst{farthest.data(), farthest.size(), &stack_.amplitude};
         check_size(worst);
         const Attempt attempt = first_attempt(worst);
         const auto table = PixelTable::get(window_, attempt.level, threads_);
@@ -295,7 +305,7 @@ class PixelRenderer {
         if (table->rings.size() > 1 || exact > pieces || terms * radii > 4e6 || stack_.terms > 4) {
             return false;
         }
-        const Expansion plan(Ellipses(least, most, stack_.gaussian), reach, attempt.error);
+        const Expansion plan(Ellipses(least, most, stack_.amplitude), reach, attempt.error);
         const auto transforms = RadiusTable::get(table, 1.0, plan.terms);
         parallel_for((stack_.count + group - 1) / group, threads_, [&](std::size_t, std::size_t task) {
             const std::size_t first = task * group;
@@ -318,7 +328,7 @@ class PixelRenderer {
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             for (std::size_t p = 0; p < here; ++p) {
                 const Phase phase = stack_[first + p];
-                legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, phase.gaussian, 0, plan.terms,
+                legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, *phase.amplitude, 0, plan.terms,
                                       re.data() + p * room, im.data() + p * room, scratch);
             }
             for (std::size_t p = 0; p < here; p += block_pupils) {

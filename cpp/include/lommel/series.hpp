@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "lommel/amplitude.hpp"
 #include "lommel/cache.hpp"
 #include "lommel/legendre.hpp"
 #include "lommel/simd.hpp"
@@ -71,10 +72,11 @@ LOMMEL_INLINE void pupil_function(I isa, const double* phase, std::size_t phase_
     sincos(isa, angle, im, re);
 }
 
-// The first `terms` coefficients of t^power exp(i Phi - gaussian t), up to whole blocks of 16, as beta_re, beta_im.
+// The first `terms` coefficients of t^power A exp(i Phi), A the amplitude, up to whole blocks of 16, as beta_re, beta_im.
 template <class I>
 LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const double* phase, std::size_t phase_terms,
-                                         double gaussian, std::size_t power, std::size_t terms, double* beta_re, double* beta_im, SeriesScratch& s) {
+                                         const Amplitude& amplitude, std::size_t power, std::size_t terms, double* beta_re,
+                                         double* beta_im, SeriesScratch& s) {
     using V = typename I::pack;
     const std::size_t half = rule.half;
     for (Doubles* v : {&s.sum_re, &s.sum_im, &s.difference_re, &s.difference_im}) {
@@ -84,11 +86,11 @@ LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const 
         V up_re, up_im, down_re, down_im;
         pupil_function(isa, phase, phase_terms, load<V>(&rule.upper[q]), up_re, up_im);
         pupil_function(isa, phase, phase_terms, load<V>(&rule.lower[q]), down_re, down_im);
-        if (gaussian > 0.0) {
+        if (!amplitude.uniform()) {
             double up[I::lanes], down[I::lanes];
             for (std::size_t i = 0; i < I::lanes; ++i) {
-                up[i] = std::exp(-gaussian * rule.upper[q + i]);
-                down[i] = std::exp(-gaussian * rule.lower[q + i]);
+                up[i] = amplitude.at(rule.upper[q + i]);
+                down[i] = amplitude.at(rule.lower[q + i]);
             }
             up_re = up_re * load<V>(up);
             up_im = up_im * load<V>(up);

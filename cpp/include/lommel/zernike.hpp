@@ -17,12 +17,12 @@
 namespace lommel {
 
 // Phase of one pupil: coefficients, radians at the edge, of R_n^|m| cos(m theta), or sin(|m| theta) for m < 0; and the
-// exponent of its Gaussian amplitude exp(-gaussian rho^2).
+// its amplitude.
 struct ZernikePhase {
     const std::int32_t *n, *m;
     const double* coefficients;
     std::size_t terms;
-    double gaussian;
+    Amplitude amplitude;
 
     // Calls f(amplitude, n, |m|) for every pair of cosine and sine.
     template <class F>
@@ -52,13 +52,13 @@ struct ZernikePhase {
     double sensitivity() const {
         double sum = 0.0;
         amplitudes([&](double a, std::size_t degree, std::size_t) { sum += a * (3.0 * static_cast<double>(degree) + 6.0); });
-        return sum + 4.0 * gaussian;
+        return sum + amplitude.sensitivity();
     }
 
     DiskBounds bounds() const {
         DiskBounds bounds;
         amplitudes([&](double amplitude, std::size_t degree, std::size_t order) { bounds.add(amplitude, degree, order); });
-        bounds.add_gaussian(gaussian);
+        bounds.add(amplitude);
         return bounds;
     }
 };
@@ -210,7 +210,7 @@ class ZernikeAnalysis {
             look();
             double* out = &folded_[k * 8 * q];
             // Each angle stands for four, and the mean over all is wanted.
-            const double size = std::exp(-phase.gaussian * rule.t[k]) * rule.weights[k] * 0.25 / static_cast<double>(q);
+            const double size = phase.amplitude.at(rule.t[k]) * rule.weights[k] * 0.25 / static_cast<double>(q);
             for (std::size_t i = 0; i < q; i += I::lanes) {
                 V even_cos = splat<V>(0.0), odd_cos = even_cos, even_sin = even_cos, odd_sin = even_cos;
                 for (std::size_t g = 0; g < orders_.size(); ++g) {

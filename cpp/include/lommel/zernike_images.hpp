@@ -22,11 +22,12 @@ struct ZernikeStack {
     const std::int32_t *n, *m;
     const double *outer, *inner;  // [pupil][term]
     std::size_t count, terms;
-    double obscuration, gaussian;
+    double obscuration;
+    Amplitude amplitude{};
 
-    ZernikePhase phase(std::size_t i) const { return {n, m, outer + i * terms, terms, gaussian}; }
+    ZernikePhase phase(std::size_t i) const { return {n, m, outer + i * terms, terms, amplitude}; }
     ZernikePhase inner_phase(std::size_t i) const {
-        return {n, m, inner + i * terms, terms, gaussian * obscuration * obscuration};
+        return {n, m, inner + i * terms, terms, amplitude.scaled(obscuration * obscuration)};
     }
 };
 
@@ -346,9 +347,7 @@ class ZernikeRenderer {
     }
 
     double first_guess(std::size_t pupil, double tol) const {
-        const double area = 1.0 - stack_.obscuration * stack_.obscuration, g = stack_.gaussian;
-        const double bright = g > 1e-6 ? std::exp(-g * (1.0 - area)) * -std::expm1(-g * area) / g : area;
-        return 0.1 * tol * bright / (stack_.phase(pupil).size() + 1.0);
+        return 0.1 * tol * stack_.amplitude.integral(stack_.obscuration) / (stack_.phase(pupil).size() + 1.0);
     }
 
     static double over_peak(double wrong, double peak, double off) {

@@ -107,6 +107,7 @@ class DepthBlur:
             obscuration=lens.obscuration,
             wavelength=lens.wavelength,
             f_number=lens.working_f_number,
+            apodization=lens.illumination,
         )
         reach = (float(self.defocus.min()), float(self.defocus.max()))
         if channels is not None and not isinstance(channels, Sequence):

@@ -129,7 +129,7 @@ def render(
                 terms.outer[part],
                 terms.inner[part],
                 pupil.obscuration,
-                pupil.apodization,
+                pupil.illumination.exponent,
                 terms.rows[part],
                 terms.columns[part],
                 grid.step(pupil),

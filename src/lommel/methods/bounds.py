@@ -17,16 +17,21 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.apodization import Apodization
+
 _ETA = np.geomspace(1e-3, 4.0, 96)
 _STEPS = 128
 _THETA = np.linspace(0.0, math.pi, _STEPS + 1)
 _COSH, _SINH = np.cosh(_ETA)[:, None], np.sinh(_ETA)[:, None]
 
 UNIT_ROUNDOFF = 2.0**-53
+_EVEN = Apodization()
 
 
-def growth(coefficients: NDArray[np.float64], low: float, v: float, gaussian: float = 0.0) -> NDArray[np.float64]:
-    """Bound ``log|exp(i Phi - gaussian t) J0(v sqrt t)|`` on each ellipse around ``[low, 1]``, for a whole stack.
+def growth(
+    coefficients: NDArray[np.float64], low: float, v: float, light: Apodization = _EVEN
+) -> NDArray[np.float64]:
+    """Bound ``log|A exp(i Phi) J0(v sqrt t)|`` on each ellipse around ``[low, 1]``, for a whole stack.
 
     The box around the coefficients bounds the stack. The maximum over theta is taken on a grid and raised by
     ``1 / cos(degree step / 2)``, which bounds a trigonometric polynomial between grid points (Ehlich and Zeller,
@@ -46,8 +51,7 @@ def growth(coefficients: NDArray[np.float64], low: float, v: float, gaussian: fl
     exponent = np.abs(phase) + sides
     exponent += v * np.abs(np.sqrt(t).imag)
     phase_and_kernel = np.asarray(exponent.max(axis=1) / math.cos(0.5 * degree * math.pi / _STEPS))
-    # Re t is at least c - h cosh eta.
-    return np.asarray(phase_and_kernel + gaussian * (half * _COSH[:, 0] - 0.5 * (1.0 + low)))
+    return phase_and_kernel + light.growth(_COSH[:, 0], low)
 
 
 def quadrature_error(g: NDArray[np.float64], n: int, low: float = 0.0) -> float:

@@ -134,7 +134,7 @@ def _render(
                 outer[part],
                 inner[part],
                 pupil.obscuration,
-                pupil.apodization,
+                pupil.illumination.exponent,
                 *grid.center,
                 grid.step(pupil),
                 left,

@@ -55,7 +55,7 @@ class Hankel(FieldMethod):
         low = pupil.obscuration**2
         coefficients = pupil.coefficients()
         reach = float(v[-1]) if v.size else 0.0
-        g = bounds.growth(coefficients, low, reach, pupil.apodization)
+        g = bounds.growth(coefficients, low, reach, pupil.illumination)
         n = bounds.quadrature_nodes(g, self.tol * (1.0 - low), low)
         if n > _MAX_NODES:
             raise ValueError(
@@ -64,7 +64,7 @@ class Hankel(FieldMethod):
             )
         t, weights = gauss_legendre(n, low, 1.0)
         powers = t ** np.arange(1, 1 + coefficients.shape[1])[:, None]
-        integrand = weights * np.exp(1j * (coefficients @ powers) - pupil.apodization * t)
+        integrand = weights * pupil.illumination.at(t) * np.exp(1j * (coefficients @ powers))
         values = np.empty((coefficients.shape[0], v.size), dtype=np.complex128)
         root = np.sqrt(t)[:, None]
         rows = max(1, _BLOCK // n)

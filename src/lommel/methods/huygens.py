@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,6 +61,7 @@ class HuygensFresnel(FieldMethod):
     pupil. M. Born and E. Wolf, *Principles of Optics*, 7th ed., section 8.8.
     """
 
+    apodized: ClassVar[bool] = True
     symmetry: bool = True
     nodes: tuple[int, int] | None = None
 
@@ -118,6 +120,7 @@ class HuygensFresnel(FieldMethod):
                 "use a smaller shape or fewer nodes"
             )
         t, weights = gauss_legendre(radial, pupil.obscuration**2, 1.0)
+        weights = weights * pupil.illumination.at(t)
         phase = exact_phase(pupil, geometry, t)
         points = (azimuthal + 1) // 2 if half else azimuthal
         angle = (np.arange(points) + 0.5) * ((math.pi if half else 2.0 * math.pi) / points)
@@ -174,5 +177,6 @@ def _nodes(pupil: Pupil, geometry: Geometry, reach: float) -> tuple[int, int]:
     bandwidth = 1.1 * float((np.sqrt((middle - low) * (1.0 - middle)) * slope).max() + 0.5 * reach)
     digits = 27.6  # log(1e12)
     radial = 0.5 * bandwidth + 0.587 * digits ** (2 / 3) * bandwidth ** (1 / 3) + 0.2 * digits + 4.0
+    radial += 0.5 * pupil.illumination.slope
     azimuthal = 1.1 * reach + 12.0 * (reach + 1.0) ** (1 / 3) + 24.0
     return math.ceil(radial), 2 * math.ceil(0.5 * azimuthal)

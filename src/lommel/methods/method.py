@@ -208,7 +208,7 @@ class Method(ABC):
             )
         if reason is None and not (self.nonradial or pupil.radial):
             reason = "supports radially symmetric pupils only; this one has terms that depend on the direction"
-        if reason is None and pupil.apodization and not self.apodized:
+        if reason is None and not (self.apodized or pupil.illumination.uniform):
             reason = "supports uniform illumination only; this pupil is apodized"
         if reason is not None:
             raise ValueError(f"{type(self).__name__} {reason}")
@@ -325,26 +325,30 @@ def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def widened(made: Images, pupil: Pupil, method: Method, *, normalized: bool) -> Images:
-    """Return images whose bounds count what the wavefront leaves out, :attr:`lommel.Wavefront.error`.
+    """Return images whose bounds count what wavefront and apodization leave out, by their attribute `error`.
 
     A phase in error by e changes U by at most ``e int A dx dy / pi``, and a derivative of U by as much. At another
-    wavelength of a spectrum both e and U grow as it falls.
+    wavelength of a spectrum both e and U grow as it falls. An amplitude A that is off by e A does the same, and
+    counts twice: what values are divided by, the peak without aberration or all light, is made of it too.
 
     Raises
     ------
     ToleranceError
         If the tolerance is not met any more.
     """
-    if not pupil.wavefront.error or made.error is None:
+    of_phase, of_light = pupil.wavefront.error, pupil.illumination.error
+    if not (of_phase or of_light) or made.error is None:
         return made
-    left = np.asarray(pupil.wavefront.error * pupil.amplitude * max(1.0, method.stretch(pupil)) ** 2)
+    stretch = max(1.0, method.stretch(pupil))
+    left = np.asarray((of_phase * stretch + 2.0 * of_light) * pupil.amplitude * stretch)
     brightest = made.values.reshape(len(made.values), -1).max(axis=1).astype(np.float64) / made.scale
     more = relative_error(brightest[:, None], left)
     error = made.error + (normalized_error(more) if normalized else more)
     if method.keeps_tol and error.max() > method.tol >= made.error.max():
         raise ToleranceError(
-            f"tol={method.tol:g} cannot be met: the powers of rho^2 leave up to {pupil.wavefront.error:.2g} rad of "
-            f"the phase out, with which the error is bounded by {error.max():.2g} of the peak; ask for a larger tol"
+            f"tol={method.tol:g} cannot be met: the powers of rho^2 leave up to {of_phase:.2g} rad of the phase and "
+            f"{of_light:.2g} of the amplitude out, with "
+            f"which the error is bounded by {error.max():.2g} of the peak; ask for a larger tol"
         )
     if made.slopes is None:
         return made._replace(error=error)

@@ -75,12 +75,16 @@ class NijboerZernike(FieldMethod):
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v with its error bound, small enough for an intensity within `tol` of the peak."""
         _require_radial(pupil)
-        return FieldValues(*_core.field(pupil.coefficients(), pupil.obscuration, pupil.apodization, v, self.tol))
+        return FieldValues(
+            *_core.field(pupil.coefficients(), pupil.obscuration, pupil.illumination.exponent, v, self.tol)
+        )
 
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
         _require_radial(pupil)
-        values, bounds, peaks = _core.profile(pupil.coefficients(), pupil.obscuration, pupil.apodization, v, self.tol)
+        values, bounds, peaks = _core.profile(
+            pupil.coefficients(), pupil.obscuration, pupil.illumination.exponent, v, self.tol
+        )
         if bounds.min() < 0:
             raise self._not_met(-bounds.min())
         return Intensities(values, bounds, peaks)
@@ -91,7 +95,7 @@ class NijboerZernike(FieldMethod):
         """Return ``I(v) @ matrix`` for the flattened stack, shape ``(n, sums)`` from a matrix ``(len(v), sums)``."""
         _require_radial(pupil)
         sums, bounds = _core.means(
-            pupil.coefficients(), pupil.obscuration, pupil.apodization, v, self.tol, matrix, threads
+            pupil.coefficients(), pupil.obscuration, pupil.illumination.exponent, v, self.tol, matrix, threads
         )
         if bounds.min() < 0:
             raise self._not_met(-bounds.min())
@@ -141,7 +145,7 @@ class NijboerZernike(FieldMethod):
         block = max(1, _BLOCK // (shape[0] * shape[1]))
         for first in range(0, n, block):
             part = slice(first, first + block)
-            arguments = (coefficients[part], pupil.obscuration, pupil.apodization, step, self.tol, threads)
+            arguments = (coefficients[part], pupil.obscuration, pupil.illumination.exponent, step, self.tol, threads)
             places = (values[part], scales[part], bounds[part])
             if slopes is None:
                 unmet = _core.render(*arguments, *places)
@@ -178,7 +182,7 @@ class NijboerZernike(FieldMethod):
             unmet = _core.render_pixels(
                 coefficients[part],
                 pupil.obscuration,
-                pupil.apodization,
+                pupil.illumination.exponent,
                 *grid.center,
                 grid.step(pupil),
                 grid.integrate,

@@ -131,12 +131,12 @@ class NonuniformFFT(Method):
         """Return the samples of a single pupil, with errors of U below `budget`."""
         step = grid.step(pupil)
         reach = step / grid.pixel * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
-        degree = degree_needed(edge_amplitudes(pupil), reach, pupil.apodization, budget)
+        degree = degree_needed(edge_amplitudes(pupil), reach, pupil.illumination, budget)
         x, y, w = pupil.rule(math.ceil(degree / _BLOCK_DEGREE) * _BLOCK_DEGREE)
         phase = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(y, x)).ravel()
         # An axis off the default place is a tilt of the pupil.
         down, across = step * (np.array([grid.height // 2, grid.width // 2]) - grid.center)
-        strengths = w * np.exp(1j * (phase - down * y - across * x) - pupil.apodization * (x * x + y * y))
+        strengths = w * pupil.illumination.at(x * x + y * y) * np.exp(1j * (phase - down * y - across * x))
         eps = budget / pupil.amplitude
         # Modes run from -(n // 2), and the first axis of the answer belongs to the first coordinate.
         # Threads cost more than they save where there is little to do.

@@ -42,8 +42,10 @@ def transmission(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str) -
 
 
 def illuminated(pupil: Pupil, x: NDArray[np.float64], part: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return `part` times the Gaussian apodization at ``(x, x)``."""
-    if pupil.apodization == 0.0:
+    """Return `part` times the apodization at ``(x, x)``."""
+    if pupil.illumination.uniform:
         return part
-    fall = np.exp(-pupil.apodization * x * x)
-    return np.asarray(part * fall[:, None] * fall)
+    square, clear = x * x, part > 0.0
+    out = part.copy()
+    out[clear] *= pupil.illumination.at((square[:, None] + square)[clear])
+    return out

@@ -1,0 +1,141 @@
+// The amplitude across the pupil, a polynomial of t = rho^2 in the exponent: what is evaluated, and how it grows off [0, 1].
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace lommel {
+
+// exp(-(g_0 + g_1 t + ... + g_K t^K)), at most 1 on [0, 1]. A Gaussian is g_1 alone, an even illumination nothing.
+class Amplitude {
+   public:
+    static constexpr std::size_t most = 10;  // powers of t
+
+    Amplitude() = default;
+    // From g_0, g_1, ...: `count` of them, at most 1 + most.
+    Amplitude(const double* powers, std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) {
+            g_[k] = powers[k];
+            terms_ = powers[k] != 0.0 ? k : terms_;
+        }
+        expand();
+    }
+    static Amplitude gaussian(double g) {
+        const double powers[2] = {0.0, g};
+        return {powers, 2};
+    }
+
+    bool uniform() const { return terms_ == 0 && g_[0] == 0.0; }
+    bool operator==(const Amplitude& other) const { return g_ == other.g_; }
+
+    // At t = rho^2, in the precision of t.
+    template <class Real>
+    Real at(Real t) const {
+        Real sum = static_cast<Real>(g_[terms_]);
+        for (std::size_t k = terms_; k-- > 0;) {
+            sum = sum * t + static_cast<Real>(g_[k]);
+        }
+        return std::exp(-sum);
+    }
+
+    // That of an inner disk, over its own radius: t becomes area t.
+    Amplitude scaled(double area) const { return changed(1.0, area); }
+    // The amplitude to a power.
+    Amplitude raised(double power) const { return changed(power, 1.0); }
+
+    // Bound on the logarithm of the amplitude within the ellipse around [0, 1] whose semi-axes are half of c and of
+    // sqrt(c^2 - 1): with the exponent as a sum of a_k T_k(2t - 1), |T_k| is at most T_k(c) there. For a Gaussian it is
+    // g (c - 1) / 2.
+    double growth(double c) const {
+        double sum = std::abs(a_[1]) * c - a_[0], before = 1.0, here = c;
+        for (std::size_t k = 2; k <= terms_; ++k) {
+            const double next = 2.0 * c * here - before;
+            before = here;
+            here = next;
+            sum += std::abs(a_[k]) * here;
+        }
+        return sum;
+    }
+
+    // What relative roundings of t and of the steps of Horner's rule do to the exponent, in units of roundoff.
+    double sensitivity() const {
+        double sum = 0.0;
+        for (std::size_t k = 0; k <= terms_; ++k) {
+            sum += (3.0 * static_cast<double>(k) + 1.0) * std::abs(g_[k]);
+        }
+        return sum;
+    }
+
+    // What the exponent is at most on [0, 1], by size.
+    double size() const { return growth(1.0) + a_[0] + std::abs(a_[0]); }
+
+    // Whether it is at most 1 on [0, 1], but for rounding, as far as samples show.
+    bool passive() const {
+        bool falls = true;
+        for (std::size_t k = 0; k <= terms_; ++k) {
+            falls = falls && g_[k] >= 0.0;
+        }
+        for (std::size_t j = 0; j <= 16 && !falls; ++j) {
+            if (!(at(static_cast<double>(j) / 16.0) <= 1.0 + 1e-15 * sensitivity())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    bool closed() const { return terms_ <= 1; }
+    // int exp(-g) dt over the annulus, the peak without aberration: exact if closed(), else an estimate, by 16 nodes of Gauss
+    // and Legendre.
+    double integral(double obscuration) const {
+        const double low = obscuration * obscuration, open = 1.0 - low, g = g_[1];
+        if (closed()) {
+            const double falling = std::abs(g) > 1e-6 ? std::exp(-g * low) * -std::expm1(-g * open) / g : open;
+            return g_[0] == 0.0 ? falling : falling * std::exp(-g_[0]);
+        }
+        static constexpr double nodes[8] = {0.09501250983763744, 0.2816035507792589, 0.45801677765722739, 0.61787624440264375,
+                                            0.755404408355003,   0.8656312023878318, 0.94457502307323258, 0.98940093499164993};
+        static constexpr double weights[8] = {0.18945061045506850, 0.18260341504492359, 0.16915651939500254, 0.14959598881657673,
+                                              0.12462897125553387, 0.09515851168249278, 0.06225352393864789, 0.02715245941175409};
+        double sum = 0.0;
+        for (std::size_t i = 0; i < 8; ++i) {
+            sum += weights[i] * (at(low + 0.5 * open * (1.0 - nodes[i])) + at(low + 0.5 * open * (1.0 + nodes[i])));
+        }
+        return 0.5 * open * sum;
+    }
+
+   private:
+    Amplitude changed(double factor, double area) const {
+        Amplitude made;
+        made.terms_ = terms_;
+        for (std::size_t k = 0; k <= terms_; ++k, factor *= area) {
+            made.g_[k] = factor * g_[k];
+        }
+        made.expand();
+        return made;
+    }
+
+    // t^k = 4^-k (C(2k, k) + 2 sum_j C(2k, k - j) T_j(2t - 1)).
+    void expand() {
+        a_[0] = g_[0];
+        double middle = 1.0;  // C(2k, k) / 4^k
+        for (std::size_t k = 1; k <= terms_; ++k) {
+            middle *= (2.0 * static_cast<double>(k) - 1.0) / (2.0 * static_cast<double>(k));
+            a_[0] += middle * g_[k];
+            double share = 2.0 * middle;
+            for (std::size_t j = 1; j <= k; ++j) {
+                share *= static_cast<double>(k - j + 1) / static_cast<double>(k + j);
+                a_[j] += share * g_[k];
+            }
+        }
+    }
+
+    std::size_t terms_ = 0;  // the highest power that is there
+    std::array<double, most + 1> g_{}, a_{};
+};
+
+// Of pupils that are lit evenly.
+inline constexpr Amplitude even_light{};
+
+}  // namespace lommel

@@ -1,0 +1,209 @@
+r"""The amplitude across the pupil: ``exp(-(g_0 + g_1 t + ... + g_K t^K))``, t = rho^2, at most 1.
+
+A power of the cosine, ``sin(theta) = s rho``, is ``(1 - s^2 t)^(p/2)``. With ``q = (1 - cos) / (1 + cos)`` of the
+angle at the rim, and x = 2t - 1,
+
+``(1 - s^2 t) (1 + q)^2 = 1 - 2 q x + q^2,  log(1 - 2 q x + q^2) = -2 sum_(k>=1) q^k T_k(x) / k ,``
+
+the logarithm of the amplitude as a Chebyshev series that falls like q^k. What is cut off after the term K is at most
+``|p| q^(K+1) / ((K+1) (1 - q))``.
+
+References
+----------
+J. C. Mason and D. C. Handscomb, *Chebyshev Polynomials* (Chapman and Hall, 2003), section 5.2 (generating functions).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from numpy.polynomial.chebyshev import chebval, poly2cheb
+from numpy.typing import ArrayLike, NDArray
+
+from lommel import validation
+from lommel.aplanatic import chebyshev_to_powers
+from lommel.special.legendre import gauss_legendre
+
+_MOST = 10  # powers of t: as many as the compiled core and a wavefront hold
+_LARGEST = 100.0
+_ROUNDING = 2.0**-47
+
+
+@dataclass(frozen=True)
+class Apodization:
+    """An amplitude ``exp(-(g_0 + g_1 t + g_2 t^2 + ...))`` across the pupil, t = rho^2, whose largest value is 1.
+
+    Parameters
+    ----------
+    powers : sequence of float
+        g_1, g_2, ...: at most ten. g_0 follows from these, such that the amplitude is 1 where it is largest on the
+        whole disk; its size would only scale the field.
+    error : float, default 0
+        Bound on what the powers leave out of the amplitude that is meant: relative, and but for a constant factor. It
+        counts in :attr:`lommel.PSF.error_bound`, as :attr:`lommel.Wavefront.error` does.
+
+    Attributes
+    ----------
+    exponent : ndarray
+        g_0, g_1, ...
+
+    Raises
+    ------
+    TypeError, ValueError
+        On what is not a finite number; if the exponent, as a sum of Chebyshev polynomials, is larger than 100.
+
+    Examples
+    --------
+    >>> edge = Apodization([0.0, 0.0, 1.0])  # exp(-rho^6)
+    >>> float(edge.value(1.0)) == math.exp(-1.0)
+    True
+    """
+
+    powers: tuple[float, ...] = ()
+    error: float = field(default=0.0, kw_only=True)
+    exponent: NDArray[np.float64] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        powers = [float(g) + 0.0 for g in validation.real_array("powers", self.powers).ravel()]
+        while powers and powers[-1] == 0.0:
+            powers.pop()
+        if len(powers) > _MOST:
+            raise ValueError(f"powers must be at most {_MOST}, got {len(powers)}")
+        exponent = np.array([_constant(powers), *powers])
+        exponent.setflags(write=False)
+        object.__setattr__(self, "powers", tuple(powers))
+        object.__setattr__(self, "error", validation.real("error", self.error, least=0.0))
+        object.__setattr__(self, "exponent", exponent)
+        size = float(np.abs(self._series(0.0)).sum())
+        if not size <= _LARGEST * (1.0 + 1e-12):
+            raise ValueError(f"powers must lead to an exponent of at most {_LARGEST:g}, got {size:.4g}")
+
+    @classmethod
+    def gaussian(cls, g: float) -> Apodization:
+        """Return ``exp(-g rho^2)``, g from 0 to 100."""
+        return _gaussian(validation.real("g", g, least=0.0, below=_LARGEST + 1e-9))
+
+    @classmethod
+    def cosine(cls, sine: float, power: float) -> Apodization:
+        """Return ``cos(theta)^power``, with ``sin(theta) = sine * rho``, over its largest value.
+
+        The sine is from 0 to below 1. Its logarithm is expanded in powers of rho^2, ten at most; :attr:`error` bounds
+        what they leave out, and what rounding may do.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the sine or the power is out of range.
+        """
+        s = validation.real("sine", sine, least=0.0, below=1.0)
+        p = validation.real("power", power)
+        cosine = math.sqrt((1.0 - s) * (1.0 + s))
+        q = s * s / (1.0 + cosine) ** 2  # (1 - cos) / (1 + cos)
+        if p == 0.0 or q == 0.0:
+            return cls()
+        k = np.arange(1, _MOST + 1)
+        series = p * q**k / k
+        tails = np.abs(p) * q ** (k + 1) / ((k + 1) * (1.0 - q))
+        degree = 1 + next((i for i in range(_MOST) if tails[i] <= _ROUNDING * abs(series[0])), _MOST - 1)
+        powers = np.concatenate(([0.0], series[:degree])) @ chebyshev_to_powers(degree)
+        left = float(tails[degree - 1] + _ROUNDING * np.abs(powers).sum())
+        return cls(tuple(powers[1:].tolist()), error=math.expm1(left))
+
+    @property
+    def uniform(self) -> bool:
+        """Whether the amplitude is 1 everywhere."""
+        return not self.powers
+
+    @property
+    def slope(self) -> float:
+        """Bound on how fast the exponent changes with t, which tells how many nodes it takes; g of a Gaussian."""
+        return float(sum(k * abs(g) for k, g in enumerate(self.powers, 1)))
+
+    def value(self, rho: ArrayLike) -> NDArray[np.float64]:
+        """Return the amplitude at radii over that of the aperture, 0 to 1."""
+        at = validation.real_array("rho", rho, least=0.0)
+        if (at > 1.0).any():
+            raise ValueError(f"rho must be at most 1, got {at.max()}")
+        return self.at(at * at)
+
+    def at(self, t: NDArray[np.float64], power: float = 1.0) -> NDArray[np.float64]:
+        """Return the amplitude to a power at ``t = rho^2``."""
+        return np.asarray(np.exp(-power * self.exponent_at(t)))
+
+    def exponent_at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return ``g_0 + g_1 t + ...``."""
+        total = np.full(np.shape(t), self.exponent[-1])
+        for g in self.exponent[-2::-1]:
+            total = total * t + g
+        return np.asarray(total)
+
+    def integral(self, obscuration: float = 0.0, power: float = 1.0) -> float:
+        """Return ``int A^power dt`` over an annulus: a closed form of a Gaussian, else quadrature to about 1e-14."""
+        low = obscuration**2
+        area = 1.0 - low
+        if len(self.powers) > 1 or self.exponent[0]:
+            t, weight = gauss_legendre(24 + math.ceil(0.5 * power * self.slope), low, 1.0)
+            return float(weight @ self.at(t, power))
+        g = power * self.slope
+        return area if g < 1e-12 else math.exp(-g * low) * -math.expm1(-g * area) / g
+
+    def growth(self, cosh: NDArray[np.float64], low: float = 0.0) -> NDArray[np.float64]:
+        """Bound the logarithm of the amplitude within ellipses around ``[low, 1]`` in t.
+
+        `cosh` is their longer axis over ``1 - low``. With the exponent as ``sum_k a_k T_k``, where T_k is at most
+        ``T_k(cosh)``, that is ``sum_(k>0) |a_k| T_k(cosh) - a_0``.
+        """
+        series = self._series(low)
+        return np.asarray(chebval(cosh, np.concatenate(([-series[0]], np.abs(series[1:])))))
+
+    def _series(self, low: float) -> NDArray[np.float64]:
+        """Return the exponent in Chebyshev polynomials on ``[low, 1]``."""
+        inside = Polynomial(self.exponent)(Polynomial([0.5 * (1.0 + low), 0.5 * (1.0 - low)]))
+        return np.asarray(poly2cheb(inside.coef))
+
+    def scaled(self, ratio: float) -> Apodization:
+        """Return that of the middle of the aperture, up to `ratio` of its radius, over its own largest value."""
+        area = validation.real("ratio", ratio, above=0.0, below=1.0 + 1e-12) ** 2
+        return Apodization(tuple(g * area**k for k, g in enumerate(self.powers, 1)), error=self.error)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types; :meth:`from_dict` is the inverse."""
+        return {"powers": list(self.powers), "error": self.error}
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> Apodization:
+        """Rebuild an apodization from :meth:`to_dict`."""
+        return cls(tuple(description["powers"]), error=description["error"])
+
+
+def _constant(powers: list[float]) -> float:
+    """Return the g_0 with which the exponent is nowhere on [0, 1] negative, and hardly more."""
+    if all(g >= 0.0 for g in powers):
+        return 0.0
+    exponent = Polynomial([0.0, *powers])
+    turns = np.clip(exponent.deriv().roots().real, 0.0, 1.0)
+    least = float(exponent(np.concatenate(([0.0, 1.0], turns))).min())
+    return max(0.0, -least) + _ROUNDING * sum(k * abs(g) for k, g in enumerate(powers, 1))
+
+
+@lru_cache(maxsize=64)
+def _gaussian(g: float) -> Apodization:
+    return Apodization((g,))
+
+
+def illumination(apodization: float | Apodization) -> Apodization:
+    """Return what a pupil was given for its amplitude: a number is the g of a Gaussian.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is neither an Apodization nor a number from 0 to 100.
+    """
+    if isinstance(apodization, Apodization):
+        return apodization
+    return _gaussian(validation.real("apodization", apodization, least=0.0, below=_LARGEST + 1e-9))

@@ -212,7 +212,7 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
     def render() -> NDArray[np.float32]:
         n = len(pupils)
         out = np.empty((n, 300, 301), np.float32)
-        _core.render(pupils, 0.0, 0.0, 1.0, 1e-6, 2, out, np.ones(n), np.empty(n))
+        _core.render(pupils, 0.0, np.zeros(1), 1.0, 1e-6, 2, out, np.ones(n), np.empty(n))
         return out
 
     def pixels() -> NDArray[np.float32]:
@@ -221,7 +221,7 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
         slopes, none = np.empty((0, n, 300, 301), np.float32), np.empty(0, np.int64)
         place = (150.0, 150.0 / scale, 0.7, True, 1e-6, 2)
         parts = np.ones(n), np.empty(n), np.empty(n)
-        _core.render_pixels(pupils[:n], 0.0, 0.0, *place, out, *parts, none, slopes, np.empty((0, n)))
+        _core.render_pixels(pupils[:n], 0.0, np.zeros(1), *place, out, *parts, none, slopes, np.empty((0, n)))
         return out
 
     def averages() -> NDArray[np.float64]:
@@ -238,8 +238,8 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
         "distinct_radii": lambda: _core.distinct_radii(4000 // scale, 4000 // scale)[1],
         "scatter": scatter,
         "render": render,
-        "field": lambda: _core.field(pupils, 0.3, 0.5, far, 1e-6)[0][0],
-        "profile": lambda: _core.profile(pupils, 0.3, 0.5, far, 1e-6)[0][0],
+        "field": lambda: _core.field(pupils, 0.3, np.array([0.0, 0.5]), far, 1e-6)[0][0],
+        "profile": lambda: _core.profile(pupils, 0.3, np.array([0.0, 0.5]), far, 1e-6)[0][0],
         "render_pixels": pixels,
         "pixel_values": averages,
         "huygens_sum": lambda: _core.huygens_sum(sources, sources, np.exp(1e4j * sources), points, points, 0.1, 1e7),

@@ -135,6 +135,7 @@ LENS_PARTS = {
     **SHAPES,
     "model": "aplanatic",
     "corrected_for": "focus",
+    "apodization": "aplanatic",
 }
 
 

@@ -110,7 +110,7 @@ def test_every_rule_is_positive_lies_where_light_passes_and_integrates_what_it_p
         assert opening.margin(x, y).min() >= -1e-9
     # A plane wave that polynomials of the degree reach, by the bound for discs.
     v = 2.0
-    while degree_needed([], 1.1 * v, 0.0, 1e-11) <= degree:
+    while degree_needed([], 1.1 * v, lm.Apodization(), 1e-11) <= degree:
         v *= 1.1
 
     def field(x, y, w):
@@ -156,7 +156,7 @@ def test_the_margin_changes_by_no_more_than_the_distance(opening, here, there):
 
 @given(st.floats(0.1, 400), st.floats(2, 13))
 def test_the_degree_for_a_plane_wave_is_enough_and_not_much_too_high(v, digits):
-    degree = degree_needed([], v, 0.0, 10.0**-digits)
+    degree = degree_needed([], v, lm.Apodization(), 10.0**-digits)
     x, y, w = Opening().rule(degree)
     assert abs(w @ np.exp(1j * v * (0.6 * x + 0.8 * y)) - 2 * j1(v) / v) <= 10.0**-digits + 1e-15
     # Below v the Bessel functions that are left out are not small.

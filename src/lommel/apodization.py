@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from numpy.polynomial.chebyshev import chebval, poly2cheb
+from numpy.polynomial.chebyshev import chebder, chebroots, chebtrim, chebval, poly2cheb
 from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
@@ -79,7 +79,7 @@ class Apodization:
         object.__setattr__(self, "powers", tuple(powers))
         object.__setattr__(self, "error", validation.real("error", self.error, least=0.0))
         object.__setattr__(self, "exponent", exponent)
-        size = float(np.abs(self._series(0.0)).sum())
+        size = float(np.abs(_chebyshev(exponent, 0.0)).sum())
         if not size <= _LARGEST * (1.0 + 1e-12):
             raise ValueError(f"powers must lead to an exponent of at most {_LARGEST:g}, got {size:.4g}")
 
@@ -158,13 +158,8 @@ class Apodization:
         `cosh` is their longer axis over ``1 - low``. With the exponent as ``sum_k a_k T_k``, where T_k is at most
         ``T_k(cosh)``, that is ``sum_(k>0) |a_k| T_k(cosh) - a_0``.
         """
-        series = self._series(low)
+        series = _chebyshev(self.exponent, low)
         return np.asarray(chebval(cosh, np.concatenate(([-series[0]], np.abs(series[1:])))))
-
-    def _series(self, low: float) -> NDArray[np.float64]:
-        """Return the exponent in Chebyshev polynomials on ``[low, 1]``."""
-        inside = Polynomial(self.exponent)(Polynomial([0.5 * (1.0 + low), 0.5 * (1.0 - low)]))
-        return np.asarray(poly2cheb(inside.coef))
 
     def scaled(self, ratio: float) -> Apodization:
         """Return that of the middle of the aperture, up to `ratio` of its radius, over its own largest value."""
@@ -185,10 +180,18 @@ def _constant(powers: list[float]) -> float:
     """Return the g_0 with which the exponent is nowhere on [0, 1] negative, and hardly more."""
     if all(g >= 0.0 for g in powers):
         return 0.0
-    exponent = Polynomial([0.0, *powers])
-    turns = np.clip(exponent.deriv().roots().real, 0.0, 1.0)
-    least = float(exponent(np.concatenate(([0.0, 1.0], turns))).min())
+    series = _chebyshev(np.array([0.0, *powers]), 0.0)
+    slope = chebder(series)
+    # What is trimmed is below rounding, and would drown the roots of the others.
+    turns = np.clip(chebroots(chebtrim(slope, 1e-17 * float(np.abs(slope).sum()))).real, -1.0, 1.0)
+    least = float(chebval(np.concatenate(([-1.0, 1.0], turns)), series).min())
     return max(0.0, -least) + _ROUNDING * sum(k * abs(g) for k, g in enumerate(powers, 1))
+
+
+def _chebyshev(powers: NDArray[np.float64], low: float) -> NDArray[np.float64]:
+    """Return a polynomial of t in Chebyshev polynomials on ``[low, 1]``."""
+    inside = Polynomial(powers)(Polynomial([0.5 * (1.0 + low), 0.5 * (1.0 - low)]))
+    return np.asarray(poly2cheb(inside.coef))
 
 
 @lru_cache(maxsize=64)

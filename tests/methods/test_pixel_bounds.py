@@ -166,7 +166,17 @@ def test_the_largest_value_is_one_in_the_window() -> None:
         bounds, peaks, none = np.empty(1), np.empty(1), np.empty((0, 1, 3, 2))
         place = (row, row, step, True, 1e-3, 1)
         unmet = _core.render_pixels(
-            coefficients, 0.0, 0.0, *place, out, scales, bounds, peaks, np.empty(0, np.int64), none, np.empty((0, 1))
+            coefficients,
+            0.0,
+            np.zeros(1),
+            *place,
+            out,
+            scales,
+            bounds,
+            peaks,
+            np.empty(0, np.int64),
+            none,
+            np.empty((0, 1)),
         )
         assert unmet == 0
         assert out.max() == pytest.approx(1.0, abs=1e-15)

@@ -1,0 +1,112 @@
+"""Amplitudes across the pupil: their largest value, the powers of cosines, integrals, and what is no amplitude."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import lommel as lm
+
+T = np.linspace(0.0, 1.0, 4001)
+amplitudes = st.lists(st.floats(-4.0, 4.0), max_size=8).map(lm.Apodization)
+
+
+@given(amplitudes)
+def test_the_largest_value_is_1_wherever_it_is(light):
+    largest = light.value(np.sqrt(T)).max()
+    # A maximum between two points of the lattice is missed by the curvature.
+    assert 1.0 - 1e-4 <= largest <= 1.0 + 1e-15
+    assert np.log(light.value(np.sqrt(T))) == pytest.approx(
+        -light.exponent[0] - sum(g * T**k for k, g in enumerate(light.powers, 1)), abs=1e-12
+    )
+
+
+@settings(max_examples=60)
+@given(st.floats(0.01, 0.97), st.floats(-6.0, 6.0).filter(lambda p: abs(p) > 0.01))
+def test_what_the_powers_leave_of_a_cosine_is_bounded(sine, power):
+    light = lm.Apodization.cosine(sine, power)
+    with mpmath.workdps(30):
+        exact = [
+            float(mpmath.mpf(power) / 2 * mpmath.log(1 - mpmath.mpf(sine) ** 2 * mpmath.mpf(t))) for t in T[::40]
+        ]
+    # But for a constant factor: half of the range of the difference.
+    missed = 0.5 * np.ptp(np.log(light.value(np.sqrt(T[::40]))) - exact)
+    rounding = 1e-14 * (1.0 + np.abs(light.powers).sum())
+    assert missed <= light.error + rounding
+    assert light.error <= 3.0 * missed + 2.0 * rounding
+    assert light.value([0.0, 1.0][power < 0]) == pytest.approx(1.0, abs=1e-13 * light.slope + 1e-15)
+
+
+def test_a_cosine_without_angle_or_power_is_even_light():
+    assert lm.Apodization.cosine(0.0, -0.5) == lm.Apodization.cosine(0.7, 0.0) == lm.Apodization()
+    assert lm.Apodization().uniform
+    assert lm.Apodization([0.0, 0.0]).powers == ()
+
+
+@given(amplitudes, st.sampled_from([0.0, 0.3, 0.9]), st.sampled_from([1.0, 2.0]))
+def test_integrals_are_those_of_quadrature(light, obscuration, power):
+    nodes, weights = np.polynomial.legendre.leggauss(100)
+    low = obscuration**2
+    t = low + (1.0 - low) * 0.5 * (nodes + 1.0)
+    exact = 0.5 * (1.0 - low) * weights @ light.at(t) ** power
+    assert light.integral(obscuration, power) == pytest.approx(exact, rel=1e-12)
+
+
+@given(amplitudes, st.floats(0.1, 1.0))
+def test_the_middle_of_an_aperture_has_the_amplitude_of_its_radii(light, ratio):
+    rho = np.linspace(0.0, 1.0, 11)
+    inner = light.scaled(ratio).value(rho)
+    outer = light.value(ratio * rho)
+    assert inner / inner[0] == pytest.approx(outer / outer[0], rel=1e-12)
+
+
+def test_an_amplitude_survives_plain_types():
+    light = lm.Apodization.cosine(0.6, -0.5)
+    assert lm.Apodization.from_dict(light.to_dict()) == light
+    pupil = lm.Pupil(lm.Wavefront(1.0), apodization=light)
+    assert lm.Pupil.from_dict(pupil.to_dict()) == pupil
+    assert pupil != lm.Pupil(lm.Wavefront(1.0))
+    assert hash(lm.Apodization([1.0])) == hash(lm.Apodization.gaussian(1.0))
+    assert "powers" in repr(pupil)
+
+
+def test_a_number_stays_a_number_and_means_a_gaussian(tmp_path):
+    pupil = lm.Pupil(apodization=2)
+    assert type(pupil.apodization) is float
+    assert pupil.apodization == 2.0
+    assert pupil.illumination == lm.Apodization.gaussian(2.0)
+    # As files have had it.
+    assert pupil.to_dict()["apodization"] == 2.0
+    for apodization in (2.0, lm.Apodization([1.0, -0.5])):
+        answer = lm.psf(lm.Pupil(apodization=apodization), 5, 0.5)
+        answer.save(tmp_path / "a.npz")
+        assert lm.PSF.load(tmp_path / "a.npz").pupil == answer.pupil
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: lm.Apodization([101.0]), "powers must lead to an exponent of at most 100, got 101"),
+        (lambda: lm.Apodization(np.ones(11)), "powers must be at most 10, got 11"),
+        (lambda: lm.Apodization([math.nan]), "powers must be"),
+        (lambda: lm.Apodization([1.0], error=-1.0), "error must be"),
+        (lambda: lm.Apodization.gaussian(-0.1), "g must be"),
+        (lambda: lm.Apodization.cosine(1.0, 0.5), "sine must be"),
+        (lambda: lm.Apodization.cosine(0.5, math.inf), "power must be"),
+        (lambda: lm.Apodization().value(1.1), "rho must be at most 1"),
+    ],
+)
+def test_what_is_no_amplitude_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
+
+
+def test_what_is_no_number_is_refused():
+    for wrong in ("aplanatic", None, [1.0]):
+        with pytest.raises(TypeError, match="apodization must be"):
+            lm.Pupil(apodization=wrong)

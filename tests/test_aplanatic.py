@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.special import jv
 
 import lommel as lm
 from lommel.aplanatic import expansion, path
@@ -89,6 +90,95 @@ def test_debyes_integral_by_a_plain_sum_of_plane_waves_agrees(corrected_for, f_n
         assert np.abs(series.values - plain.values).max() <= 1e-9 * series.values.max()
     every = lm.psf(pupil, 5, 1e-6, integrate=False, method=lm.HuygensFresnel(symmetry=False), **common)
     assert np.abs(every.values - lm.psf(pupil, 5, 1e-6, integrate=False, **common).values).max() <= 1e-6
+
+
+def debye(lens: lm.Lens, distance: float, r: np.ndarray) -> np.ndarray:
+    """Return U at r metres from the axis by nodes in the angle: the amplitude cos^(1/2) over the solid angle."""
+    d, radius, k = lens.sensor_distance, 0.5 * lens.aperture_diameter, 2 * math.pi / lens.wavelength
+    sphere = radius * (1.0 / lens.focus_distance if lens.corrected_for == "focus" else 1.0 / d)
+    nodes, weights = np.polynomial.legendre.leggauss(200)
+    first, last = (math.asin(rho * sphere) for rho in (lens.obscuration, 1.0))
+    theta = first + (last - first) * 0.5 * (nodes + 1.0)
+    solid = 0.5 * (last - first) * weights * np.sin(theta)
+    rho = np.sin(theta) / sphere
+    phase = np.array([float(by_distances(lens, distance, one)) for one in rho])
+    field = jv(0, np.outer(k * radius / d * r, rho)) @ (solid * np.sqrt(np.cos(theta)) * np.exp(1j * phase))
+    return field / (solid @ np.sqrt(np.cos(theta)))
+
+
+@pytest.mark.parametrize("corrected_for", CORRECTED)
+@pytest.mark.parametrize("f_number", [1.2, 2.0, 8.0])
+@pytest.mark.parametrize("distance", [1.5, 1.95, 2.0])
+def test_an_evenly_lit_entrance_pupil_is_brighter_at_the_rim(f_number, distance, corrected_for):
+    """By Debye's plane waves one by one, and by the integral over the angle that Richards and Wolf begin from."""
+    lens = aplanatic(f_number, corrected_for, apodization="aplanatic", obscuration=0.2)
+    pupil = lens.pupil(distance)
+    ask = {"normalize": "strehl", "dtype": np.float64, "integrate": False}
+    places = (1, 11), 3.1 * pupil.scale
+    series, chords, plain = (
+        lm.psf(pupil, *places, method=method, **ask)
+        for method in (lm.NijboerZernike(1e-7), lm.ChordalGauss(1e-7), lm.HuygensFresnel())
+    )
+    exact = np.abs(debye(lens, distance, places[1] * np.abs(np.arange(11) - 5))) ** 2
+    for answer in (series, chords, plain):
+        assert np.abs(answer.values[0] - exact).max() <= 1e-7 * exact.max()
+
+
+@pytest.mark.parametrize(
+    ("f_number", "distance", "rim", "change", "widths"),
+    [
+        (1.2, 2.0, 1.046, 0.34, (2.57, 2.65)),
+        (1.2, 1.9, 1.046, 2.8, (56.51, 56.73)),
+        (2.8, 1.9, 1.008, 0.38, (25.21, 25.26)),
+    ],
+)
+def test_what_the_amplitude_changes_is_what_the_page_says(f_number, distance, rim, change, widths):
+    """Of as much light in all: the rim, per cent of the peak, and micrometres that hold 90 %."""
+    seen = []
+    for apodization, width in zip((0.0, "aplanatic"), widths, strict=True):
+        pupil = aplanatic(f_number, apodization=apodization).pupil(distance)
+        pitch = max(1.5 * float(pupil.geometric_radius()), 6.0 * pupil.scale) / 50
+        answer = lm.psf(pupil, 101, pitch, integrate=False, normalize="energy", dtype=np.float64)
+        assert answer.energy_diameter(0.9) * 1e6 == pytest.approx(width, abs=0.006)
+        seen.append(answer.values)
+    assert 100 * np.abs(seen[1] - seen[0]).max() / seen[0].max() == pytest.approx(change, rel=0.02)
+    middle, edge = pupil.illumination.value([0.0, 1.0])
+    assert edge / middle == pytest.approx(rim, abs=6e-4)
+    page = (Path(__file__).parent.parent / "docs" / "choose.md").read_text(encoding="utf-8")
+    place = "in focus" if distance == 2.0 else f"object at {distance} m"
+    assert f"| f/{f_number}, {place} | {rim} | {change} % | {widths[0]} | {widths[1]} |" in page
+
+
+def test_the_amplitude_is_that_of_the_angle_whose_sine_the_model_states():
+    rho = np.linspace(0.0, 1.0, 9)
+    for corrected_for in CORRECTED:
+        lens = lm.Lens(**OBJECTIVE, model="aplanatic", corrected_for=corrected_for, apodization="aplanatic")
+        distance = lens.focus_distance if corrected_for == "focus" else lens.sensor_distance
+        cosine = np.sqrt(1.0 - (rho * 0.5 * lens.aperture_diameter / distance) ** 2)
+        expected = (cosine / cosine[-1]) ** -0.5
+        assert lens.pupil().illumination.value(rho) == pytest.approx(expected, rel=1e-8)
+    # Another focus, another stop: other angles, and other amplitudes.
+    lens = aplanatic(1.4, apodization="aplanatic")
+    for other in (lens.focused(0.2), lens.stopped(2.8), lens.stopped(1.2)):
+        sine = 0.5 * other.aperture_diameter / other.sensor_distance
+        assert other.illumination == lm.Apodization.cosine(sine, -0.5) != lens.illumination
+
+
+def test_a_large_angle_leaves_more_than_the_tolerance_and_says_so():
+    lens = lm.Lens(focal_length=10e-3, aperture_diameter=18.9e-3, focus_distance=10.5e-3, wavelength=515e-9,
+                   model="aplanatic", corrected_for="focus", apodization="aplanatic")  # fmt: skip
+    with pytest.raises(lm.ToleranceError, match="of the amplitude out"):
+        lm.psf(lens.pupil(), 9, 1e-6)
+    assert lm.psf(lens.pupil(), 9, 1e-6, method=lm.NijboerZernike(1e-4)).error_bound > 1e-6
+
+
+def test_only_an_aplanatic_lens_has_its_amplitude():
+    with pytest.raises(
+        ValueError, match="apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles"
+    ):
+        lm.Lens(f_number=2.0, **COMMON, apodization="aplanatic")
+    with pytest.raises(ValueError, match="apodization must be a number, an Apodization or 'aplanatic', got 'sine'"):
+        aplanatic(2.0, apodization="sine")
 
 
 @pytest.mark.parametrize("f_number", [1.2, 2.0])
@@ -227,8 +317,9 @@ def test_every_map_of_a_wavefront_carries_its_error():
     assert "error" not in lm.Wavefront(1.0).to_dict()
 
 
-def test_an_aplanatic_lens_blurs_photographs_too():
-    lens = aplanatic(1.8)
+@pytest.mark.parametrize("apodization", [0.0, "aplanatic", 2.0])
+def test_an_aplanatic_lens_blurs_photographs_too(apodization):
+    lens = aplanatic(1.8, apodization=apodization)
     blur = lm.imaging.DepthBlur(lens, np.full((9, 9), 1.8), 20e-6, dtype=np.float64, largest=20, tol=1e-6)
     bank = blur.banks[0]
     exact = lm.psf(lens.pupil(1.8), 2 * bank.half + 1, 20e-6, integrate=True, dtype=np.float64).values

@@ -202,6 +202,22 @@ def test_what_a_stop_does_not_cover_keeps_its_size():
     assert lm.Lens(focal_length=0.05, f_number=2.0, wavelength=550e-9).stopped(1.4).f_number == 1.4
 
 
+def test_what_light_falls_on_a_lens_does_not_change_with_the_stop():
+    common = {"focal_length": 0.05, "f_number": 2.0, "wavelength": 550e-9}
+    rho = np.linspace(0.0, 0.5, 7)
+    for apodization in (1.2, lm.Apodization([1.0, -2.0])):
+        lens = lm.Lens(**common, apodization=apodization)
+        assert lens.pupil().apodization == lens.focused(3.0).apodization == apodization
+        half = lens.stopped(4.0).pupil().illumination.value(2.0 * rho)
+        whole = lens.pupil().illumination.value(rho)
+        assert half / half[0] == pytest.approx(whole / whole[0], rel=1e-13)
+    # A beam has no rim, a polynomial has.
+    assert lm.Lens(**common, apodization=1.2).stopped(1.0).apodization == pytest.approx(4.8)
+    with pytest.raises(ValueError, match="up to which its apodization is known, got f/1"):
+        lens.stopped(1.0)
+    assert lm.Lens(**common, apodization=lm.Apodization()).stopped(1.0).f_number == 1.0
+
+
 @pytest.mark.parametrize(
     ("changes", "f_number", "message"),
     [

@@ -81,6 +81,21 @@ def test_a_lens_has_a_model(load):
         load('model = "aplanatic"', "f_number = 0.4")
 
 
+def test_a_lens_has_an_amplitude(load):
+    assert load().lens.apodization == 0.0
+    assert load("apodization = 0.5").lens.apodization == load("apodization = 0.5").pupil().apodization == 0.5
+    lens = load('apodization = "aplanatic"', 'model = "aplanatic"').lens
+    assert lens.apodization == "aplanatic"
+    assert not lens.pupil().illumination.uniform
+    for wrong in ('"sine"', "-1", "101", "true", "nan", "[1.0]"):
+        with pytest.raises(
+            LensFileError, match=r"lens.apodization \(line \d+\): .*number from 0 to 100, or \"aplanatic\""
+        ):
+            load(f"apodization = {wrong}")
+    with pytest.raises(LensFileError, match="apodization 'aplanatic' needs model='aplanatic'"):
+        load('apodization = "aplanatic"')
+
+
 def test_an_object_is_in_focus_unless_told_otherwise(load):
     without = PLAIN.replace('[object]\ndistance = "1.5 m"\n', "")
     assert load(text=without).object_distance == load().lens.focus_distance == pytest.approx(2.0)

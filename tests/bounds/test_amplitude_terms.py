@@ -33,7 +33,9 @@ def growth(powers, cosh):
     count = 12
     angles = [mp.pi * (j + mp.mpf(1) / 2) / count for j in range(count)]
     values = [exponent(powers, (1 + mp.cos(a)) / 2) for a in angles]
-    parts = [2 * sum(f * mp.cos(k * a) for f, a in zip(values, angles, strict=True)) / count for k in range(len(powers))]
+    parts = [
+        2 * sum(f * mp.cos(k * a) for f, a in zip(values, angles, strict=True)) / count for k in range(len(powers))
+    ]
     return sum(abs(a) * mp.cosh(k * mp.acosh(cosh)) for k, a in enumerate(parts) if k) - parts[0] / 2
 
 

@@ -21,6 +21,7 @@ from lommel.opening import Opening, degree_needed
 SQUARE = np.linspace(0.1, 1.0, 24 * 24).reshape(24, 24)
 DEPTH = 1.8 + 0.3 * SQUARE
 PUPIL = lm.Pupil(lm.Wavefront(1.0, 0.5))
+LIGHT = lm.Apodization()
 COMA = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 0.5}), obscuration=0.2)
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 CAMERA = LENS.pupil(1.9)
@@ -91,7 +92,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("Opening.margin", VANES.opening.margin, x=np.array([0.1]), y=np.array([0.2])),
         tagged("Opening.coverage", VANES.opening.coverage, x=np.array([0.1]), y=np.array([0.2]), half=0.01),
         tagged("Opening.rule", VANES.opening.rule, degree=10),
-        tagged("degree_needed", lambda **k: degree_needed([(3, 1.0)], **k), v=10.0, light=lm.Apodization(), error=1e-6),
+        tagged("degree_needed", lambda **k: degree_needed([(3, 1.0)], **k), v=10.0, light=LIGHT, error=1e-6),
         tagged("Spider", lm.Spider, width=0.1, angles=(0.1, 0.2)),
         tagged("Spider.equal", lm.Spider.equal, count=3, width=0.1, first=0.1),
         tagged("Ellipse", lm.Ellipse, a=0.9, b=0.8, angle=0.1),

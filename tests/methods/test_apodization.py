@@ -1,16 +1,25 @@
-"""Gaussian illumination: a beam that the aperture clips more or less."""
+"""Illumination that is not even: a Gaussian beam that the aperture clips, and any other amplitude."""
 
 from __future__ import annotations
+
+import math
 
 import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from scipy.special import j0
 
 import lommel as lm
 from lommel.methods import METHODS
 
 V = np.linspace(0.0, 60.0, 241)
+# Numbers are Gaussian.
+amplitudes = st.one_of(
+    st.floats(0, 20),
+    st.lists(st.floats(-3, 3), min_size=2, max_size=5).map(lm.Apodization),
+    st.floats(0.05, 0.9).map(lambda sine: lm.Apodization.cosine(sine, -0.5)),
+)
 
 
 def test_a_beam_much_narrower_than_the_aperture_stays_gaussian():
@@ -31,12 +40,13 @@ def test_defocus_widens_a_gaussian_beam_as_the_formula_says():
     assert np.abs(field - exact).max() <= np.exp(-g) / g + 1e-13
 
 
-@given(st.floats(-80, 80), st.floats(-80, 80), st.floats(0, 20), st.sampled_from([0.0, 0.33, 0.8]), st.floats(3, 8))
+@given(st.floats(-80, 80), st.floats(-80, 80), amplitudes, st.sampled_from([0.0, 0.33, 0.8]), st.floats(3, 8))
 def test_the_contract_holds_for_apodized_pupils(defocus, spherical, apodization, obscuration, digits):
     pupil = lm.Pupil(lm.Wavefront(defocus, spherical), obscuration=obscuration, apodization=apodization)
     # Where next to no light passes, rounding may exceed a small tolerance, and is refused.
     assume(pupil.amplitude > 1e-3)
     tol = 10.0**-digits
+    assume(pupil.illumination.error < 1e-3 * tol)
     answer = lm.psf(pupil, (21, 90), 0.4, method=lm.NijboerZernike(tol), dtype=np.float64)
     exact = lm.psf(pupil, (21, 90), 0.4, method=lm.Hankel())
     assert lm.peak_error(answer, exact) <= answer.error_bound <= tol
@@ -117,3 +127,121 @@ def test_a_spectrum_can_be_apodized_if_its_method_can(tmp_path):
 def test_an_apodization_out_of_range_is_refused(value):
     with pytest.raises(ValueError, match="apodization must be"):
         lm.Pupil(apodization=value)
+
+
+# Brighter in the middle and at the rim than between; what is drawn is computed on its own.
+RINGED = lm.Apodization([2.0, -3.0, 0.5, 0.2])
+LOW = 0.2**2
+
+
+def ringed(wavefront: lm.Wavefront = lm.Wavefront(3.0, -2.0), **more: object) -> lm.Pupil:  # noqa: B008
+    return lm.Pupil(wavefront, apodization=RINGED, obscuration=0.2, **more)
+
+
+def drawn(t: np.ndarray) -> np.ndarray:
+    """Return the amplitude: the exponent is least at the rim, -0.3."""
+    return np.exp(-0.3 - 2.0 * t + 3.0 * t**2 - 0.5 * t**3 - 0.2 * t**4)
+
+
+def quadrature(v: np.ndarray, power: int = 0, scale: float = 1.0) -> np.ndarray:
+    """Return int t^power A exp(i Phi) J0(v sqrt t) dt by 120 nodes."""
+    nodes, weights = np.polynomial.legendre.leggauss(120)
+    t = LOW + (1.0 - LOW) * 0.5 * (nodes + 1.0)
+    source = 0.5 * (1.0 - LOW) * weights * drawn(t) * t**power * np.exp(1j * scale * (6.0 * t - 2.0 * t**2))
+    return j0(np.outer(v, np.sqrt(t))) @ source
+
+
+def test_the_field_of_any_amplitude_is_that_of_quadrature():
+    assert drawn(np.ones(1)) == pytest.approx(1.0, abs=1e-15)
+    assert RINGED.value([0.0, 1.0]) == pytest.approx([math.exp(-0.3), 1.0], abs=1e-13)
+    for method in (lm.NijboerZernike(1e-10), lm.Hankel()):
+        assert np.abs(method.field(ringed(), V) - quadrature(V)).max() <= 1e-11
+        profile = method.profile(ringed(), V)
+        assert profile.values[0] == pytest.approx(np.abs(quadrature(V)) ** 2, abs=1e-11)
+
+
+@pytest.mark.parametrize("center", [None, (2.3, 4.0)])
+@pytest.mark.parametrize("integrate", [False, True])
+def test_derivatives_with_any_amplitude_are_those_of_quadrature(integrate, center):
+    method = lm.NijboerZernike(1e-8)
+    more = {"normalize": "strehl", "dtype": np.float64, "method": method, "integrate": integrate, "center": center}
+    answer = lm.psf(ringed(), 7, 0.4, derivatives=("defocus", "spherical"), **more)
+    nodes, weights = np.polynomial.legendre.leggauss(9) if integrate else (np.zeros(1), np.array([2.0]))
+    y, x = (0.4 * math.pi * (np.arange(7)[:, None] + 0.5 * nodes - c) for c in center or (3, 3))
+    v = np.hypot(y[:, None, :, None], x[None, :, None, :])
+    u, inside = quadrature(v.ravel()), {"defocus": (2.0, 1), "spherical": (1.0, 2)}
+    mean = 0.25 * weights[:, None] * weights
+    for name, (factor, power) in inside.items():
+        slope = 2.0 * factor * (u.conj() * 1j * quadrature(v.ravel(), power)).real
+        exact = (slope.reshape(v.shape) * mean).sum(axis=(2, 3)) * answer.scale
+        bound = answer.derivative_bounds[name] * answer.values.max()
+        assert np.abs(answer.derivatives[name] - exact).max() <= bound + 1e-12
+
+
+def test_white_light_of_any_amplitude_is_the_sum_of_quadratures():
+    pupil = ringed(wavelength=500e-9, f_number=2.0)
+    method = lm.Polychromatic([400e-9, 600e-9], [1.0, 3.0], lm.NijboerZernike(1e-9))
+    answer = lm.psf(pupil, 9, 0.7e-6, method=method, integrate=False, normalize="strehl", dtype=np.float64)
+    v = np.pi / 1e-6 * 0.7e-6 * np.arange(5)
+    parts = [(0.25, 1.25), (0.75, 500 / 600)]
+    exact = sum(share * s**2 * np.abs(quadrature(s * v, scale=s)) ** 2 for share, s in parts)
+    assert answer.values[4, 4:] / answer.scale == pytest.approx(exact, abs=1e-9)
+
+
+def test_encircled_energy_of_any_amplitude_is_the_sum_of_rings():
+    pupil = ringed()
+    answer = lm.psf(pupil, 5, 0.4, dtype=np.float64)
+    nodes, weights = np.polynomial.legendre.leggauss(200)
+    for radius in (1.0, 4.0):
+        v = 0.5 * math.pi * radius * (nodes + 1.0)
+        # Parseval: all light is 2 int |U|^2 v dv / 4.
+        light = 0.5 * 0.5 * math.pi * radius * weights @ (v * np.abs(quadrature(v)) ** 2)
+        assert answer.encircled_energy(radius) == pytest.approx(light / pupil.transmission, abs=1e-6)
+    t = LOW + (1.0 - LOW) * 0.5 * (nodes + 1.0)
+    assert pupil.transmission == pytest.approx(0.5 * (1.0 - LOW) * weights @ drawn(t) ** 2, rel=1e-13)
+
+
+def test_the_mtf_and_the_numbers_of_any_amplitude_are_those_of_quadrature():
+    pupil = ringed()
+    x, w = np.polynomial.legendre.leggauss(400)
+    t = LOW + (1.0 - LOW) * 0.5 * (x + 1.0)
+    weight = w * drawn(t) / (w @ drawn(t))
+    phase = 6.0 * t - 2.0 * t**2
+    assert float(lm.strehl(pupil)) == pytest.approx(abs(weight @ np.exp(1j * phase)) ** 2, abs=1e-12)
+    spread = weight @ (phase - weight @ phase) ** 2
+    assert float(lm.rms(pupil)) == pytest.approx(math.sqrt(spread), rel=1e-12)
+    # The overlap of two pupils, on a lattice with steps at the rims.
+    across = (np.arange(1600) + 0.5) / 800 - 1.0
+    for f in (0.1, 0.4, 0.8):
+        one, two = ((across + sign * f) ** 2 + across[:, None] ** 2 for sign in (-1, 1))
+        clear = (np.minimum(one, two) >= LOW) & (np.maximum(one, two) <= 1.0)
+        one, two = one[clear], two[clear]
+        swing = 6.0 * (one - two) - 2.0 * (one**2 - two**2)
+        seen = (drawn(one) * drawn(two) * np.cos(swing)).sum() / (math.pi * 800**2 * pupil.transmission)
+        assert float(lm.otf(pupil, f).real) == pytest.approx(seen, abs=3e-4)
+
+
+def test_pupils_of_a_stack_share_their_amplitude():
+    stack = ringed(lm.Wavefront(np.linspace(-9.0, 9.0, 12)))
+    for method in (lm.NijboerZernike(1e-8), lm.ChordalGauss(1e-8)):
+        for integrate in (False, True):
+            answer = lm.psf(stack, 9, 0.5, method=method, integrate=integrate, dtype=np.float64)
+            one = lm.psf(stack[5], 9, 0.5, method=lm.Hankel(), integrate=integrate, dtype=np.float64)
+            assert lm.peak_error(answer[5], one) <= 2e-8
+
+
+@pytest.mark.parametrize("normalize", ["strehl", "energy", "peak"])
+def test_what_an_amplitude_leaves_out_counts_in_the_bound(normalize):
+    """Off by as much as is stated: the true error is within the bound, and that not far from it."""
+    ask = {"method": lm.NijboerZernike(1e-5), "normalize": normalize, "dtype": np.float64}
+    e, wave = 1e-6, lm.Wavefront(0.5)
+    stated = lm.Apodization([1.0], error=e)
+    # As wrong as may be: brighter by e in the middle and dimmer by e at the rim.
+    other = lm.Apodization([1.0 + 2.0 * e])
+    answer, plain, true = (lm.psf(lm.Pupil(wave, apodization=a), 9, 0.4, **ask) for a in (stated, 1.0, other))
+    off = np.abs(answer.values - true.values).max() / true.values.max()
+    added = answer.error_bound - plain.error_bound
+    assert 0.02 * added <= off <= added <= 20 * e
+    assert np.array_equal(answer.values, plain.values)
+    with pytest.raises(lm.ToleranceError, match=r"leave up to 0 rad of the phase and 1e-06 of the amplitude out"):
+        lm.psf(lm.Pupil(apodization=stated), 9, 0.4, method=lm.NijboerZernike(1e-6))

@@ -36,7 +36,7 @@ def test_the_series_ends_as_promised_with_few_terms_to_spare(
     coefficients: NDArray[np.float64], power: int, v: float, digits: int
 ) -> None:
     error = 10.0**-digits
-    made = _core.series_bounds(coefficients, 0.0, power, v, error)
+    made = _core.series_bounds(coefficients, np.zeros(1), power, v, error)
     terms, promised = made["terms"], made["truncation"]
     many = terms + 60
     beta = _coefficients(coefficients, power, many, 2 * many + 200)
@@ -55,7 +55,7 @@ def test_the_coefficients_are_as_accurate_as_promised(
     coefficients: NDArray[np.float64], power: int, v: float, digits: int
 ) -> None:
     error = 10.0**-digits
-    made = _core.series_bounds(coefficients, 0.0, power, v, error)
+    made = _core.series_bounds(coefficients, np.zeros(1), power, v, error)
     terms, nodes, promised = made["terms"], made["nodes"], made["quadrature"]
     assert promised <= error
     ours = _coefficients(coefficients, power, terms, nodes)

@@ -47,14 +47,16 @@ void general_images_agree_with_radial_ones(double defocus, double obscuration, s
     const double step = 0.9, tol = 1e-6;
     std::vector<T> image(static_cast<std::size_t>(height * width), T(-1));
     double scale = 1.0, bound = 0.0, brightest = 0.0;
-    const lommel::ZernikeStack stack{n, m, outer, inner, 1, 4, obscuration};
+    const double powers[] = {0.2, 0.4, -0.6};  // 1 at the rim
+    const lommel::Amplitude amplitude(powers, 3);
+    const lommel::ZernikeStack stack{n, m, outer, inner, 1, 4, obscuration, amplitude};
     lommel::ZernikeRenderer<T>(stack, static_cast<std::size_t>(height), static_cast<std::size_t>(width), &row, &column, step, tol,
                                threads, image.data(), &scale, &bound, &brightest)
         .run();
     check(bound <= tol, "bound of a general image", bound);
     check(brightest >= 0.999999 * *std::max_element(image.begin(), image.end()), "peak of a general image", brightest);
     const double coefficient = 2.0 * defocus;
-    const lommel::Stack radial{&coefficient, 1, 1, obscuration};
+    const lommel::Stack radial{&coefficient, 1, 1, obscuration, amplitude};
     std::vector<double> v;
     for (std::int64_t y = 0; y < height; ++y) {
         for (std::int64_t x = 0; x < width; ++x) {
@@ -292,7 +294,8 @@ void pixels_around_any_axis(std::mt19937& random) {
         const std::size_t powers[2] = {1, 3};
         const double obscuration = c.count == 1 ? 0.3 : 0.0;
         const std::size_t derivatives = scales[0] > 0.0 && c.count < 6 ? 2 : 0;
-        lommel::PixelRenderer<T>({coefficients.data(), c.count, 2, obscuration, 0.5},
+        const double falling[] = {0.0, 0.2, 0.3};
+        lommel::PixelRenderer<T>({coefficients.data(), c.count, 2, obscuration, lommel::Amplitude(falling, 3)},
                                  {c.height, c.width, c.row, c.column, c.step, c.integrate}, 1e-5, 2,
                                  {images.data(), scales.data(), bounds.data(), powers, derivatives, slopes.data(),
                                   slope_bounds.data()},

@@ -275,6 +275,27 @@ def test_zernike_terms_are_shown_by_name_in_waves_rms(call_lommel, lenses, tmp_p
         assert (name, f"({n},", f"{m})", f"{term['waves_rms']:+.4g}") in rows
 
 
+@pytest.mark.parametrize(
+    ("given", "told", "rim"),
+    [
+        ("0.5", "Gaussian, exp(-0.5 rho^2): at the rim 0.6065 of that of the middle", math.exp(-0.5)),
+        ('"aplanatic"', "cos(theta)^(-1/2): at the rim 1.054 of that of the middle", 1.0538),
+    ],
+)
+def test_info_tells_how_the_lens_is_lit(call_lommel, tmp_path, given, told, rim):
+    sensor = '[sensor]\npixel = "2 um"\nshape = [33, 33]\n'
+    lens = '[lens]\nfocal_length = "50 mm"\nf_number = 1.15\nwavelength = "550 nm"\nmodel = "aplanatic"\n'
+    (tmp_path / "lit.toml").write_text(f"{lens}apodization = {given}\n{sensor}", encoding="utf-8")
+    assert dict(LINE.findall(call_lommel("info", "lit.toml", folder=tmp_path).stdout))["amplitude"] == told
+    facts = json.loads(call_lommel("info", "lit.toml", "--json", folder=tmp_path).stdout)
+    assert facts["rim_amplitude"] == pytest.approx(rim, abs=1e-4)
+    assert facts["apodization"] == json.loads(given)
+    # The other model is told too: with the same amplitude, but without the angles that it comes from.
+    assert facts["other_model"]["reason"] is None
+    (tmp_path / "even.toml").write_text(lens + sensor, encoding="utf-8")
+    assert "amplitude" not in call_lommel("info", "even.toml", folder=tmp_path).stdout
+
+
 def test_a_telescope_with_vanes_is_described_and_its_energies_are_those_of_its_image(call_lommel, lenses, tmp_path):
     lens = lenses["newtonian-off-axis"]
     shown = call_lommel("info", lens, folder=tmp_path).stdout

@@ -87,6 +87,9 @@ def test_a_lens_has_an_amplitude(load):
     lens = load('apodization = "aplanatic"', 'model = "aplanatic"').lens
     assert lens.apodization == "aplanatic"
     assert not lens.pupil().illumination.uniform
+    edge = '\n[field]\nsensor = ["24 mm", "36 mm"]\nW131 = 1.0\n'
+    lit = load(text=PLAIN.replace("[lens]", "[lens]\napodization = 0.5") + edge)
+    assert lit.field().pupil(1e-3, 2e-3).apodization == 0.5
     for wrong in ('"sine"', "-1", "101", "true", "nan", "[1.0]"):
         with pytest.raises(
             LensFileError, match=r"lens.apodization \(line \d+\): .*number from 0 to 100, or \"aplanatic\""

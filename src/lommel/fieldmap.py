@@ -36,8 +36,8 @@ class FieldMap:
     Attributes
     ----------
     pupil_without_wavefront : Pupil
-        Obscuration, wavelength and f-number, the same over the whole field: vignetting and the change of the
-        f-number towards the edge are not modelled.
+        Obscuration, wavelength, f-number and apodization, the same over the whole field: vignetting and the change
+        of the f-number towards the edge are not modelled.
 
     Notes
     -----

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from lommel import validation
 from lommel.fieldmap import FieldMap
@@ -57,6 +57,8 @@ class Instrument:
     def field(self) -> FieldMap:
         """Return the map of the field for the object of the file: the aberrations of the field and of the lens.
 
+        The amplitude of the lens is that of all positions.
+
         Raises
         ------
         ValueError
@@ -64,7 +66,9 @@ class Instrument:
         """
         if self.aberrations_of_field is None:
             raise ValueError(f"the lens file of {self.name!r} must have a section [field] for PSFs over the field")
-        return self.aberrations_of_field + self.pupil().wavefront
+        pupil, made = self.pupil(), self.aberrations_of_field
+        lit = replace(made.pupil_without_wavefront, apodization=pupil.apodization)
+        return replace(made, pupil_without_wavefront=lit) + pupil.wavefront
 
 
 def wide_enough(pupil: Pupil, pixel: float) -> int:

@@ -28,6 +28,7 @@ def exponent(powers, t):
     return sum(mp.mpf(g) * t**k for k, g in enumerate(powers))
 
 
+@mp.workdps(40)
 def growth(powers, cosh):
     """Return the bound from Chebyshev coefficients as integrals over the angle, exact for these many points."""
     count = 12

@@ -53,6 +53,7 @@ def farthest(c: list[float], low: float, high: float) -> mp.mpf:
     return mp.hypot(max(abs(mp.mpf(low) - x), abs(mp.mpf(high) - x)), y)
 
 
+@mp.workdps(40)
 def log_amplitude(light: list[float], cosh: mp.mpf) -> mp.mpf:
     """Return the growth of exp(-(g_0 + g_1 t + ...)) on an ellipse, from its Chebyshev coefficients."""
     count = len(light) + 1

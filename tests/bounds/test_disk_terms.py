@@ -45,6 +45,7 @@ def amplitudes(coefficients: list[float]) -> list[tuple[mp.mpf, int, int]]:
     return [(mp.sqrt(square), n, m) for (n, m), square in squares.items()]
 
 
+@mp.workdps(40)
 def log_amplitude(light: list[float], cosh: mp.mpf) -> mp.mpf:
     """Return the growth of exp(-(g_0 + g_1 t + ...)) on an ellipse, from its Chebyshev coefficients."""
     count = len(light) + 1

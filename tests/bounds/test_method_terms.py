@@ -37,6 +37,7 @@ def same(found: float, expected: mp.mpf) -> bool:
     return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
+@mp.workdps(40)
 def log_amplitude(light: lm.Apodization, low: mp.mpf, cosh: mp.mpf) -> mp.mpf:
     """Return the growth of an amplitude on an ellipse around [low, 1], from its Chebyshev coefficients."""
     powers = [mp.mpf(float(g)) for g in light.exponent]

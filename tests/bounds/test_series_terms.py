@@ -54,6 +54,7 @@ def horner(rising: list[mp.mpf], x: mp.mpf) -> mp.mpf:
     return total
 
 
+@mp.workdps(40)
 def log_amplitude(light: list[float], cosh: mp.mpf) -> mp.mpf:
     """Return the growth of exp(-(g_0 + g_1 t + ...)) on an ellipse, from its Chebyshev coefficients."""
     count = len(light) + 1

@@ -141,8 +141,14 @@ Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles
     });
     require(piece < pieces, "no such piece");
     const lommel::PiecePlan plan = field.plan(piece, wanted, groups);
+    nb::list singles;
+    lommel::Doubles ring;
+    for (std::size_t r = 0; r < plan.rings; ++r) {
+        lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { field.ring(isa, plan, piece, r, ring); });
+        singles.append(lommel::single_rounding(plan, ring));
+    }
     return named(entry("expanded", expanded), entry("prepared", field.base()), entry("width", field.width()),
-                 entry("rings", plan.rings), entry("error", plan.error));
+                 entry("rings", plan.rings), entry("error", plan.error), entry("singles", singles));
 }
 
 double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 coefficients) {
@@ -212,7 +218,7 @@ void define_bounds(nb::module_& m) {
           "Degrees, orders and rule of a Zernike series, and bounds on what they leave.");
     m.def("zernike_field_bounds", &zernike_field_bounds, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "gaussian"_a,
           "reach"_a, "error"_a, "wanted"_a, "piece"_a, "groups"_a,
-          "Bounds on the error of U: of the series, of every piece, and of one.");
+          "Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.");
     m.def("single_rounding", &single_rounding, "orders"_a, "rows"_a, "coefficients"_a,
           "Bound on what single precision does to U on a ring.");
     m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "gaussian"_a, "low"_a, "high"_a, "chords"_a,

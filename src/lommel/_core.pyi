@@ -189,7 +189,9 @@ def zernike_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order=
     """
 
 def zernike_field_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, gaussian: float, reach: float, error: float, wanted: float, piece: int, groups: int) -> dict[str, object]:
-    """Bounds on the error of U: of the series, of every piece, and of one."""
+    """
+    Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.
+    """
 
 def single_rounding(orders: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], rows: int, coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> float:
     """Bound on what single precision does to U on a ring."""

@@ -119,7 +119,7 @@ def progress(description: str, total: int | None = None) -> Iterator[Callable[[s
     console = Console(stderr=True)
     if not console.is_terminal:
         # Not even an end of line, which a bar that is disabled may leave.
-        yield lambda name: None
+        yield lambda _: None
         return
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(description, total=total)

@@ -24,7 +24,8 @@ stack = lm.Pupil(lm.Wavefront.zernike({term: amounts[j] for j, term in enumerate
 images = lm.psf(stack, shape=61, pixel=0.2, normalize="peak")
 
 figure = plt.figure(figsize=(11, 12.4))
-places = figure.add_gridspec(degrees, 2 * degrees, left=0.05, right=0.99, bottom=0.045, top=0.97, wspace=0.5, hspace=0.3)
+margins = {"left": 0.05, "right": 0.99, "bottom": 0.045, "top": 0.97}
+places = figure.add_gridspec(degrees, 2 * degrees, **margins, wspace=0.5, hspace=0.3)
 half = 0.5 * 61 * 0.2
 for j, (n, m) in enumerate(terms):
     place = figure.add_subplot(places[n, degrees - 1 + m : degrees + 1 + m])

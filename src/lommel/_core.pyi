@@ -165,6 +165,9 @@ def piece_bounds(width: int, piece: int, terms: int, parity: int) -> dict[str, o
 def field_bound(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, power: int, obscuration: float, reach: float, error: float) -> float:
     """Bound on the error of U, all terms together."""
 
+def field_values(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], gaussian: float, power: int, obscuration: float, radii: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], error: float, re: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], im: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float:
+    """The same at radii that rise, and U there."""
+
 def intensity_bounds(peak: float, error: float) -> dict[str, object]:
     """
     Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.
@@ -204,6 +207,11 @@ def chordal_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None
 def chordal_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], b: float) -> float:
     """
     Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.
+    """
+
+def pixel_bounds(height: int, width: int, center_y: float, center_x: float, step: float, integrate: bool, level: int) -> dict[str, object]:
+    """
+    Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.
     """
 
 def instructions() -> str:

@@ -151,8 +151,10 @@ lowest: ## run the tests with the oldest versions of all dependencies, in .tools
 	$(find_python)
 	rm -rf .tools/lowest
 	"$$uv" venv --quiet --python "$$py" .tools/lowest
+	# The oldest matplotlib calls functions that newer versions of pyparsing warn of.
+	echo 'pyparsing<3.3' >.tools/lowest/constraints.txt
 	"$$uv" pip install --quiet --python .tools/lowest/bin/python --resolution lowest-direct --only-binary :all: \
-		--requirement pyproject.toml --all-extras --group dev
+		--constraint .tools/lowest/constraints.txt --requirement pyproject.toml --all-extras --group dev
 	PATH="$(CURDIR)/.tools/lowest/bin:$$PATH" "$$uv" pip install --quiet --python .tools/lowest/bin/python \
 		--no-build-isolation --no-deps --config-settings=build-dir=build/lowest --editable .
 	# What newer versions of others deprecate is nothing to the oldest; the stub is as the locked nanobind writes it.

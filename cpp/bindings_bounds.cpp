@@ -13,6 +13,7 @@
 #include "lommel/engine.hpp"
 #include "lommel/pieces.hpp"
 #include "lommel/pixel_images.hpp"
+#include "lommel/pixel_table.hpp"
 #include "lommel/zernike_images.hpp"
 
 namespace nb = nanobind;
@@ -22,6 +23,8 @@ namespace {
 
 template <class T, std::size_t N>
 using In = nb::ndarray<const T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
+template <class T, std::size_t N>
+using Out = nb::ndarray<T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
 using Doubles1 = In<double, 1>;
 
 void require(bool condition, const char* message) {
@@ -113,6 +116,28 @@ double field_bound(Doubles1 coefficients, Doubles1 amplitude, std::size_t power,
     return lommel::Field().prepare(phase_of(coefficients, light), power, obscuration, reach, error);
 }
 
+// At these radii, rising, of which few leave pieces out; with U itself, whose largest values enter the bounds on I.
+double field_values(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, Doubles1 radii, double error,
+                    Out<double, 1> re, Out<double, 1> im) {
+    const std::size_t count = radii.shape(0);
+    require(error > 0.0 && count > 0, "error must be positive, radii not empty");
+    require(re.shape(0) == count && im.shape(0) == count, "one value a radius");
+    lommel::Doubles at(radii.data(), radii.data() + count), u(count + lommel::widest_step), w(u.size());
+    at.resize(u.size(), at.back());
+    const lommel::Amplitude light = amplitude_of(amplitude);
+    lommel::Field field;
+    const double bound = field.prepare(phase_of(coefficients, light), power, obscuration, {at.data(), count, 1.0}, error);
+    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        field.evaluate(isa, at.data(), 0, count, 1.0, [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
+            lommel::store(u.data() + i, a);
+            lommel::store(w.data() + i, b);
+        });
+    });
+    std::copy_n(u.data(), count, re.data());
+    std::copy_n(w.data(), count, im.data());
+    return bound;
+}
+
 Named intensity_bounds(double peak, double error) {
     const double relative = lommel::relative_error(peak, error);
     return named(entry("relative", relative), entry("normalized", lommel::normalized_error(relative)));
@@ -168,8 +193,14 @@ Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles
     });
     require(piece < pieces, "no such piece");
     const lommel::PiecePlan plan = field.plan(piece, wanted, groups);
+    nb::list singles;
+    lommel::Doubles ring;
+    for (std::size_t r = 0; r < plan.rings; ++r) {
+        lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { field.ring(isa, plan, piece, r, ring); });
+        singles.append(lommel::single_rounding(plan, ring));
+    }
     return named(entry("expanded", expanded), entry("prepared", field.base()), entry("width", field.width()),
-                 entry("rings", plan.rings), entry("error", plan.error));
+                 entry("rings", plan.rings), entry("error", plan.error), entry("singles", singles));
 }
 
 double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 coefficients) {
@@ -214,6 +245,27 @@ double chordal_growth(In<std::int64_t, 2> terms, Doubles1 coefficients, double b
     return found[0];
 }
 
+// Of a table for the averages over the pixels of a window, its axis at (center_y, center_x); each ring as (the least
+// and the largest distance of its pixels, the same of its nodes, their count, whether they are of an even function, whether
+// pixels have their own weights).
+Named pixel_bounds(std::size_t height, std::size_t width, double center_y, double center_x, double step, bool integrate,
+                   int level) {
+    require(height > 0 && height <= 1000 && width > 0 && width <= 1000, "windows must have 1 to 1000 pixels a side");
+    require(step > 0.0 && level >= 1 && level <= 15, "step must be positive, level from 1 to 15");
+    const auto table = lommel::PixelTable::get({height, width, center_y, center_x, step, integrate}, level, 1);
+    nb::list rings, penalty;
+    for (const auto& ring : table->rings) {
+        rings.append(nb::make_tuple(ring.middle - ring.half, ring.middle + ring.half, ring.nodes.low, ring.nodes.high,
+                                    ring.nodes.count, ring.nodes.even, ring.direct));
+    }
+    for (const double one : table->penalty) {
+        penalty.append(one);
+    }
+    return named(entry("gauss", table->gauss), entry("harmonics", table->harmonics), entry("rings", rings),
+                 entry("error", table->error), entry("of_nodes", table->of_nodes), entry("of_grid", table->of_grid),
+                 entry("rounding", table->rounding), entry("penalty", penalty));
+}
+
 }  // namespace
 
 void define_bounds(nb::module_& m) {
@@ -229,6 +281,8 @@ void define_bounds(nb::module_& m) {
           "A piece of the table of Bessel functions, the error of its interpolation and the size of its coefficients.");
     m.def("field_bound", &field_bound, "coefficients"_a, "amplitude"_a, "power"_a, "obscuration"_a, "reach"_a, "error"_a,
           "Bound on the error of U, all terms together.");
+    m.def("field_values", &field_values, "coefficients"_a, "amplitude"_a, "power"_a, "obscuration"_a, "radii"_a, "error"_a,
+          "re"_a.noconvert(), "im"_a.noconvert(), "The same at radii that rise, and U there.");
     m.def("intensity_bounds", &intensity_bounds, "peak"_a, "error"_a,
           "Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.");
     m.def("stored_bound", &stored_bound, "relative"_a, "single"_a, "twice"_a,
@@ -241,11 +295,13 @@ void define_bounds(nb::module_& m) {
           "Degrees, orders and rule of a Zernike series, and bounds on what they leave.");
     m.def("zernike_field_bounds", &zernike_field_bounds, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
           "reach"_a, "error"_a, "wanted"_a, "piece"_a, "groups"_a,
-          "Bounds on the error of U: of the series, of every piece, and of one.");
+          "Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.");
     m.def("single_rounding", &single_rounding, "orders"_a, "rows"_a, "coefficients"_a,
           "Bound on what single precision does to U on a ring.");
     m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "low"_a, "high"_a, "chords"_a,
           "Bounds on the error in U of the chordal Gauss rule for v from low to high along x.");
     m.def("chordal_growth", &chordal_growth, "terms"_a, "coefficients"_a, "b"_a,
           "Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.");
+    m.def("pixel_bounds", &pixel_bounds, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
+          "Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.");
 }

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel import _core
 from lommel.special.legendre import gauss_legendre
 
 STACK = lm.Pupil(lm.Wavefront(np.linspace(-4.0, 5.0, 6), np.linspace(2.0, -1.0, 6)))
@@ -84,6 +85,16 @@ def test_pupils_that_are_not_radial_ask_for_pitches_amplitudes_terms_and_toleran
 def test_quadrature_rules_of_one_degree_serve_few_azimuthal_orders_and_many():
     for terms in ({(8, 2): 4.0}, {(40, 40): 0.5}, {(40, 0): 0.5, (3, 1): 0.1}, {(44, 44): 3.0}, {(8, 2): 4.0}):
         agrees(lm.Pupil(lm.Wavefront(nonradial={t: c for t, c in terms.items() if t[1]})), (7, 7), 0.9, SERIES)
+
+
+def test_quadrature_rules_of_azimuthal_orders_enough_serve_their_own_degree_only():
+    exact = []
+    for n, c in ((2, 0.01), (20, 0.5)):
+        agrees(lm.Pupil(lm.Wavefront(nonradial={(n, 2): c})), (7, 7), 1.2, SERIES)
+        term = np.array([n], np.int32), np.array([2], np.int32), np.array([c])
+        exact.append(_core.zernike_bounds(*term, np.zeros(1), 16.0, 1e-8)["exact"])
+    # Every rule has so few orders: one that others left behind, of a high degree, would serve both, and well.
+    assert exact[0] < exact[1]
 
 
 def test_derivatives_ask_for_their_own_rules():

@@ -64,7 +64,7 @@ def folder(tmp_path, monkeypatch) -> Path:
     y, x = np.mgrid[:48, :64]
     image = np.where((x // 8 + y // 8)[..., None] % 2, (200, 120, 40), (60, 140, 220)).astype(np.uint8)
     photo, exif = Image.fromarray(image), Image.Exif()
-    exif.get_ifd(0x8769).update({0x829D: 1.8, 0x920A: 4.0})  # f-number and focal length, millimetres
+    exif[0x8769] = {0x829D: 1.8, 0x920A: 4.0}  # f-number and focal length, millimetres
     photo.save("photo.jpg", exif=exif)
     photo.save("photo.png")
     distance = np.where(x < 32, 1.9, 2.1)

@@ -170,6 +170,9 @@ def piece_bounds(width: int, piece: int, terms: int, parity: int) -> dict[str, o
 def field_bound(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, obscuration: float, reach: float, error: float) -> float:
     """Bound on the error of U, all terms together."""
 
+def field_values(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, obscuration: float, radii: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], error: float, re: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], im: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float:
+    """The same at radii that rise, and U there."""
+
 def intensity_bounds(peak: float, error: float) -> dict[str, object]:
     """
     Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.
@@ -194,7 +197,9 @@ def zernike_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order=
     """
 
 def zernike_field_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reach: float, error: float, wanted: float, piece: int, groups: int) -> dict[str, object]:
-    """Bounds on the error of U: of the series, of every piece, and of one."""
+    """
+    Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.
+    """
 
 def single_rounding(orders: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], rows: int, coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> float:
     """Bound on what single precision does to U on a ring."""
@@ -207,6 +212,11 @@ def chordal_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None
 def chordal_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], b: float) -> float:
     """
     Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.
+    """
+
+def pixel_bounds(height: int, width: int, center_y: float, center_x: float, step: float, integrate: bool, level: int) -> dict[str, object]:
+    """
+    Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.
     """
 
 def instructions() -> str:

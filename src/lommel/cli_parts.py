@@ -117,7 +117,11 @@ def progress(description: str, total: int | None = None) -> Iterator[Callable[[s
     """Show a bar on standard error, if that is a terminal; yields what announces each step."""
     columns = [SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()]
     console = Console(stderr=True)
-    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
+    if not console.is_terminal:
+        # Not even an end of line, which a bar that is disabled may leave.
+        yield lambda _: None
+        return
+    with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(description, total=total)
         count = 0
 

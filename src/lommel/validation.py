@@ -121,7 +121,7 @@ def _is_real_scalar(value: Any) -> bool:
 
 def integer(name: str, value: Any, *, least: int, most: int) -> int:
     """Return `value` as an int in ``[least, most]``; TypeError or ValueError otherwise."""
-    if isinstance(value, bool):
+    if isinstance(value, bool | np.bool_):
         raise TypeError(f"{name} must be an integer, got {shown(value)}")
     try:
         number = operator.index(value)

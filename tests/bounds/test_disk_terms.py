@@ -230,30 +230,38 @@ def test_an_order_that_a_piece_does_without_is_added_to_its_bound(term, piece):
 
 
 @pytest.mark.parametrize("normalize", ["strehl", "peak"])
-@pytest.mark.parametrize("tol", [1e-4, 1e-7])
-def test_the_bound_of_an_image_is_made_of_these(normalize, tol):
-    """A window within one piece: whatever that was asked for, its error is one of few that the field can have."""
+@pytest.mark.parametrize(
+    ("side", "step", "obscuration", "tol"),
+    [(5, 0.3, 0.0, 1e-4), (5, 0.3, 0.0, 1e-7), (31, 0.37, 0.0, 1e-3), (31, 0.37, 0.3, 1e-3)],
+)
+def test_the_bound_of_an_image_is_made_of_these(normalize, side, step, obscuration, tol):
+    """A window within one piece: whatever that was asked for, its error is one of few that the field can have.
+
+    Few pixels take the whole piece; many take rings, and single precision where the tolerance allows its roundings.
+    """
     c = {(2, 2): 1.3, (3, 1): -0.8, (4, 0): 0.5}
     n, m = (np.array([term[i] for term in c], np.int32) for i in (0, 1))
     outer = np.array(list(c.values()))
-    images, scales = np.empty((1, 5, 5)), np.full(1, 0.0 if normalize == "peak" else 1.0)
-    bounds, peaks, place = np.empty(1), np.empty(1), np.array([2])
-    disks = (n, m, outer[None], outer[None], 0.0, np.zeros(1), place, place)
-    assert _core.render_zernike(*disks, 0.3, tol, 1, images, scales, bounds, peaks) == 0.0
+    inner, middle = 0.5 * outer, side // 2
+    images, scales = np.empty((1, side, side)), np.full(1, 0.0 if normalize == "peak" else 1.0)
+    bounds, peaks, place = np.empty(1), np.empty(1), np.array([middle])
+    stack = (n, m, outer[None], inner[None], obscuration, np.zeros(1), place, place)
+    assert _core.render_zernike(*stack, step, tol, 1, images, scales, bounds, peaks) == 0.0
     size = sum(abs(x) for x in c.values())
     # Storing takes its part of the tolerance first.
     rest = tol - (_core.stored_bound(tol, False, False) - tol)
-    first = 0.1 * (0.4 * rest if normalize == "peak" else rest) / (size + 1.0)
-    reach, top = 0.3 * math.sqrt(8), peaks[0]
+    first = 0.1 * (0.4 * rest if normalize == "peak" else rest) * (1 - obscuration**2) / (size + 1.0)
+    reach, groups = step * middle * math.sqrt(2), (middle + 1) * (middle + 2) // 2
     expected = set()
     for error in (first, 0.1 * first):
         for wanted in np.geomspace(1e-3 * error, 1e3 * error, 200):
-            found = _core.zernike_field_bounds(n, m, outer, outer, 0.0, np.zeros(1), reach, error, wanted, 0, 6)
-            if found["rings"] == 0:
-                whole = _core.intensity_bounds(top, found["error"])[
-                    "normalized" if normalize == "peak" else "relative"
-                ]
-                expected.add(_core.stored_bound(whole, False, False))
+            found = _core.zernike_field_bounds(
+                n, m, outer, inner, obscuration, np.zeros(1), reach, error, wanted, 0, groups
+            )
+            if (found["rings"] > 0) == (side > 5):
+                whole = _core.intensity_bounds(peaks[0], found["error"] + max(found["singles"], default=0.0))
+                relative = whole["normalized" if normalize == "peak" else "relative"]
+                expected.add(_core.stored_bound(relative, False, False))
     assert any(bounds[0] == pytest.approx(e, rel=1e-9, abs=0.0) for e in expected)
 
 

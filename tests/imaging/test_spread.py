@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -101,6 +102,15 @@ def test_collecting_is_the_transpose_of_spreading_for_any_bank(height, width, ha
     a, c = rng.standard_normal((height, width)), rng.standard_normal((height + 2 * half, width + 2 * half))
     forth, back = spread(b, positions, a), collect(b, positions, c)
     assert abs(np.vdot(forth, c) - np.vdot(a, back)) <= 1e-10 * (np.linalg.norm(forth) * np.linalg.norm(c) + 1e-300)
+
+
+def test_threads_add_up_in_the_same_sequence_however_wide_the_windows():
+    """Windows wider than the narrowest tiles: side by side on threads, nothing is lost and nothing added in turn."""
+    rng = np.random.default_rng(1)
+    b, positions, image = bank(rng, 100), rng.uniform(0.0, 5.0, (8, 448)), rng.standard_normal((8, 448))
+    b = replace(b, halves=np.full(6, 100.0))
+    alone, together = spread(b, positions, image, 1), spread(b, positions, image, 2)
+    assert np.array_equal(alone, together)
 
 
 def test_light_is_held():

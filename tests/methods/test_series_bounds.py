@@ -64,6 +64,11 @@ def test_the_coefficients_are_as_accurate_as_promised(
     assert (transforms @ missed).max() <= promised + FLOOR
 
 
+@pytest.mark.parametrize("size", [1e-163, 1e-300, 5e-324])
+def test_phases_whose_squares_vanish_are_no_phases(size: float) -> None:
+    assert _core.series_bounds(np.array([size, -size]), 0.0, 0, 10.0, 1e-6)["nodes"] < 32
+
+
 @given(st.floats(0.01, 700), st.integers(0, 400))
 def test_no_transform_of_a_polynomial_exceeds_the_bounds_used(v: float, n: int) -> None:
     transforms = np.abs(legendre_transforms([v], n + 1))[0]

@@ -162,7 +162,7 @@ class Ellipses {
         if (b == 0.0) {
             return a;
         }
-        const double c = 2.0 * b / (a + std::sqrt(a * a + 8.0 * b * b));
+        const double c = 2.0 * b / (a + std::hypot(a, 2.8284271247461903 * b));
         return std::sqrt(std::max(0.0, 1.0 - c * c)) * (a + b * c);
     }
 

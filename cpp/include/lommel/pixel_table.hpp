@@ -76,7 +76,7 @@ struct PixelTable : Radii {  // where I is wanted, in v
     };
 
     PixelWindow window;
-    int level;  // errors are below 10^-level
+    int level;  // errors are about 10^-level; `error` says what they are
     PixelGroups groups;
     std::vector<Ring> rings;           // none where I is wanted at the pixels themselves
     std::vector<std::int32_t> places;  // of the nodes of each ring among the radii

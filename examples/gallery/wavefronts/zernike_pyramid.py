@@ -23,8 +23,9 @@ amounts = np.eye(len(terms))
 stack = lm.Pupil(lm.Wavefront.zernike({term: amounts[j] for j, term in enumerate(terms)}))
 images = lm.psf(stack, shape=61, pixel=0.2, normalize="peak")
 
-figure = plt.figure(figsize=(11, 12.4), layout="constrained")
-places = figure.add_gridspec(degrees, 2 * degrees)
+figure = plt.figure(figsize=(11, 12.4))
+margins = {"left": 0.05, "right": 0.99, "bottom": 0.045, "top": 0.97}
+places = figure.add_gridspec(degrees, 2 * degrees, **margins, wspace=0.5, hspace=0.3)
 half = 0.5 * 61 * 0.2
 for j, (n, m) in enumerate(terms):
     place = figure.add_subplot(places[n, degrees - 1 + m : degrees + 1 + m])

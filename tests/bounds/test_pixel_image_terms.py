@@ -1,0 +1,386 @@
+"""From the table of a window to the bounds of its images, again: docs/certificate.md 9, tables as they are."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.special import j1
+
+import lommel as lm
+from lommel import _core
+from lommel.methods.method import Intensities
+from lommel.methods.subpixel import subpixel_intensity
+
+U = mp.mpf(2) ** -53
+few = settings(max_examples=12)
+phases = st.lists(st.floats(-12, 12), min_size=1, max_size=3)
+gaussians = st.one_of(st.just(0.0), st.floats(0.01, 5.0))
+obscurations = st.one_of(st.just(0.0), st.floats(0.05, 0.9))
+
+
+class Window(NamedTuple):
+    height: int
+    width: int
+    row: float
+    column: float
+    step: float
+    integrate: bool
+
+    @property
+    def side(self) -> float:
+        return self.step if self.integrate else 0.0
+
+    def radii(self, level: int) -> np.ndarray:
+        return _core.pixel_radii(*self, level, 1)[0]
+
+    def values(self, level: int, profile: np.ndarray) -> tuple[np.ndarray, mp.mpf]:
+        """Return the pixels, and what evaluating their harmonics rounds."""
+        out = np.empty((1, self.height, self.width))
+        rounded = _core.pixel_values(profile[None], *self[2:], level, 1, out)
+        return out[0], mp.mpf(float(rounded[0]))
+
+
+class Table(NamedTuple):
+    error: mp.mpf
+    of_nodes: mp.mpf
+    of_grid: mp.mpf
+    rounding: mp.mpf
+
+    @property
+    def magnification(self) -> mp.mpf:
+        return self.of_grid * self.of_nodes
+
+    def window(
+        self, reach: float, size: float, given: mp.mpf, slope: mp.mpf, swing: mp.mpf, rounded: mp.mpf
+    ) -> mp.mpf:
+        """Return the bound on the error of the values of a window."""
+        places = mp.mpf(reach) * slope * (3 * self.magnification + 6 * self.of_grid + 4)
+        return self.magnification * given + self.error * swing + U * (self.rounding * mp.mpf(size) + rounded + places)
+
+
+def table_of(window: Window, level: int) -> Table:
+    """Return the terms of a table, each of which test_pixel_terms.py computes again."""
+    made: dict[str, Any] = _core.pixel_bounds(*window, level)
+    return Table(*(mp.mpf(made[name]) for name in Table._fields))
+
+
+class Lens(NamedTuple):
+    phase: list[float]
+    gaussian: float
+    obscuration: float
+
+    def amplitude(self, power: float, gaussian: float) -> mp.mpf:
+        return mp.quad(lambda t: t**power * mp.exp(-gaussian * t), [mp.mpf(self.obscuration) ** 2, 1])
+
+    @property
+    def most(self) -> mp.mpf:
+        """Of |U|."""
+        return self.amplitude(0, self.gaussian)
+
+    def most_of(self, power: int) -> mp.mpf:
+        return min(self.most, self.amplitude(power, 0.0))
+
+    def field(self, power: int, radii: np.ndarray, error: float) -> tuple[np.ndarray, mp.mpf]:
+        """Return U as it is computed, and the bound of sections 1 to 5, which has tests of its own."""
+        re, im = np.empty_like(radii), np.empty_like(radii)
+        args = (np.array(self.phase), np.array([0.0, self.gaussian]), power, self.obscuration)
+        e = _core.field_values(*args, radii, error, re, im)
+        return re + 1j * im, mp.mpf(e)
+
+
+class Judged(NamedTuple):
+    level: int
+    table: Table
+    radii: np.ndarray
+    of_field: mp.mpf
+    size: float
+    top: float
+    off: mp.mpf
+    by_field: mp.mpf
+
+
+def judged(lens: Lens, window: Window, level: int, error: float) -> Judged:
+    v, table = window.radii(level), table_of(window, level)
+    u, e = lens.field(0, v, error)
+    intensity = np.abs(u) ** 2
+    values, rounded = window.values(level, intensity)
+    size = float(intensity.max())
+    given = 2 * mp.sqrt(size) * e + e * e
+    off = table.window(v[-1], size, given, mp.sqrt(table.of_nodes * size), lens.most**2 / 2, rounded)
+    return Judged(level, table, v, e, size, float(values.max()), off, table.magnification * given)
+
+
+def storing(relative: mp.mpf, single: bool) -> mp.mpf:
+    s = 6 * U + (mp.mpf(2) ** -24 if single else 0)
+    return relative + (1 + relative) * s
+
+
+def asked(lens: Lens, window: Window, allowed: mp.mpf) -> tuple[float, int]:
+    """Return the error of U and the level of the table that a call begins with."""
+    likely = lens.most / (2 * sum(map(abs, map(mp.mpf, lens.phase))) + 1)
+    value = 1 / (1 / likely**2 + mp.mpf(window.side) ** 2 / (4 * mp.pi * lens.amplitude(0, 2 * lens.gaussian)))
+    level = int(mp.ceil(-mp.log10(allowed * value / (2 * lens.most**2))))
+    return max(float(allowed * value / likely / 50), 8 * float(U)), min(max(level, 3), 15)
+
+
+def related(off: mp.mpf, peak: mp.mpf, divided: bool, single: bool) -> mp.mpf:
+    relative = off / peak if peak > 0 else mp.inf
+    if divided:
+        relative = 2 * relative / (1 - relative) if relative < 1 else mp.inf
+    return storing(relative, single)
+
+
+class Answer(NamedTuple):
+    bound: mp.mpf
+    peak: mp.mpf
+    found: Judged
+    error: float
+
+
+def answered(lens: Lens, window: Window, tol: float, divided: bool, single: bool) -> Answer | None:
+    """Follow a call through its attempts; return None where roundings leave none."""
+    allowed = mp.mpf(tol) - mp.mpf(1.1) * storing(mp.mpf(0), single)
+    error, level = asked(lens, window, allowed)
+    elsewhere, looked = mp.mpf(0), divided
+    while True:
+        found = judged(lens, window, level, error)
+        if related(found.off, found.top - found.off, divided, single) > tol and not looked:
+            looked, elsewhere = True, peak_on_a_line(lens, window, level, error)
+        peak = max(found.top - found.off, elsewhere)
+        bound = related(found.off, peak, divided, single)
+        if bound <= tol:
+            return Answer(bound, peak, found, error)
+        room = (0.1 if divided else 0.2) * allowed * max(found.top, elsewhere, found.off / 1000)
+        by_table, before = found.table.error * lens.most**2 / 2, (error, level)
+        if found.by_field > room:
+            error = max(8 * float(U), float(error * min(mp.mpf(0.1), room / found.by_field)))
+        if by_table > room:
+            level = min(15, level + int(mp.ceil(mp.log10(by_table / room))))
+        if (error, level) == before:
+            return None
+
+
+def peak_on_a_line(lens: Lens, window: Window, level: int, error: float) -> mp.mpf:
+    """Rays reach |dPhi / drho| <= 2 sum k |c_k|; from the axis to there and 4 beyond, 512 steps at most."""
+    blur = 4 + 2 * sum(k * abs(c) for k, c in enumerate(lens.phase, 1))
+    step = window.step if window.integrate else blur / 512
+    line = Window(1, min(512, math.ceil(blur / step)) + 1, 0.0, 0.0, step, window.integrate)
+    there = judged(lens, line, level, error)
+    return there.top - there.off
+
+
+def rendered(lens: Lens, window: Window, tol: float, divided: bool, single: bool, powers: list[int]):
+    """Return what the core proves: the bound, the peak, those of derivatives; its caches full of what it needs."""
+    images = np.empty((1, window.height, window.width), np.float32 if single else np.float64)
+    slopes, slope_bounds = np.empty((len(powers), *images.shape), images.dtype), np.empty((len(powers), 1))
+    for _ in range(2):
+        scales, bounds, peaks = np.full(1, 0.0 if divided else 1.0), np.empty(1), np.empty(1)
+        pupil = (np.array([lens.phase]), lens.obscuration, np.array([0.0, lens.gaussian]))
+        unmet = _core.render_pixels(
+            *pupil,
+            *window[2:],
+            tol,
+            1,
+            images,
+            scales,
+            bounds,
+            peaks,
+            np.array(powers, np.int64),
+            slopes,
+            slope_bounds,
+        )
+    return None if unmet else (bounds[0], peaks[0], slope_bounds[:, 0])
+
+
+WINDOWS = [
+    Window(6, 9, 3.0, 4.0, 0.8, True),
+    Window(5, 5, 2.2, -31.7, 1.9, True),
+    Window(7, 4, 9.3, 1.6, 0.5, False),
+    Window(3, 2, 1.0, 1.0, 9.0, True),
+]
+
+
+@few
+@given(phases, gaussians, obscurations, st.sampled_from([1e-3, 1e-6, 1e-9]), st.booleans(), st.booleans())
+@pytest.mark.parametrize("window", WINDOWS)
+def test_the_bound_of_an_image(window, phase, gaussian, obscuration, tol, divided, single):
+    tol = max(tol, 1e-6) if single else tol
+    lens = Lens(phase, gaussian, obscuration)
+    found = rendered(lens, window, tol, divided, single, [])
+    expected = answered(lens, window, tol, divided, single)
+    assert (found is None) == (expected is None)
+    if found is not None and expected is not None:
+        assert found[0] == pytest.approx(float(expected.bound), rel=1e-9, abs=0.0)
+        assert found[1] == pytest.approx(float(expected.peak), rel=1e-9, abs=0.0)
+
+
+def of_derivative(lens: Lens, window: Window, power: int, answer: Answer, single: bool = False) -> mp.mpf:
+    table, v, e = answer.found.table, answer.found.radii, answer.found.of_field
+    (u, _), (t, own) = lens.field(0, v, answer.error), lens.field(power, v, answer.error)
+    slopes = 2 * (u.conj() * 1j * t).real
+    steepest, root, other = np.abs(slopes).max(), mp.sqrt(answer.found.size), mp.mpf(float(np.abs(t).max()))
+    _, rounded = window.values(answer.found.level, slopes)
+    given = 2 * (root * own + other * e + own * e)
+    slope, swing = mp.sqrt(table.of_nodes) * (root + other), 2 * lens.most * lens.most_of(power)
+    off = table.window(v[-1], steepest, given, slope, swing, rounded)
+    return (off + storing(mp.mpf(0), single) * steepest * table.magnification) / answer.peak
+
+
+@few
+@given(phases, gaussians, obscurations, st.integers(1, 4), st.sampled_from([1e-4, 1e-8]), st.booleans())
+@pytest.mark.parametrize("window", WINDOWS)
+def test_the_bound_of_a_derivative(window, phase, gaussian, obscuration, power, tol, single):
+    tol = max(tol, 1e-6) if single else tol
+    lens = Lens(phase, gaussian, obscuration)
+    found, answer = rendered(lens, window, tol, False, single, [power]), answered(lens, window, tol, False, single)
+    if found is not None and answer is not None:
+        expected = of_derivative(lens, window, power, answer, single)
+        assert found[2][0] == pytest.approx(float(expected), rel=1e-9, abs=0.0)
+
+
+@pytest.mark.parametrize("tol", [1e-4, 1e-9])
+@pytest.mark.parametrize(
+    "window",
+    [
+        Window(140, 120, 60.0, 52.3, 0.8, True),
+        Window(80, 70, 12.3, -4.6, 1.7, True),
+        Window(300, 300, 150.2, 150.4, 0.4, False),
+    ],
+)
+def test_the_bounds_of_a_large_image(window, tol):
+    lens = Lens([5.0, -3.0], 0.5, 0.3)
+    found, answer = rendered(lens, window, tol, False, False, [2]), answered(lens, window, tol, False, False)
+    assert found is not None
+    assert answer is not None
+    assert answer.found.table.of_grid > 1
+    assert found[0] == pytest.approx(float(answer.bound), rel=1e-9, abs=0.0)
+    assert found[2][0] == pytest.approx(float(of_derivative(lens, window, 2, answer)), rel=1e-9, abs=0.0)
+
+
+def test_the_largest_average_may_lie_outside_the_window():
+    """A window where no light is: errors are divided by what is found on a line from the axis."""
+    lens = Lens([9.0], 0.0, 0.0)
+    for integrate in (True, False):
+        window = Window(4, 4, 1.5, -90.0, 0.9, integrate)
+        tol = 1e-9 if integrate else 1e-11  # more than the window alone could prove
+        found, answer = rendered(lens, window, tol, False, False, []), answered(lens, window, tol, False, False)
+        assert found is not None
+        assert answer is not None
+        assert answer.peak > 100 * answer.found.top
+        assert found[0] == pytest.approx(float(answer.bound), rel=1e-9, abs=0.0)
+        assert found[1] == pytest.approx(float(answer.peak), rel=1e-9, abs=0.0)
+        # Values divided by their own largest are judged by the window alone.
+        alone, own = rendered(lens, window, 1e-6, True, False, []), answered(lens, window, 1e-6, True, False)
+        assert alone is not None
+        assert own is not None
+        assert alone[0] == pytest.approx(float(own.bound), rel=1e-9, abs=0.0)
+
+
+@few
+@given(
+    st.lists(st.tuples(st.floats(-9, 9), st.floats(-5, 5)), min_size=4, max_size=9),
+    st.sampled_from([1e-8, 1e-9]),
+    st.booleans(),
+)
+@pytest.mark.parametrize("window", [WINDOWS[0], WINDOWS[2]])
+def test_the_bounds_of_a_stack(window, rows, tol, divided):
+    """One table of Bessel functions for all: terms that do for the whole box, and no pieces."""
+    pupils, gaussian = np.array(rows), 0.3
+    images, bounds, peaks = (
+        np.empty((len(rows), window.height, window.width)),
+        np.empty(len(rows)),
+        np.empty(len(rows)),
+    )
+    scales, none = np.full(len(rows), 0.0 if divided else 1.0), np.empty((0, *images.shape))
+    unmet = _core.render_pixels(
+        pupils,
+        0.0,
+        np.array([0.0, gaussian]),
+        *window[2:],
+        tol,
+        1,
+        images,
+        scales,
+        bounds,
+        peaks,
+        np.empty(0, np.int64),
+        none,
+        none[..., 0, 0],
+    )
+    if unmet:
+        return
+    allowed = mp.mpf(tol) - mp.mpf(1.1) * storing(mp.mpf(0), False)
+    error, level = asked(Lens(list(np.abs(pupils).max(axis=0)), gaussian, 0.0), window, allowed)
+    v, table = window.radii(level), table_of(window, level)
+    box = np.array([pupils.min(axis=0), pupils.max(axis=0)])
+    plans: list[tuple[int, int, mp.mpf]] = []
+    for terms in range(1, 80):
+        ends = [
+            _core.ellipse_bounds(box, np.array([0.0, gaussian]), 0, terms, 400)["tail"],
+            _core.window_bounds(terms, v[-1])["legendre"],
+        ]
+        for nodes in range(16, 113, 16):
+            missed = _core.ellipse_bounds(box, np.array([0.0, gaussian]), 0, terms, nodes)["quadrature"]
+            if missed <= 0.1 * error:
+                plans += [(terms, nodes, mp.mpf(end) + missed) for end in ends if end <= 0.5 * error]
+                break
+        if len(plans) > 8:  # the core takes the fewest terms that do
+            break
+    of_radii = 6 * min(v[-1] / 2, 0.661 * math.sqrt(v[-1]))
+    for i, row in enumerate(rows):
+        lens = Lens(list(row), gaussian, 0.0)
+        intensity = np.abs(lens.field(0, v, 1e-13)[0]) ** 2
+        values, rounded = window.values(level, intensity)
+        expected, size = [], float(intensity.max())
+        for terms, nodes, left in plans:
+            rounding = 4 * abs(row[0]) + 7 * abs(row[1]) + 4 * gaussian + 8 + math.sqrt(terms) * (nodes / 4 + 16)
+            e = left + U * (rounding + terms + 16 + of_radii)
+            given = 2 * mp.sqrt(size) * e + e * e
+            off = table.window(v[-1], size, given, mp.sqrt(table.of_nodes * size), lens.most**2 / 2, rounded)
+            expected.append(float(related(off, values.max() - off, divided, False)))
+        if max(expected) > tol:  # it was done again on its own
+            again = answered(lens, window, tol, divided, False)
+            assert again is not None
+            expected.append(float(again.bound))
+        # Computed once to the error asked of U, once to 1e-13.
+        assert any(bounds[i] == pytest.approx(e, rel=1e-8, abs=0.0) for e in expected)
+
+
+@few
+@given(st.floats(0.5, 3.0), st.floats(0.3, 4.0), st.sampled_from([1.0, 1.7]), st.sampled_from([1e-4, 1e-6]))
+@pytest.mark.parametrize("center", [(3.0, 4.0), (2.3, -5.0)])
+def test_the_bound_of_a_profile_that_a_method_knows(center, ceiling, step, faster, tol):
+    class Known(lm.NijboerZernike):
+        def profile(self, pupil, v):
+            return Intensities(ceiling * airy(v)[None], np.array([1e-8 * tol]), np.array([ceiling]))
+
+        def unaberrated_peak(self, pupil):
+            return ceiling
+
+        def stretch(self, pupil):
+            return faster
+
+        def tightened(self):
+            return self
+
+    pupil, grid = lm.Pupil(), lm.Grid((7, 8), step / math.pi, center=center, integrate=True)
+    found = subpixel_intensity(Known(tol), pupil, grid, 1, window=True)
+    window, expected = Window(7, 8, *center, faster * grid.step(pupil), True), []
+    for level in range(3, 16):
+        v, table = window.radii(level), table_of(window, level)
+        profile = ceiling * airy(v / faster)
+        values, rounded = window.values(level, profile)
+        slope = mp.sqrt(table.of_nodes * float(profile.max()) * max(1.0, ceiling))
+        off = table.window(v[-1], profile.max(), 1e-8 * tol * mp.mpf(ceiling), slope, mp.mpf(ceiling) / 2, rounded)
+        expected.append(float(off / (values.max() - off)))
+    assert any(found.error[0] == pytest.approx(e, rel=1e-9, abs=0.0) for e in expected)
+
+
+def airy(v: np.ndarray) -> np.ndarray:
+    return np.where(v > 0, 2 * j1(v) / np.where(v > 0, v, 1.0), 1.0) ** 2

@@ -45,7 +45,7 @@ class Apodization:
         whole disk; its size would only scale the field.
     error : float, default 0
         Bound on what the powers leave out of the amplitude that is meant: relative, and but for a constant factor. It
-        counts in :attr:`lommel.PSF.error_bound`, as :attr:`lommel.Wavefront.error` does.
+        counts in `PSF.error_bound`, as that of a wavefront does.
 
     Attributes
     ----------
@@ -74,14 +74,16 @@ class Apodization:
             powers.pop()
         if len(powers) > _MOST:
             raise ValueError(f"powers must be at most {_MOST}, got {len(powers)}")
-        exponent = np.array([_constant(powers), *powers])
+        largest = max(map(abs, powers), default=0.0)
+        # Sums of Chebyshev polynomials within the limit have smaller powers; larger ones may overflow.
+        exponent = np.array([0.0 if largest > 1e11 else _constant(powers), *powers])
+        size = largest if largest > 1e11 else float(np.abs(_chebyshev(exponent, 0.0)).sum())
+        if not size <= _LARGEST * (1.0 + 1e-12):
+            raise ValueError(f"powers must lead to an exponent of at most {_LARGEST:g}, got {size:.4g}")
         exponent.setflags(write=False)
         object.__setattr__(self, "powers", tuple(powers))
         object.__setattr__(self, "error", validation.real("error", self.error, least=0.0))
         object.__setattr__(self, "exponent", exponent)
-        size = float(np.abs(_chebyshev(exponent, 0.0)).sum())
-        if not size <= _LARGEST * (1.0 + 1e-12):
-            raise ValueError(f"powers must lead to an exponent of at most {_LARGEST:g}, got {size:.4g}")
 
     @classmethod
     def gaussian(cls, g: float) -> Apodization:
@@ -92,7 +94,7 @@ class Apodization:
     def cosine(cls, sine: float, power: float) -> Apodization:
         """Return ``cos(theta)^power``, with ``sin(theta) = sine * rho``, over its largest value.
 
-        The sine is from 0 to below 1. Its logarithm is expanded in powers of rho^2, ten at most; :attr:`error` bounds
+        The sine is from 0 to below 1. Its logarithm is expanded in powers of rho^2, ten at most; `error` bounds
         what they leave out, and what rounding may do.
 
         Raises

@@ -242,6 +242,10 @@ def test_what_an_amplitude_leaves_out_counts_in_the_bound(normalize):
     off = np.abs(answer.values - true.values).max() / true.values.max()
     added = answer.error_bound - plain.error_bound
     assert 0.02 * added <= off <= added <= 20 * e
+    # 2 |U| times the error of U over the peak, that of U twice e times the amplitude; again for a division by it.
+    pupil, peak = lm.Pupil(apodization=1.0), answer.values.max() / answer.scale
+    times = 2.0 if normalize == "peak" else 1.0
+    assert added == pytest.approx(times * 2.0 * 2.0 * e * pupil.amplitude / math.sqrt(peak), rel=1e-4)
     assert np.array_equal(answer.values, plain.values)
     with pytest.raises(lm.ToleranceError, match=r"leave up to 0 rad of the phase and 1e-06 of the amplitude out"):
         lm.psf(lm.Pupil(apodization=stated), 9, 0.4, method=lm.NijboerZernike(1e-6))

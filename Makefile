@@ -140,7 +140,7 @@ photo: build ## blur a photograph by its depth: near, far, and from one to the o
 test: build lint types ## build, lint, check the types and run the tests
 	@.venv/bin/pytest
 
-# 20 000 bad arguments, 2 000 bad command lines, 1 000 mutations of each kind of file; `make test` has a sample.
+# 100 000 bad arguments, 2 000 bad command lines, 1 000 mutations of each kind of file; `make test` has a sample.
 fuzz: build ## try what no user should: bad arguments, command lines and files
 	@LOMMEL_FUZZ=1 .venv/bin/pytest tests/fuzz
 

@@ -78,6 +78,8 @@ def test_a_masked_array_that_masks_nothing_is_an_array():
         ("x", lambda: lm.FieldMap.scattered(PAIR, PLAIN[0, :2], lm.Wavefront([1.0, 2.0]))),
         ("image", lambda: imaging.depth_of_field(SQUARE, PLAIN, LENS, 8e-6, encoding="linear")),
         ("depth", lambda: imaging.depth_of_field(PLAIN, 4 * SQUARE, LENS, 8e-6, encoding="linear")),
+        ("image", lambda: imaging.depth_of_field_by_tiles(SQUARE, PLAIN, LENS, 8e-6, encoding="linear")),
+        ("depth", lambda: imaging.depth_of_field_by_tiles(PLAIN, 4 * SQUARE, LENS, 8e-6, encoding="linear")),
         ("depth", lambda: imaging.DepthBlur(LENS, 4 * SQUARE, 8e-6)),
         ("image", lambda: imaging.DepthBlur(LENS, 4 * PLAIN, 8e-6).forward(SQUARE)),
     ],

@@ -156,7 +156,8 @@ class CatEye:
     radius: float = 1.0
 
     def __post_init__(self) -> None:
-        if not isinstance(self.shift, tuple | list | np.ndarray) or np.shape(self.shift)[:1] != (2,):
+        pair = isinstance(self.shift, tuple | list | np.ndarray)
+        if not pair or validation.array("shift", self.shift).shape[:1] != (2,):
             raise TypeError(f"shift must be a pair (x, y), got {validation.shown(self.shift)}")
         x, y = (validation.real(f"shift[{i}]", part) for i, part in enumerate(self.shift))
         radius = validation.real("radius", self.radius, above=0.0, below=1000.0 + 1e-9)

@@ -114,7 +114,7 @@ class Apodization:
         degree = 1 + next((i for i in range(_MOST) if tails[i] <= _ROUNDING * abs(series[0])), _MOST - 1)
         powers = np.concatenate(([0.0], series[:degree])) @ chebyshev_to_powers(degree)
         left = float(tails[degree - 1] + _ROUNDING * np.abs(powers).sum())
-        return cls(tuple(powers[1:].tolist()), error=math.expm1(left))
+        return cls(tuple(powers[1:].tolist()), error=math.expm1(min(left, _LARGEST)))
 
     @property
     def uniform(self) -> bool:

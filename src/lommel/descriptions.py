@@ -155,7 +155,10 @@ class Descriptions:
         """
         waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
-        w = {name: 2 * math.pi * validation.real_array(name, value) for name, value in waves.items()}
+        # A coefficient that is beyond the range in radians becomes infinite, which is told.
+        with np.errstate(over="ignore"):
+            radians = {name: 2 * math.pi * validation.real_array(name, value) for name, value in waves.items()}
+        w = {name: validation.real_array(name, value) for name, value in radians.items()}
         if not isinstance(field, tuple | list) or len(field) != 2:
             raise TypeError(f"field must be a pair (x, y), got {validation.shown(field)}")
         x, y = validation.real_array("field[0]", field[0]), validation.real_array("field[1]", field[1])
@@ -202,7 +205,9 @@ class Descriptions:
         J. Opt. Soc. Am. 71, 75 (1981), doi:10.1364/JOSA.71.000075.
         """
         eps = validation.real("obscuration", obscuration, least=0.0, below=1.0)
-        spherical = 6 * math.sqrt(5) * validation.real_array("rms", rms) / (1 - eps**2) ** 2
+        with np.errstate(over="ignore"):
+            spherical = 6 * math.sqrt(5) * validation.real_array("rms", rms) / (1 - eps**2) ** 2
+        spherical = validation.real_array("6 sqrt(5) rms / (1 - eps^2)^2", spherical)
         return cls(-0.5 * (1 + eps**2) * spherical, spherical)
 
 

@@ -191,7 +191,7 @@ class Lens:
             If the f-number is no positive number, if the obscuration leaves nothing clear, if a lens with aberrations
             or with an Apodization is opened wider, where these are not known, or if it has vignetting or a mask.
         """
-        stop = validation.real("f_number", f_number, above=0.0)
+        stop = validation.real("f_number", f_number, least=1e-6, below=1e12)
         ratio = stop / self.f_number
         if self.vignetting or self.mask:
             raise ValueError(

@@ -178,7 +178,7 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
 def _within_reach(pupil: Pupil, name: str, at: NDArray[np.float64], stretch: float) -> NDArray[np.float64]:
     """Return `at` in v, flat, if that is no farther from the axis than there is light worth computing."""
     far = float(at.max(initial=0.0))
-    validation.reach(f"{name}={far:g}", stretch * float(pupil.v(far)), pupil.scale / stretch, pupil.unit)
+    validation.reach(f"{name}={far:g}", stretch * (math.pi / pupil.scale * far), pupil.scale / stretch, pupil.unit)
     return pupil.v(at).ravel()
 
 

@@ -16,6 +16,7 @@ from lommel.descriptions import Descriptions
 from lommel.special import zernike
 
 _FAR = 1e3  # the pupil ends at 1; beyond this, powers of rho overflow
+_MOST = 0.5 * float(np.finfo(np.float64).max)
 MAX_HIGHER = 8
 """Most coefficients beyond rho^4."""
 
@@ -88,6 +89,8 @@ class Wavefront(Descriptions):
         if len(higher) > MAX_HIGHER:
             raise ValueError(f"higher must hold at most {MAX_HIGHER} coefficients, got {len(higher)}")
         object.__setattr__(self, "defocus", validation.real_array("defocus", defocus))
+        if np.any(np.abs(self.defocus) > _MOST):
+            raise ValueError(f"defocus must be finite, and so must its double be, got {validation.shown(defocus)}")
         object.__setattr__(self, "spherical", validation.real_array("spherical", spherical))
         rest = tuple(validation.real_array(f"higher[{i}]", c) for i, c in enumerate(higher))
         object.__setattr__(self, "higher", rest)

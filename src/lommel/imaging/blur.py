@@ -91,6 +91,7 @@ class DepthBlur:
             )
         self.lens = lens
         self.pixel = validation.pixel(pixel, metric=True)
+        validation.pixel_on(self.pixel, lens.wavelength * lens.working_f_number, metric=True)
         self.border = validation.choice("border", border, BORDERS)
         self.dtype = validation.kind("dtype", dtype, np.float32, np.float64)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)

@@ -78,7 +78,7 @@ def write_frames(
         If a file cannot be written.
     """
     target = check_pattern(path)
-    duration = 1000.0 / validation.real("fps", fps, above=0.0, below=1000.0)
+    duration = 1000.0 / validation.real("fps", fps, least=1e-3, below=1000.0)
     validation.integer("quality", quality, least=1, most=100)
     if _NUMBER.search(target.name):
         return _numbered(target, _alike(frames), quality)
@@ -92,7 +92,7 @@ def write_frames(
 
 def _alike(frames: Iterable[NDArray[Any]]) -> Iterable[NDArray[Any]]:
     first = None
-    if not isinstance(frames, Iterable) or np.ma.is_masked(frames):
+    if not isinstance(frames, Iterable) or getattr(frames, "ndim", 1) == 0 or np.ma.is_masked(frames):
         raise TypeError(f"frames must be arrays, got {validation.shown(frames)}")
     for frame in frames:
         if not isinstance(frame, np.ndarray) or frame.ndim not in (2, 3):

@@ -63,7 +63,7 @@ def channels_of(image: NDArray[Any], lens: Lens, wavelengths: Sequence[Spectrum]
         raise TypeError(f"lens must be a Lens, got {validation.shown(lens)}")
     count = 1 if image.ndim == 2 else image.shape[2]
     if wavelengths is not None:
-        if not isinstance(wavelengths, Sequence | np.ndarray):
+        if not isinstance(wavelengths, Sequence | np.ndarray) or getattr(wavelengths, "ndim", 1) == 0:
             raise TypeError(
                 f"wavelengths must be a sequence, one for each channel, got {validation.shown(wavelengths)}"
             )

@@ -87,9 +87,10 @@ class TileBlur:
 
         Raises
         ------
-        ValueError
-            If a depth is beyond the range that was named, or missing.
+        TypeError, ValueError
+            If a depth is beyond the range that was named, or missing; if something is masked.
         """
+        image, depth = validation.array("image", image), validation.array("depth", depth)
         blur = copy.copy(self._whole)
         blur.place(fill_missing(depth, self.missing))
         low, high = self._reach
@@ -148,12 +149,14 @@ def depth_of_field_by_tiles(
         As :func:`lommel.imaging.depth_of_field`, and if `out` does not fit. What had been written by then stays.
     """
     require_lens(lens, "image, depth, lens, pixel")
+    # Refuses what is masked before anything is written.
+    shapes = [validation.array(name, given).shape for name, given in (("image", image), ("depth", depth))]
     if not isinstance(image, np.ndarray) or image.ndim not in (2, 3) or 0 in image.shape:
         raise ValueError(
             f"image must be an array of the shape (height, width) or (height, width, channels), got {np.shape(image)}"
         )
     if not isinstance(depth, np.ndarray) or depth.shape != image.shape[:2]:
-        raise ValueError(f"depth must have the shape of the image, {image.shape[:2]}, got {np.shape(depth)}")
+        raise ValueError(f"depth must have the shape of the image, {image.shape[:2]}, got {shapes[1]}")
     tile = validation.integer("side", side, least=16, most=validation.MAX_SIDE)
     if out is None:
         out = np.empty(image.shape, dtype=image.dtype)

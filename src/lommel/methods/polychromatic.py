@@ -47,9 +47,9 @@ class Polychromatic(RadialMethod):
     method: Method | None = None
 
     def __init__(self, wavelengths: Sequence[float], weights: Sequence[float], method: Method | None = None) -> None:
-        waves = tuple(validation.wavelength(w) for w in np.atleast_1d(wavelengths))
+        waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
         shares = validation.real_array("weights", weights, least=0.0)
-        if shares.shape != (len(waves),) or not waves or not shares.sum() > 0:
+        if shares.shape != (len(waves),) or not waves or not shares.max() > 0:
             raise ValueError(
                 f"weights must be one for each of the {len(waves)} wavelengths, and not all 0, "
                 f"got {validation.shown(weights)}"
@@ -58,6 +58,7 @@ class Polychromatic(RadialMethod):
             raise TypeError(
                 f"method must be a Method of one wavelength such as NijboerZernike(), got {validation.shown(method)}"
             )
+        shares = shares / shares.max()  # whose sum cannot overflow
         object.__setattr__(self, "wavelengths", waves)
         object.__setattr__(self, "weights", tuple((shares / shares.sum()).tolist()))
         object.__setattr__(self, "method", method)

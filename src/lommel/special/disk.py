@@ -20,6 +20,8 @@ def disk_overlap(
 
 def _corner(r: NDArray[np.float64], x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the area of the disk within the rectangle from the origin to (x, y), signed like x y."""
+    # A disk that holds the whole rectangle may be smaller, lest squares overflow.
+    r = np.minimum(r, 2.0 * (np.abs(x) + np.abs(y)))
     a, b = np.minimum(np.abs(x), r), np.minimum(np.abs(y), r)
     # The circle leaves the rectangle's far side at this x; from there on it is the boundary.
     leaves = np.minimum(a, np.sqrt((r - b) * (r + b)))

@@ -111,9 +111,11 @@ class AbramowitzErf(Erf):
         from scipy.special import erf
 
         at = validation.array("z", z)
-        if at.dtype.kind not in "iufc" or not np.all(np.isfinite(at)):
+        numbers = at.dtype.kind in "iufc"
+        with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, which is told
+            at = at.astype(np.complex128) if numbers else at
+        if not numbers or not np.all(np.isfinite(at)):
             raise TypeError(f"z must hold finite numbers, got {validation.shown(z)}")
-        at = at.astype(np.complex128)
         # erf is odd; the formula is used for x >= 0
         side = np.where(at.real < 0, -1.0, 1.0)
         x, y = side * at.real, side * at.imag

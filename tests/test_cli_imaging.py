@@ -99,7 +99,7 @@ BAD = [
     (f"{PULL} --from 2m --to 3m -o %03d-%03d.png", "--output may have one number such as %03d"),
     (f"{PULL} --from 2m --to 3m -o f%s.png", "--output may have one number such as %03d"),
     (f"{PULL} --from 0m --to 3m -o f-%03d.png", "--from must be > 0 metres, got 0"),
-    (f"{PULL} --from 2m --to 3m --fps 0 -o f.gif", "fps must be > 0"),
+    (f"{PULL} --from 2m --to 3m --fps 0 -o f.gif", "fps must be >= 0.001"),
     (f"{PULL} --from 2m --to 3m --bits 16 -o f.gif", ".gif holds 8 bits; give --bits 8"),
     (f"{PULL} --from 2m --to 3m --bits 16 -o f-%03d.jpg", "holds 8 bits, not uint16"),
     (f"{PULL} --from 2m --to 3m -o nowhere/f-%03d.png", "nowhere/f-%03d.png: No such file or directory"),

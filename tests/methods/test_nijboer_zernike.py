@@ -165,6 +165,16 @@ def test_a_tolerance_out_of_range_is_refused(tol: float) -> None:
         NijboerZernike(tol)
 
 
+def test_the_least_obscurations_count() -> None:
+    # A two-hundredth of the radius takes 2.5e-5 of the field.
+    pupil = lm.Pupil(lm.Wavefront(3.0), obscuration=5e-3)
+    found, exact = (
+        lm.psf(pupil, 33, 0.4, method=method, dtype=np.float64, normalize="strehl")
+        for method in (lm.NijboerZernike(1e-9), lm.Hankel())
+    )
+    assert np.abs(found.values - exact.values).max() <= 1e-9 * exact.values.max()
+
+
 def test_phases_beyond_the_limit_are_refused_with_their_size() -> None:
     with pytest.raises(ValueError, match=r"phases of 2e\+06 rad exceed the limit of 1000000 rad"):
         NijboerZernike().field(Pupil(Wavefront(1e6)), 1.0)

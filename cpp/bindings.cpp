@@ -6,6 +6,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -92,6 +93,7 @@ lommel::Amplitude amplitude_of(const In<double, 1>& powers) {
 
 lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration, const In<double, 1>& amplitude) {
     require(coefficients.shape(0) > 0 && coefficients.shape(1) > 0, "coefficients must not be empty");
+    require(coefficients.shape(1) <= lommel::LegendreRule::most_terms, "coefficients must be 30 a pupil at most");
     require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
     return {coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration, amplitude_of(amplitude)};
 }
@@ -302,82 +304,63 @@ Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double cent
     return penalties;
 }
 
-// Returns 0, or the bound on the error where the tolerance cannot be met.
-template <class T>
-double render_zernike(In<std::int32_t, 1> n, In<std::int32_t, 1> m, In<double, 2> outer, In<double, 2> inner,
-                      double obscuration, In<double, 1> amplitude, In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, double step,
-                      double tol, int threads, Out<T, 3> images, Out<double, 1> scales, Out<double, 1> bounds,
-                      Out<double, 1> peaks) {
-    const std::size_t count = images.shape(0), terms = n.shape(0), height = images.shape(1), width = images.shape(2);
-    require(count > 0 && terms > 0 && m.shape(0) == terms, "n and m must have the same length");
-    require(outer.shape(0) == count && outer.shape(1) == terms && inner.shape(0) == count && inner.shape(1) == terms,
-            "outer and inner must have the shape (images, terms)");
-    require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
-    require(rows.shape(0) == count && columns.shape(0) == count && scales.shape(0) == count && bounds.shape(0) == count &&
-                peaks.shape(0) == count,
-            "one row, column, scale, bound and peak a pupil");
-    require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
-    require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
-    for (std::size_t j = 0; j < terms; ++j) {
-        const std::int32_t degree = n.data()[j], order = std::abs(m.data()[j]);
-        require(degree >= 0 && degree <= 200 && order <= degree && (degree - order) % 2 == 0,
-                "there is no such Zernike term");
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        require(std::abs(rows.data()[i]) <= 2000000 && std::abs(columns.data()[i]) <= 2000000,
-                "the axis must be within 2e6 pixels");
-    }
-    const lommel::Amplitude light = amplitude_of(amplitude);
-    Released nogil;
-    try {
-        const lommel::ZernikeStack stack{n.data(), m.data(), outer.data(), inner.data(), count, terms, obscuration, light};
-        lommel::ZernikeRenderer<T>(stack, height, width, rows.data(), columns.data(), step, tol, threads, images.data(),
-                                   scales.data(), bounds.data(), peaks.data())
-            .run();
-    } catch (const lommel::ToleranceNotMet& failure) {
-        return failure.bound;
-    }
-    return 0.0;
-}
-
-std::vector<lommel::ZernikeTerm> zernike_terms(const In<std::int64_t, 2>& given) {
+std::vector<lommel::ZernikeTerm> zernike_terms(const In<std::int32_t, 2>& given) {
     require(given.shape(0) > 0 && given.shape(1) == 2, "terms must have the shape (terms, 2), with one term at least");
     std::vector<lommel::ZernikeTerm> terms;
     for (std::size_t j = 0; j < given.shape(0); ++j) {
         const lommel::ZernikeTerm term{given.data()[2 * j], given.data()[2 * j + 1]};
-        const std::int64_t order = term.m < 0 ? -term.m : term.m;
-        require(term.n >= 0 && term.n <= 1000 && order <= term.n && (term.n - order) % 2 == 0, "no such Zernike term");
-        for (const lommel::ZernikeTerm& other : terms) {
-            require(!(other == term), "a Zernike term comes twice");
-        }
+        const std::int32_t order = std::abs(term.m);
+        require(term.n >= 0 && term.n <= 200 && order <= term.n && (term.n - order) % 2 == 0, "no such Zernike term");
+        require(std::find(terms.begin(), terms.end(), term) == terms.end(), "a Zernike term comes twice");
         terms.push_back(term);
     }
     return terms;
 }
 
-// Returns 0, or the bound on the error where the tolerance cannot be met.
-template <class T>
-double chordal(In<std::int64_t, 2> terms, In<double, 2> outer, In<double, 2> inner, double obscuration, In<double, 1> amplitude,
-               double center_y, double center_x, double step, double tol, int threads, Out<T, 3> images,
-               Out<double, 1> scales, Out<double, 1> bounds) {
-    const std::size_t n = outer.shape(0), count = terms.shape(0), height = images.shape(1), width = images.shape(2);
-    const lommel::ChordalStack stack{zernike_terms(terms), outer.data(), inner.data(), n, obscuration, amplitude_of(amplitude)};
-    require(n > 0, "there must be a pupil");
-    require(outer.shape(1) == count && inner.shape(0) == n && inner.shape(1) == count, "one coefficient a term and pupil");
+// The two engines for pupils that are not radially symmetric. Returns 0, or the bound on the error where the tolerance cannot
+// be met.
+template <class T, bool Series>
+double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, double center_y,
+                   double center_x, double step, double tol, int threads, Out<T, 3> images, Out<double, 1> scales,
+                   Out<double, 1> bounds, Out<double, 1> peaks) {
+    const std::size_t n = edge.shape(0), height = images.shape(1), width = images.shape(2);
+    const std::vector<lommel::ZernikeTerm> list = zernike_terms(terms);
+    const lommel::Amplitude light = amplitude_of(amplitude);
+    require(n > 0 && edge.shape(1) == list.size(), "one coefficient a term and pupil, and one pupil at least");
     require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
-    require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n, "one image, scale and bound a pupil");
+    require(images.shape(0) == n && scales.shape(0) == n && bounds.shape(0) == n && peaks.shape(0) == n,
+            "one image, scale, bound and peak a pupil");
     require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
     require(std::abs(center_y) <= 1e6 && std::abs(center_x) <= 1e6, "the centre must be within 1e6 pixels");
     require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
+    const lommel::DiskWindow window{height, width, center_y, center_x, step};
+    const lommel::DiskAnswer<T> answer{images.data(), scales.data(), bounds.data(), peaks.data()};
     Released nogil;
     try {
-        lommel::ChordalRenderer<T>(stack, {height, width, center_y, center_x, step}, tol, threads,
-                                   {images.data(), scales.data(), bounds.data()})
-            .run();
+        lommel::DiskStack stack(list, edge.data(), n, obscuration, light);
+        if constexpr (Series) {
+            stack.move_axes(window);
+            stack.shrink();
+            lommel::ZernikeRenderer<T>(stack, window, tol, threads, answer).run();
+        } else {
+            stack.shrink();
+            lommel::ChordalRenderer<T>(stack, window, tol, threads, answer).run();
+        }
     } catch (const lommel::ToleranceNotMet& failure) {
         return failure.bound;
     }
     return 0.0;
+}
+
+template <class T>
+void define_disk(nb::module_& m) {
+    m.def("series_images", &disk_images<T, true>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a,
+          "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "peaks"_a.noconvert(),
+          "Images of pupils of Zernike terms (n, m), by their series; scales are 0 on entry where values are to be divided by "
+          "their largest one. 0, or the bound that is left.");
+    m.def("chordal_images", &disk_images<T, false>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
+          "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "peaks"_a.noconvert(),
+          "The same by the chordal rule; bounds are over the largest value of the window.");
 }
 
 std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration,
@@ -589,21 +572,8 @@ NB_MODULE(_core, m) {
     m.def("differentiate", &differentiate<double>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "step"_a, "tol"_a, "threads"_a,
           "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
           "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert());
-    m.def("render_zernike", &render_zernike<float>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
-          "rows"_a, "columns"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
-          "bounds"_a.noconvert(), "peaks"_a.noconvert(),
-          "Images of pupils with any Zernike terms, each with its axis on a pixel; returns as render() does.");
-    m.def("render_zernike", &render_zernike<double>, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
-          "rows"_a, "columns"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
-          "bounds"_a.noconvert(), "peaks"_a.noconvert());
-    m.def("chordal", &chordal<float>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
-          "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
-          "bounds"_a.noconvert(),
-          "Images of a stack of wavefronts in Zernike terms (n, m) by the chordal Gauss rule; returns 0, or the bound "
-          "where tol cannot be met.");
-    m.def("chordal", &chordal<double>, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
-          "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
-          "bounds"_a.noconvert());
+    define_disk<float>(m);
+    define_disk<double>(m);
     m.def("render_pixels", &render_pixels<float>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a,
           "step"_a, "integrate"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
           "bounds"_a.noconvert(), "peaks"_a.noconvert(), "powers"_a, "derivative_images"_a.noconvert(),

@@ -2,6 +2,7 @@
 // formulas of docs/certificate.md. A bound that cannot be read cannot be tested.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -216,9 +217,26 @@ std::vector<lommel::ZernikeTerm> chordal_terms(const In<std::int64_t, 2>& given,
     require(given.shape(1) == 2 && given.shape(0) == coefficients.shape(0), "one coefficient a term (n, m)");
     std::vector<lommel::ZernikeTerm> terms;
     for (std::size_t j = 0; j < given.shape(0); ++j) {
-        terms.push_back({given.data()[2 * j], given.data()[2 * j + 1]});
+        terms.push_back({static_cast<std::int32_t>(given.data()[2 * j]), static_cast<std::int32_t>(given.data()[2 * j + 1])});
     }
     return terms;
+}
+
+// One pupil as the engines of the whole disk take it: its terms, what they are on both disks, and what that loses.
+Named disk_stack(In<std::int64_t, 2> terms, Doubles1 edge, double obscuration, double row, double column, double step, bool moved) {
+    lommel::DiskStack stack(chordal_terms(terms, edge), edge.data(), 1, obscuration, {});
+    if (moved) {
+        stack.move_axes({1, 1, row, column, step});
+    }
+    stack.shrink();
+    std::vector<double> n, m;
+    for (const lommel::ZernikeTerm& term : stack.terms) {
+        n.push_back(term.n);
+        m.push_back(term.m);
+    }
+    return named(entry("n", n), entry("m", m), entry("outer", stack.outer), entry("inner", stack.inner), entry("lost", stack.lost),
+                 entry("row", moved ? static_cast<double>(stack.rows[0]) : row),
+                 entry("column", moved ? static_cast<double>(stack.columns[0]) : column));
 }
 
 // Over a window of v from `low` to `high` in x and on the axis in y.
@@ -298,6 +316,8 @@ void define_bounds(nb::module_& m) {
           "Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.");
     m.def("single_rounding", &single_rounding, "orders"_a, "rows"_a, "coefficients"_a,
           "Bound on what single precision does to U on a ring.");
+    m.def("disk_stack", &disk_stack, "terms"_a, "edge"_a, "obscuration"_a, "row"_a, "column"_a, "step"_a, "moved"_a,
+          "A wavefront on the whole disk and on the obscured one, and what roundings do to U on the way.");
     m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "low"_a, "high"_a, "chords"_a,
           "Bounds on the error in U of the chordal Gauss rule for v from low to high along x.");
     m.def("chordal_growth", &chordal_growth, "terms"_a, "coefficients"_a, "b"_a,

@@ -140,9 +140,12 @@ def test_every_method_has_a_row_in_the_comparison_of_every_example(lens_file):
             n for n, m in kinds.items() if m.any_aperture
         }
         return
-    only_defocus = not np.any(instrument.pupil().wavefront.coefficients[..., 1:])
+    wavefront = instrument.pupil().wavefront
+    refused = {"LommelSeries"} if np.any(wavefront.coefficients[..., 1:]) else set()
+    if wavefront.symmetric > 10:  # an expansion whose powers cancel
+        refused |= {"ClosedForm", "TunedClosedForm"}
     for row in rows:
-        expected = row["method"] != "LommelSeries" or only_defocus
+        expected = row["method"].split(".")[0] not in refused
         assert (row["reason"] is None) == expected
         assert (row["method"] in answers) == (expected and row["method"] != "HuygensFresnel")
     certified = {row["method"]: row for row in rows}["NijboerZernike"]

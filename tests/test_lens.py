@@ -185,6 +185,10 @@ def test_nothing_that_a_pupil_is_made_of_is_forgotten():
     made = {
         "__getitem__": (pupil[1], {"wavefront": pupil.wavefront[1], "geometry": one.geometry}),
         "unaberrated": (pupil.unaberrated(), {"wavefront": lm.Wavefront(), "geometry": focus.geometry}),
+        "carrying": (
+            pupil.carrying(lm.Wavefront(2.0), one.geometry),
+            {"wavefront": lm.Wavefront(2.0), "geometry": one.geometry},
+        ),
         "from_dict": (lm.Pupil.from_dict(pupil.to_dict()), {"mask": lm.Mask(np.full((4, 4), 0.5))}),
     }
     assert set(made) == _methods_that_return(lm.Pupil)

@@ -9,11 +9,12 @@ import pickle
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import lommel as lm
 from lommel import Wavefront
+from lommel.special import zernike
 
 radians = st.floats(-1e3, 1e3)
 NONRADIAL = [(n, m) for n in range(1, 9) for m in range(-n, n + 1, 2) if m]
@@ -255,6 +256,95 @@ def test_a_wavefront_survives_json_pickling_and_copying(wavefront):
     assert Wavefront.from_dict(json.loads(json.dumps(wavefront.to_dict()))) == wavefront
     assert pickle.loads(pickle.dumps(wavefront)) == wavefront
     assert copy.deepcopy(wavefront) == wavefront
+
+
+@given(radians, radians, st.lists(radians, max_size=8), st.dictionaries(st.sampled_from(NONRADIAL), radians))
+@example(0.1, 0.3, [0.7, 1e-3, 123.456], {(3, 1): 0.1})
+def test_what_is_given_comes_back_exactly(defocus, spherical, higher, nonradial):
+    given_one = Wavefront(defocus, spherical, higher, nonradial)
+    stack = Wavefront([defocus, 1.0], spherical, [[c, 2.0] for c in higher], nonradial)
+    for one in (
+        given_one,
+        pickle.loads(pickle.dumps(given_one)),
+        copy.deepcopy(given_one),
+        Wavefront.from_dict(json.loads(json.dumps(given_one.to_dict()))),
+        stack[0],
+        stack.flattened()[0],
+        pickle.loads(pickle.dumps(stack))[0],
+        given_one.flattened()[0],
+        given_one + Wavefront(),
+        Wavefront() + given_one,
+        1.0 * given_one,
+        -1.0 * (-1.0 * given_one),
+        given_one.flipped("x").flipped("x"),
+        given_one + Wavefront.zernike({(3, 3): 0.0, (0, 0): 5.0}, normalization="edge"),
+    ):
+        assert one.defocus == defocus
+        assert one.spherical == spherical
+        assert [float(c) for c in one.higher] == higher
+        for term, c in nonradial.items():
+            assert one.nonradial[term] == c
+        assert np.array_equal(one.edge[: one.symmetric], given_one.edge[: one.symmetric])
+        assert one == given_one
+
+
+EDGE = {(2, 0): 0.1, (6, 0): -0.7, (20, 0): 3.3, (60, 0): 0.123456789, (3, -1): 0.1, (7, 5): 1e-9}
+
+
+@given(st.dictionaries(st.sampled_from([*EDGE, (58, 0), (60, 58)]), radians, min_size=1))
+@example(EDGE)
+def test_terms_at_the_edge_come_back_exactly(edge):
+    one = Wavefront.zernike(edge, normalization="edge")
+    stack = Wavefront.zernike({term: np.array([c, 1.0]) for term, c in edge.items()}, normalization="edge")
+    for found in (
+        one,
+        pickle.loads(pickle.dumps(one)),
+        Wavefront.from_dict(json.loads(json.dumps(one.to_dict()))),
+        stack[0],
+        stack.flattened()[0],
+        one + Wavefront(),
+        Wavefront() + one,
+        one.rotated(0.0),
+        eval(repr(one)),
+    ):
+        assert found == one
+        assert {term: float(c) for term, c in found.edge_terms().items() if c} == {t: c for t, c in edge.items() if c}
+        assert found.left_out == 0.0
+
+
+def test_powers_of_high_degree_that_cancel_are_counted():
+    # R_20^0 as powers of up to 4e6; those of low degree lose nothing but a rounding of each term.
+    powers = 8.0 * zernike.powers_of_edge(np.eye(10)[9])
+    one = Wavefront(0.5 * powers[0], powers[1], powers[2:].tolist(), error=1e-12)
+    lost = 13 * float(np.finfo(np.longdouble).eps) * np.abs(powers).sum()
+    assert one.left_out == pytest.approx(1e-12 + lost, rel=1e-12)
+    for plain in (Wavefront(1e3, -1e3), Wavefront(3.0, 1.0, [0.5]), Wavefront.radial_sum(one.edge.copy())):
+        assert plain.left_out == 0.0
+    # A stack has the largest; others of it do not take that away.
+    pair = Wavefront([0.5 * powers[0], 1.0], [powers[1], 0.0], [[c, 0.0] for c in powers[2:]])
+    assert pair.left_out == pytest.approx(lost, rel=1e-12)
+    assert pair[1].left_out == 0.0
+
+
+@pytest.mark.parametrize(("normalize", "times"), [("strehl", 1.0), ("peak", 2.0)])
+def test_what_powers_lose_is_in_the_bound_of_an_image(normalize, times):
+    powers = 8.0 * zernike.powers_of_edge(np.eye(10)[9])
+    one = Wavefront(0.5 * powers[0], powers[1], powers[2:].tolist())
+    asked = {"method": lm.NijboerZernike(1e-8), "dtype": np.float64, "normalize": normalize, "integrate": False}
+    found, exact = (lm.psf(lm.Pupil(w), 9, 0.5, **asked) for w in (one, Wavefront.radial_sum(one.edge.copy())))
+    assert np.array_equal(found.values, exact.values)
+    root = math.sqrt(found.values.max() / found.scale)
+    expected = times * 2.0 * one.left_out / root
+    assert found.error_bound - exact.error_bound == pytest.approx(expected, rel=1e-3)
+
+
+@given(wavefronts, st.floats(-9, 9))
+def test_an_error_goes_where_its_wavefront_goes(wavefront, factor):
+    one = wavefront + Wavefront(error=0.25)
+    assert one.error == 0.25
+    assert (factor * one).error == abs(factor) * 0.25
+    assert (one + one).error == 0.5
+    assert one.left_out >= 0.25
 
 
 def test_numbers_of_numpy_scale_a_wavefront_too():

@@ -1,4 +1,4 @@
-r"""The phase of defocus of a lens that obeys the sine condition, and its expansion in powers of rho^2.
+r"""The phase of defocus of a lens that obeys the sine condition, and its expansion in radial Zernike terms.
 
 A wave converges to (or comes from) a point of the axis; the reference sphere has its centre in another. Both pass
 through the vertex of the pupil, the wave with the curvature a + delta where the sphere has a. A point of the sphere
@@ -8,7 +8,8 @@ the centre of the wave, less that of the vertex, is by elementary geometry
 ``W(h) = 2 p delta / (1 + sqrt(1 + 2 p (a + delta) delta)), p = h^2 / (1 + sqrt(1 - a^2 h^2)) .``
 
 The sine condition makes h proportional to rho. W is then a function of t = rho^2 with branch points only, and the
-farther these are from [0, 1], the faster a series of Chebyshev polynomials falls.
+farther these are from [0, 1], the faster a series of Chebyshev polynomials falls; Legendre polynomials of 2t - 1, the
+radially symmetric Zernike terms, hold the same polynomial.
 
 References
 ----------
@@ -20,23 +21,34 @@ L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013),
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-_DEGREE = 40  # of the series that is cut
-_LEAST, _MOST = 2, 10  # powers of t that are kept; a wavefront holds ten
+from lommel.special import zernike
+
+_DEGREE = 80  # of the series that is cut
+_LEAST, _MOST = 2, zernike.MAX_DEGREE // 2  # terms that are kept
 _ROUNDING = 2.0**-47
 
 
-def chebyshev_to_powers(degree: int) -> NDArray[np.float64]:
-    """Return the coefficients of t^j in T_k(2t - 1), shape ``(degree + 1, degree + 1)``: whole numbers, exact."""
-    matrix = np.zeros((degree + 1, degree + 1))
-    matrix[0, 0], matrix[1, :2] = 1.0, (-1.0, 2.0)
-    for k in range(2, degree + 1):
-        matrix[k] = -2.0 * matrix[k - 1] - matrix[k - 2]
-        matrix[k, 1:] += 4.0 * matrix[k - 1, :-1]
-    return matrix
+@cache
+def _chebyshev_to_legendre(degree: int) -> NDArray[np.float64]:
+    """Return the coefficients of P_j in T_k, shape ``(degree + 1, degree + 1)``, [k, j].
+
+    B. K. Alpert and V. Rokhlin, SIAM J. Sci. Stat. Comput. 12, 158 (1991), Eq. 2.20, doi:10.1137/0912009.
+    """
+    ratio = [math.sqrt(math.pi), 2.0 / math.sqrt(math.pi)]  # Gamma(z + 1/2) / Gamma(z + 1) at z = 0, 1/2, ...
+    for i in range(2, 2 * degree + 1):
+        ratio.append(ratio[i - 2] * (i - 1) / i)
+    found = np.zeros((degree + 1, degree + 1))
+    found[0, 0] = 1.0
+    for k in range(1, degree + 1):
+        found[k, k] = 0.5 * math.sqrt(math.pi) / ratio[2 * k]
+        for j in range(k - 2, -1, -2):
+            found[k, j] = -k * (j + 0.5) * ratio[k - j - 2] / (k - j) * ratio[k + j - 1] / (k + j + 1)
+    return found
 
 
 def path(t: NDArray[np.float64], radius: float, sphere: float, vergence: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -61,9 +73,9 @@ def path(t: NDArray[np.float64], radius: float, sphere: float, vergence: NDArray
 def expansion(
     radius: float, sphere: float, vergence: NDArray[np.float64], wavelength: float
 ) -> tuple[NDArray[np.float64], float]:
-    """Return the phase ``2 pi W / wavelength`` as coefficients of t, t^2, ..., and a bound on what they leave out.
+    """Return the phase ``2 pi W / wavelength`` as coefficients of R_2^0, R_4^0, ..., and what they leave out at most.
 
-    The constant is left out, and no error. Of a series of degree 40 the terms up to the tenth are kept, or fewer
+    The constant is left out, and no error. Of a series of degree 80 the terms up to the thirtieth are kept, or fewer
     where the others are below rounding; the bound, in radians, is the sum of those cut off, what the series itself
     may leave, and what rounding may do.
 
@@ -99,6 +111,6 @@ def expansion(
     total = np.abs(series).sum(axis=1).max()
     tails = np.abs(series[:, ::-1]).cumsum(axis=1)[:, ::-1].max(axis=0)  # from each term on
     degree = next((k for k in range(_LEAST, _MOST) if tails[k + 1] <= _ROUNDING * total), _MOST)
-    powers = series[:, : degree + 1] @ chebyshev_to_powers(degree)
-    rounding = _ROUNDING * (total + np.abs(powers).sum(axis=1).max())
-    return powers[:, 1:], float(tails[degree + 1] + beyond + rounding) if size else 0.0
+    terms = series[:, : degree + 1] @ _chebyshev_to_legendre(degree)
+    rounding = _ROUNDING * (total + np.abs(terms).sum(axis=1).max())
+    return terms[:, 1:], float(tails[degree + 1] + beyond + rounding) if size else 0.0

@@ -26,7 +26,6 @@ from numpy.polynomial.chebyshev import chebder, chebroots, chebtrim, chebval, po
 from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
-from lommel.aplanatic import chebyshev_to_powers
 from lommel.special.legendre import gauss_legendre
 
 _MOST = 10  # powers of t: as many as the compiled core and a wavefront hold
@@ -112,7 +111,7 @@ class Apodization:
         series = p * q**k / k
         tails = np.abs(p) * q ** (k + 1) / ((k + 1) * (1.0 - q))
         degree = 1 + next((i for i in range(_MOST) if tails[i] <= _ROUNDING * abs(series[0])), _MOST - 1)
-        powers = np.concatenate(([0.0], series[:degree])) @ chebyshev_to_powers(degree)
+        powers = np.concatenate(([0.0], series[:degree])) @ _chebyshev_to_powers(degree)
         left = float(tails[degree - 1] + _ROUNDING * np.abs(powers).sum())
         return cls(tuple(powers[1:].tolist()), error=math.expm1(min(left, _LARGEST)))
 
@@ -176,6 +175,16 @@ class Apodization:
     def from_dict(cls, description: dict[str, Any]) -> Apodization:
         """Rebuild an apodization from :meth:`to_dict`."""
         return cls(tuple(description["powers"]), error=description["error"])
+
+
+def _chebyshev_to_powers(degree: int) -> NDArray[np.float64]:
+    """Return the coefficients of t^j in T_k(2t - 1), shape ``(degree + 1, degree + 1)``: whole numbers, exact."""
+    matrix = np.zeros((degree + 1, degree + 1))
+    matrix[0, 0], matrix[1, :2] = 1.0, (-1.0, 2.0)
+    for k in range(2, degree + 1):
+        matrix[k] = -2.0 * matrix[k - 1] - matrix[k - 2]
+        matrix[k, 1:] += 4.0 * matrix[k - 1, :-1]
+    return matrix
 
 
 def _constant(powers: list[float]) -> float:

@@ -32,7 +32,8 @@ class Descriptions:
         ) -> None: ...
 
         @classmethod
-        def _from_edge(cls, terms: Mapping[tuple[int, int], NDArray[np.float64]]) -> Self: ...
+        def from_edge(cls, given: Mapping[tuple[int, int], NDArray[np.float64]], error: float = 0.0) -> Self:
+            """Build a wavefront from coefficients in radians at the edge."""
 
         def edge_terms(self) -> dict[tuple[int, int], NDArray[np.float64]]:
             """Return all Zernike coefficients, radians at the edge."""
@@ -46,6 +47,7 @@ class Descriptions:
         unit: str = "radians",
         normalization: str = "rms",
         wavelength: float | None = None,
+        error: float = 0.0,
     ) -> Self:
         """Build a wavefront from Zernike coefficients.
 
@@ -53,8 +55,7 @@ class Descriptions:
         ----------
         terms : mapping, or iterable of pairs
             Coefficients by index: pairs (n, m) for the order "nm", else integers. Arrays describe a stack. A
-            constant term (piston) is allowed and left out, as everywhere. Radial terms end with n = 20, others
-            with n = 60.
+            constant term (piston) is allowed and left out, as everywhere. Terms end with n = 60.
         order : {"nm", "noll", "ansi", "fringe"}, default "nm"
             Noll counts from 1, ANSI (OSA) from 0, Fringe (University of Arizona) from 1 to 37. m > 0 is the cosine
             of m theta, m < 0 the sine.
@@ -65,6 +66,8 @@ class Descriptions:
             largest value, that at the edge (usual with Fringe).
         wavelength : float, optional
             Metres.
+        error : float, default 0
+            Bound on what the terms leave out of the phase, radians; see :class:`lommel.Wavefront`.
 
         Raises
         ------
@@ -89,7 +92,7 @@ class Descriptions:
                 raise ValueError(f"the Zernike term {index!r}, (n, m) = ({n}, {m}), comes twice")
             factor = scale * (zernike.rms_factor(n, m) if normalization == "rms" else 1.0)
             found[n, m] = factor * validation.real_array(f"the Zernike coefficient {index!r}", value)
-        return cls._from_edge(found)
+        return cls.from_edge(found, validation.real("error", error, least=0.0))
 
     def to_zernike(
         self,
@@ -101,10 +104,8 @@ class Descriptions:
     ) -> dict[Any, NDArray[np.float64]]:
         """Return the Zernike coefficients, by index; the inverse of :meth:`zernike`.
 
-        Every coefficient has the shape of the stack. Exact but for rounding, which for radial terms of high order,
-        held as powers of rho, is that of the largest power: relative to the largest coefficient 1e-12 up to n = 10
-        and 1e-8 at n = 20. Without the constant term (piston), which a wavefront does not hold. Terms that are
-        zero throughout a stack are left out.
+        Every coefficient has the shape of the stack. Exact but for rounding. Without the constant term (piston),
+        which a wavefront does not hold. Terms that are zero throughout a stack are left out.
 
         Raises
         ------

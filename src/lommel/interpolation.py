@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
+from lommel.special import zernike
 from lommel.wavefront import Wavefront
 
 Array = NDArray[np.float64]
@@ -46,7 +47,7 @@ class OnGrid(Known):
         from scipy.interpolate import RectBivariateSpline
 
         self.x, self.y = _rising("x", x), _rising("y", y)
-        values, self.terms = _pack(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
+        values, self.terms = _known(wavefront, (self.y.size, self.x.size), "(len(y), len(x))")
         degrees = {"kx": min(3, self.y.size - 1), "ky": min(3, self.x.size - 1)}
         # Over positions from 0 to 1, because FITPACK compares with absolute tolerances.
         down, across = self._scaled(self.x, self.y)[::-1]
@@ -74,7 +75,7 @@ class OnGrid(Known):
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
         across, down = self._scaled(x, y)
-        return _unpack([spline.ev(down, across) for spline in self.splines], self.terms)
+        return Wavefront.trusted(self.terms, np.stack([s.ev(down, across) for s in self.splines], axis=-1))
 
 
 class Scattered(Known):
@@ -88,7 +89,7 @@ class Scattered(Known):
         if across.ndim != 1 or across.shape != down.shape:
             raise ValueError(f"x and y must be of one shape (n,), got {across.shape} and {down.shape}")
         count = validation.integer("the number of positions", across.size, least=3, most=MAX_SCATTERED)
-        values, self.terms = _pack(wavefront, (count,), "of x and y")
+        values, self.terms = _known(wavefront, (count,), "of x and y")
         order = np.lexsort((down, across))
         same = (np.diff(across[order]) == 0.0) & (np.diff(down[order]) == 0.0)
         if same.any():
@@ -123,7 +124,7 @@ class Scattered(Known):
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
         values = self.interpolate(self._scaled(x, y))
-        return _unpack(list(values.T.reshape(-1, *x.shape)), self.terms)
+        return Wavefront.trusted(self.terms, values.reshape(*x.shape, -1))
 
 
 class Radial(Known):
@@ -135,7 +136,7 @@ class Radial(Known):
         self.height, self.azimuth = _rising("height", height), validation.real("azimuth", azimuth)
         if self.height[0] != 0.0:
             raise ValueError(f"height must begin with 0, the axis, got {self.height[0]:g}")
-        values, self.terms = _pack(wavefront, self.height.shape, "of height")
+        values, self.terms = _known(wavefront, self.height.shape, "of height")
         orders = np.array([m for _, m in self.terms])
         if np.any(np.abs(values[0, orders != 0]) > _AXIS):
             raise ValueError(
@@ -162,16 +163,8 @@ class Radial(Known):
         """Return the wavefronts, of the shape of x and y."""
         along = self.spline(np.minimum(np.hypot(x, y) / self.reach, 1.0))
         turn = np.arctan2(y, x) - self.azimuth
-        known = {term: along[..., k] for k, term in enumerate(self.terms) if term[1]}
-        radial = [along[..., k] for k, term in enumerate(self.terms) if not term[1]]
-        zero = np.zeros(x.shape)
-        turned = {}
-        # a cos m(theta - turn) + b sin m(theta - turn), taken apart.
-        for n, m in {(n, abs(m)) for n, m in known}:
-            a, b = known.get((n, m), zero), known.get((n, -m), zero)
-            turned[n, m] = a * np.cos(m * turn) - b * np.sin(m * turn)
-            turned[n, -m] = a * np.sin(m * turn) + b * np.cos(m * turn)
-        return _unpack([*radial, *turned.values()], [(0, 0)] * len(radial) + list(turned))
+        turned = zernike.rotated({term: along[..., k] for k, term in enumerate(self.terms)}, turn)
+        return Wavefront.from_edge(turned)
 
 
 class Seidel(Known):
@@ -215,20 +208,10 @@ def _every(values: Array) -> range:
     return range(values.shape[-1])
 
 
-def _pack(wavefront: Wavefront, shape: tuple[int, ...], what: str) -> tuple[Array, list[tuple[int, int]]]:
-    """Return coefficients, shape ``shape + (k,)``, and for each (n, m), or (0, 0) for a power of rho^2."""
+def _known(wavefront: Wavefront, shape: tuple[int, ...], what: str) -> tuple[Array, tuple[tuple[int, int], ...]]:
+    """Return the coefficients of the terms at the edge, shape ``shape + (k,)``, and (n, m) of each."""
     if not isinstance(wavefront, Wavefront):
         raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
     if wavefront.shape != shape:
         raise ValueError(f"wavefront must have the shape {what}, {shape}, got {wavefront.shape}")
-    others = wavefront.nonradial
-    columns = [np.broadcast_to(c, shape)[..., None] for c in others.values()]
-    powers = wavefront.coefficients
-    return np.concatenate([powers, *columns], axis=-1), [(0, 0)] * powers.shape[-1] + list(others)
-
-
-def _unpack(columns: list[Array], terms: list[tuple[int, int]]) -> Wavefront:
-    """Return the wavefront of the coefficients of :func:`_pack`, one array for each."""
-    powers = [c for c, term in zip(columns, terms, strict=True) if term == (0, 0)]
-    others = {term: c for c, term in zip(columns, terms, strict=True) if term != (0, 0)}
-    return Wavefront(0.5 * powers[0], powers[1], powers[2:], others)
+    return wavefront.edge, wavefront.terms

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -198,7 +199,7 @@ class Lens:
                 "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
                 "the aperture: make a lens with those of the other stop"
             )
-        known = not self.aberrations.coefficients.any() and self.aberrations.radial
+        known = not self.aberrations.edge.any()
         if ratio < 1.0 - 1e-9 and not known:
             raise ValueError(
                 f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its aberrations are "
@@ -234,24 +235,27 @@ class Lens:
         of a finite object distance s). Positive where the sensor, at d, lies between the lens and the image of the
         object. The aberrations of the lens are not included; nor is what makes a lens aplanatic, see :meth:`phase`.
         """
-        s = self._object_distance(object_distance)
+        return self._defocus(self._object_distance(object_distance))
+
+    def _defocus(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length + 1.0 / s
         return np.asarray(math.pi / (2.0 * self.wavelength) * vergence * (0.5 * self.aperture_diameter) ** 2)
 
     def phase(self, defocus: ArrayLike) -> Wavefront:
         """Return the wavefront of a defocus C_d (radians, of any shape), without the aberrations of the lens.
 
-        The defocus itself if the model is paraxial. Else the powers of rho^2 in which the exact path difference is
+        The defocus itself if the model is paraxial. Else the Zernike terms in which the exact path difference is
         expanded, with a bound on what they leave out; see :func:`lommel.aplanatic.expansion`.
         """
-        c = validation.real_array("defocus", defocus)
+        return self._phase(validation.real_array("defocus", defocus))
+
+    def _phase(self, c: NDArray[np.float64]) -> Wavefront:
         if self.model == "paraxial":
-            return Wavefront(c)
+            return Wavefront.of_defocus(c)
         radius = 0.5 * self.aperture_diameter
         vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c.ravel()
-        powers, error = expansion(radius, self._geometry.sphere, vergence, self.wavelength)
-        first, second, *rest = (power.reshape(c.shape) for power in powers.T)
-        return Wavefront(0.5 * first, second, rest, error=error)
+        edge, error = expansion(radius, self._geometry.sphere, vergence, self.wavelength)
+        return Wavefront.radial_sum(edge.reshape(*c.shape, -1), error)
 
     @property
     def illumination(self) -> Apodization:
@@ -280,24 +284,37 @@ class Lens:
             sensor lies inside the focal plane, where no object is in focus.
         """
         s = self._object_distance(object_distance)
-        try:
-            np.broadcast_shapes(s.shape, self.aberrations.shape)
-        except ValueError:
-            raise ValueError(
-                "object_distance must broadcast with the aberrations, "
-                f"got shapes {s.shape} and {self.aberrations.shape}"
-            ) from None
-        wavefront = self.phase(self.defocus(s)) + self.aberrations
-        geometry = replace(
-            self._geometry, object_distance=tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
+        wavefront = self._phase(self._defocus(s))
+        if not self.aberrations.flat:
+            try:
+                wavefront = wavefront + self.aberrations
+            except ValueError:
+                raise ValueError(
+                    "object_distance must broadcast with the aberrations, "
+                    f"got shapes {s.shape} and {self.aberrations.shape}"
+                ) from None
+        distances = s if s.shape == wavefront.shape else np.broadcast_to(s, wavefront.shape)
+        known = self._in_focus.geometry
+        assert known is not None
+        geometry = Geometry(
+            known.aperture_radius,
+            known.focal_length,
+            known.sensor_distance,
+            tuple(distances.ravel().tolist()),
+            known.model,
+            known.corrected_for,
         )
+        return self._in_focus.carrying(wavefront, geometry)
+
+    @cached_property
+    def _in_focus(self) -> Pupil:
+        """The pupil without aberration, which every other is made of."""
         return Pupil(
-            wavefront,
             obscuration=self.obscuration,
             wavelength=self.wavelength,
             f_number=self.working_f_number,
             apodization=self.illumination if isinstance(self.apodization, str) else self.apodization,
-            geometry=geometry,
+            geometry=self._geometry,
             spider=self.spider,
             vignetting=self.vignetting,
             mask=self.mask,

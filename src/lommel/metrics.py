@@ -14,6 +14,7 @@ from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
 from lommel.psf import PSF, Numbers
 from lommel.pupil import Pupil, checked
+from lommel.special import zernike
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_panels
 from lommel.wavefront import Wavefront
@@ -269,8 +270,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
         raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
     # dPhi/d(rho^2) of the aberration, over the pupil: minus half of it is the defocus that focuses the zone.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
-    orders = np.arange(1, 1 + pupil.coefficients().shape[1])
-    slope = (pupil.coefficients()[0] * orders) @ t ** (orders[:, None] - 1)
+    slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
     low, high = -0.5 * slope.max() - 6.0, -0.5 * slope.min() + 6.0
     scan = np.linspace(low, high, math.ceil(2.0 * (high - low)) + 1)
 

@@ -14,6 +14,7 @@ from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Mask, Spider, cell_centers, vignetting_from_dict
 from lommel.apodization import Apodization, illumination
 from lommel.opening import Opening, Rule, degree_needed
+from lommel.special import zernike
 from lommel.wavefront import Wavefront
 
 
@@ -245,6 +246,15 @@ class Pupil:
         c = self.wavefront.coefficients
         return c.reshape(-1, c.shape[-1])
 
+    def radial_terms(self) -> NDArray[np.float64]:
+        """Return the coefficients of R_2^0, R_4^0, ... for the flattened stack, shape ``(n, terms)``."""
+        terms = self.wavefront.radial_terms
+        return terms.reshape(-1, terms.shape[-1])
+
+    def radial_phase(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the radially symmetric part of the phase at ``rho^2 = t``, 0 at t = 0, shape ``(n, ...)``."""
+        return zernike.legendre_sum(self.radial_terms(), 2.0 * t - 1.0)
+
     def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
         """Return the pupil function at pupil coordinates, ``A exp(i phase)`` where light passes, else 0.
 
@@ -278,7 +288,7 @@ class Pupil:
         """
         rho = np.linspace(self.obscuration, 1.0, 2049)
         if self.radial:
-            blur = np.abs(ray_height(self.coefficients(), rho)).max(axis=1)
+            blur = np.abs(ray_height(self.radial_terms(), rho)).max(axis=1)
         elif self.circular:
             theta = np.linspace(0.0, 2.0 * math.pi, 128, endpoint=False)
             ring = rho[:: 2048 // 64]
@@ -306,9 +316,16 @@ class Pupil:
         slopes = np.hypot(phase(h, 0.0) - phase(-h, 0.0), phase(0.0, h) - phase(0.0, -h)) / (2.0 * h)
         return np.asarray(slopes.max(axis=1))
 
+    def carrying(self, wavefront: Wavefront, geometry: Geometry | None) -> Pupil:
+        """Return the same aperture with another wavefront; nothing is checked that was checked before."""
+        made = object.__new__(Pupil)
+        vars(made).update(vars(self))
+        vars(made).update(wavefront=wavefront, geometry=geometry, radial=self.circular and wavefront.radial)
+        return made
+
     def unaberrated(self) -> Pupil:
         """Return the same aperture, in focus and without aberration."""
-        return replace(self, wavefront=Wavefront(), geometry=self.geometry and self.geometry.focused())
+        return self.carrying(Wavefront(), self.geometry and self.geometry.focused())
 
     def __getitem__(self, index: Any) -> Pupil:
         """Return part of a stack, as NumPy indexes arrays of its shape."""
@@ -317,7 +334,7 @@ class Pupil:
         if geometry is not None:
             distances = np.reshape(geometry.object_distance, self.shape)[index]
             geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
-        return replace(self, wavefront=part, geometry=geometry)
+        return self.carrying(part, geometry)
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
@@ -377,13 +394,12 @@ def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: floa
     return float(weight @ light.at(x * x + y * y, power))
 
 
-def ray_height(coefficients: NDArray[np.float64], rho: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return ``dPhi/drho``, where the ray through `rho` meets the sensor (in v, signed), shape ``(n, rho)``."""
-    t = rho**2
-    slope = np.zeros((coefficients.shape[0], rho.size))
-    for k in reversed(range(coefficients.shape[1])):
-        slope = slope * t + (k + 1) * coefficients[:, k : k + 1]
-    return 2.0 * rho * slope
+def ray_height(terms: NDArray[np.float64], rho: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return ``dPhi/drho``, where the ray through `rho` meets the sensor (in v, signed), shape ``(n, rho)``.
+
+    Of the coefficients of R_2^0, R_4^0, ..., shape ``(n, terms)``.
+    """
+    return 4.0 * rho * zernike.legendre_slope(terms, 2.0 * rho * rho - 1.0)
 
 
 def checked(pupil: Any) -> Pupil:

@@ -156,7 +156,7 @@ def _polynomial_rule(
     The weights are those of the amplitude to the `power`, and sum to 1.
     """
     terms = pupil.wavefront.nonradial
-    degree = max([2 * pupil.wavefront.coefficients.shape[-1], *(n for n, _ in terms)])
+    degree = max(n for n, _ in pupil.wavefront.terms)
     order = max([0, *(abs(m) for _, m in terms)])
     # n nodes are exact to the degree 2 n - 1 in t; an amplitude takes some more.
     fall = power * pupil.illumination.slope
@@ -195,7 +195,7 @@ def _clear_rule(
 def _gradient(wavefront: Wavefront, rho: NDArray[np.float64], theta: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return ``(dPhi/dx, dPhi/dy)`` at points with rho > 0, shape ``(n, 2, points)`` for the flattened stack."""
     flat = wavefront.flattened()
-    outward = ray_height(flat.coefficients, rho)
+    outward = ray_height(flat.edge[:, : flat.symmetric], rho)
     sideways = np.zeros_like(outward)
     for (n, m), c in flat.nonradial.items():
         k = abs(m)

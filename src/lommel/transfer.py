@@ -350,10 +350,7 @@ def _overlap_integral(
 
 def _radial_product(pupil: Pupil, s: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[Any]:
     """Return the real part of ``P(s) conj(P(t))``, s and t being rho^2; the imaginary one is odd in u."""
-    coefficients = pupil.coefficients()
-    powers = np.cumprod(np.broadcast_to(s, (coefficients.shape[1], *s.shape)), axis=0)
-    powers -= np.cumprod(np.broadcast_to(t, powers.shape), axis=0)
-    product = np.cos(np.tensordot(coefficients, powers, 1))
+    product = np.cos(pupil.radial_phase(s) - pupil.radial_phase(t))
     if not pupil.illumination.uniform:
         product *= pupil.illumination.at(s) * pupil.illumination.at(t)
     return np.asarray(product)

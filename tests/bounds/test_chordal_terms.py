@@ -38,10 +38,10 @@ def same(found: float, expected: mp.mpf) -> bool:
     return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
 
 
-def amplitudes(c: list[float]) -> list[tuple[mp.mpf, int]]:
+def amplitudes(c: list[float], terms: list[tuple[int, int]]) -> list[tuple[mp.mpf, int]]:
     """Return (W, n) of the terms from degree 2 on: sine and cosine of one order together."""
     squares: dict[tuple[int, int], mp.mpf] = {}
-    for value, (n, m) in zip(c, LIST, strict=True):
+    for value, (n, m) in zip(c, terms, strict=True):
         if n >= 2:
             squares[n, abs(m)] = squares.get((n, abs(m)), mp.mpf(0)) + mp.mpf(value) ** 2
     return [(mp.sqrt(square), n) for (n, _), square in squares.items()]
@@ -66,11 +66,11 @@ def log_amplitude(light: list[float], cosh: mp.mpf) -> mp.mpf:
     return total
 
 
-def sizes(c: list[float], light: list[float], low: float, high: float) -> list[mp.mpf]:
+def sizes(c: list[float], light: list[float], low: float, high: float, terms=LIST) -> list[mp.mpf]:
     """Return the logarithm of M(b) (1 + e^(-2b)) on each curve."""
     reach = farthest(c, low, high)
     return [
-        sum((w * mp.sinh(n * b) for w, n in amplitudes(c)), reach * mp.sinh(b))
+        sum((w * mp.sinh(n * b) for w, n in amplitudes(c, terms)), reach * mp.sinh(b))
         + log_amplitude(light, mp.cosh(2 * b))
         + mp.log(1 + mp.exp(-2 * b))
         for b in CURVES
@@ -88,10 +88,10 @@ def quadrature(logs: list[mp.mpf], chords: int) -> mp.mpf:
     return mp.exp(exponent) * sums
 
 
-def rounding(c: list[float], low: float, high: float, chords: int) -> mp.mpf:
-    degree = max(n for n, _ in LIST)
+def rounding(c: list[float], low: float, high: float, chords: int, terms=LIST) -> mp.mpf:
+    degree = max(n for n, _ in terms)
     size = sum(abs(mp.mpf(value)) for value in c)
-    return UNIT * (3 * (chords + 12) + (len(LIST) + degree + 7) * size + 3 * farthest(c, low, high))
+    return UNIT * (3 * (chords + 12) + (len(terms) + degree + 7) * size + 3 * farthest(c, low, high))
 
 
 @few
@@ -126,25 +126,38 @@ def test_the_variance_that_the_first_error_rests_on(c):
 )
 def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscuration, column):
     c = [0.1 * value for value in c]
-    inner = [0.5 * value for value in c]
     images, bounds, scales = np.empty((1, 1, 8)), np.empty(1), np.full(1, 0.0 if divided else 1.0)
-    step = 1.2
-    disks, places = (np.array([c]), np.array([inner]), obscuration, np.array(light)), (images, scales, bounds)
-    unmet = _core.chordal(TERMS, *disks, 0.0, column, step, tol, 1, *places)
+    step, peaks = 1.2, np.empty(1)
+    disk, places = (np.array([c]), obscuration, np.array(light)), (images, scales, bounds, peaks)
+    unmet = _core.chordal_images(TERMS.astype(np.int32), *disk, 0.0, column, step, tol, 1, *places)
     if unmet:
         assert unmet > tol
         return
     peak = 1.0 / scales[0] if divided else images.max()
+    assert peaks[0] == pytest.approx(peak, rel=1e-12)
     low, high, area = -column * step, (7 - column) * step, obscuration**2
+    stack = _core.disk_stack(TERMS, np.array(c), obscuration, 0.0, column, step, moved=False)
+    terms = list(zip(map(int, stack["n"]), map(int, stack["m"]), strict=True))
+    lost = mp.mpf(stack["lost"][0])
+    assert (lost > 0) == (obscuration > 0 and any(c))
 
     def bounds_of(phase: list[float], share: float, fall: list[float]) -> list[mp.mpf]:
         window = (share * low, share * high)
-        logs = sizes(phase, fall, *window)
-        return [quadrature(logs, n) + rounding(phase, *window, n) for n in range(8, 65, 2)]
+        # The first two are the tilts; a term that is 0 counts for nothing but its place.
+        edge = dict(zip(terms, phase, strict=True))
+        ours = [(1, 1), (1, -1), *(term for term in terms if term[0] != 1)]
+        padded = [edge.get(term, 0.0) for term in ours]
+        logs = sizes(padded, fall, *window, ours)
+        degree = max(n for n, _ in terms)
+        far = UNIT * 3 * farthest(padded, *window)
+        size = UNIT * (len(terms) + degree + 7) * sum(abs(mp.mpf(x)) for x in phase)
+        return [quadrature(logs, n) + 3 * UNIT * (n + 12) + size + far for n in range(8, 65, 2)]
 
-    candidates = bounds_of(c, 1.0, light)
+    candidates = [lost + e for e in bounds_of(stack["outer"], 1.0, light)]
     if obscuration:
-        within = [area * e for e in bounds_of(inner, obscuration, [g * area**k for k, g in enumerate(light)])]
+        within = [
+            area * e for e in bounds_of(stack["inner"], obscuration, [g * area**k for k, g in enumerate(light)])
+        ]
         candidates = [outer + part for outer in candidates for part in within]
     name = "normalized" if divided else "relative"
     expected = [_core.stored_bound(_core.intensity_bounds(peak, float(e))[name], False, divided) for e in candidates]

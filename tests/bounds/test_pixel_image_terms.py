@@ -123,7 +123,7 @@ def storing(relative: mp.mpf, single: bool) -> mp.mpf:
 
 def asked(lens: Lens, window: Window, allowed: mp.mpf) -> tuple[float, int]:
     """Return the error of U and the level of the table that a call begins with."""
-    likely = lens.most / (2 * sum(map(abs, map(mp.mpf, lens.phase))) + 1)
+    likely = lens.most / (4 * sum(map(abs, map(mp.mpf, lens.phase))) + 1)
     value = 1 / (1 / likely**2 + mp.mpf(window.side) ** 2 / (4 * mp.pi * lens.amplitude(0, 2 * lens.gaussian)))
     level = int(mp.ceil(-mp.log10(allowed * value / (2 * lens.most**2))))
     return max(float(allowed * value / likely / 50), 8 * float(U)), min(max(level, 3), 15)
@@ -167,8 +167,8 @@ def answered(lens: Lens, window: Window, tol: float, divided: bool, single: bool
 
 
 def peak_on_a_line(lens: Lens, window: Window, level: int, error: float) -> mp.mpf:
-    """Rays reach |dPhi / drho| <= 2 sum k |c_k|; from the axis to there and 4 beyond, 512 steps at most."""
-    blur = 4 + 2 * sum(k * abs(c) for k, c in enumerate(lens.phase, 1))
+    """Rays reach |dPhi / drho| <= sum 2 j (j + 1) |a_j|; from the axis to there and 4 beyond, 512 steps at most."""
+    blur = 4 + 2 * sum(j * (j + 1) * abs(a) for j, a in enumerate(lens.phase, 1))
     step = window.step if window.integrate else blur / 512
     line = Window(1, min(512, math.ceil(blur / step)) + 1, 0.0, 0.0, step, window.integrate)
     there = judged(lens, line, level, error)
@@ -339,7 +339,14 @@ def test_the_bounds_of_a_stack(window, rows, tol, divided):
         values, rounded = window.values(level, intensity)
         expected, size = [], float(intensity.max())
         for terms, nodes, left in plans:
-            rounding = 4 * abs(row[0]) + 7 * abs(row[1]) + 4 * gaussian + 8 + math.sqrt(terms) * (nodes / 4 + 16)
+            used = np.count_nonzero(row)
+            rounding = (
+                (used + 6) * abs(row[0])
+                + (used + 7) * abs(row[1])
+                + 4 * gaussian
+                + 8
+                + math.sqrt(terms) * (nodes / 4 + 16)
+            )
             e = left + U * (rounding + terms + 16 + of_radii)
             given = 2 * mp.sqrt(size) * e + e * e
             off = table.window(v[-1], size, given, mp.sqrt(table.of_nodes * size), lens.most**2 / 2, rounded)

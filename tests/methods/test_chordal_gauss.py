@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel import _core
-from lommel.methods.chordal_gauss import disk_terms
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
@@ -255,10 +254,14 @@ def test_threads_and_instructions_change_nothing_beyond_the_bound():
 def test_a_smaller_disk_has_the_same_phase_in_terms_of_its_own():
     wavefront = random_wavefront(np.random.default_rng(9), 2.0)
     eps = 0.37
-    terms, outer, inner = disk_terms(lm.Pupil(wavefront, obscuration=eps))
+    stack = _core.disk_stack(wavefront.indices.astype(np.int64), wavefront.edge, eps, 0.0, 0.0, 1.0, moved=False)
+    terms = list(zip(map(int, stack["n"]), map(int, stack["m"]), strict=True))
+    assert set(wavefront.terms) - {(2, 0), (4, 0)} <= set(terms)
     rho, theta = np.linspace(0.0, 1.0, 40)[:, None], np.linspace(0.0, 6.0, 30)
-    whole = sum(c * zernike.polynomial(n, m, eps * rho, theta) for (n, m), c in zip(terms, outer[0], strict=True))
-    small = sum(c * zernike.polynomial(n, m, rho, theta) for (n, m), c in zip(terms, inner[0], strict=True))
+    whole = sum(
+        c * zernike.polynomial(n, m, eps * rho, theta) for (n, m), c in zip(terms, stack["outer"], strict=True)
+    )
+    small = sum(c * zernike.polynomial(n, m, rho, theta) for (n, m), c in zip(terms, stack["inner"], strict=True))
     assert np.abs(small - whole).max() < 1e-12
 
 
@@ -292,23 +295,40 @@ def test_what_is_refused_is_named():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"terms": np.zeros((0, 2), np.int64)}, "terms must have the shape"),
-        ({"terms": np.array([[2, 1]])}, "no such Zernike term"),
-        ({"terms": np.array([[2, 0], [2, 0]]), "outer": np.zeros((1, 2)), "inner": np.zeros((1, 2))}, "twice"),
-        ({"outer": np.zeros((1, 3))}, "one coefficient a term"),
+        ({"terms": np.zeros((0, 2), np.int32)}, "terms must have the shape"),
+        ({"terms": np.array([[2, 1]], np.int32)}, "no such Zernike term"),
+        ({"terms": np.array([[202, 0]], np.int32)}, "no such Zernike term"),
+        ({"terms": np.array([[2, 0], [2, 0]], np.int32), "edge": np.zeros((1, 2))}, "twice"),
+        ({"edge": np.zeros((1, 3))}, "one coefficient a term"),
+        ({"edge": np.zeros((0, 1))}, "one pupil at least"),
         ({"obscuration": 1.0}, "obscuration must be"),
         ({"step": 0.0}, "step and tol must be positive"),
-        ({"images": np.zeros((2, 3, 3))}, "one image, scale and bound"),
+        ({"center_y": 2e6}, "within 1e6 pixels"),
+        ({"images": np.zeros((2, 3, 3))}, "one image, scale, bound and peak"),
+        ({"peaks": np.zeros(2)}, "one image, scale, bound and peak"),
     ],
 )
 def test_the_compiled_core_refuses_what_does_not_fit(change, message):
     arguments = {
-        "terms": np.array([[2, 0]]), "outer": np.zeros((1, 1)), "inner": np.zeros((1, 1)), "obscuration": 0.0,
+        "terms": np.array([[2, 0]], np.int32), "edge": np.zeros((1, 1)), "obscuration": 0.0,
         "amplitude": np.zeros(1), "center_y": 1.0, "center_x": 1.0, "step": 1.0, "tol": 1e-6, "threads": 1,
         "images": np.zeros((1, 3, 3)), "scales": np.ones(1), "bounds": np.zeros(1),
+        "peaks": np.zeros(1),
     }  # fmt: skip
-    with pytest.raises(ValueError, match=message):
-        _core.chordal(**(arguments | change))
+    for engine in (_core.chordal_images, _core.series_images):
+        with pytest.raises(ValueError, match=message):
+            engine(**(arguments | change))
+
+
+@pytest.mark.parametrize("engine", [_core.chordal_images, _core.series_images])
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_an_image_is_written_where_it_is_to_be_even_if_other_arguments_are_converted(engine, kind):
+    images, parts = np.zeros((1, 3, 3), kind), (np.ones(1), np.zeros(1), np.zeros(1))
+    place = (1, 1, 0.5, 1e-3, 1)  # whole numbers for the centre
+    assert engine(np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1), *place, images, *parts) == 0.0
+    assert images.min() > 0.1
+    with pytest.raises(TypeError, match="incompatible function arguments"):
+        engine(np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1), *place, images.astype(int), *parts)
 
 
 def test_a_pupil_that_passes_less_light_than_rounding_makes_is_refused_and_not_tried_for_ever():

@@ -177,4 +177,4 @@ def test_the_least_obscurations_count() -> None:
 
 def test_phases_beyond_the_limit_are_refused_with_their_size() -> None:
     with pytest.raises(ValueError, match=r"phases of 2e\+06 rad exceed the limit of 1000000 rad"):
-        NijboerZernike().field(Pupil(Wavefront(1e6)), 1.0)
+        NijboerZernike().field(Pupil(Wavefront(2e6)), 1.0)

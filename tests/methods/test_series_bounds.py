@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from numpy.polynomial.legendre import legvander
+from numpy.polynomial.legendre import legval, legvander
 from numpy.typing import NDArray
 from scipy import special
 
@@ -27,7 +27,7 @@ radii = st.one_of(st.just(0.0), st.floats(0.01, 20), st.floats(20, 700))
 
 def _coefficients(coefficients: NDArray[np.float64], power: int, terms: int, nodes: int) -> NDArray[np.complex128]:
     t, weights = gauss_legendre(nodes)
-    phase = sum(c * t ** (k + 1) for k, c in enumerate(coefficients))
+    phase = legval(2 * t - 1, [0.0, *coefficients])
     return (2 * np.arange(terms) + 1) * ((weights * t**power * np.exp(1j * phase)) @ legvander(2 * t - 1, terms - 1))
 
 

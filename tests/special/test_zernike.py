@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import mpmath as mp
 import numpy as np
 import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+from numpy.polynomial import legendre
 
 from lommel.special import zernike
 
@@ -52,9 +56,72 @@ def test_powers_of_rho_squared_become_legendre_terms_and_come_back():
     both = zernike.powers_to_legendre(10)[1:] @ zernike.legendre_to_powers(10)
     assert np.abs(both - np.eye(10)).max() < 1e-9
     t, c = np.linspace(0, 1, 9), np.arange(1.0, 5.0)
-    legendre = zernike.powers_to_legendre(4) @ c
-    total = sum(b * zernike.radial(2 * k, 0, np.sqrt(t)) for k, b in enumerate(legendre))
+    edge = zernike.powers_to_legendre(4) @ c
+    total = sum(b * zernike.radial(2 * k, 0, np.sqrt(t)) for k, b in enumerate(edge))
     assert total == pytest.approx(sum(a * t ** (k + 1) for k, a in enumerate(c)))
+
+
+@mp.workdps(60)
+def exact_edge(powers: list[float]) -> list[mp.mpf]:
+    """Return the coefficients of R_2^0, ...: t^k = sum_j (2j + 1) k!^2 / ((k - j)! (k + j + 1)!) R_2j^0."""
+    f, count = mp.factorial, len(powers)
+    return [
+        sum(mp.mpf(powers[k - 1]) * (2 * j + 1) * f(k) ** 2 / f(k - j) / f(k + j + 1) for k in range(j, count + 1))
+        for j in range(1, count + 1)
+    ]
+
+
+def cancelling(terms: int) -> list[float]:
+    return zernike.powers_of_edge(np.linspace(1.0, -2.0, terms) ** 3).tolist()
+
+
+@given(st.lists(st.floats(-1e6, 1e6), min_size=2, max_size=12))
+@example(cancelling(3))
+@example(cancelling(10))
+@example(cancelling(20))
+@example(cancelling(30))
+def test_powers_become_terms_within_their_bound(powers):
+    c = np.array(powers)
+    found, exact = zernike.edge_of_powers(c), exact_edge(powers)
+    missed = sum(abs(mp.mpf(a) - b) for a, b in zip(found.tolist(), exact, strict=True))
+    # That, and the last rounding of each, of which two powers have a second.
+    last = mp.mpf(2) ** -53 * (2 if len(powers) == 2 else 1) * sum(map(abs, exact)) + mp.mpf("1e-320")
+    bound = float(zernike.conversion_error(c))
+    assert missed <= last + mp.mpf(bound)
+    sizes = (len(powers) + 3) * float(np.finfo(np.longdouble).eps) * sum(map(abs, powers))
+    assert bound == pytest.approx(sizes, rel=1e-12, abs=0.0)
+    assert np.array_equal(zernike.edge_of_powers(np.stack([c, -c])), np.stack([found, -found]))
+
+
+def test_what_powers_lose_where_they_cancel_is_much_of_its_bound():
+    """Thirty terms lose all digits: a bound that were a thousandth would be broken."""
+    powers = cancelling(30)
+    missed = sum(
+        abs(mp.mpf(a) - b) for a, b in zip(zernike.edge_of_powers(np.array(powers)), exact_edge(powers), strict=True)
+    )
+    assert missed > 1e-3 * zernike.conversion_error(np.array(powers))
+
+
+@pytest.mark.parametrize("terms", [1, 2, 3, 10, 30])
+def test_sums_of_legendre_polynomials_and_their_slopes(terms):
+    a, x = np.random.default_rng(terms).normal(size=(2, terms)), np.linspace(-1.0, 1.0, 41)
+    padded = np.concatenate([np.zeros((2, 1)), a], axis=1).T
+    expected = legendre.legval(x, padded)
+    assert np.abs(zernike.legendre_sum(a, x) - (expected - expected[:, :1])).max() < 1e-13 * terms**2
+    slopes = legendre.legval(x, legendre.legder(padded))
+    assert np.abs(zernike.legendre_slope(a, x) - slopes).max() < 1e-13 * terms**4
+
+
+@pytest.mark.parametrize("angle", [0.3, -2.0])
+def test_terms_turn_from_x_towards_y(angle):
+    terms = {(3, 1): np.array(1.5), (3, -1): np.array(-0.5), (4, -2): np.array(2.0), (6, 0): np.array(1.0)}
+    rho, theta = np.linspace(0.0, 1.0, 9)[:, None], np.linspace(-3.0, 3.0, 11)
+
+    def value(parts, at):
+        return sum(c * zernike.polynomial(*t, rho, at) for t, c in parts.items())
+
+    turned = zernike.rotated(terms, np.array(angle))
+    assert np.abs(value(turned, theta) - value(terms, theta - angle)).max() < 1e-14 * 20
 
 
 @pytest.mark.parametrize(

@@ -12,41 +12,19 @@
 #include "lommel/chordal_sharp.hpp"
 #include "lommel/chordal_tables.hpp"
 #include "lommel/chordal_transform.hpp"
+#include "lommel/disk_stack.hpp"
 #include "lommel/parallel.hpp"
 
 namespace lommel {
 
 constexpr double max_table_bytes = 268435456.0;  // of the kernel for one window
 
-struct ChordalStack {
-    std::vector<ZernikeTerm> terms;
-    const double* outer;  // [pupil][term], radians at the edge
-    const double* inner;  // the same for the obscured disk, its edge being the obscuration's; not read if there is none
-    std::size_t count;
-    double obscuration;
-    Amplitude amplitude{};
-};
-
-struct ChordalWindow {
-    std::size_t height, width;
-    double center_row, center_column, step;  // pixels, pixels, v a pixel
-};
-
-// For each pupil: the image, what the intensity was multiplied by (0 on entry: divide by the largest value instead),
-// and the bound on the error over the largest value of the window.
-template <class T>
-struct ChordalAnswer {
-    T* images;
-    double* scales;
-    double* bounds;
-};
 
 template <class T>
 class ChordalRenderer {
    public:
-    ChordalRenderer(const ChordalStack& stack, const ChordalWindow& window, double tol, int threads,
-                    const ChordalAnswer<T>& answer)
-        : stack_(stack), rows_(window.height, window.center_row), columns_(window.width, window.center_column),
+    ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
+        : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column),
           step_(window.step), tol_(tol), threads_(threads), answer_(answer), curves_(stack.terms),
           box_{step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
           area_(stack.obscuration * stack.obscuration), inner_amplitude_(stack.amplitude.scaled(area_)),
@@ -64,16 +42,16 @@ class ChordalRenderer {
             // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
             states_[p].error = 0.4 * tol_ * 0.5 * bright / std::sqrt(1.0 + outer.variance());
         }
-        sharpen(stack_.outer, 1.0, &State::far);
+        sharpen(stack_.outer.data(), 1.0, &State::far);
         if (area_ > 0.0) {
-            sharpen(stack_.inner, stack_.obscuration, &State::near);
+            sharpen(stack_.inner.data(), stack_.obscuration, &State::near);
         }
         while (!pending.empty()) {
             for (const std::size_t p : pending) {
                 look();
                 State& s = states_[p];
                 prepare(p, outer, inner);
-                const double rounding = outer.rounding(0);
+                const double rounding = outer.rounding(0) + stack_.lost[p];
                 if (s.error < rounding) {
                     if (s.at_rounding) {
                         throw ToleranceNotMet(s.relative);
@@ -122,9 +100,9 @@ class ChordalRenderer {
     }
 
     void prepare(std::size_t p, ChordBound& outer, ChordBound& inner) const {
-        outer.prepare(curves_, stack_.outer + p * stack_.terms.size(), stack_.amplitude, box_);
+        outer.prepare(curves_, stack_.outer.data() + p * stack_.terms.size(), stack_.amplitude, box_);
         if (area_ > 0.0) {
-            inner.prepare(curves_, stack_.inner + p * stack_.terms.size(), inner_amplitude_,
+            inner.prepare(curves_, stack_.inner.data() + p * stack_.terms.size(), inner_amplitude_,
                           box_.scaled(stack_.obscuration));
             inner.sharpen(states_[p].near.curve, states_[p].near.phase);
         }
@@ -258,7 +236,7 @@ class ChordalRenderer {
         if (area_ > 0.0) {
             scratch.inner.resize(pixels * 2 * lanes);
             double* kept = scratch.inner.data();
-            gather(isa, stack_.inner, pupils, here, *inner.terms, scratch);
+            gather(isa, stack_.inner.data(), pupils, here, *inner.terms, scratch);
             chordal_fields(isa, *inner.terms, *inner.kernel, scratch, [&](std::size_t y, const double* u)
                                                                           LOMMEL_INLINE_LAMBDA {
                 for (std::size_t j = 0; j < 2 * width * lanes; j += lanes) {
@@ -274,7 +252,7 @@ class ChordalRenderer {
         scratch.intensity.resize(width * lanes);
         double* intensity = scratch.intensity.data();
         V top = splat<V>(0.0);
-        gather(isa, stack_.outer, pupils, here, *outer.terms, scratch);
+        gather(isa, stack_.outer.data(), pupils, here, *outer.terms, scratch);
         chordal_fields(isa, *outer.terms, *outer.kernel, scratch, [&](std::size_t y, const double* u)
                                                                       LOMMEL_INLINE_LAMBDA {
             const double* less = area_ > 0.0 ? scratch.inner.data() + 2 * y * width * lanes : nullptr;
@@ -307,7 +285,7 @@ class ChordalRenderer {
     void settle_one(std::size_t p, double peak, const Tables& outer, const Tables& inner, ChordBound& far, ChordBound& near) {
         State& s = states_[p];
         prepare(p, far, near);
-        double error = far.bound(outer.terms->chords) + far.rounding(outer.terms->chords);
+        double error = stack_.lost[p] + far.bound(outer.terms->chords) + far.rounding(outer.terms->chords);
         if (area_ > 0.0) {
             error += area_ * (near.bound(inner.terms->chords) + near.rounding(inner.terms->chords));
         }
@@ -319,6 +297,7 @@ class ChordalRenderer {
             return;
         }
         answer_.bounds[p] = s.relative;
+        answer_.peaks[p] = peak;
         if (normalize) {
             const double scale = answer_.scales[p] = 1.0 / peak;
             const std::size_t pixels = rows_.count * columns_.count;
@@ -329,11 +308,11 @@ class ChordalRenderer {
         }
     }
 
-    const ChordalStack& stack_;
+    const DiskStack& stack_;
     WindowAxis rows_, columns_;
     double step_, tol_;
     int threads_;
-    ChordalAnswer<T> answer_;
+    DiskAnswer<T> answer_;
     ChordCurves curves_;
     VBox box_;
     double area_;

@@ -15,11 +15,6 @@ namespace lommel {
 constexpr std::size_t max_chords = 1024;  // chords of the disk, and nodes on each
 
 // A Zernike term: R_n^m(rho) cos(m theta), or R_n^|m|(rho) sin(|m| theta) where m < 0; R(1) = 1.
-struct ZernikeTerm {
-    std::int64_t n, m;
-    bool operator==(const ZernikeTerm& other) const { return n == other.n && m == other.m; }
-};
-
 // Numbers of chords in use: few, so that tables are shared, and even, so that all nodes come in quadruples.
 inline std::size_t rounded_chords(double wanted) {
     const std::size_t n = static_cast<std::size_t>(std::max(8.0, std::ceil(wanted)));

@@ -97,7 +97,7 @@ struct SharpTable {
    private:
     std::size_t find(std::size_t n, std::int64_t m) const {
         for (std::size_t j = 0; j < terms.size(); ++j) {
-            if (terms[j] == ZernikeTerm{static_cast<std::int64_t>(n), m}) {
+            if (terms[j] == ZernikeTerm{static_cast<std::int32_t>(n), m}) {
                 return j;
             }
         }

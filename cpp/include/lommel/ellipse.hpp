@@ -44,7 +44,7 @@ class Ellipses {
    public:
     static constexpr std::size_t count = EllipseGrid::count;
 
-    // Of t^power A exp(i Phi), with the coefficients of t, t^2, ... in radians and the amplitude A.
+    // Of t^power A exp(i Phi), with the coefficients of P_1(2t - 1), P_2, ... in radians and the amplitude A.
     Ellipses(const double* phase, std::size_t terms, const Amplitude& amplitude, std::size_t power) {
         const EllipseGrid& grid = the_grid;
         measure(phase, terms);
@@ -131,11 +131,11 @@ class Ellipses {
     void measure(const double* phase, std::size_t terms) {
         const EllipseGrid& grid = the_grid;
         if (terms <= 2) {
-            // |Im Phi| = |sin| sinh / 2 |c1 + c2 (1 + cos cosh)| = |A sin + B sin cos|, whose maxima are known.
-            const double c1 = terms > 0 ? phase[0] : 0.0, c2 = terms > 1 ? phase[1] : 0.0;
+            // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maxima are known.
+            const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
             for (std::size_t i = 0; i < count; ++i) {
-                const double a = 0.5 * grid.sinh[i] * std::abs(c1 + c2);
-                const double b = 0.5 * grid.sinh[i] * grid.cosh[i] * std::abs(c2);
+                const double a = grid.sinh[i] * std::abs(a1);
+                const double b = 3.0 * grid.sinh[i] * grid.cosh[i] * std::abs(a2);
                 g_[i] = largest(a, b);
             }
             return;
@@ -143,12 +143,18 @@ class Ellipses {
         for (std::size_t i = 0; i < count; ++i) {
             double top = 0.0;
             for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
-                const double x = 0.5 * (1.0 + grid.cos[j] * grid.cosh[i]), y = -0.5 * grid.sin[j] * grid.sinh[i];
-                double re = 0.0, im = 0.0;
-                for (std::size_t k = terms; k-- > 0;) {
-                    const double sum = re + phase[k];
-                    re = sum * x - im * y;
-                    im = sum * y + im * x;
+                const double x = grid.cos[j] * grid.cosh[i], y = -grid.sin[j] * grid.sinh[i];
+                double before[2] = {0.0, 0.0}, here[2] = {1.0, 0.0}, im = 0.0;
+                for (std::size_t k = 0; k < terms; ++k) {
+                    // (n + 1) P_{n+1} = (2n + 1) x P_n - n P_{n-1}
+                    const double n = static_cast<double>(k), p = (2.0 * n + 1.0) / (n + 1.0), q = n / (n + 1.0);
+                    const double re = p * (x * here[0] - y * here[1]) - q * before[0];
+                    const double imaginary = p * (x * here[1] + y * here[0]) - q * before[1];
+                    before[0] = here[0];
+                    before[1] = here[1];
+                    here[0] = re;
+                    here[1] = imaginary;
+                    im += phase[k] * imaginary;
                 }
                 top = std::max(top, std::abs(im));
             }

@@ -13,6 +13,7 @@
 #include "lommel/bessel.hpp"
 #include "lommel/ellipse.hpp"
 #include "lommel/pieces.hpp"
+#include "lommel/radial_polynomials.hpp"
 #include "lommel/series.hpp"
 #include "lommel/simd.hpp"
 
@@ -45,22 +46,30 @@ struct Places {
     double reach() const { return count > 0 ? radii[count - 1] * step : radii == nullptr ? step : 0.0; }
 };
 
-// The pupil function A exp(i Phi): coefficients of t, t^2, ... of the phase, in radians, and the amplitude, which is not
-// copied.
+// The pupil function A exp(i Phi): coefficients of R_2^0 = P_1(2t - 1), R_4^0, ... of the phase, in radians, and the amplitude,
+// which is not copied.
 struct Phase {
     const double* coefficients;
     std::size_t terms;
     const Amplitude* amplitude = &even_light;
 
-    double size() const { return weighted(0.0, 1.0); }
-    // What relative roundings of t and of the steps of Horner's rule do to the phase, in units of roundoff.
-    double sensitivity() const { return weighted(3.0, 4.0) + amplitude->sensitivity(); }
+    double size() const { return weighted(0.0, 0.0, 1.0); }
+    // What roundings do to the phase, its mean over t: of each coefficient two, of P_j(x) one, of the products and the sum at
+    // most K + 1, K of the coefficients not being 0, and that of the node x, half a one at most, as much as the mean of |P_j'|:
+    // by Cauchy at most sqrt(j (j + 1) / 2).
+    double sensitivity() const {
+        const double used = static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
+        return weighted(0.0, 1.0, used + 5.0) + amplitude->sensitivity();
+    }
+    // How far from the axis rays arrive, in v, at most: |dR_2j/drho| <= 2 j (j + 1).
+    double blur() const { return weighted(2.0, 2.0, 0.0); }
 
    private:
-    double weighted(double slope, double start) const {
+    double weighted(double square, double slope, double start) const {
         double sum = 0.0;
         for (std::size_t k = 0; k < terms; ++k) {
-            sum += (slope * static_cast<double>(k) + start) * std::abs(coefficients[k]);
+            const double j = static_cast<double>(k + 1);
+            sum += ((square * j + slope) * j + start) * std::abs(coefficients[k]);
         }
         return sum;
     }
@@ -132,6 +141,16 @@ struct Disk {
         });
         return plan.error(phase);
     }
+
+    // Adds a constant to the phase.
+    void turn(double angle) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        for (std::size_t n = 0; n < terms; ++n) {
+            const double a = re[n], b = im[n];
+            re[n] = c * a - s * b;
+            im[n] = s * a + c * b;
+        }
+    }
 };
 
 // U of a pupil, obscured or not, as a function of v. Holds the scratch of one thread; nothing is allocated once it has
@@ -148,20 +167,17 @@ class Field {
         bound += radius_rounding(reach);
         weight_ = 0.0;
         if (area > 0.0) {
-            // The inner disk carries the phase of rho < eps: coefficients c_k eps^(2k).
+            // The inner disk carries the phase of rho < eps.
             weight_ = area;
-            inner_phase_.assign(phase.coefficients, phase.coefficients + phase.terms);
-            double scale = 1.0;
-            for (double& c : inner_phase_) {
-                c *= scale *= area;
-            }
+            const double lost = shrink(phase);
             for (std::size_t k = 0; k < power; ++k) {
                 weight_ *= area;
             }
             inner_amplitude_ = phase.amplitude->scaled(area);
-            const Phase inner{inner_phase_.data(), phase.terms, &inner_amplitude_};
-            bound += weight_ * (inner_.expand(inner, power, obscuration_ * reach, 0.5 * error, scratch_) +
-                                radius_rounding(obscuration_ * reach));
+            const Phase inner{inner_phase_.data() + 1, phase.terms, &inner_amplitude_};
+            bound += weight_ * (inner_.expand(inner, power, obscuration_ * reach, 0.5 * error, scratch_) + lost +
+                                radius_rounding(obscuration_ * reach) + 4.0 * unit_roundoff);
+            inner_.turn(inner_phase_[0]);
         }
         const std::size_t terms = std::max(outer_.terms, area > 0.0 ? inner_.terms : 0);
         std::size_t width = 0;
@@ -210,6 +226,31 @@ class Field {
     static constexpr double near = 4096.0;
     static constexpr std::size_t crowd = degree_count;
     static constexpr std::size_t most_bytes = std::size_t{256} << 20;  // of the pieces for one call
+
+    // Fills the phase of the inner disk over its own radius, the constant first; returns the bound on what that loses.
+    double shrink(const Phase& phase) {
+        const std::size_t n = phase.terms;
+        if (shares_.size() != (n + 1) * n || shrunk_by_ != obscuration_) {
+            shares_.assign((n + 1) * n, 0.0);
+            shrunk_by_ = obscuration_;
+            for (std::size_t j = 0; j < n; ++j) {
+                for (std::size_t k = 0; k <= j + 1; ++k) {
+                    shares_[k * n + j] = shrunk(2 * j + 2, 2 * k, obscuration_);
+                }
+            }
+        }
+        inner_phase_.assign(n + 1, 0.0);
+        double lost = 0.0;
+        for (std::size_t j = 0; j < n; ++j) {
+            const double size = std::abs(phase.coefficients[j]);
+            lost += shrinking(2 * j + 2) * size;
+            for (std::size_t k = 0; k <= j + 1; ++k) {
+                inner_phase_[k] += shares_[k * n + j] * phase.coefficients[j];
+                lost += unit_roundoff * static_cast<double>(n + 1) * std::abs(shares_[k * n + j]) * size;
+            }
+        }
+        return lost;
+    }
 
     std::size_t piece_at(double radius, double per_pixel) const {
         return std::min(static_cast<std::size_t>(radius * per_pixel), all_ - 1);
@@ -327,7 +368,8 @@ class Field {
     std::size_t all_ = 1, leading_ = 0, end_ = 0;
     bool few_ = false;  // whether the series serves some radii
     SeriesScratch scratch_;
-    std::vector<double> inner_phase_, transforms_, bessel_;
+    double shrunk_by_ = 0.0;
+    std::vector<double> shares_, inner_phase_, transforms_, bessel_;
     Amplitude inner_amplitude_;
     Doubles re_, im_;
 };
@@ -357,7 +399,7 @@ inline double stored(double relative, double storing) { return relative + (1.0 +
 
 // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
 inline double likely_peak(const Phase& phase, double obscuration) {
-    return phase.amplitude->integral(obscuration) / (2.0 * phase.size() + 1.0);
+    return phase.amplitude->integral(obscuration) / (4.0 * phase.size() + 1.0);
 }
 
 inline double first_error(const Phase& phase, double obscuration, double tol) {
@@ -367,10 +409,7 @@ inline double first_error(const Phase& phase, double obscuration, double tol) {
 // The largest I on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need not
 // be on the axis.
 inline double scanned_peak(const Phase& phase, double obscuration, double error) {
-    double blur = 4.0;  // rays reach |dPhi/drho| <= 2 sum k |c_k|
-    for (std::size_t k = 0; k < phase.terms; ++k) {
-        blur += 2.0 * static_cast<double>(k + 1) * std::abs(phase.coefficients[k]);
-    }
+    const double blur = 4.0 + phase.blur();
     constexpr std::size_t samples = 512;
     Doubles radii(samples + widest_step), values(samples + widest_step);
     for (std::size_t i = 0; i < radii.size(); ++i) {

@@ -19,7 +19,7 @@
 namespace lommel {
 
 struct Stack {
-    const double* coefficients;  // [pupil][term] of t, t^2, ...
+    const double* coefficients;  // [pupil][term] of R_2^0, R_4^0, ...
     std::size_t count, terms;
     double obscuration;
     Amplitude amplitude{};
@@ -99,7 +99,7 @@ class Renderer {
         box(least, most);
         const Phase far{most.data(), most.size()}, near{least.data(), least.size()};
         const double reach = layout_->reach() * step_;
-        const double terms = std::min(0.5 * std::max(far.size(), near.size()) + 12.0, 0.5 * reach + 12.0);
+        const double terms = std::min(std::max(far.size(), near.size()) + 12.0, 0.5 * reach + 12.0);
         const double radii = static_cast<double>(layout_->count);
         const double pieces = 32.0 * (terms * (reach / 8.0 + 1.0) + radii) + 4000.0;
         const double table = 2.0 * terms * radii + 4.0 * radii * (reach + terms + 60.0) / static_cast<double>(stack_.count);

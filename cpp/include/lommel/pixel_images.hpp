@@ -152,10 +152,7 @@ class PixelRenderer {
     // What the largest value over the whole plane is at least: a window may miss the peak, which for a defocused lens need
     // not be on the axis. Looks at pixels along a line from the axis to where the last rays arrive.
     double peak_at_least(const Phase& phase, const Attempt& attempt) const {
-        double blur = 4.0;  // rays reach |dPhi/drho| <= 2 sum k |c_k|
-        for (std::size_t k = 0; k < phase.terms; ++k) {
-            blur += 2.0 * static_cast<double>(k + 1) * std::abs(phase.coefficients[k]);
-        }
+        const double blur = 4.0 + phase.blur();
         constexpr double most = 512.0;
         const double step = window_.integrate ? window_.step : blur / most;
         const PixelWindow line{1, static_cast<std::size_t>(std::min(most, std::ceil(blur / step)) + 1.0), 0.0, 0.0, step,
@@ -299,7 +296,7 @@ class PixelRenderer {
         const auto table = PixelTable::get(window_, attempt.level, threads_);
         // Multiply-adds a pupil by pieces, and by the table at the exact radii, whose making is shared by the stack.
         const double reach = table->reach(), radii = static_cast<double>(table->count);
-        const double terms = std::min(0.5 * worst.size() + 12.0, 0.5 * reach + 12.0);
+        const double terms = std::min(worst.size() + 12.0, 0.5 * reach + 12.0);
         const double pieces = 32.0 * (terms * (reach / 8.0 + 1.0) + radii) + 4000.0;
         const double exact = 2.0 * terms * radii + 4.0 * radii * (reach + terms + 60.0) / static_cast<double>(stack_.count);
         if (table->rings.size() > 1 || exact > pieces || terms * radii > 4e6 || stack_.terms > 4) {

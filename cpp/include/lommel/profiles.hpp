@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 
@@ -27,7 +28,8 @@ void in_parts(std::size_t count, const F& f) {
     }
 }
 
-// U at rising v, out[pupil * count + i], with an error that serves an intensity within `tol` of the likely peak.
+// U at rising v, out[pupil * count + i], of the phase that is 0 in the middle of the pupil, with an error that serves an intensity
+// within `tol` of the likely peak.
 inline void fields(const Stack& stack, const double* v, std::size_t count, double tol, std::complex<double>* out,
                    double* bounds) {
     const Doubles radii = padded(v, count);
@@ -46,8 +48,15 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
                                });
             });
         });
+        // There the terms are -1, 1, -1, ...
+        double middle = 0.0;
+        for (std::size_t k = 0; k < phase.terms; ++k) {
+            middle += k % 2 == 0 ? -phase.coefficients[k] : phase.coefficients[k];
+        }
+        const std::complex<double> turn(std::cos(middle), -std::sin(middle));
+        bounds[pupil] += unit_roundoff * (static_cast<double>(phase.terms) * phase.size() + 8.0);
         for (std::size_t i = 0; i < count; ++i) {
-            out[pupil * count + i] = {re[i], im[i]};
+            out[pupil * count + i] = turn * std::complex<double>(re[i], im[i]);
         }
     }
 }

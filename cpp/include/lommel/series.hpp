@@ -22,18 +22,23 @@ struct LegendreRule {
     std::size_t blocks;  // groups of 16 orders, 8 even ones and 8 odd ones
     Doubles upper, lower;  // t of the upper nodes and of their mirror images
     Doubles even, odd;     // [block][node][lane]: (2n+1) w P_n
+    Doubles polynomials;   // [n - 1][node]: P_1, P_2, ... at the upper nodes, for the phase
+    static constexpr std::size_t most_terms = 30;
 
     LegendreRule(std::size_t nodes, std::size_t terms)
         : half(nodes / 2), blocks((terms + 2 * row_lanes - 1) / (2 * row_lanes)), upper(half), lower(half),
-          even(blocks * half * row_lanes), odd(even.size()) {
-        std::vector<double> x(nodes), w(nodes), p(blocks * 2 * row_lanes);
+          even(blocks * half * row_lanes), odd(even.size()), polynomials(most_terms * half) {
+        std::vector<double> x(nodes), w(nodes), p(std::max(blocks * 2 * row_lanes, most_terms + 1));
         gauss_legendre(nodes, x.data(), w.data());
         for (std::size_t q = 0; q < half; ++q) {
             look();
             upper[q] = 0.5 * (1.0 + x[half + q]);
             lower[q] = 0.5 * (1.0 - x[half + q]);
             legendre_sequence(x[half + q], p.size(), p.data());
-            for (std::size_t n = 0; n < p.size(); ++n) {
+            for (std::size_t n = 1; n <= most_terms; ++n) {
+                polynomials[(n - 1) * half + q] = p[n];
+            }
+            for (std::size_t n = 0; n < blocks * 2 * row_lanes; ++n) {
                 const double value = (static_cast<double>(n) + 0.5) * w[half + q] * p[n];
                 Doubles& side = n % 2 == 0 ? even : odd;
                 side[((n / (2 * row_lanes)) * half + q) * row_lanes + n % (2 * row_lanes) / 2] = value;
@@ -42,7 +47,7 @@ struct LegendreRule {
     }
 
     bool is(std::size_t nodes, std::size_t terms) const { return 2 * half == nodes && blocks == (terms + 2 * row_lanes - 1) / (2 * row_lanes); }
-    std::size_t bytes() const { return sizeof(double) * (even.size() + odd.size() + 2 * half); }
+    std::size_t bytes() const { return sizeof(double) * (even.size() + odd.size() + polynomials.size() + 2 * half); }
 
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
     // At sizes rounded up so that there are few.
@@ -60,19 +65,7 @@ struct SeriesScratch {
     Doubles sum_re, sum_im, difference_re, difference_im;
 };
 
-// exp(i Phi) at a vector of nodes, by Horner's rule in t; the constant term of the phase is left out.
-template <class I>
-LOMMEL_INLINE void pupil_function(I isa, const double* phase, std::size_t phase_terms, typename I::pack t,
-                                  typename I::pack& re, typename I::pack& im) {
-    using V = typename I::pack;
-    V angle = splat<V>(0.0);
-    for (std::size_t k = phase_terms; k-- > 0;) {
-        angle = (angle + splat<V>(phase[k])) * t;
-    }
-    sincos(isa, angle, im, re);
-}
-
-// The first `terms` coefficients of t^power A exp(i Phi), A the amplitude, up to whole blocks of 16, as beta_re, beta_im.
+// With Phi = sum_n phase[n - 1] P_n(2t - 1), the first `terms` coefficients of t^power A exp(i Phi), A the amplitude, up to whole blocks of 16, as beta_re, beta_im.
 template <class I>
 LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const double* phase, std::size_t phase_terms,
                                          const Amplitude& amplitude, std::size_t power, std::size_t terms, double* beta_re,
@@ -83,9 +76,14 @@ LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const 
         v->resize(std::max(v->size(), half));
     }
     for (std::size_t q = 0; q < half; q += I::lanes) {
+        // Odd polynomials change their sign at the mirrored nodes.
+        V parts[2] = {splat<V>(0.0), splat<V>(0.0)};
+        for (std::size_t k = 0; k < phase_terms; ++k) {
+            parts[k % 2] = parts[k % 2] + splat<V>(phase[k]) * load<V>(&rule.polynomials[k * half + q]);
+        }
         V up_re, up_im, down_re, down_im;
-        pupil_function(isa, phase, phase_terms, load<V>(&rule.upper[q]), up_re, up_im);
-        pupil_function(isa, phase, phase_terms, load<V>(&rule.lower[q]), down_re, down_im);
+        sincos(isa, parts[1] + parts[0], up_im, up_re);
+        sincos(isa, parts[1] - parts[0], down_im, down_re);
         if (!amplitude.uniform()) {
             double up[I::lanes], down[I::lanes];
             for (std::size_t i = 0; i < I::lanes; ++i) {

@@ -11,6 +11,7 @@
 #include "lommel/cache.hpp"
 #include "lommel/disk_bounds.hpp"
 #include "lommel/legendre.hpp"
+#include "lommel/radial_polynomials.hpp"
 #include "lommel/simd.hpp"
 #include "lommel/sincos.hpp"
 
@@ -62,21 +63,6 @@ struct ZernikePhase {
         return bounds;
     }
 };
-
-// R_m^m, R_{m+2}^m, ... follow Jacobi's recurrence for P_k^(0,m)(x), x = 2 rho^2 - 1 (DLMF 18.9.1): the next is
-// (slope x + shift) here - back before. These are the coefficients of the step from degree m + 2k.
-inline void radial_step(std::size_t k, double m, double& slope, double& shift, double& back) {
-    if (k == 0) {
-        slope = 0.5 * (m + 2.0);
-        shift = -0.5 * m;
-        back = 0.0;
-        return;
-    }
-    const double i = static_cast<double>(k), s = 2.0 * i + m, scale = 2.0 * (i + 1.0) * (i + 1.0 + m) * s;
-    slope = (s + 1.0) * (s + 2.0) * s / scale;
-    shift = -(s + 1.0) * m * m / scale;
-    back = 2.0 * i * (i + m) * (s + 2.0) / scale;
-}
 
 // A product rule on the disk, exact for polynomials up to a degree: Gauss nodes in t = rho^2, equal angles off the axes, so that
 // one quadrant of angles serves all four. Shared by all calls.
@@ -198,7 +184,7 @@ class ZernikeAnalysis {
                 V here = power(isa, rule, k, static_cast<std::size_t>(m)), before = here;
                 for (std::int32_t i = 0; i < (phase.n[j] - m) / 2; ++i) {
                     double slope, shift, back;
-                    radial_step(static_cast<std::size_t>(i), m, slope, shift, back);
+                    radial_step(static_cast<std::size_t>(i), static_cast<double>(m), slope, shift, back);
                     const V after = (splat<V>(slope) * x + splat<V>(shift)) * here - splat<V>(back) * before;
                     before = here;
                     here = after;

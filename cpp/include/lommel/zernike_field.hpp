@@ -107,15 +107,16 @@ struct DiskExpansion {
 class ZernikeField {
    public:
     // Expands the pupil, to `error` in U for v up to `reach`. `inner` is the phase within the obscuration, as a function of the
-    // radius over that of the obscuration.
-    void expand(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error) {
+    // radius over that of the obscuration; roundings of both have `lost` so much of U already.
+    void expand(const ZernikePhase& outer, const ZernikePhase& inner, double obscuration, double reach, double error,
+                double lost = 0.0) {
         // An obscuration that takes less light than the rounding is none.
         obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
         const double area = obscuration_ * obscuration_;
         reach_ = reach;
         weight_ = 1.0 + area;
         // Radii in units of a ring are off by three roundings, the step in v by three, and |U'| < 1/2.
-        base_ = expand(outer, reach, 0.5 * error, outer_) + 3.0 * unit_roundoff * reach;
+        base_ = lost + expand(outer, reach, 0.5 * error, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {
             base_ += area * expand(inner, obscuration_ * reach, 0.5 * error, inner_);

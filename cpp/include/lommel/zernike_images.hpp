@@ -10,26 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "lommel/disk_stack.hpp"
 #include "lommel/images.hpp"
 #include "lommel/octants.hpp"
 #include "lommel/parallel.hpp"
 #include "lommel/zernike_field.hpp"
 
 namespace lommel {
-
-// Pupils of the same terms (n, m). `inner` are the coefficients within the obscuration, over its radius; not read without.
-struct ZernikeStack {
-    const std::int32_t *n, *m;
-    const double *outer, *inner;  // [pupil][term]
-    std::size_t count, terms;
-    double obscuration;
-    Amplitude amplitude{};
-
-    ZernikePhase phase(std::size_t i) const { return {n, m, outer + i * terms, terms, amplitude}; }
-    ZernikePhase inner_phase(std::size_t i) const {
-        return {n, m, inner + i * terms, terms, amplitude.scaled(obscuration * obscuration)};
-    }
-};
 
 // Bound on what single precision does to U: roundings of coefficients, of x (whose powers have a slope of up to 7), of
 // Horner's rule, of cos(m psi) and sin(m psi), m times those of psi, and of the sum.
@@ -57,10 +44,11 @@ class ZernikeImage {
     }
 
     // Expands the pupil to `error` in U, looks where it is bright, and gives every piece what error the tolerance allows there.
-    void prepare(const ZernikePhase& phase, const ZernikePhase& inner, double obscuration, double error, double tol) {
+    void prepare(const ZernikePhase& phase, const ZernikePhase& inner, double obscuration, double error, double tol,
+                 double lost = 0.0) {
         const double reach = step_ * std::sqrt(static_cast<double>(octants_->groups.back().square()));
         const double near = step_ * std::sqrt(static_cast<double>(octants_->groups.front().square()));
-        field_.expand(phase, inner, obscuration, reach, error);
+        field_.expand(phase, inner, obscuration, reach, error, lost);
         std::array<double, looks> v, bright;
         parallel_for(looks, threads_, [&](std::size_t, std::size_t i) {
             // Closer together near the axis, where most light is.
@@ -287,15 +275,17 @@ class ZernikeImage {
 template <class T>
 class ZernikeRenderer {
    public:
-    // The axis of pupil i is in the middle of pixel (rows[i], columns[i]), which may be outside of the image. Scales are 0
-    // on entry where values are to be divided by their largest one, and receive what the intensity was multiplied by. Peaks
-    // receive the largest I that is known, in the image or (unless it is to divide) outside of it: what the bounds are
-    // related to.
-    ZernikeRenderer(const ZernikeStack& stack, std::size_t height, std::size_t width, const std::int64_t* rows,
-                    const std::int64_t* columns, double step, double tol, int threads, T* images, double* scales, double* bounds,
-                    double* peaks)
-        : stack_(stack), height_(height), width_(width), rows_(rows), columns_(columns), step_(step), tol_(tol),
-          threads_(threads), images_(images), scales_(scales), bounds_(bounds), peaks_(peaks) {}
+    // After move_axes() and shrink(). Peaks receive the largest I that is known, in the image or (unless it is to divide)
+    // outside of it: what the bounds are related to.
+    ZernikeRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
+        : stack_(stack), height_(window.height), width_(window.width), step_(window.step), tol_(tol), threads_(threads),
+          images_(answer.images), scales_(answer.scales), bounds_(answer.bounds), peaks_(answer.peaks),
+          within_(stack.amplitude.scaled(stack.obscuration * stack.obscuration)) {
+        for (const ZernikeTerm& term : stack.terms) {
+            n_.push_back(term.n);
+            m_.push_back(term.m);
+        }
+    }
 
     void run() {
         if (stack_.count > 1) {
@@ -306,11 +296,18 @@ class ZernikeRenderer {
     }
 
    private:
+    ZernikePhase phase(std::size_t i) const {
+        return {n_.data(), m_.data(), stack_.outer.data() + i * n_.size(), n_.size(), stack_.amplitude};
+    }
+    ZernikePhase inner_phase(std::size_t i) const {
+        return {n_.data(), m_.data(), stack_.inner.data() + (stack_.inner.empty() ? 0 : i * n_.size()), n_.size(), within_};
+    }
+
     void render(std::size_t pupil, int threads) {
         const auto octants = cache<Octants>.get(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_),
-                                                rows_[pupil], columns_[pupil]);
+                                                stack_.rows[pupil], stack_.columns[pupil]);
         const bool normalize = scales_[pupil] == 0.0;
-        check_size(stack_.phase(pupil));
+        check_size(phase(pupil));
         // Storing takes its part of the tolerance, and values divided by their own largest one are off by twice as much.
         const double rest = tol_ - (1.0 + tol_) * storing<T>(normalize);
         if (rest <= 0.0) {
@@ -325,7 +322,7 @@ class ZernikeRenderer {
         for (double error = first; error > unit_roundoff; error *= 0.1) {
             look();
             // Where all pixels are dim beside what lies between them, the first tolerance does not do.
-            image.prepare(stack_.phase(pupil), stack_.inner_phase(pupil), stack_.obscuration, error, tol * error / first);
+            image.prepare(phase(pupil), inner_phase(pupil), stack_.obscuration, error, tol * error / first, stack_.lost[pupil]);
             for (;;) {
                 image.paint(scale, values);
                 double peak = image.peak(), off = image.error_at_peak();
@@ -347,7 +344,7 @@ class ZernikeRenderer {
     }
 
     double first_guess(std::size_t pupil, double tol) const {
-        return 0.1 * tol * stack_.amplitude.integral(stack_.obscuration) / (stack_.phase(pupil).size() + 1.0);
+        return 0.1 * tol * stack_.amplitude.integral(stack_.obscuration) / (phase(pupil).size() + 1.0);
     }
 
     static double over_peak(double wrong, double peak, double off) {
@@ -369,12 +366,12 @@ class ZernikeRenderer {
     // The window may miss the peak: looks for a larger one where rays go.
     void scan(std::size_t pupil, double error, double& peak, double& off) const {
         double blur = 4.0;
-        stack_.phase(pupil).amplitudes([&](double amplitude, std::size_t n, std::size_t) { blur += amplitude * static_cast<double>(n * n); });
+        phase(pupil).amplitudes([&](double amplitude, std::size_t n, std::size_t) { blur += amplitude * static_cast<double>(n * n); });
         constexpr std::int64_t side = 65;
         std::vector<double> values(static_cast<std::size_t>(side * side));
         ZernikeImage image;
         image.begin(cache<Octants>.get(side, side, side / 2, side / 2), std::min(blur, 400.0) / 32.0, 1);
-        image.prepare(stack_.phase(pupil), stack_.inner_phase(pupil), stack_.obscuration, error, tol_);
+        image.prepare(phase(pupil), inner_phase(pupil), stack_.obscuration, error, tol_, stack_.lost[pupil]);
         image.paint(1.0, values.data());
         if (image.peak() > peak) {
             peak = image.peak();
@@ -382,13 +379,14 @@ class ZernikeRenderer {
         }
     }
 
-    ZernikeStack stack_;
+    const DiskStack& stack_;
     std::size_t height_, width_;
-    const std::int64_t *rows_, *columns_;
     double step_, tol_;
     int threads_;
     T* images_;
     double *scales_, *bounds_, *peaks_;
+    Amplitude within_;  // the obscuration
+    std::vector<std::int32_t> n_, m_;
 };
 
 }  // namespace lommel

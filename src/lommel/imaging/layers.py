@@ -94,7 +94,7 @@ def _layers(blur: DepthBlur) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     # Where a ray from the edge of the pupil meets the sensor, at v = 4 C_d if paraxial, else nearly in proportion to
     # C_d. Near points have the largest.
     defocus = np.linspace(blur.defocus.min(), blur.defocus.max(), 129)
-    rim = ray_height(blur.lens.phase(defocus).coefficients, np.ones(1))[:, 0]
+    rim = ray_height(blur.lens.phase(defocus).edge, np.ones(1))[:, 0]
     unit = blur.lens.wavelength * blur.lens.working_f_number / (math.pi * blur.pixel)
     radius = unit * np.interp(blur.defocus, defocus, rim)
     depth = radius.max() - radius

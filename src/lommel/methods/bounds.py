@@ -28,26 +28,25 @@ UNIT_ROUNDOFF = 2.0**-53
 _EVEN = Apodization()
 
 
-def growth(
-    coefficients: NDArray[np.float64], low: float, v: float, light: Apodization = _EVEN
-) -> NDArray[np.float64]:
+def growth(terms: NDArray[np.float64], low: float, v: float, light: Apodization = _EVEN) -> NDArray[np.float64]:
     """Bound ``log|A exp(i Phi) J0(v sqrt t)|`` on each ellipse around ``[low, 1]``, for a whole stack.
 
-    The box around the coefficients bounds the stack. The maximum over theta is taken on a grid and raised by
-    ``1 / cos(degree step / 2)``, which bounds a trigonometric polynomial between grid points (Ehlich and Zeller,
-    1964).
+    `terms` are the coefficients of R_2^0, R_4^0, ..., that is of P_1(2t - 1), P_2, ..., shape ``(n, terms)``; the box
+    around them bounds the stack. The maximum over theta is taken on a grid, times ``1 / cos(degree step / 2)``,
+    which bounds a trigonometric polynomial between grid points (Ehlich and Zeller, 1964).
     """
     half = 0.5 * (1.0 - low)
     t = 0.5 * (1.0 + low) + half * (np.cos(_THETA) * _COSH - 1j * np.sin(_THETA) * _SINH)
-    degree = coefficients.shape[1]
-    middle = 0.5 * (coefficients.max(axis=0) + coefficients.min(axis=0))
-    spread = 0.5 * (coefficients.max(axis=0) - coefficients.min(axis=0))
+    degree = terms.shape[1]
+    middle = 0.5 * (terms.max(axis=0) + terms.min(axis=0))
+    spread = 0.5 * (terms.max(axis=0) - terms.min(axis=0))
     # Im Phi is linear in the coefficients: its largest over a box is that in the middle and what the sides add.
-    phase, sides, power = np.zeros(t.shape), np.zeros(t.shape), np.ones_like(t)
-    for c, s in zip(middle, spread, strict=True):
-        power = power * t
-        phase += c * power.imag
-        sides += s * np.abs(power.imag)
+    x = 2.0 * t - 1.0
+    phase, sides, before, here = np.zeros(t.shape), np.zeros(t.shape), np.zeros_like(t), np.ones_like(t)
+    for j, (c, s) in enumerate(zip(middle, spread, strict=True), 1):
+        before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j
+        phase += c * here.imag
+        sides += s * np.abs(here.imag)
     exponent = np.abs(phase) + sides
     exponent += v * np.abs(np.sqrt(t).imag)
     phase_and_kernel = np.asarray(exponent.max(axis=1) / math.cos(0.5 * degree * math.pi / _STEPS))
@@ -69,10 +68,10 @@ def _quadrature_log(g: NDArray[np.float64], low: float) -> NDArray[np.float64]:
     return np.asarray(math.log(32.0 / 15.0 * (1.0 - low)) + g - np.log(-np.expm1(-2.0 * _ETA)))
 
 
-def rounding_error(coefficients: NDArray[np.float64], low: float, terms: int) -> NDArray[np.float64]:
+def rounding_error(terms: NDArray[np.float64], low: float, nodes: int) -> NDArray[np.float64]:
     """Estimate the rounding error of U (not a proof): phases of size Phi lose ``Phi 2^-53``, sums ``sqrt(n)``."""
-    size = np.abs(coefficients).sum(axis=1)
-    return np.asarray((2.0 * size + 4.0 * math.sqrt(terms) + 16.0) * UNIT_ROUNDOFF * (1.0 - low))
+    size = np.abs(terms).sum(axis=1)
+    return np.asarray((2.0 * size + 4.0 * math.sqrt(nodes) + 16.0) * UNIT_ROUNDOFF * (1.0 - low))
 
 
 def _exp_min(logarithms: NDArray[np.float64]) -> float:

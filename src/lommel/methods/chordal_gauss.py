@@ -11,13 +11,11 @@ from numpy.typing import DTypeLike, NDArray
 from lommel import _core, validation
 from lommel.grid import Grid
 from lommel.methods.averaging import Rendered, Sample, averaged, averaged_images
-from lommel.methods.azimuthal import phase_rounding
-from lommel.methods.method import Images, Intensities, Method, not_met
+from lommel.methods.method import Images, Intensities, Method
+from lommel.methods.whole_disk import render
 from lommel.pupil import Pupil
-from lommel.special import zernike
 
 _LEAST_TOL = 1e-12
-_BLOCK = 2**22  # values between two looks at the keyboard
 
 
 @dataclass(frozen=True)
@@ -101,72 +99,21 @@ class ChordalGauss(Method):
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         if grid.integrate:
             return averaged_images(self._sample(threads), pupil, grid, scale, dtype, self.tol, out)
-        made = _render(pupil, grid, scale, dtype, self.tol, out=out, threads=threads)
+        made = self._render(pupil, grid, scale, dtype, self.tol, out, threads)
         return Images(made.values, made.scales, made.bounds)
 
     def _sample(self, threads: int) -> Sample:
-        return lambda pupil, grid, tol: _render(pupil, grid, 1.0, np.float64, tol, threads=threads)
+        return lambda pupil, grid, tol: self._render(pupil, grid, 1.0, np.float64, tol, None, threads)
 
-
-def _render(
-    pupil: Pupil,
-    grid: Grid,
-    scale: float | None,
-    dtype: DTypeLike,
-    tol: float,
-    out: NDArray[Any] | None = None,
-    threads: int = 0,
-) -> Rendered:
-    """Return images at the pixel centres."""
-    terms, outer, inner = disk_terms(pupil)
-    n = len(outer)
-    values = np.empty((n, *grid.shape), dtype) if out is None else out
-    scales, bounds = np.empty(n), np.empty(n)
-    block = max(1, _BLOCK // (grid.height * grid.width))
-    left = tol
-    while True:
-        # The compiled core takes 0 for "divide by the largest value".
-        scales.fill(0.0 if scale is None else scale)
-        for first in range(0, n, block):
-            part = slice(first, first + block)
-            unmet = _core.chordal(
-                terms,
-                outer[part],
-                inner[part],
-                pupil.obscuration,
-                pupil.illumination.exponent,
-                *grid.center,
-                grid.step(pupil),
-                left,
-                threads,
-                values[part],
-                scales[part],
-                bounds[part],
-            )
-            if unmet:
-                raise not_met(tol, unmet, "the largest value in the window")
-        peaks = values.max(axis=(1, 2)) / scales
-        added = (2.0 if scale is None else 1.0) * phase_rounding(pupil, peaks)
-        if (bounds + added).max() <= tol:
-            return Rendered(values, scales, bounds + added, peaks)
-        # Proven with nothing to spare: what is added is now known.
-        left -= 1.1 * float(added.max())
-        if left < 0.2 * tol:
-            raise not_met(tol, float((bounds + added).max()), "the largest value in the window")
-
-
-def disk_terms(pupil: Pupil) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return the terms (n, m) of the phase, and their coefficients on the whole disk and on the obscured one.
-
-    Shapes ``(terms, 2)`` and twice ``(n, terms)``; radians at the edge of the disk in question. Both phases lack the
-    same constant. Terms that are zero throughout the stack are left out.
-    """
-    given = {term: c for term, c in pupil.wavefront.flattened().edge_terms().items() if np.any(c)}
-    within = zernike.scaled(given, pupil.obscuration) if pupil.obscuration > 0.0 else {}
-    terms = sorted({*given, *within}) or [(2, 0)]
-    count = pupil.coefficients().shape[0]
-    outer, inner = np.zeros((count, len(terms))), np.zeros((count, len(terms)))
-    for j, term in enumerate(terms):
-        outer[:, j] = given.get(term, 0.0)
-        inner[:, j] = within.get(term, 0.0)
-    return np.array(terms, dtype=np.int64), outer, inner
+    @staticmethod
+    def _render(
+        pupil: Pupil,
+        grid: Grid,
+        scale: float | None,
+        dtype: DTypeLike,
+        tol: float,
+        out: NDArray[Any] | None,
+        threads: int,
+    ) -> Rendered:
+        over = "the largest value in the window"
+        return render(_core.chordal_images, pupil, grid, scale, dtype, tol, over, out, threads)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from lommel import validation
 from lommel.grid import Grid
-from lommel.methods.method import FieldMethod, FieldValues, annulus
+from lommel.methods.method import FieldMethod, FieldValues, annulus, powers_cancel
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.pupil import Pupil, checked
 from lommel.special.bessel import j0_series, tangent_line
@@ -153,8 +153,8 @@ class ClosedForm(FieldMethod):
         return 8.0
 
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return None: every pupil is supported."""
-        return None
+        """Return the reason where powers of rho do not hold the phase."""
+        return powers_cancel(pupil)
 
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v; no bound is claimed."""

@@ -51,7 +51,7 @@ class Geometric(Method):
         columns = np.arange(grid.width // 2 + 1.0) if grid.centered else grid.x / grid.pixel
         corner = math.hypot(np.abs(rows).max() + 0.5, np.abs(columns).max() + 0.5)
         count = math.ceil(corner * self.rings) + 1
-        stack = pupil.coefficients()
+        stack = pupil.radial_terms()
         light = np.stack([self._light(c, pupil.obscuration, step / self.rings, count) for c in stack])
         edges = np.arange(count + 1) / self.rings
         density = light / (math.pi * (edges[1:] ** 2 - edges[:-1] ** 2))
@@ -71,12 +71,10 @@ class Geometric(Method):
             image = grid.unfold(image)
         return Intensities(image * (4.0 * math.pi * pupil.area / step**2), None)
 
-    def _light(
-        self, coefficients: NDArray[np.float64], obscuration: float, width: float, count: int
-    ) -> NDArray[np.float64]:
+    def _light(self, terms: NDArray[np.float64], obscuration: float, width: float, count: int) -> NDArray[np.float64]:
         """Return the fraction of all light in each of `count` rings of `width` in v."""
         rho = np.linspace(obscuration, 1.0, 4097)
-        height = ray_height(coefficients[None], rho)[0]
+        height = ray_height(terms[None], rho)[0]
         steepest = float(np.abs(np.diff(height)).max()) / (rho[1] - rho[0])
         # Cells of the aperture so fine that the rays of each fall into at most two neighbouring rings.
         cells = max(4096, math.ceil(1.05 * steepest * (1.0 - obscuration) / width))
@@ -86,7 +84,7 @@ class Geometric(Method):
                 f"more than the limit of {_MAX_CELLS}"
             )
         rho = np.linspace(obscuration, 1.0, cells + 1)
-        height = np.abs(ray_height(coefficients[None], rho)[0]) / width
+        height = np.abs(ray_height(terms[None], rho)[0]) / width
         energy = np.diff(rho**2) / (1.0 - obscuration**2)
         low, high = np.minimum(height[1:], height[:-1]), np.maximum(height[1:], height[:-1])
         ring = np.floor(low)

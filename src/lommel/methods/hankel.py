@@ -53,24 +53,23 @@ class Hankel(FieldMethod):
         from scipy.special import j0
 
         low = pupil.obscuration**2
-        coefficients = pupil.coefficients()
+        terms = pupil.radial_terms()
         reach = float(v[-1]) if v.size else 0.0
-        g = bounds.growth(coefficients, low, reach, pupil.illumination)
+        g = bounds.growth(terms, low, reach, pupil.illumination)
         n = bounds.quadrature_nodes(g, self.tol * (1.0 - low), low)
         if n > _MAX_NODES:
             raise ValueError(
-                f"phases of {np.abs(coefficients).max():.3g} rad and v up to {reach:.3g} take {n:.3g} quadrature "
+                f"phases of {np.abs(terms).max():.3g} rad and v up to {reach:.3g} take {n:.3g} quadrature "
                 f"nodes, more than the limit of {_MAX_NODES}"
             )
         t, weights = gauss_legendre(n, low, 1.0)
-        powers = t ** np.arange(1, 1 + coefficients.shape[1])[:, None]
-        integrand = weights * pupil.illumination.at(t) * np.exp(1j * (coefficients @ powers))
-        values = np.empty((coefficients.shape[0], v.size), dtype=np.complex128)
+        integrand = weights * pupil.illumination.at(t) * np.exp(1j * pupil.radial_phase(t))
+        values = np.empty((len(terms), v.size), dtype=np.complex128)
         root = np.sqrt(t)[:, None]
         rows = max(1, _BLOCK // n)
         for start in range(0, v.size, rows):
             block = slice(start, start + rows)
             kernel = j0(root * v[block])
             values[:, block] = integrand.real @ kernel + 1j * (integrand.imag @ kernel)
-        error = bounds.quadrature_error(g, n, low) + bounds.rounding_error(coefficients, low, n)
+        error = bounds.quadrature_error(g, n, low) + bounds.rounding_error(terms, low, n)
         return FieldValues(values, error)

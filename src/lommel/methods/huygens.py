@@ -16,6 +16,7 @@ from lommel.grid import Grid
 from lommel.methods.averaging import filtered, filtered_by
 from lommel.methods.method import FieldMethod, FieldValues, Intensities
 from lommel.pupil import Geometry, Pupil
+from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
 _MAX_WAVELETS = 10**11
@@ -113,7 +114,7 @@ class HuygensFresnel(FieldMethod):
                 f"HuygensFresnel would take {radial:.3g} x {azimuthal:.3g} sources in the aperture, more than the "
                 f"limits of {_MAX_RADIAL} radii and {_MAX_SOURCES:.0g} in all"
             )
-        wavelets = pupil.coefficients().shape[0] * x.size * radial * azimuthal // (2 if half else 1)
+        wavelets = math.prod(pupil.shape) * x.size * radial * azimuthal // (2 if half else 1)
         if wavelets > _MAX_WAVELETS:
             raise ValueError(
                 f"HuygensFresnel would sum {wavelets:.2g} wavelets, more than the limit of {_MAX_WAVELETS:.0g}; "
@@ -150,16 +151,15 @@ def exact_phase(pupil: Pupil, geometry: Geometry, t: NDArray[np.float64]) -> NDA
     assert pupil.wavelength is not None
     wavenumber = 2.0 * math.pi / pupil.wavelength
     square = geometry.aperture_radius**2 * t
-    powers = t ** np.arange(1, 1 + pupil.coefficients().shape[1])[:, None]
     if geometry.model == "aplanatic":
         known = geometry.aperture_radius, geometry.sphere, geometry.vergence
         approximate = expansion(*known, pupil.wavelength)[0]
         left = wavenumber * path(t, geometry.aperture_radius, geometry.sphere, geometry.vergence)
-        return np.asarray(pupil.coefficients() @ powers + (left - approximate @ powers[: approximate.shape[1]]))
+        return np.asarray(pupil.radial_phase(t) + (left - zernike.legendre_sum(approximate, 2.0 * t - 1.0)))
     vergence = 1.0 / np.asarray(geometry.object_distance)[:, None]
     parabolic = 0.5 * wavenumber * (vergence - geometry.in_focus) * square
     exact = wavenumber * (_sag(vergence, square) - _sag(np.asarray(geometry.in_focus), square))
-    return np.asarray(pupil.coefficients() @ powers + (exact - parabolic))
+    return np.asarray(pupil.radial_phase(t) + (exact - parabolic))
 
 
 def _sag(vergence: NDArray[np.float64], square: NDArray[np.float64]) -> NDArray[np.float64]:

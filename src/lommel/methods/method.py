@@ -15,6 +15,7 @@ from lommel.grid import Grid
 from lommel.methods.subpixel import subpixel_intensity
 from lommel.pupil import Pupil, checked
 from lommel.special.bessel import _radii
+from lommel.wavefront import MAX_HIGHER
 
 
 class ToleranceError(ArithmeticError):
@@ -325,7 +326,7 @@ def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def widened(made: Images, pupil: Pupil, method: Method, *, normalized: bool) -> Images:
-    """Return images whose bounds count what wavefront and apodization leave out, by their attribute `error`.
+    """Return images whose bounds count what the terms of the wavefront and the powers of the apodization leave out.
 
     A phase in error by e changes U by at most ``e int A dx dy / pi``, and a derivative of U by as much. At another
     wavelength of a spectrum both e and U grow as it falls. An amplitude A that is off by e A does the same, and
@@ -336,7 +337,7 @@ def widened(made: Images, pupil: Pupil, method: Method, *, normalized: bool) -> 
     ToleranceError
         If the tolerance is not met any more.
     """
-    of_phase, of_light = pupil.wavefront.error, pupil.illumination.error
+    of_phase, of_light = pupil.wavefront.left_out, pupil.illumination.error
     if not (of_phase or of_light) or made.error is None:
         return made
     stretch = max(1.0, method.stretch(pupil))
@@ -346,14 +347,24 @@ def widened(made: Images, pupil: Pupil, method: Method, *, normalized: bool) -> 
     error = made.error + (normalized_error(more) if normalized else more)
     if method.keeps_tol and error.max() > method.tol >= made.error.max():
         raise ToleranceError(
-            f"tol={method.tol:g} cannot be met: the powers of rho^2 leave up to {of_phase:.2g} rad of the phase and "
-            f"{of_light:.2g} of the amplitude out, with "
-            f"which the error is bounded by {error.max():.2g} of the peak; ask for a larger tol"
+            f"tol={method.tol:g} cannot be met: the terms of the wavefront leave up to {of_phase:.2g} rad of the "
+            f"phase out, those of the apodization {of_light:.2g} of the amplitude; with both the error is bounded by "
+            f"{error.max():.2g} of the peak; ask for a larger tol"
         )
     if made.slopes is None:
         return made._replace(error=error)
     further = 4.0 * left * pupil.amplitude / brightest
     return made._replace(error=error, slopes=made.slopes._replace(error=made.slopes.error + further))
+
+
+def powers_cancel(pupil: Pupil) -> str | None:
+    """Return why the phase is not to be taken as powers of rho, or None where it may be."""
+    if pupil.wavefront.symmetric <= 2 + MAX_HIGHER:
+        return None
+    return (
+        f"takes powers of rho up to {2 * (2 + MAX_HIGHER)}, and those of radially symmetric terms of higher degree "
+        "cancel: use NijboerZernike"
+    )
 
 
 def annulus(

@@ -10,7 +10,6 @@ from numpy.typing import DTypeLike, NDArray
 
 from lommel import _core, validation
 from lommel.grid import Grid
-from lommel.methods import azimuthal
 from lommel.methods.averaging import Sample, averaged, averaged_images
 from lommel.methods.method import (
     FieldMethod,
@@ -21,10 +20,10 @@ from lommel.methods.method import (
     ToleranceError,
     not_met,
 )
+from lommel.methods.whole_disk import render
 from lommel.pupil import Pupil
 
 _LEAST_TOL = 1e-12
-_BLOCK = 2**22  # values between two looks at the keyboard
 
 
 @dataclass(frozen=True)
@@ -76,14 +75,14 @@ class NijboerZernike(FieldMethod):
         """Return U at rising v with its error bound, small enough for an intensity within `tol` of the peak."""
         _require_radial(pupil)
         return FieldValues(
-            *_core.field(pupil.coefficients(), pupil.obscuration, pupil.illumination.exponent, v, self.tol)
+            *_core.field(pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent, v, self.tol)
         )
 
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
         _require_radial(pupil)
         values, bounds, peaks = _core.profile(
-            pupil.coefficients(), pupil.obscuration, pupil.illumination.exponent, v, self.tol
+            pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent, v, self.tol
         )
         if bounds.min() < 0:
             raise self._not_met(-bounds.min())
@@ -95,7 +94,7 @@ class NijboerZernike(FieldMethod):
         """Return ``I(v) @ matrix`` for the flattened stack, shape ``(n, sums)`` from a matrix ``(len(v), sums)``."""
         _require_radial(pupil)
         sums, bounds = _core.means(
-            pupil.coefficients(), pupil.obscuration, pupil.illumination.exponent, v, self.tol, matrix, threads
+            pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent, v, self.tol, matrix, threads
         )
         if bounds.min() < 0:
             raise self._not_met(-bounds.min())
@@ -134,29 +133,28 @@ class NijboerZernike(FieldMethod):
             return self._nonradial_images(pupil, grid, scale, dtype, out, powers, threads)
         if not grid.symmetric:
             return self._pixel_images(pupil, grid, scale, dtype, out, powers, threads)[0]
-        coefficients = pupil.coefficients()
+        coefficients = pupil.radial_terms()
         n, shape = len(coefficients), grid.shape
         values = np.empty((n, *shape), dtype) if out is None else out
         scales, bounds = np.empty(n), np.empty(n)
         # The compiled core takes 0 for "divide by the largest value".
         scales.fill(0.0 if scale is None else scale)
         slopes = Slopes(np.empty((len(powers), n, *shape), dtype), np.empty((len(powers), n))) if powers else None
-        step = grid.step(pupil)
-        block = max(1, _BLOCK // (shape[0] * shape[1]))
-        for first in range(0, n, block):
-            part = slice(first, first + block)
-            arguments = (coefficients[part], pupil.obscuration, pupil.illumination.exponent, step, self.tol, threads)
-            places = (values[part], scales[part], bounds[part])
-            if slopes is None:
-                unmet = _core.render(*arguments, *places)
-            else:
-                # The part of a stack is not contiguous where the derivatives come first.
-                count = len(places[0])
-                own = Slopes(np.empty((len(powers), count, *shape), dtype), np.empty((len(powers), count)))
-                unmet = _core.differentiate(*arguments, *places, np.array(powers, dtype=np.int64), *own)
-                slopes.values[:, part], slopes.error[:, part] = own
-            if unmet:
-                raise self._not_met(unmet)
+        arguments = (
+            coefficients,
+            pupil.obscuration,
+            pupil.illumination.exponent,
+            grid.step(pupil),
+            self.tol,
+            threads,
+        )
+        if slopes is None:
+            unmet = _core.render(*arguments, values, scales, bounds)
+        else:
+            wanted = np.array(powers, dtype=np.int64)
+            unmet = _core.differentiate(*arguments, values, scales, bounds, wanted, *slopes)
+        if unmet:
+            raise self._not_met(unmet)
         return Images(values, scales, bounds, slopes)
 
     def _pixel_images(
@@ -170,34 +168,29 @@ class NijboerZernike(FieldMethod):
         threads: int,
     ) -> tuple[Images, NDArray[np.float64]]:
         """Return images of pixels that average, or around an axis anywhere, and what their bounds are related to."""
-        coefficients = pupil.coefficients()
+        coefficients = pupil.radial_terms()
         n, k = len(coefficients), len(powers)
         values = np.empty((n, *grid.shape), dtype) if out is None else out
         scales, bounds, peaks = np.full(n, 0.0 if scale is None else scale), np.empty(n), np.empty(n)
         slopes = Slopes(np.empty((k, n, *grid.shape), dtype), np.empty((k, n)))
-        block = max(1, _BLOCK // (grid.height * grid.width))
-        for first in range(0, n, block):
-            part = slice(first, first + block)
-            own = Slopes(np.empty((k, len(scales[part]), *grid.shape), dtype), np.empty((k, len(scales[part]))))
-            unmet = _core.render_pixels(
-                coefficients[part],
-                pupil.obscuration,
-                pupil.illumination.exponent,
-                *grid.center,
-                grid.step(pupil),
-                grid.integrate,
-                self.tol,
-                threads,
-                values[part],
-                scales[part],
-                bounds[part],
-                peaks[part],
-                np.array(powers, dtype=np.int64),
-                *own,
-            )
-            if unmet:
-                raise not_met(self.tol, unmet, "the largest value in the window" if scale is None else "the peak")
-            slopes.values[:, part], slopes.error[:, part] = own
+        unmet = _core.render_pixels(
+            coefficients,
+            pupil.obscuration,
+            pupil.illumination.exponent,
+            *grid.center,
+            grid.step(pupil),
+            grid.integrate,
+            self.tol,
+            threads,
+            values,
+            scales,
+            bounds,
+            peaks,
+            np.array(powers, dtype=np.int64),
+            *slopes,
+        )
+        if unmet:
+            raise not_met(self.tol, unmet, "the largest value in the window" if scale is None else "the peak")
         return Images(values, scales, bounds, slopes if powers else None), peaks
 
     def _nonradial_images(
@@ -213,12 +206,14 @@ class NijboerZernike(FieldMethod):
         if powers:
             raise ValueError("derivatives are available of radially symmetric pupils only")
         if not grid.integrate:
-            made = azimuthal.render(pupil, grid, scale, dtype, self.tol, out=out, threads=threads)
+            made = render(_core.series_images, pupil, grid, scale, dtype, self.tol, "the peak", out, threads)
             return Images(made.values, made.scales, made.bounds)
         return averaged_images(self._sample(threads), pupil, grid, scale, dtype, self.tol, out)
 
     def _sample(self, threads: int) -> Sample:
-        return lambda pupil, grid, tol: azimuthal.render(pupil, grid, 1.0, np.float64, tol, threads=threads)
+        return lambda pupil, grid, tol: render(
+            _core.series_images, pupil, grid, 1.0, np.float64, tol, "the peak", threads=threads
+        )
 
     def _not_met(self, bound: float) -> ToleranceError:
         return not_met(self.tol, bound, "the peak")

@@ -121,7 +121,7 @@ def _values(method: RadialMethod, pupil: Pupil, grid: Grid, level: int, threads:
 
 def _likely_value(pupil: Pupil, grid: Grid) -> float:
     """Return what the largest value may be: the peak of I or, of pixels that hold all light, its average."""
-    size = float(np.abs(pupil.coefficients()).sum(axis=1).max())
+    size = float(np.abs(pupil.radial_terms()).sum(axis=1).max())
     side = grid.step(pupil) if grid.integrate else 0.0
     peak = (pupil.amplitude / (1.0 + 2.0 * size)) ** 2
     return 1.0 / (1.0 / peak + side**2 / (4.0 * math.pi * pupil.transmission))

@@ -9,7 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import _core, validation
-from lommel.methods.method import FieldMethod, FieldValues, Intensities, ToleranceError, annulus, relative_error
+from lommel.methods.method import (
+    FieldMethod,
+    FieldValues,
+    Intensities,
+    ToleranceError,
+    annulus,
+    powers_cancel,
+    relative_error,
+)
 from lommel.pupil import Pupil
 from lommel.special.piecewise import fit_quadratics
 
@@ -51,8 +59,8 @@ class TunedClosedForm(FieldMethod):
         object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-6, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return None: every pupil is supported."""
-        return None
+        """Return the reason where powers of rho do not hold the phase."""
+        return powers_cancel(pupil)
 
     def tightened(self) -> TunedClosedForm:
         """Return the same method with half the tolerance."""

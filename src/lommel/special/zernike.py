@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
@@ -150,23 +151,97 @@ def polynomial(n: int, m: int, rho: NDArray[np.float64], theta: NDArray[np.float
 
 
 def scaled(
-    terms: dict[tuple[int, int], NDArray[np.float64]], radius: float
+    terms: Mapping[tuple[int, int], NDArray[np.float64]], radius: NDArray[np.float64] | float
 ) -> dict[tuple[int, int], NDArray[np.float64]]:
     """Return the coefficients of the same function over a concentric disk of another `radius`, the constant included.
 
-    ``R_n^m(a rho) = sum_k (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n.
+    ``R_n^m(a rho) = sum_k (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n. Radii broadcast with the
+    coefficients.
 
     References
     ----------
-    A. J. E. M. Janssen and P. Dirksen, J. Microlith. Microfab. Microsyst. 5, 030501 (2006).
+    A. J. E. M. Janssen and P. Dirksen, "A concise formula for the Zernike coefficients of scaled pupils",
+    J. Microlith. Microfab. Microsyst. 5, 030501 (2006).
     """
-    at = np.array(radius)
+    at = np.asarray(radius, dtype=np.float64)
     found: dict[tuple[int, int], NDArray[np.float64]] = {}
     for (n, m), c in terms.items():
-        values = [float(radial(n, k, at)) for k in range(abs(m), n + 1, 2)] + [0.0]
+        values = [radial(n, k, at) for k in range(abs(m), n + 1, 2)] + [np.zeros(())]
         for i, k in enumerate(range(abs(m), n + 1, 2)):
             found[k, m] = found.get((k, m), np.zeros(())) + (values[i] - values[i + 1]) * c
     return found
+
+
+def rotated(
+    terms: Mapping[tuple[int, int], NDArray[np.float64]], angle: NDArray[np.float64]
+) -> dict[tuple[int, int], NDArray[np.float64]]:
+    """Return the coefficients of the function turned by `angle` from x towards y: ``f(rho, theta - angle)``.
+
+    Each pair (n, m) and (n, -m) turns in its plane by m times the angle. Angles broadcast with the coefficients.
+    """
+    zero = np.zeros(())
+    turned: dict[tuple[int, int], NDArray[np.float64]] = {}
+    for n, m in sorted({(n, abs(m)) for n, m in terms}):
+        a, b = terms.get((n, m), zero), terms.get((n, -m), zero)
+        cosine, sine = np.cos(m * angle), np.sin(m * angle)
+        turned[n, m] = np.asarray(a * cosine - b * sine)
+        if m:
+            turned[n, -m] = np.asarray(a * sine + b * cosine)
+    return turned
+
+
+def legendre_sum(coefficients: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return ``sum_j a_j (P_j(x) - P_j(-1))``, j = 1, 2, ..., shape ``a.shape[:-1] + x.shape``: at x = -1 it is 0.
+
+    With ``x = 2 rho^2 - 1`` the P_j are the radially symmetric terms R_2j^0.
+    """
+    total = np.zeros(coefficients.shape[:-1] + x.shape)
+    before, here = np.zeros_like(x), np.ones_like(x)
+    for j, a in enumerate(np.moveaxis(coefficients, -1, 0), 1):
+        before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j  # DLMF 18.9.1
+        total += np.multiply.outer(a, here - (-1.0) ** j)
+    return total
+
+
+def legendre_slope(coefficients: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the derivative by x of :func:`legendre_sum`."""
+    total = np.zeros(coefficients.shape[:-1] + x.shape)
+    before, here = np.zeros_like(x), np.ones_like(x)
+    slope = np.zeros_like(x)
+    for j, a in enumerate(np.moveaxis(coefficients, -1, 0), 1):
+        # P_j' = x P_(j-1)' + j P_(j-1).
+        slope = x * slope + j * here
+        before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j
+        total += np.multiply.outer(a, slope)
+    return total
+
+
+def edge_of_powers(powers: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the coefficients of R_2^0, R_4^0, ... from those of t, t^2, ..., t = rho^2: shape ``(..., terms)``."""
+    if powers.shape[-1] == 2:
+        # 2 t = 1 + P_1 and 6 t^2 = 2 + 3 P_1 + P_2: a rounding each.
+        edge = np.empty_like(powers)
+        edge[..., 0] = 0.5 * (powers[..., 0] + powers[..., 1])
+        edge[..., 1] = powers[..., 1] / 6.0
+        return edge
+    return (powers @ powers_to_legendre(powers.shape[-1])[1:].T).astype(np.float64)
+
+
+def conversion_error(powers: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Bound the sum of what :func:`edge_of_powers` gets wrong, but for the last rounding of each coefficient.
+
+    Every power is at most 1, and so is the sum of its coefficients, none of which is negative.
+    """
+    unit = float(np.finfo(np.longdouble).eps)
+    return np.asarray((powers.shape[-1] + 3) * unit * np.abs(powers).sum(axis=-1))
+
+
+def powers_of_edge(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the coefficients of t, t^2, ... from those of R_2^0, R_4^0, ...: the inverse of :func:`edge_of_powers`.
+
+    They alternate and grow like 5.8^terms; so do roundings.
+    """
+    return (coefficients @ legendre_to_powers(coefficients.shape[-1]).T).astype(np.float64)
 
 
 @lru_cache(maxsize=32)
@@ -192,16 +267,17 @@ def powers_to_legendre(terms: int) -> NDArray[np.longdouble]:
 
 
 @lru_cache(maxsize=32)
-def legendre_to_powers(terms: int) -> NDArray[np.float64]:
+def legendre_to_powers(terms: int) -> NDArray[np.longdouble]:
     """Return the matrix, shape ``(terms, terms)``, from coefficients of R_2^0, R_4^0, ... to those of t, t^2, ..."""
     made = np.array(
         [
             [
-                (-1.0) ** (j + k) * math.comb(j, k) * math.comb(j + k, k) if k <= j else 0.0
+                np.longdouble((-1) ** (j + k) * math.comb(j, k) * math.comb(j + k, k)) if k <= j else 0.0
                 for j in range(1, terms + 1)
             ]
             for k in range(1, terms + 1)
-        ]
+        ],
+        dtype=np.longdouble,
     )
     made.flags.writeable = False
     return made

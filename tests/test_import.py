@@ -18,6 +18,7 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 # Each imports only what stands before it, or beside it in a package of its own.
 ORDER = [
     {"validation", "atomic", "optional", "_core"},
+    {"core"},
     {"units"},
     {"reading"},
     {"special"},

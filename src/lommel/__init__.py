@@ -78,7 +78,7 @@ _HOME = {
     "LommelSeries": "methods.lommel_series",
     "MatrixFourier": "methods.matrix_fourier",
     "Method": "methods.method",
-    "ToleranceError": "methods.method",
+    "ToleranceError": "core.answers",
     "TunedClosedForm": "methods.tuned_closed_form",
     "Polychromatic": "methods.polychromatic",
     "NijboerZernike": "methods.nijboer_zernike",

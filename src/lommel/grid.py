@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import _core, validation
+from lommel import validation
+from lommel.core import engine
 from lommel.pupil import Pupil
 
 
@@ -126,11 +127,11 @@ class Grid:
         if values.ndim == 3:
             out[:] = values * scale[:, None, None]
         else:
-            _core.scatter(np.ascontiguousarray(values), scale, _quadrant(*self.shape)[1], out)
+            engine.scatter(np.ascontiguousarray(values), scale, _quadrant(*self.shape)[1], out)
 
 
 @lru_cache(maxsize=8)
 def _quadrant(height: int, width: int) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    squares, index = _core.distinct_radii(height // 2, width // 2)
+    squares, index = engine.distinct_radii(height // 2, width // 2)
     squares.flags.writeable = index.flags.writeable = False
     return squares, index

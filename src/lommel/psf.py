@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel import validation
+from lommel.core.answers import Images, ToleranceError
 from lommel.grid import Grid
 from lommel.methods.choice import SERIES, choose
-from lommel.methods.method import Images, Method, RadialMethod, ToleranceError, widened
+from lommel.methods.method import Method, RadialMethod, widened
 from lommel.pupil import Pupil
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import validation
-from lommel.methods.method import ToleranceError
+from lommel.core.answers import ToleranceError
 from lommel.opening import degree_needed
 from lommel.pupil import Pupil, checked, ray_height
 from lommel.special import zernike

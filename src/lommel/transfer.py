@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel import validation
-from lommel.methods.method import ToleranceError
+from lommel.core.answers import ToleranceError
 from lommel.methods.polychromatic import Polychromatic
 from lommel.metrics import colours, energy_per_pixel
 from lommel.psf import PSF, Numbers

@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel import _core
+from lommel.core.answers import Images, Intensities
 from lommel.methods import bounds
-from lommel.methods.averaging import Rendered, averaged, filtered_by, least_average
-from lommel.methods.method import Intensities, stored
+from lommel.methods.averaging import averaged, filtered_by, least_average
+from lommel.methods.method import stored
 from lommel.methods.subpixel import gauss_pixel, pixel_error, pixel_nodes
 from lommel.opening import degree_needed
 from lommel.special.legendre import gauss_legendre
@@ -238,7 +239,7 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
 
     def sample(one, fine, least):
         asked.append(0.01 * least)
-        return Rendered(np.full((1, *fine.shape), value), np.ones(1), np.array(asked[-1:]), np.array([top]))
+        return Images(np.full((1, *fine.shape), value), np.ones(1), np.array(asked[-1:]), None, np.array([top]))
 
     made = averaged(sample, pupil, grid, tol, normalize=normalize)
     lowest = least_average(step)

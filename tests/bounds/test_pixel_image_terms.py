@@ -14,7 +14,7 @@ from scipy.special import j1
 
 import lommel as lm
 from lommel import _core
-from lommel.methods.method import Intensities
+from lommel.core.answers import Intensities
 from lommel.methods.subpixel import subpixel_intensity
 
 U = mp.mpf(2) ** -53

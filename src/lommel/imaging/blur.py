@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import _core, validation
+from lommel import validation
+from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
 from lommel.lens import Lens
 from lommel.pupil import Pupil
@@ -162,7 +163,7 @@ class DepthBlur:
             source = np.ascontiguousarray(self._padded(plane, margin))
             height, width = (side + 2 * bank.half for side in source.shape)
             room = np.zeros((height, width + _BEYOND), dtype=self.dtype)
-            _core.spread(bank.windows, bank.halves, bank.energies, positions, source, self.threads, room)
+            engine.spread(bank.windows, bank.halves, bank.energies, positions, source, self.threads, room)
             cut = margin + bank.half
             to[:] = room[cut : cut + self.shape[0], cut : cut + self.shape[1]]
         return self._shaped(out, image)
@@ -178,7 +179,7 @@ class DepthBlur:
             margin, positions = self._positions(bank, weight)
             room = np.pad(plane, margin + bank.half)
             taken = np.empty(positions.shape, dtype=self.dtype)
-            _core.collect(bank.windows, bank.halves, bank.energies, positions, room, self.threads, taken)
+            engine.collect(bank.windows, bank.halves, bank.energies, positions, room, self.threads, taken)
             to[:] = self._folded(taken, margin)
         return self._shaped(out, image)
 

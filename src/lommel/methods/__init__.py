@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from lommel.core.answers import ToleranceError
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.closed_form import ClosedForm
 from lommel.methods.fraunhofer import Fraunhofer
@@ -12,7 +13,7 @@ from lommel.methods.hankel import Hankel
 from lommel.methods.huygens import HuygensFresnel
 from lommel.methods.lommel_series import LommelSeries
 from lommel.methods.matrix_fourier import MatrixFourier
-from lommel.methods.method import FieldMethod, Method, RadialMethod, ToleranceError
+from lommel.methods.method import FieldMethod, Method, RadialMethod
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic

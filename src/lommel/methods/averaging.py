@@ -17,8 +17,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
+from lommel.core.answers import Images, Intensities, ToleranceError, not_met
 from lommel.grid import Grid
-from lommel.methods.method import Images, Intensities, ToleranceError, normalized_error, not_met, stored, storing
+from lommel.methods.method import normalized_error, stored, storing
 from lommel.pupil import Pupil
 
 _SIDE = 2048  # samples along a side at once
@@ -27,25 +28,7 @@ _WIDEST = 0.8  # v between samples: half of what the band of I allows
 _MOST = 512  # samples across a pixel
 
 
-class Rendered(NamedTuple):
-    """Images at the pixel centres.
-
-    Attributes
-    ----------
-    values : ndarray, shape (n, height, width)
-    scales : ndarray, shape (n,)
-        What each intensity was multiplied by.
-    bounds, peaks : ndarray, shape (n,)
-        The error over the peak; that peak, of the intensity itself, in the window or outside of it.
-    """
-
-    values: NDArray[Any]
-    scales: NDArray[np.float64]
-    bounds: NDArray[np.float64]
-    peaks: NDArray[np.float64]
-
-
-Sample = Callable[[Pupil, Grid, float], Rendered]
+Sample = Callable[[Pupil, Grid, float], Images]
 """From pupils, pixels and a tolerance to the intensity at their centres in double precision."""
 
 
@@ -192,8 +175,10 @@ def _filtered(
 
         def samples(fine: Grid, part: slice = part, one: Pupil = one) -> NDArray[np.float64]:
             made = sample(one, fine, tol)
-            error[part] = np.maximum(error[part], taps.gain**2 * made.bounds * made.peaks)
-            peaks[part] = np.maximum(peaks[part], made.peaks * (1.0 - made.bounds))
+            assert made.error is not None
+            assert made.peak is not None
+            error[part] = np.maximum(error[part], taps.gain**2 * made.error * made.peak)
+            peaks[part] = np.maximum(peaks[part], made.peak * (1.0 - made.error))
             return made.values
 
         total[part] = filtered(samples, grid, taps)

@@ -8,11 +8,13 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import _core, validation
+from lommel import validation
+from lommel.core.answers import Images, Intensities
+from lommel.core.engine import chordal_images
 from lommel.grid import Grid
-from lommel.methods.averaging import Rendered, Sample, averaged, averaged_images
-from lommel.methods.method import Images, Intensities, Method
-from lommel.methods.whole_disk import render
+from lommel.methods.averaging import Sample, averaged, averaged_images
+from lommel.methods.method import Method
+from lommel.methods.terms import disk_stack, window_of
 from lommel.pupil import Pupil
 
 _LEAST_TOL = 1e-12
@@ -77,7 +79,7 @@ class ChordalGauss(Method):
         if grid.integrate:
             return averaged(sample, pupil, grid, self.tol, normalize=False)
         made = sample(pupil, grid, self.tol)
-        return Intensities(made.values, made.bounds, made.peaks)
+        return Intensities(made.values, made.error, made.peak)
 
     def tightened(self) -> ChordalGauss:
         """Return the same method with half the tolerance, or with the least that there is."""
@@ -99,21 +101,10 @@ class ChordalGauss(Method):
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         if grid.integrate:
             return averaged_images(self._sample(threads), pupil, grid, scale, dtype, self.tol, out)
-        made = self._render(pupil, grid, scale, dtype, self.tol, out, threads)
-        return Images(made.values, made.scales, made.bounds)
+        window = window_of(pupil, grid)
+        return chordal_images(disk_stack(pupil), window, self.tol, scale, dtype, out=out, threads=threads)
 
     def _sample(self, threads: int) -> Sample:
-        return lambda pupil, grid, tol: self._render(pupil, grid, 1.0, np.float64, tol, None, threads)
-
-    @staticmethod
-    def _render(
-        pupil: Pupil,
-        grid: Grid,
-        scale: float | None,
-        dtype: DTypeLike,
-        tol: float,
-        out: NDArray[Any] | None,
-        threads: int,
-    ) -> Rendered:
-        over = "the largest value in the window"
-        return render(_core.chordal_images, pupil, grid, scale, dtype, tol, over, out, threads)
+        return lambda pupil, grid, tol: chordal_images(
+            disk_stack(pupil), window_of(pupil, grid), tol, 1.0, np.float64, threads=threads
+        )

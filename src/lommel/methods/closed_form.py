@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import validation
+from lommel.core.answers import FieldValues
 from lommel.grid import Grid
-from lommel.methods.method import FieldMethod, FieldValues, annulus, powers_cancel
+from lommel.methods.method import FieldMethod, annulus, powers_cancel
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.pupil import Pupil, checked
 from lommel.special.bessel import j0_series, tangent_line

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import validation
+from lommel.core.answers import Intensities
 from lommel.grid import Grid
-from lommel.methods.method import Intensities, Method
+from lommel.methods.method import Method
 from lommel.methods.sampling import blur_and_window, illuminated, transmission
 from lommel.pupil import Pupil
 

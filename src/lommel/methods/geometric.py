@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import validation
+from lommel.core.answers import Intensities
 from lommel.grid import Grid
-from lommel.methods.method import Intensities, Method
+from lommel.methods.method import Method
 from lommel.pupil import Pupil, ray_height
 from lommel.special.disk import disk_overlap
 

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import validation
+from lommel.core.answers import FieldValues
 from lommel.methods import bounds
-from lommel.methods.method import FieldMethod, FieldValues
+from lommel.methods.method import FieldMethod
 from lommel.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 

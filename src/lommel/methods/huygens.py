@@ -10,11 +10,13 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import _core, validation
+from lommel import validation
 from lommel.aplanatic import expansion, path
+from lommel.core.answers import FieldValues, Intensities
+from lommel.core.engine import huygens_sum
 from lommel.grid import Grid
 from lommel.methods.averaging import filtered, filtered_by
-from lommel.methods.method import FieldMethod, FieldValues, Intensities
+from lommel.methods.method import FieldMethod
 from lommel.pupil import Geometry, Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -140,7 +142,7 @@ class HuygensFresnel(FieldMethod):
                 continue
             for field, row in zip(out, phase, strict=True):
                 amplitude = np.repeat(weights / points * np.exp(1j * row), points)
-                field[block] = _core.huygens_sum(
+                field[block] = huygens_sum(
                     from_x, from_y, amplitude, x[block], y[block], geometry.sensor_distance, wavenumber
                 )
         return out

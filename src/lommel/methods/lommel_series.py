@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.methods.method import FieldMethod, FieldValues, annulus
+from lommel.core.answers import FieldValues
+from lommel.methods.method import FieldMethod, annulus
 from lommel.pupil import Pupil
 from lommel.special.bessel import bessel_sequence
 

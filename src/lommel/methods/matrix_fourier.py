@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from lommel import validation
 from lommel.aperture import cell_centers
+from lommel.core.answers import Intensities
 from lommel.grid import Grid
-from lommel.methods.method import Intensities, Method
+from lommel.methods.method import Method
 from lommel.methods.sampling import illuminated, samples_needed, transmission
 from lommel.methods.subpixel import gauss_pixel
 from lommel.pupil import Pupil

@@ -8,19 +8,20 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import _core, validation
+from lommel import validation
+from lommel.core.answers import FieldValues, Images, Intensities
+from lommel.core.engine import (
+    radial_fields,
+    radial_images,
+    radial_means,
+    radial_profiles,
+    series_images,
+    window_images,
+)
 from lommel.grid import Grid
 from lommel.methods.averaging import Sample, averaged, averaged_images
-from lommel.methods.method import (
-    FieldMethod,
-    FieldValues,
-    Images,
-    Intensities,
-    Slopes,
-    ToleranceError,
-    not_met,
-)
-from lommel.methods.whole_disk import render
+from lommel.methods.method import FieldMethod
+from lommel.methods.terms import disk_stack, radial_stack, window_of
 from lommel.pupil import Pupil
 
 _LEAST_TOL = 1e-12
@@ -73,32 +74,17 @@ class NijboerZernike(FieldMethod):
 
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v with its error bound, small enough for an intensity within `tol` of the peak."""
-        _require_radial(pupil)
-        return FieldValues(
-            *_core.field(pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent, v, self.tol)
-        )
+        return radial_fields(radial_stack(pupil), v, self.tol)
 
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
-        _require_radial(pupil)
-        values, bounds, peaks = _core.profile(
-            pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent, v, self.tol
-        )
-        if bounds.min() < 0:
-            raise self._not_met(-bounds.min())
-        return Intensities(values, bounds, peaks)
+        return radial_profiles(radial_stack(pupil), v, self.tol)
 
     def means(
         self, pupil: Pupil, v: NDArray[np.float64], matrix: NDArray[np.float64], threads: int = 0
     ) -> NDArray[np.float64]:
         """Return ``I(v) @ matrix`` for the flattened stack, shape ``(n, sums)`` from a matrix ``(len(v), sums)``."""
-        _require_radial(pupil)
-        sums, bounds = _core.means(
-            pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent, v, self.tol, matrix, threads
-        )
-        if bounds.min() < 0:
-            raise self._not_met(-bounds.min())
-        return sums
+        return radial_means(radial_stack(pupil), v, self.tol, matrix, threads)
 
     def tightened(self) -> NijboerZernike:
         """Return the same method with half the tolerance, or with the least that there is."""
@@ -108,14 +94,10 @@ class NijboerZernike(FieldMethod):
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if pupil.radial and grid.symmetric:
             return super().intensity(pupil, grid, threads)
-        if pupil.radial:
-            images, peaks = self._pixel_images(pupil, grid, 1.0, np.float64, None, (), threads)
-            return Intensities(images.values, images.error, peaks)
-        sample = self._sample(threads)
-        if grid.integrate:
-            return averaged(sample, pupil, grid, self.tol, normalize=False)
-        made = sample(pupil, grid, self.tol)
-        return Intensities(made.values, made.bounds, made.peaks)
+        if not pupil.radial and grid.integrate:
+            return averaged(self._sample(threads), pupil, grid, self.tol, normalize=False)
+        made = self.images(pupil, grid, 1.0, np.float64, threads=threads)
+        return Intensities(made.values, made.error, made.peak)
 
     def images(
         self,
@@ -129,98 +111,22 @@ class NijboerZernike(FieldMethod):
         threads: int = 0,
     ) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
-        if not pupil.radial:
-            return self._nonradial_images(pupil, grid, scale, dtype, out, powers, threads)
-        if not grid.symmetric:
-            return self._pixel_images(pupil, grid, scale, dtype, out, powers, threads)[0]
-        coefficients = pupil.radial_terms()
-        n, shape = len(coefficients), grid.shape
-        values = np.empty((n, *shape), dtype) if out is None else out
-        scales, bounds = np.empty(n), np.empty(n)
-        # The compiled core takes 0 for "divide by the largest value".
-        scales.fill(0.0 if scale is None else scale)
-        slopes = Slopes(np.empty((len(powers), n, *shape), dtype), np.empty((len(powers), n))) if powers else None
-        arguments = (
-            coefficients,
-            pupil.obscuration,
-            pupil.illumination.exponent,
-            grid.step(pupil),
-            self.tol,
-            threads,
-        )
-        if slopes is None:
-            unmet = _core.render(*arguments, values, scales, bounds)
-        else:
-            wanted = np.array(powers, dtype=np.int64)
-            unmet = _core.differentiate(*arguments, values, scales, bounds, wanted, *slopes)
-        if unmet:
-            raise self._not_met(unmet)
-        return Images(values, scales, bounds, slopes)
-
-    def _pixel_images(
-        self,
-        pupil: Pupil,
-        grid: Grid,
-        scale: float | None,
-        dtype: DTypeLike,
-        out: NDArray[Any] | None,
-        powers: tuple[int, ...],
-        threads: int,
-    ) -> tuple[Images, NDArray[np.float64]]:
-        """Return images of pixels that average, or around an axis anywhere, and what their bounds are related to."""
-        coefficients = pupil.radial_terms()
-        n, k = len(coefficients), len(powers)
-        values = np.empty((n, *grid.shape), dtype) if out is None else out
-        scales, bounds, peaks = np.full(n, 0.0 if scale is None else scale), np.empty(n), np.empty(n)
-        slopes = Slopes(np.empty((k, n, *grid.shape), dtype), np.empty((k, n)))
-        unmet = _core.render_pixels(
-            coefficients,
-            pupil.obscuration,
-            pupil.illumination.exponent,
-            *grid.center,
-            grid.step(pupil),
-            grid.integrate,
-            self.tol,
-            threads,
-            values,
-            scales,
-            bounds,
-            peaks,
-            np.array(powers, dtype=np.int64),
-            *slopes,
-        )
-        if unmet:
-            raise not_met(self.tol, unmet, "the largest value in the window" if scale is None else "the peak")
-        return Images(values, scales, bounds, slopes if powers else None), peaks
-
-    def _nonradial_images(
-        self,
-        pupil: Pupil,
-        grid: Grid,
-        scale: float | None,
-        dtype: DTypeLike,
-        out: NDArray[Any] | None,
-        powers: tuple[int, ...],
-        threads: int,
-    ) -> Images:
+        window = window_of(pupil, grid)
+        if pupil.radial:
+            stack = radial_stack(pupil)
+            if grid.symmetric:
+                return radial_images(stack, window, self.tol, scale, dtype, out=out, powers=powers, threads=threads)
+            averages = grid.integrate
+            return window_images(
+                stack, window, self.tol, scale, dtype, integrate=averages, out=out, powers=powers, threads=threads
+            )
         if powers:
             raise ValueError("derivatives are available of radially symmetric pupils only")
-        if not grid.integrate:
-            made = render(_core.series_images, pupil, grid, scale, dtype, self.tol, "the peak", out, threads)
-            return Images(made.values, made.scales, made.bounds)
-        return averaged_images(self._sample(threads), pupil, grid, scale, dtype, self.tol, out)
+        if grid.integrate:
+            return averaged_images(self._sample(threads), pupil, grid, scale, dtype, self.tol, out)
+        return series_images(disk_stack(pupil), window, self.tol, scale, dtype, out=out, threads=threads)
 
     def _sample(self, threads: int) -> Sample:
-        return lambda pupil, grid, tol: render(
-            _core.series_images, pupil, grid, 1.0, np.float64, tol, "the peak", threads=threads
-        )
-
-    def _not_met(self, bound: float) -> ToleranceError:
-        return not_met(self.tol, bound, "the peak")
-
-
-def _require_radial(pupil: Pupil) -> None:
-    if not pupil.radial:
-        raise ValueError(
-            "a pupil that is not radially symmetric has no radial profile; ask for its image with lommel.psf"
+        return lambda pupil, grid, tol: series_images(
+            disk_stack(pupil), window_of(pupil, grid), tol, 1.0, np.float64, threads=threads
         )

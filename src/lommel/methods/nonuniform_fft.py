@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import optional, validation
+from lommel.core.answers import Intensities, ToleranceError
 from lommel.grid import Grid
 from lommel.methods.averaging import filtered, filtered_by, least_average
-from lommel.methods.method import Intensities, Method, ToleranceError
+from lommel.methods.method import Method
 from lommel.methods.sampling import samples_needed
 from lommel.opening import degree_needed
 from lommel.pupil import Pupil

@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import validation
+from lommel.core.answers import Intensities, not_met
 from lommel.grid import Grid
 from lommel.methods.choice import SERIES, choose
-from lommel.methods.method import Intensities, Method, RadialMethod, not_met
+from lommel.methods.method import Method, RadialMethod
 from lommel.pupil import Pupil
 
 

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import _core
+from lommel.core.answers import Intensities, ToleranceError
+from lommel.core.engine import Window, gauss_error, pixel_radii, pixel_values
 from lommel.grid import Grid
 from lommel.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
 if TYPE_CHECKING:
-    from lommel.methods.method import Intensities, RadialMethod
+    from lommel.methods.method import RadialMethod
 
 _ROUNDOFF = 2.0**-53
 _LEVELS = range(3, 16)  # errors of 10^-level that tables of the compiled core may have
@@ -58,8 +59,6 @@ def subpixel_intensity(
         If the bound cannot be brought below `tol`. A method whose tolerance is no contract is carried on without loss
         instead.
     """
-    from lommel.methods.method import Intensities, ToleranceError
-
     allowed, finer = method.tol if tol is None else tol, method
     level = _level(0.2 * allowed * _likely_value(pupil, grid) / (0.5 * method.unaberrated_peak(pupil)))
     if method.profile(pupil, np.zeros(1)).error is None:
@@ -96,16 +95,11 @@ def subpixel_intensity(
 def _values(method: RadialMethod, pupil: Pupil, grid: Grid, level: int, threads: int) -> _Values:
     # What varies faster than I is I of a larger window.
     faster, ceiling = method.stretch(pupil), method.unaberrated_peak(pupil)
-    row, column = grid.center
-    step = faster * grid.step(pupil)
-    v, error, of_nodes, of_grid, rounding = _core.pixel_radii(
-        grid.height, grid.width, row, column, step, grid.integrate, level, threads
-    )
+    window = Window(grid.shape, grid.center, faster * grid.step(pupil))
+    asked: dict[str, Any] = {"integrate": grid.integrate, "level": level, "threads": threads}
+    v, error, of_nodes, of_grid, rounding = pixel_radii(window, **asked)
     profile = method.profile(pupil, v / faster)
-    values = np.empty((len(profile.values), *grid.shape))
-    penalties = _core.pixel_values(
-        np.ascontiguousarray(profile.values), row, column, step, grid.integrate, level, threads, values
-    )
+    values, penalties = pixel_values(window, profile.values, **asked)
     # No average of an intensity is negative, and none less exact for it.
     np.maximum(values, 0.0, out=values)
     size = profile.values.max(axis=1)
@@ -167,7 +161,7 @@ def gauss_pixel(width: float, error: float) -> tuple[NDArray[np.float64], NDArra
 def pixel_error(width: float, nodes: int) -> float:
     """Bound the error of the q-point average over a pixel of `width` in v, along one axis, over sup|U|^2."""
     # The core bounds both axes, over half the range of I.
-    return 0.25 * _core.gauss_error(width, nodes)
+    return 0.25 * gauss_error(width, nodes)
 
 
 def pixel_nodes(width: float, error: float) -> int:

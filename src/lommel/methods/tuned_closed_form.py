@@ -8,16 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import _core, validation
-from lommel.methods.method import (
-    FieldMethod,
-    FieldValues,
-    Intensities,
-    ToleranceError,
-    annulus,
-    powers_cancel,
-    relative_error,
-)
+from lommel import validation
+from lommel.core import engine
+from lommel.core.answers import FieldValues, Intensities, ToleranceError
+from lommel.methods.method import FieldMethod, annulus, powers_cancel, relative_error
 from lommel.pupil import Pupil
 from lommel.special.piecewise import fit_quadratics
 
@@ -117,7 +111,7 @@ class TunedClosedForm(FieldMethod):
         values, bound = self._fields(pupil, at, error)
         assert bound is not None
         coefficients = values.reshape(-1, pieces, _POINTS) @ to_coefficients
-        intensity = np.stack([_core.chebyshev_intensity(np.ascontiguousarray(c), width, v) for c in coefficients])
+        intensity = np.stack([engine.chebyshev_intensity(np.ascontiguousarray(c), width, v) for c in coefficients])
         # The Lebesgue constant of 16 points, and the error of interpolation.
         return intensity, 2.77 * bound + 2.0 * (0.25 * width) ** _POINTS / math.factorial(_POINTS)
 
@@ -147,7 +141,7 @@ def _field(
                 break
             segments = math.ceil(1.3 * segments)
     assert fit.bound is not None
-    values = _core.closed_form_field(fit.edges, fit.alpha, fit.beta, fit.gamma, _TRANSITION, ratio, _TERMS, v)
+    values = engine.closed_form_field(fit.edges, fit.alpha, fit.beta, fit.gamma, _TRANSITION, ratio, _TERMS, v)
     pieces = fit.alpha.size + math.log(max(1.0, float(v[-1]) / _TRANSITION)) / math.log(ratio) if v.size else 1.0
     # The remainder of Hankel's expansion is at most its first neglected terms, here below 4e-9 of U.
     return values, amplitude + fit.bound + 4e-9 + _KERNEL * math.sqrt(pieces)

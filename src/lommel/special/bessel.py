@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import _core
+from lommel.core import engine
 from lommel.validation import MAX_REACH
 
 
@@ -16,12 +16,12 @@ def bessel_sequence(v: ArrayLike, count: int) -> NDArray[np.float64]:
 
     Miller's backward recurrence (DLMF 3.6(vi)); absolute error a few units of 2^-53.
     """
-    return _core.bessel_sequence(_radii(v), count)
+    return engine.bessel_sequence(_radii(v), count)
 
 
 def legendre_transforms(v: ArrayLike, terms: int) -> NDArray[np.float64]:
     """Return ``2 (-1)^n J_{2n+1}(v) / v``, the transforms of ``P_n(2t - 1)``, shape ``(len(v), terms)``."""
-    return _core.legendre_transforms(_radii(v), terms)
+    return engine.legendre_transforms(_radii(v), terms)
 
 
 def j0_series(a: ArrayLike, terms: int = 3) -> NDArray[np.float64]:

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import _core
+from lommel.core import engine
 
 _MAX_NODES = 20_000  # they take time in proportion to the square, then half a second
 _PANEL, _PANEL_NODES = 200, 256
@@ -18,7 +18,7 @@ _PANEL, _PANEL_NODES = 200, 256
 def _rule(n: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     if n > _MAX_NODES:
         raise ValueError(f"phases and radii must be smaller: they take {n:.6g} nodes, more than {_MAX_NODES}")
-    nodes, weights = _core.gauss_legendre(n)
+    nodes, weights = engine.gauss_legendre(n)
     nodes.flags.writeable = weights.flags.writeable = False
     return nodes, weights
 

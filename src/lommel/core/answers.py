@@ -1,0 +1,88 @@
+"""What the compiled core and the methods answer: fields, intensities, images, and what is raised in their stead."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class ToleranceError(ArithmeticError):
+    """A method cannot meet the tolerance it was given."""
+
+
+def not_met(tol: float, bound: float, what: str) -> ToleranceError:
+    """Return what a method with a proven bound on its error over `what` raises where that stays above `tol`."""
+    size = f"bounded by {bound:.2g} of {what}" if bound < 1.0 else f"which may be larger than {what}"
+    return ToleranceError(
+        f"tol={tol:g} cannot be met in double precision: the error, {size}, is not proven to be smaller"
+    )
+
+
+class FieldValues(NamedTuple):
+    """The field at given radii, first axis the flattened stack of pupils.
+
+    Attributes
+    ----------
+    values : complex ndarray, shape (n, radii)
+    error : ndarray, shape (n,), or None
+        Bounds on ``|U - U_exact|``; None where the method has none.
+    """
+
+    values: NDArray[np.complex128]
+    error: NDArray[np.float64] | None
+
+
+class Intensities(NamedTuple):
+    """Intensities, first axis the flattened stack of pupils.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, radii) or (n, height, width)
+    error : ndarray, shape (n,), or None
+        Bounds on ``max|I - I_exact| / peak``; None where the method has none.
+    peak : ndarray, shape (n,), or None
+        What the error is related to, where there is one.
+    """
+
+    values: NDArray[np.float64]
+    error: NDArray[np.float64] | None
+    peak: NDArray[np.float64] | None = None
+
+
+class Slopes(NamedTuple):
+    """Derivatives of images with respect to k coefficients of the phase.
+
+    Attributes
+    ----------
+    values : ndarray, shape (k, n, height, width)
+    error : ndarray, shape (k, n)
+        Bounds on their error over the peak of the intensity.
+    """
+
+    values: NDArray[Any]
+    error: NDArray[np.float64]
+
+
+class Images(NamedTuple):
+    """Finished images of a flattened stack.
+
+    Attributes
+    ----------
+    values : ndarray, shape (n, height, width)
+    scale : ndarray, shape (n,)
+        What each intensity was multiplied by.
+    error : ndarray, shape (n,), or None
+        Bounds on the error over the peak.
+    slopes : Slopes or None
+        Derivatives, if any were asked for.
+    peak : ndarray, shape (n,), or None
+        What the error is related to, of the intensity itself, in the window or outside of it, where that is known.
+    """
+
+    values: NDArray[Any]
+    scale: NDArray[np.float64]
+    error: NDArray[np.float64] | None
+    slopes: Slopes | None = None
+    peak: NDArray[np.float64] | None = None

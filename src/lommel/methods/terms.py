@@ -1,0 +1,27 @@
+"""Pupils and windows as the compiled core takes them."""
+
+from __future__ import annotations
+
+from lommel.core.engine import DiskStack, RadialStack, Window
+from lommel.grid import Grid
+from lommel.pupil import Pupil
+
+
+def radial_stack(pupil: Pupil) -> RadialStack:
+    """Return the flattened stack of a radially symmetric pupil."""
+    if not pupil.radial:
+        raise ValueError(
+            "a pupil that is not radially symmetric has no radial profile; ask for its image with lommel.psf"
+        )
+    return RadialStack(pupil.radial_terms(), pupil.obscuration, pupil.illumination.exponent)
+
+
+def disk_stack(pupil: Pupil) -> DiskStack:
+    """Return the flattened stack of a pupil of any wavefront over a round aperture."""
+    wavefront = pupil.wavefront.flattened()
+    return DiskStack(wavefront.indices, wavefront.edge, pupil.obscuration, pupil.illumination.exponent)
+
+
+def window_of(pupil: Pupil, grid: Grid) -> Window:
+    """Return the pixels of a grid in v."""
+    return Window(grid.shape, grid.center, grid.step(pupil))

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.peers import Setup
+from benchmarks.setups import Setup
 from benchmarks.truth import Question, Window
 
 Array = NDArray[np.float64]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from benchmarks.peers import Focus, Setup
+from benchmarks.setups import Focus, Setup
 
 
 def psf_generator(focus: Focus) -> Iterator[Setup]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from lommel import atomic
+from lommel.base import atomic
 from lommel.methods import ClosedForm
 from lommel.paper import numbers
 from lommel.paper.write import FIGURES, reproduce

@@ -15,8 +15,8 @@ import numpy as np
 import tifffile
 from skimage.data import stereo_motorcycle
 
+from lommel.base.encoding import to_light
 from lommel.imaging import write_photo
-from lommel.imaging.encoding import to_light
 
 # Of this size, from the calibration that comes with the data set: pixels, metres, pixels.
 FOCAL_LENGTH, BASELINE, OFFSET = 994.978, 0.193001, 31.086

@@ -11,9 +11,9 @@ import pytest
 from PIL import Image
 
 import lommel as lm
+from lommel.base.units import format_length
 from lommel.methods import METHODS
-from lommel.plot import HOW
-from lommel.units import format_length
+from lommel.show.plot import HOW
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 SUFFIXES = (".tif", ".npy", ".npz", ".png")

@@ -16,8 +16,8 @@ import tifffile
 from PIL import Image
 
 import lommel as lm
+from lommel.base.encoding import from_light, to_light
 from lommel.imaging import depth_of_field
-from lommel.imaging.encoding import from_light, to_light
 
 LENS = """\
 name = "soft"

@@ -7,7 +7,7 @@ import pytest
 
 import lommel as lm
 from lommel.encircled import encircled
-from lommel.metrics import radial_energy
+from lommel.measures.energy import radial_energy
 
 RADII = np.array([0.0, 0.3, 1.0, 2.5, 6.0, 15.0])
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
+from graphlib import TopologicalSorter
 from importlib.metadata import version
 from pathlib import Path
 
@@ -15,40 +16,37 @@ import lommel as lm
 PACKAGE = Path(lm.__file__).parent
 MODULES = sorted(PACKAGE.rglob("*.py"))
 
-# Each imports only what stands before it, or beside it in a package of its own.
+# Each room imports only from those before it, and from itself; rooms of one line know nothing of each other.
 ORDER = [
-    {"validation", "atomic", "optional", "_core"},
+    {"base"},
     {"core"},
-    {"units"},
-    {"reading"},
     {"special"},
-    {"descriptions", "aplanatic"},
-    {"wavefront", "aperture", "apodization"},
-    {"fitting", "faults", "opening"},
-    {"zernikefile"},
-    {"pupil"},
-    {"lens", "interpolation"},
-    {"grid"},
+    {"optics"},
     {"methods"},
-    {"quality"},
+    {"measures"},
+    {"io"},
+    {"show"},
     {"psf"},
-    {"imaging", "fieldmap"},
-    {"fieldtable", "adapters", "instrument"},
-    {"entries"},
-    {"aperturefile"},
-    {"lensfile"},
-    {"metrics", "files", "plot"},
-    {"fieldfiles"},
-    {"encircled", "transfer", "spot"},
-    {"report"},
-    {"paper"},
-    {"tables"},
-    {"cli_parts"},
-    {"cli_imaging", "cli_methods"},
+    {"field", "imaging"},
+    {"lensfiles"},
+    {"reports"},
+    {"adapters", "paper"},
     {"cli"},
-    {"__main__"},
+    {"the package"},
 ]
-RANK = {name: rank for rank, names in enumerate(ORDER) for name in names}
+RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms}
+
+# The rooms of files that stand in no folder of the name.
+FLAT = {
+    "_core": "core",
+    "descriptions aplanatic wavefront aperture apodization fitting opening pupil lens interpolation grid": "optics",
+    "fieldmap": "field",
+    "aperturefile entries faults fieldtable instrument lensfile zernikefile": "lensfiles",
+    "encircled report": "reports",
+    "cli cli_imaging cli_methods cli_parts tables __main__": "cli",
+    "__init__": "the package",
+}
+ROOM = {name: room for names, room in FLAT.items() for name in names.split()}
 
 
 def python(code: str) -> str:
@@ -74,7 +72,7 @@ def test_a_psf_by_the_default_method_needs_no_optional_library():
     [
         "import lommel.psf, lommel as lm",
         "import lommel as lm; import lommel.psf",
-        "import lommel as lm; lm.Pupil, lm.best_focus; import lommel.psf, lommel.metrics",
+        "import lommel as lm; lm.Pupil, lm.best_focus; import lommel.psf, lommel.measures",
         "from lommel.psf import PSF; import lommel as lm",
     ],
 )
@@ -110,45 +108,80 @@ def test_the_version_is_that_of_the_metadata():
     assert "__version__" in dir(lm)
 
 
-def room(path: Path) -> str:
-    """The part of the package that a file belongs to."""
-    return path.relative_to(PACKAGE).with_suffix("").parts[0]
+def room(module: str) -> str:
+    """The room of a module, given as its path from the package without suffix, such as methods/method."""
+    first = module.split("/", maxsplit=1)[0]
+    return ROOM.get(first, first)
+
+
+def imported(tree: ast.AST) -> list[tuple[int, str]]:
+    """The modules of the package that are imported anywhere, inside of functions too, each with the line."""
+    found = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom):
+            assert node.level == 0
+            names = [f"{node.module}.{alias.name}" for alias in node.names]
+        elif isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        else:
+            continue
+        found += [(node.lineno, module(name)) for name in names if name.split(".")[0] == "lommel"]
+    return found
+
+
+def module(name: str) -> str:
+    """The path of the module that a dotted name is, or is in."""
+    path = PACKAGE.joinpath(*name.split(".")[1:])
+    while not any(path.with_suffix(suffix).is_file() for suffix in (".py", ".pyi")):
+        if (path / "__init__.py").is_file():
+            path = path / "__init__"
+            break
+        path = path.parent
+    return path.relative_to(PACKAGE).as_posix()
+
+
+def upward(here: str, tree: ast.AST) -> list[str]:
+    """What a module imports from rooms that do not stand before its own."""
+    return [
+        f"{here} imports {other} (line {line})"
+        for line, other in imported(tree)
+        if RANK[room(other)] >= RANK[room(here)] and room(other) != room(here)
+    ]
+
+
+TREES = {
+    path.relative_to(PACKAGE).with_suffix("").as_posix(): ast.parse(path.read_text(encoding="utf-8"))
+    for path in MODULES
+}
 
 
 def test_every_module_has_a_place_in_the_order():
-    assert {room(path) for path in MODULES} | {"_core"} == set(RANK) | {"__init__"}
+    assert {room(name) for name in TREES} == set(RANK)
 
 
-def imported(node: ast.Import | ast.ImportFrom) -> list[str]:
-    """The rooms of the package that a statement imports."""
-    if isinstance(node, ast.ImportFrom):
-        assert node.level == 0
-        if node.module == "lommel":
-            return [alias.name for alias in node.names]
-        names = [node.module or ""]
-    else:
-        names = [alias.name for alias in node.names]
-    return [name.split(".")[1] for name in names if name.startswith("lommel.")]
+@pytest.mark.parametrize("name", TREES)
+def test_data_flows_one_way(name):
+    assert upward(name, TREES[name]) == []
+
+
+def test_no_module_needs_itself_by_way_of_others():
+    needs = {name: {other for _, other in imported(tree)} for name, tree in TREES.items()}
+    assert set(TopologicalSorter(needs).static_order()) == {*TREES, "_core"}
 
 
 @pytest.mark.parametrize(
-    "path", [path for path in MODULES if room(path) != "__init__"], ids=lambda path: str(path.relative_to(PACKAGE))
+    "statement",
+    [
+        "from lommel.psf import PSF",
+        "from lommel import psf",
+        "import lommel.psf",
+        "import lommel as lm",
+        "from lommel import imaging",
+        "from lommel.imaging import bank, depth_of_field",
+    ],
 )
-def test_data_flows_one_way(path):
-    tree = ast.parse(path.read_text(encoding="utf-8"))
-    inside = {
-        id(statement)
-        for function in ast.walk(tree)
-        if isinstance(function, ast.FunctionDef)
-        for statement in ast.walk(function)
-    }
-    at_module_level = [
-        statement
-        for statement in ast.walk(tree)
-        if isinstance(statement, ast.Import | ast.ImportFrom) and id(statement) not in inside
-    ]
-    here = room(path)
-    assert at_module_level or len(tree.body) <= 1
-    for statement in at_module_level:
-        for other in imported(statement):
-            assert RANK[other] < RANK[here] or other == here, f"{here} imports {other} (line {statement.lineno})"
+def test_an_import_that_runs_upward_is_found_wherever_it_stands(statement):
+    hidden = ["def f():\n ", "if TYPE_CHECKING:\n ", "class A:\n def f(self):\n  async def g():\n   ", ""]
+    for before in hidden:
+        assert upward("measures/spot", ast.parse(before + statement))
+    assert not upward("cli", ast.parse(statement)) or statement == "import lommel as lm"

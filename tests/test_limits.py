@@ -10,9 +10,12 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel import files, quality, spot, validation
-from lommel.imaging.encoding import clipped_share
+from lommel.base import validation
+from lommel.base.checksums import sealed
+from lommel.base.encoding import clipped_share
 from lommel.imaging.layers import _behind
+from lommel.io import psf_files
+from lommel.measures import aperture_means, spot
 
 
 def test_a_pixel_may_be_as_wide_and_as_narrow_as_the_message_says():
@@ -59,10 +62,10 @@ def test_out_must_be_writable():
 @pytest.mark.parametrize("bound", [-1e-9, "1e-6", True])
 def test_an_error_bound_that_is_none_is_not_taken_from_a_file(bound):
     answer = lm.psf(lm.Pupil(), 9, 0.5)
-    arrays, description = {"values": answer.values}, files.describe(answer)
+    arrays, description = {"values": answer.values}, psf_files.describe(answer)
 
     def read(found) -> lm.PSF:
-        return files.rebuild(arrays, files.sealed(description | {"error_bound": found}, arrays))
+        return psf_files.rebuild(arrays, sealed(description | {"error_bound": found}, arrays), lm.PSF)
 
     assert read(answer.error_bound).error_bound == answer.error_bound
     assert read(None).error_bound is None
@@ -72,9 +75,9 @@ def test_an_error_bound_that_is_none_is_not_taken_from_a_file(bound):
 
 def test_scales_of_other_pupils_are_not_taken_from_a_file():
     answer = lm.psf(lm.Pupil(), 9, 0.5)
-    arrays, description = {"values": answer.values}, files.describe(answer) | {"scale": [1.0, 2.0]}
+    arrays, description = {"values": answer.values}, psf_files.describe(answer) | {"scale": [1.0, 2.0]}
     with pytest.raises(ValueError, match=r"scales of \(2,\) for pupils of \(\)"):
-        files.rebuild(arrays, files.sealed(description, arrays))
+        psf_files.rebuild(arrays, sealed(description, arrays), lm.PSF)
 
 
 def test_a_wavefront_divided_by_nothing_says_so():
@@ -87,7 +90,7 @@ def test_a_wavefront_divided_by_nothing_says_so():
 
 def test_the_strehl_ratio_is_refined_by_two_fifths_until_two_quadratures_agree_to_1e_12(monkeypatch):
     """Quadratures that are off by less and less, put before the true ones: the last two must agree."""
-    rule, seen, off = quality._rule, [], [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 0.0, 0.0]
+    rule, seen, off = aperture_means._rule, [], [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 0.0, 0.0]
 
     def worse(pupil, power, radial, around):
         seen.append(radial)
@@ -96,7 +99,7 @@ def test_the_strehl_ratio_is_refined_by_two_fifths_until_two_quadratures_agree_t
 
     exact = lm.strehl(lm.Pupil(lm.Wavefront(0.7)))
     assert exact == pytest.approx(np.sinc(0.7 / np.pi) ** 2, rel=1e-13)
-    monkeypatch.setattr(quality, "_rule", worse)
+    monkeypatch.setattr(aperture_means, "_rule", worse)
     assert lm.strehl(lm.Pupil(lm.Wavefront(0.7))) == pytest.approx(exact, rel=1e-14)
     assert len(seen) == len(off)
     assert all(later >= 1.39 * earlier for earlier, later in itertools.pairwise(seen))

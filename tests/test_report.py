@@ -12,7 +12,7 @@ import pytest
 import lommel as lm
 from lommel import report
 from lommel.instrument import wide_enough
-from lommel.plot import HOW
+from lommel.show.plot import HOW
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 

@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from lommel.instrument import Instrument
     from lommel.lens import Lens
     from lommel.lensfile import load_instrument
+    from lommel.measures.aperture_means import centroid, marechal, rms, spot_radius, strehl
+    from lommel.measures.errors import mse, peak_error
+    from lommel.measures.focus import best_focus
+    from lommel.measures.transfer import mtf, mtf_frequency, otf, ptf
     from lommel.methods import (
         ChordalGauss,
         ClosedForm,
@@ -34,11 +38,8 @@ if TYPE_CHECKING:
         ToleranceError,
         TunedClosedForm,
     )
-    from lommel.metrics import best_focus, mse, peak_error
     from lommel.pupil import Pupil
-    from lommel.quality import centroid, marechal, rms, spot_radius, strehl
     from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
-    from lommel.transfer import mtf, mtf_frequency, otf, ptf
     from lommel.wavefront import Wavefront
     from lommel.zernikefile import ZernikeTable, load_zernike, save_zernike
 
@@ -54,18 +55,18 @@ _HOME = {
     "Lens": "lens",
     "Instrument": "instrument",
     "load_instrument": "lensfile",
-    "best_focus": "metrics",
-    "mse": "metrics",
-    "centroid": "quality",
-    "marechal": "quality",
-    "rms": "quality",
-    "spot_radius": "quality",
-    "strehl": "quality",
-    "mtf": "transfer",
-    "mtf_frequency": "transfer",
-    "otf": "transfer",
-    "ptf": "transfer",
-    "peak_error": "metrics",
+    "best_focus": "measures.focus",
+    "mse": "measures.errors",
+    "centroid": "measures.aperture_means",
+    "marechal": "measures.aperture_means",
+    "rms": "measures.aperture_means",
+    "spot_radius": "measures.aperture_means",
+    "strehl": "measures.aperture_means",
+    "mtf": "measures.transfer",
+    "mtf_frequency": "measures.transfer",
+    "otf": "measures.transfer",
+    "ptf": "measures.transfer",
+    "peak_error": "measures.errors",
     "AbramowitzErf": "special.erf",
     "FresnelErf": "special.erf",
     "TableErf": "special.erf",
@@ -94,24 +95,20 @@ _HOME = {
     "save_zernike": "zernikefile",
 }
 
-# Modules whose names are given in full in the reference, such as lommel.plot.field.
+# Whose modules are given in full in the reference, such as lommel.show.plot.field.
 _ROOMS = (
     "adapters",
+    "base",
     "encircled",
-    "fieldfiles",
     "fieldtable",
-    "files",
     "imaging",
+    "io",
     "lensfile",
+    "measures",
     "methods",
-    "metrics",
-    "plot",
-    "quality",
     "report",
+    "show",
     "special",
-    "spot",
-    "transfer",
-    "units",
     "zernikefile",
 )
 
@@ -173,9 +170,9 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     if name == "__version__":
-        from importlib.metadata import version
+        from lommel.base.version import version
 
-        return version("lommel")
+        return version()
     if name in _ROOMS:
         return import_module(f"lommel.{name}")
     if name not in _HOME:

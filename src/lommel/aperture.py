@@ -16,11 +16,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from lommel import validation
-
-Array = NDArray[np.float64]
+from lommel.base import validation
+from lommel.base.arrays import Array
 
 MAX_VANES = 64
 MAX_SIDE = 8192

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from lommel import reading, validation
 from lommel.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
+from lommel.base import reading, validation
 from lommel.entries import Angle, Length, Number, Section, beside
 
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff")

@@ -25,7 +25,7 @@ from numpy.polynomial import Polynomial
 from numpy.polynomial.chebyshev import chebder, chebroots, chebtrim, chebval, poly2cheb
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.special.legendre import gauss_legendre
 
 _MOST = 10  # powers of t: as many as the compiled core and a wavefront hold

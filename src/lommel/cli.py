@@ -9,8 +9,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from lommel.optional import how_to_get
-from lommel.validation import shown
+from lommel.base.optional import how_to_get
+from lommel.base.validation import shown
 
 try:
     import click
@@ -117,14 +117,15 @@ def psf(
       lommel psf camera.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
       lommel psf camera.toml --field 5x7 --plot field.png -o field.tif
     """  # noqa: D301 (\b is meant)
-    from lommel import fieldfiles, files, report, tables
+    from lommel import report, tables
+    from lommel.io import field_files, psf_files
     from lommel.psf import psf as compute
 
     for path in outputs:
         if field is not None:
-            fieldfiles.check_suffix(path, "--output")
-        elif path.suffix.lower() not in files.SUFFIXES:
-            raise ValueError(f"--output must end in {', '.join(files.SUFFIXES)}, got {shown(str(path))}")
+            field_files.check_suffix(path, "--output")
+        elif path.suffix.lower() not in psf_files.SUFFIXES:
+            raise ValueError(f"--output must end in {', '.join(psf_files.SUFFIXES)}, got {shown(str(path))}")
     if figure is not None:
         _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape, integrate)
@@ -165,7 +166,7 @@ def psf(
 
 
 def _of_picture(answer: PSF) -> str:
-    from lommel.files import png_scale
+    from lommel.io.psf_files import png_scale
 
     scale = png_scale(answer)
     height, width = (scale * side for side in answer.shape)
@@ -283,7 +284,7 @@ def compare(
         reference = report.reference_name(pupil)
         sampling = answers[reference].sampling
         if figure is not None:
-            from lommel import plot
+            from lommel.show import plot
 
             _save_figure(plot.compare(answers, reference), figure)
     if as_json:
@@ -331,7 +332,7 @@ def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
 def _instrument(
     path: Path, object_distance: float | None, pixel: float | None, shape: Any, integrate: bool | None = None
 ) -> Instrument:
-    from lommel import validation
+    from lommel.base import validation
     from lommel.lensfile import load_instrument
 
     instrument = load_instrument(path)
@@ -358,7 +359,7 @@ def _save_figure(figure: Any, path: Path) -> None:
     """Write a figure through a temporary name."""
     import io
 
-    from lommel import atomic
+    from lommel.base import atomic
 
     buffer = io.BytesIO()
     figure.savefig(buffer, format=_figure_format(path), dpi=150)

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from lommel.base.units import format_length, parse_length
 from lommel.cli_parts import Length, one_line_errors, print_json, progress
-from lommel.units import format_length, parse_length
 
 if TYPE_CHECKING:
     import numpy as np

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from lommel.base.validation import shown
 from lommel.cli_parts import one_line_errors, print_json
-from lommel.validation import shown
 
 if TYPE_CHECKING:
     from lommel.instrument import Instrument

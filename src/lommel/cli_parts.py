@@ -16,8 +16,8 @@ import click
 from rich.console import Console
 from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
-from lommel.units import parse_length, with_units
-from lommel.validation import brief, line, shown
+from lommel.base.units import parse_length, with_units
+from lommel.base.validation import brief, line, shown
 
 
 class Length(click.ParamType[float]):

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.special import zernike
 
 UNITS = ("radians", "waves", "metres")

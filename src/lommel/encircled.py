@@ -15,10 +15,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
+from lommel.measures.energy import energy_per_pixel, radial_energy
 from lommel.methods import NijboerZernike
 from lommel.methods.method import Method
-from lommel.metrics import energy_per_pixel, radial_energy
 from lommel.psf import PSF, psf
 from lommel.pupil import Pupil, checked
 from lommel.special.legendre import gauss_legendre

@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
-from lommel.units import parse_angle, parse_length
-from lommel.validation import shown
+from lommel.base.units import parse_angle, parse_length
+from lommel.base.validation import shown
 
 
 def _positive(value: float) -> float:

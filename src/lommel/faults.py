@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from pathlib import Path
 
-from lommel.validation import line
+from lommel.base.validation import line
 
 TOLD = 12
 """How many faults of a file are told at once."""

@@ -7,19 +7,20 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from lommel import interpolation, validation
+from lommel import interpolation
+from lommel.base import validation
+from lommel.io import field_files
+from lommel.measures.answer import AnswerGrid, sides
+from lommel.methods import Method
 from lommel.psf import PSF, psf
 from lommel.pupil import Pupil
+from lommel.show import plot
 from lommel.wavefront import Wavefront
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from lommel.methods import Method
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -285,21 +286,14 @@ class FieldMap:
             Also if a centre lies outside of the map.
         """
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
-        sides = _sides(sensor, self.unit)
+        height_width = sides(sensor, self.unit)
         # Exactly symmetric, so that the middle one of an odd number is on the axis.
-        y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(sides, counts, strict=True))
-        return PSFGrid(self.psf(x, y[:, None], shape, pixel, method=method, **options), x, y, sides)
+        y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
+        return PSFGrid(self.psf(x, y[:, None], shape, pixel, method=method, **options), x, y, height_width)
 
 
-def _sides(sensor: Any, unit: str) -> tuple[float, float]:
-    if not isinstance(sensor, tuple | list) or len(sensor) != 2:
-        raise TypeError(f"sensor must be (height, width), got {validation.shown(sensor)}")
-    height, width = (validation.real(f"sensor[{k}]", side, above=0.0, unit=unit) for k, side in enumerate(sensor))
-    return height, width
-
-
-@dataclass(frozen=True, eq=False)
-class PSFGrid:
+@dataclass(frozen=True, eq=False, repr=False)
+class PSFGrid(AnswerGrid):
     """PSFs over a sensor; ``grid[row, column]`` is one of them.
 
     Attributes
@@ -313,60 +307,24 @@ class PSFGrid:
     """
 
     psf: PSF
-    x: Array
-    y: Array
-    sensor: tuple[float, float]
-
-    def __post_init__(self) -> None:
-        stack = validation.instance("psf", self.psf, PSF).pupil.shape
-        for name, count in (("y", 0), ("x", 1)):
-            places = validation.real_array(name, getattr(self, name))
-            if len(stack) != 2 or places.shape != stack[count : count + 1]:
-                raise ValueError(f"{name} must be the places of PSFs of shape {stack}, got shape {places.shape}")
-            object.__setattr__(self, name, places)
-        object.__setattr__(self, "sensor", _sides(self.sensor, self.unit))
-
-    @property
-    def values(self) -> NDArray[Any]:
-        """Values, shape (rows, columns, height, width)."""
-        return self.psf.values
-
-    @property
-    def unit(self) -> str:
-        """Unit of positions: ``"m"`` or ``"lambda*N"``."""
-        return self.psf.unit
-
-    def __len__(self) -> int:
-        """Return the number of rows."""
-        return len(self.psf)
 
     def __getitem__(self, index: Any) -> PSF:
         """Return part of the stack."""
         return self.psf[index]
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
-        """Draw each PSF, enlarged, in its place on the sensor; see :func:`lommel.plot.field`."""
-        from lommel import plot
-
+        """Draw each PSF, enlarged, in its place on the sensor; see :func:`lommel.show.plot.field`."""
         validation.axes("ax", ax)
         return plot.field(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write ``.tif`` (OME), ``.zarr`` or ``.npz``; see :func:`lommel.fieldfiles.save`."""
-        from lommel import fieldfiles
-
-        fieldfiles.save(self, path)
+        """Write ``.tif`` (OME), ``.zarr`` or ``.npz``; see :func:`lommel.io.field_files.save`."""
+        field_files.save(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSFGrid:
         """Read a file that :meth:`save` wrote."""
-        from lommel import fieldfiles
-
-        return fieldfiles.load(path)
-
-    def __repr__(self) -> str:
-        size = f"{self.sensor[0]:g} x {self.sensor[1]:g} {self.unit}"
-        return f"<PSFGrid {self.y.size} x {self.x.size} on {size}: {self.psf!r}>"
+        return cls(*field_files.load(path, PSF))
 
 
 def _bare(wavelength: float | None, f_number: float | None, obscuration: float) -> Pupil:

@@ -12,12 +12,12 @@ from typing import Any
 
 import numpy as np
 
-from lommel import reading, validation
+from lommel.base import reading, validation
+from lommel.base.units import parse_length
 from lommel.faults import TOLD
 from lommel.fieldmap import FieldMap
 from lommel.pupil import Pupil, checked
 from lommel.special import zernike
-from lommel.units import parse_length
 from lommel.wavefront import Wavefront
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.descriptions import radians_per
 from lommel.special import zernike
 from lommel.wavefront import MAX_HIGHER, Wavefront

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 
-from lommel import validation
+from lommel.base import validation
 from lommel.fieldmap import FieldMap
 from lommel.lens import Lens
 from lommel.pupil import Pupil

@@ -8,11 +8,10 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.special import zernike
 from lommel.wavefront import Wavefront
-
-Array = NDArray[np.float64]
 
 MAX_SCATTERED = 4000
 """Most scattered positions: the interpolation solves a dense system of this size."""

@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Mask, Spider
 from lommel.aplanatic import expansion
 from lommel.apodization import Apodization, illumination
+from lommel.base import validation
 from lommel.pupil import Geometry, Pupil
 from lommel.wavefront import Wavefront
 

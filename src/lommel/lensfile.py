@@ -20,14 +20,15 @@ from pydantic import (
     model_validator,
 )
 
-from lommel import faults, fieldtable, reading, validation, zernikefile
+from lommel import faults, fieldtable, zernikefile
 from lommel.aperturefile import ApertureSection
+from lommel.base import reading, validation
+from lommel.base.units import parse_radius, with_units
 from lommel.entries import Distance, Length, Number, Section, SignedLength, beside
 from lommel.fieldmap import FieldMap
 from lommel.instrument import Instrument
 from lommel.lens import Lens
 from lommel.pupil import Pupil
-from lommel.units import parse_radius, with_units
 from lommel.wavefront import Wavefront
 from lommel.zernikefile import ZernikeTable
 

@@ -17,15 +17,13 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Spider
 from lommel.apodization import Apodization
+from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
-
-Array = NDArray[np.float64]
 
 _SUB = 16  # points along each side of a cell at an edge
 _DIGITS = 30.0  # log(1e13): what the rules converge to

@@ -4,24 +4,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
+from lommel.base.arrays import Numbers
 from lommel.core.answers import Images, ToleranceError
 from lommel.grid import Grid
+from lommel.io import psf_files
+from lommel.measures import energy, image_transfer, spot
+from lommel.measures.answer import Answer
 from lommel.methods.choice import SERIES, choose
-from lommel.methods.method import Method, RadialMethod, widened
+from lommel.methods.method import Method, widened
 from lommel.pupil import Pupil
+from lommel.show import plot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-Numbers = np.float64 | NDArray[np.float64]
 
 
 def psf(
@@ -259,23 +262,15 @@ def _array(name: str, value: Any) -> NDArray[Any]:
 
 def _output_type(dtype: DTypeLike | None, tol: float) -> np.dtype[Any]:
     if dtype is None:
-        return _FLOAT32 if tol >= 1e-6 else _FLOAT64
-    try:
-        kind = np.dtype(dtype)
-    except Exception:  # NumPy has many for what is none
-        raise TypeError(f"dtype must be float32 or float64, got {validation.shown(dtype)}") from None
-    if kind not in (_FLOAT32, _FLOAT64):
-        raise TypeError(f"dtype must be float32 or float64, got {validation.shown(dtype)}")
-    if kind == _FLOAT32 and tol < 2.0**-22:
+        return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
+    kind = validation.kind("dtype", dtype, np.float32, np.float64)
+    if kind == np.float32 and tol < 2.0**-22:
         raise ValueError(f"dtype float32 cannot hold tol={tol:g}; use float64, or a tolerance of at least 2.4e-7")
     return kind
 
 
-_FLOAT32, _FLOAT64 = np.dtype(np.float32), np.dtype(np.float64)
-
-
-@dataclass(frozen=True, eq=False)
-class PSF:
+@dataclass(frozen=True, eq=False, repr=False)
+class PSF(Answer):
     """A computed point spread function, or a stack of them, and how it was made.
 
     Attributes
@@ -298,222 +293,82 @@ class PSF:
         Bounds on their errors over the peak of the values, the largest of the stack.
     """
 
-    values: NDArray[Any]
-    grid: Grid
-    pupil: Pupil
-    method: Method
-    normalize: str
-    error_bound: float | None
-    scale: NDArray[np.float64] = field(repr=False)
-    derivatives: dict[str, NDArray[Any]] = field(default_factory=dict, repr=False)
-    derivative_bounds: dict[str, float] = field(default_factory=dict, repr=False)
-
-    def __post_init__(self) -> None:
-        for name, kind in (("grid", Grid), ("pupil", Pupil), ("method", Method)):
-            validation.instance(name, getattr(self, name), kind)
-        wanted = self.pupil.shape + self.grid.shape
-        if not isinstance(self.values, np.ndarray) or self.values.dtype not in (_FLOAT32, _FLOAT64):
-            raise TypeError(f"values must be an array of float32 or float64, got {validation.shown(self.values)}")
-        if self.values.shape != wanted:
-            raise ValueError(f"values must have the shape {wanted}, got {self.values.shape}")
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Shape of the values."""
-        return self.values.shape
-
-    @property
-    def pixel(self) -> float:
-        """Pixel pitch, in :attr:`unit`."""
-        return self.grid.pixel
-
-    @property
-    def sampling(self) -> str:
-        """``"center"`` where values sample the pixel centres, ``"pixel"`` where they average over pixels."""
-        return "pixel" if self.grid.integrate else "center"
-
-    @property
-    def undersampled(self) -> bool:
-        """Whether values sample pixels wider than lambda*N/2, so that they do not sum to the light of the window."""
-        return not self.grid.integrate and self.pixel > 0.5 * (1.0 + 1e-9) * self.pupil.scale
-
-    @property
-    def unit(self) -> str:
-        """Unit of `pixel` and of every radius: ``"m"`` or ``"lambda*N"``."""
-        return self.pupil.unit
-
-    @property
-    def radial_method(self) -> RadialMethod | None:
-        """The method where a profile describes the whole PSF (pupil and method are radial), else None."""
-        return self.method.along_radius(self.pupil)
-
     @property
     def energy(self) -> Numbers:
         """Fraction of all light that falls inside the window, to the edges of its outer pixels."""
-        from lommel import metrics
-
-        return metrics.window_energy(self)
+        return energy.window_energy(self)
 
     @property
     def strehl(self) -> Numbers:
         """Intensity on the axis over that of the same aperture without aberration."""
-        from lommel import metrics
-
-        return metrics.strehl(self)
+        return spot.axis_strehl(self)
 
     @property
     def peak_strehl(self) -> Numbers:
         """Largest value in the window over the peak of the same aperture without aberration, wherever it is."""
-        from lommel import spot
-
         return spot.peak_strehl(self)
 
     @property
     def peak_position(self) -> NDArray[np.float64]:
-        """Place (x, y) of the largest value, from the axis; see :func:`lommel.spot.peak_position`."""
-        from lommel import spot
-
+        """Place (x, y) of the largest value, from the axis; see :func:`lommel.measures.spot.peak_position`."""
         return spot.peak_position(self)
 
     @property
     def centroid(self) -> NDArray[np.float64]:
         """Centroid (x, y) of the values, from the axis; :func:`lommel.centroid` has that of all light."""
-        from lommel import spot
-
-        return spot.centroid(self)
+        return energy.window_centroid(self)
 
     def encircled_energy(self, radius: ArrayLike, *, about: str = "axis") -> Numbers:
         """Return the fraction of all light within `radius` (in :attr:`unit`) of the axis or the centroid.
 
         Exact to the tolerance of the method where pupil and method are radial, whatever the pixels; else summed over
         the pixels, and limited to the window. Shape ``pupil.shape + radius.shape``. See
-        :func:`lommel.metrics.encircled_energy`.
+        :func:`lommel.measures.energy.encircled_energy`.
         """
-        from lommel import metrics
-
-        return metrics.encircled_energy(self, radius, about=about)
+        return energy.encircled_energy(self, radius, about=about)
 
     def ensquared_energy(self, half_width: ArrayLike, *, about: str = "axis") -> Numbers:
-        """Return the fraction of all light within a square; see :func:`lommel.metrics.ensquared_energy`."""
-        from lommel import metrics
-
-        return metrics.ensquared_energy(self, half_width, about=about)
+        """Return the fraction of all light within a square; see :func:`lommel.measures.energy.ensquared_energy`."""
+        return energy.ensquared_energy(self, half_width, about=about)
 
     def energy_diameter(self, fraction: float, *, about: str = "axis") -> Numbers:
         """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
 
-        See :func:`lommel.spot.energy_diameter`.
+        See :func:`lommel.measures.spot.energy_diameter`.
         """
-        from lommel import spot
-
         return spot.energy_diameter(self, fraction, about=about)
 
     def fwhm(self, along: str = "mean") -> Numbers:
-        """Return the full width at half of the largest value, in :attr:`unit`; see :func:`lommel.spot.fwhm`."""
-        from lommel import spot
+        """Return the full width at half of the largest value, in :attr:`unit`.
 
+        See :func:`lommel.measures.spot.fwhm`.
+        """
         return spot.fwhm(self, along)
 
     def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> NDArray[np.complex128] | np.complex128:
-        """Return the transfer function of what the window holds; see :func:`lommel.transfer.image_otf`.
+        """Return the transfer function of what the window holds; :func:`lommel.otf` is that of all light.
 
-        :func:`lommel.otf` computes that of all light from the wavefront.
+        See :func:`lommel.measures.image_transfer.image_otf`.
         """
-        from lommel import transfer
-
-        return transfer.image_otf(self, fx, fy)
+        return image_transfer.image_otf(self, fx, fy)
 
     def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> Numbers:
         """Return the modulus of :meth:`otf`; its value at frequency 0 is the light in the window."""
         return np.abs(self.otf(fx, fy))
 
-    def profile(self, radius: ArrayLike | None = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return radii (in :attr:`unit`) and the values there, normalised like `values`.
-
-        Parameters
-        ----------
-        radius : array_like, optional
-            Any radii, evaluated anew by the method as point samples; by default the pixels from the middle one,
-            ``(height // 2, width // 2)``, to the right.
-
-        Raises
-        ------
-        ValueError
-            If radii are asked of a method that knows its values on the grid only.
-        """
-        if radius is None:
-            middle = (self.shape[-2] // 2, self.shape[-1] // 2)
-            radii = np.hypot(self.grid.y[middle[0]], self.grid.x[middle[1] :])
-            return radii, self.values[..., middle[0], middle[1] :].astype(np.float64)
-        method = self.radial_method
-        if method is None:
-            what = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
-            raise ValueError(f"radius must be None for {what}, whose values are on the grid only")
-        at = validation.real_array("radius", radius, least=0.0)
-        far = float(at.max(initial=0.0))
-        validation.reach(f"radius={far:g}", float(self.pupil.v(far)), self.pupil.scale, self.unit)
-        v, where = np.unique(self.pupil.v(at).ravel(), return_inverse=True)
-        intensity = method.profile(self.pupil, v).values[:, where].reshape(self.pupil.shape + at.shape)
-        return np.array(at), self.scale.reshape(self.scale.shape + (1,) * at.ndim) * intensity
-
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
         """Draw the values on matplotlib axes and return these, an array of them for a stack.
 
-        See :func:`lommel.plot.plot`.
+        See :func:`lommel.show.plot.plot`.
         """
-        from lommel import plot
-
         validation.axes("ax", ax)
         return plot.plot(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write ``.tif`` (OME), ``.npy``, ``.npz`` or ``.png``; see :func:`lommel.files.save`."""
-        from lommel import files
-
-        files.save(self, path)
+        """Write ``.tif`` (OME), ``.npy``, ``.npz`` or ``.png``; see :func:`lommel.io.psf_files.save`."""
+        psf_files.save(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSF:
         """Read a file that :meth:`save` wrote."""
-        from lommel import files
-
-        return files.load(path)
-
-    def __len__(self) -> int:
-        """Return how many PSFs, or stacks of them, the first axis of a stack holds."""
-        if self.pupil.shape == ():
-            raise TypeError("a single PSF has no length; its pixels are in `values`")
-        return self.pupil.shape[0]
-
-    def __bool__(self) -> bool:
-        """Return True, whether it has a length or not."""
-        return True
-
-    def __getitem__(self, index: Any) -> PSF:
-        """Return part of a stack, as NumPy indexes arrays of the shape of its pupils."""
-        if self.pupil.shape == ():
-            raise TypeError("a single PSF cannot be indexed; its pixels are in `values`")
-        pupil = self.pupil[index]
-        which = np.arange(self.scale.size).reshape(self.scale.shape)[index]
-        return replace(
-            self,
-            values=self.values.reshape(-1, *self.shape[-2:])[which],
-            pupil=pupil,
-            scale=np.asarray(self.scale.reshape(-1)[which]),
-            derivatives={k: d.reshape(-1, *self.shape[-2:])[which] for k, d in self.derivatives.items()},
-        )
-
-    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
-        """Return `values`."""
-        return np.array(self.values, dtype=dtype, copy=copy)
-
-    def __repr__(self) -> str:
-        bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
-        how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
-        if self.undersampled:
-            sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
-            how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
-        return (
-            f"<PSF {'x'.join(map(str, self.shape))} {self.values.dtype}, pixel {self.pixel:g} {self.unit}, {how}, "
-            f"{type(self.method).__name__}, normalize {self.normalize!r}, error bound {bound}>"
-        )
+        return psf_files.load(path, cls)

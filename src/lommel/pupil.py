@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
 from lommel.aperture import CatEye, Ellipse, Mask, Spider, cell_centers, vignetting_from_dict
 from lommel.apodization import Apodization, illumination
+from lommel.base import validation
 from lommel.opening import Opening, Rule, degree_needed
 from lommel.special import zernike
 from lommel.wavefront import Wavefront

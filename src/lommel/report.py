@@ -10,12 +10,12 @@ from typing import Any
 
 import numpy as np
 
-from lommel import metrics, quality, spot, transfer
 from lommel.apodization import Apodization
 from lommel.encircled import MAX_RADIUS, encircled
 from lommel.fieldmap import PSFGrid
 from lommel.instrument import Instrument, wide_enough
 from lommel.lens import Lens
+from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.methods import Hankel, HuygensFresnel, Method, NijboerZernike, NonuniformFFT
 from lommel.psf import PSF, psf
 from lommel.pupil import Pupil
@@ -81,9 +81,9 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
         "airy_radius": airy,
         "geometric_radius": blur,
-        "strehl": known(lambda: float(quality.strehl(pupil))),
-        "marechal": float(quality.marechal(pupil)),
-        "rms_waves": float(quality.rms(pupil, unit="waves")),
+        "strehl": known(lambda: float(aperture_means.strehl(pupil))),
+        "marechal": float(aperture_means.marechal(pupil)),
+        "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
         "fwhm": known(lambda: float(spot.radial_fwhm(way, pupil) if image is None else image.fwhm())),
         "cutoff": pupil.cutoff,
         "mtf50": known(lambda: float(transfer.mtf_frequency(pupil))) if round_ else None,
@@ -124,8 +124,8 @@ def _field(instrument: Instrument) -> dict[str, Any]:
             {
                 "part": part,
                 "distance": math.hypot(x, y),
-                "strehl": float(quality.strehl(pupil)),
-                "rms_waves": float(quality.rms(pupil, unit="waves")),
+                "strehl": float(aperture_means.strehl(pupil)),
+                "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
                 "zernike": _terms({term: c for term, c in terms.items() if term[0] > 1}),
             }
         )
@@ -162,7 +162,7 @@ def other_model(instrument: Instrument) -> dict[str, Any]:
         }
     except (ValueError, ArithmeticError, ImportError) as error:
         return found | {"reason": str(error)}
-    blur, difference = other.geometric_radius(), metrics.peak_error(seen["paraxial"], seen["aplanatic"])
+    blur, difference = other.geometric_radius(), errors.peak_error(seen["paraxial"], seen["aplanatic"])
     return found | {"geometric_radius": float(blur), "peak_error": difference}
 
 
@@ -240,7 +240,7 @@ def compare(
     Returns
     -------
     rows : list of dict
-        For each method: name, options, seconds, mse and peak_error (Eq. of :mod:`lommel.metrics`), error_bound,
+        For each method: name, options, seconds, mse and peak_error (:mod:`lommel.measures.errors`), error_bound,
         sampling, and reason, which is None or says why the method does not apply.
     answers : dict of str to PSF
         Those that could be computed on the pixels of the instrument, in float64, by the method's name; the reference
@@ -293,7 +293,7 @@ def compare(
             answers[name] = found
         elif found.sampling == "center":
             against = answer(judge, False)
-        row["mse"], row["peak_error"] = metrics.mse(found, against), metrics.peak_error(found, against)
+        row["mse"], row["peak_error"] = errors.mse(found, against), errors.peak_error(found, against)
     return rows, answers
 
 

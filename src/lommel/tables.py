@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from rich.console import Console
 from rich.table import Table
 
-from lommel.plot import HOW, MEANING
-from lommel.units import format_length
+from lommel.base.units import format_length
+from lommel.show.plot import HOW, MEANING
 
 if TYPE_CHECKING:
     from lommel.fieldmap import PSFGrid

@@ -12,7 +12,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.descriptions import Descriptions
 from lommel.special import zernike
 

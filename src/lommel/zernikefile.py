@@ -13,10 +13,11 @@ from dataclasses import dataclass
 from os import PathLike
 from typing import Any
 
-from lommel import atomic, faults, reading, validation
+from lommel import faults
+from lommel.base import atomic, reading, validation
+from lommel.base.units import _LENGTHS, parse_length
 from lommel.descriptions import NORMALIZATIONS
 from lommel.special import zernike
-from lommel.units import _LENGTHS, parse_length
 from lommel.wavefront import Wavefront
 
 SUFFIXES = (".json", ".toml", ".csv")

@@ -12,9 +12,11 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel import encircled, fieldtable, imaging, metrics, quality, spot, transfer, units, validation
-from lommel.files import FileError
+from lommel import encircled, fieldtable, imaging
+from lommel.base import units, validation
 from lommel.imaging import frames
+from lommel.io.psf_files import FileError
+from lommel.measures import aperture_means, energy, image_transfer, spot
 from lommel.methods import METHODS
 from lommel.opening import Opening, degree_needed
 
@@ -169,15 +171,15 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("ptf", lm.ptf, pupil=COMA, **at, spectrum=None, tol=1e-6),
         tagged("mtf_frequency", lm.mtf_frequency, pupil=lm.Pupil(), level=0.5, angle=0.1, pixel=None),
         tagged("encircled", encircled.encircled, pupil=PUPIL, radius=[1.0], method=None),
-        tagged("metrics.strehl", metrics.strehl, answer=PSF),
-        tagged("metrics.window_energy", metrics.window_energy, answer=PSF),
-        tagged("radial_energy", metrics.radial_energy, method=lm.NijboerZernike(), pupil=PUPIL, radius=[1.0]),
+        tagged("spot.axis_strehl", spot.axis_strehl, answer=PSF),
+        tagged("energy.window_energy", energy.window_energy, answer=PSF),
+        tagged("radial_energy", energy.radial_energy, method=lm.NijboerZernike(), pupil=PUPIL, radius=[1.0]),
         tagged("spot.fwhm", spot.fwhm, answer=PSF, along="x"),
-        tagged("spot.centroid", spot.centroid, answer=PSF),
+        tagged("energy.window_centroid", energy.window_centroid, answer=PSF),
         tagged("spot.peak_strehl", spot.peak_strehl, answer=PSF),
-        tagged("image_otf", transfer.image_otf, answer=PSF, **at),
-        tagged("image_spectrum", transfer.image_spectrum, answer=PSF),
-        tagged("quality.rms", quality.rms, pupil=lm.Wavefront(1.0), unit="radians"),
+        tagged("image_otf", image_transfer.image_otf, answer=PSF, **at),
+        tagged("image_spectrum", image_transfer.image_spectrum, answer=PSF),
+        tagged("aperture_means.rms", aperture_means.rms, pupil=lm.Wavefront(1.0), unit="radians"),
         tagged("DepthBlur", imaging.DepthBlur, lens=LENS, depth=DEPTH, pixel=8e-6, channels=[550e-9],
                border="zero", energy=0.9, tol=1e-3, largest=11, dtype=np.float64, threads=1),
         tagged("DepthBlur.forward", BLUR.forward, image=SQUARE, weight=None),

@@ -69,7 +69,7 @@ def changed(words: list[str], draw: random.Random) -> list[str]:
 
 def far(words: list[str]) -> bool:
     """Whether pixels or distances are so large that there is only an answer where reaches have a limit."""
-    return not hasattr(lm.validation, "MAX_REACH") and any(
+    return not hasattr(lm.base.validation, "MAX_REACH") and any(
         word in ("1e300 m", "0m", "1 mm", "5um", "50", "0", "1", "8", "16", "1e-320", "16384x16384") for word in words
     )
 

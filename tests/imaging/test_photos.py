@@ -13,8 +13,8 @@ import pytest
 import tifffile
 from PIL import Image, ImageOps
 
+from lommel.base.encoding import from_light, to_light
 from lommel.imaging import Exif, PhotoError, read_depth, read_photo, write_photo
-from lommel.imaging.encoding import from_light, to_light
 from lommel.imaging.photo_output import stored
 
 RNG = np.random.default_rng(4)

@@ -12,8 +12,8 @@ from scipy.special import j0, j1
 
 import lommel as lm
 from lommel.imaging.pixel_rule import pixel_rule
+from lommel.measures.energy import ensquared_energy
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.metrics import ensquared_energy
 from lommel.special.legendre import gauss_legendre
 
 

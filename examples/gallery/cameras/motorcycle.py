@@ -19,8 +19,8 @@ from scipy.special import erf
 from skimage.data import stereo_motorcycle
 
 import lommel as lm
+from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur
-from lommel.imaging.encoding import from_light, to_light
 from lommel.imaging.scene import fill_missing
 
 left, _, disparity = stereo_motorcycle()

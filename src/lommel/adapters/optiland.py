@@ -20,14 +20,12 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from lommel import validation
 from lommel.adapters import traced
+from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.fieldmap import FieldMap
 from lommel.pupil import Pupil
-
-Array = NDArray[np.float64]
 
 
 def pupil(

@@ -18,16 +18,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from lommel import validation
+from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.fieldmap import FieldMap
 from lommel.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 from lommel.wavefront import Wavefront
-
-Array = NDArray[np.float64]
 
 MAX_DEGREE = 20
 """Highest degree of the Zernike terms: that of the radial terms of a wavefront."""

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
 from lommel.lens import Lens

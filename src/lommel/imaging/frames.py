@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import atomic, validation
+from lommel.base import atomic, validation
 from lommel.imaging import photo_output
 from lommel.imaging.photos import library
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from lommel import validation
+from lommel.base import validation
+from lommel.base.optional import library
 from lommel.imaging.blur import require_lens
 from lommel.imaging.tiles import TileBlur
 from lommel.lens import Lens
-from lommel.optional import library
 
 
 def depth_of_field_of_chunks(

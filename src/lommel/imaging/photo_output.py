@@ -12,8 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import atomic, validation
-from lommel.imaging.encoding import ENCODINGS, from_light
+from lommel.base import atomic, validation
+from lommel.base.encoding import ENCODINGS, from_light
+from lommel.base.version import version
 from lommel.imaging.photos import library
 
 SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff")
@@ -105,8 +106,6 @@ def encoded(target: Path, values: NDArray[Any], quality: int = 95, profile: byte
     check_dtype(target, values.dtype)
     suffix, buffer = target.suffix.lower(), io.BytesIO()
     if suffix in (".tif", ".tiff"):
-        from lommel import __version__
-
         photometric = "rgb" if values.ndim == 3 else "minisblack"
         library("tifffile").imwrite(
             buffer,
@@ -114,7 +113,7 @@ def encoded(target: Path, values: NDArray[Any], quality: int = 95, profile: byte
             photometric=photometric,
             iccprofile=profile,
             metadata=None,
-            software=f"lommel {__version__}",
+            software=f"lommel {version()}",
         )
         return buffer.getvalue()
     if values.dtype.itemsize == 2:

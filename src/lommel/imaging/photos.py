@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import optional, reading, validation
-from lommel.imaging.encoding import ENCODINGS, to_light
+from lommel.base import optional, reading, validation
+from lommel.base.encoding import ENCODINGS, to_light
 
 _SIGNATURES = {
     b"\x89PNG\r\n\x1a\n": "PNG",

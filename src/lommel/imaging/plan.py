@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
+from lommel.base.encoding import to_light
 from lommel.imaging.blur import DepthBlur, Spectrum, require_lens
-from lommel.imaging.encoding import to_light
 from lommel.imaging.layers import occlude
 from lommel.imaging.scene import Photograph, channels_of, fill_missing, photograph
 from lommel.lens import Lens

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
+from lommel.base.encoding import clipped_share, from_light
 from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur, Spectrum
-from lommel.imaging.encoding import clipped_share, from_light
 from lommel.lens import Lens
 
 MISSING = ("raise", "nearest", "infinity")

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
+from lommel.base.encoding import clipped_share, from_light, to_light
 from lommel.imaging.blur import DepthBlur, Spectrum, require_lens
-from lommel.imaging.encoding import clipped_share, from_light, to_light
 from lommel.imaging.scene import Photograph, channels_of, fill_missing
 from lommel.lens import Lens
 

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.core.answers import Images, Intensities
 from lommel.core.engine import chordal_images
 from lommel.grid import Grid

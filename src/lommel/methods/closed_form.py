@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.core.answers import FieldValues
 from lommel.grid import Grid
 from lommel.methods.method import FieldMethod, annulus, powers_cancel

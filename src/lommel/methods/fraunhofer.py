@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.core.answers import Intensities
 from lommel.grid import Grid
 from lommel.methods.method import Method

@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.core.answers import FieldValues
 from lommel.methods import bounds
 from lommel.methods.method import FieldMethod

@@ -10,8 +10,8 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
 from lommel.aplanatic import expansion, path
+from lommel.base import validation
 from lommel.core.answers import FieldValues, Intensities
 from lommel.core.engine import huygens_sum
 from lommel.grid import Grid

@@ -9,8 +9,8 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
 from lommel.aperture import cell_centers
+from lommel.base import validation
 from lommel.core.answers import Intensities
 from lommel.grid import Grid
 from lommel.methods.method import Method

@@ -10,7 +10,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.core.answers import FieldValues, Images, Intensities, ToleranceError, not_met
 from lommel.grid import Grid
 from lommel.methods.subpixel import subpixel_intensity

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import optional, validation
+from lommel.base import optional, validation
 from lommel.core.answers import Intensities, ToleranceError
 from lommel.grid import Grid
 from lommel.methods.averaging import filtered, filtered_by, least_average

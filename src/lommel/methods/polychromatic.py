@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.core.answers import Intensities, not_met
 from lommel.grid import Grid
 from lommel.methods.choice import SERIES, choose

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,13 +14,22 @@ from lommel.grid import Grid
 from lommel.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
-if TYPE_CHECKING:
-    from lommel.methods.method import RadialMethod
-
 _ROUNDOFF = 2.0**-53
 _LEVELS = range(3, 16)  # errors of 10^-level that tables of the compiled core may have
 _USUAL = 10
 _SCAN = 512
+
+
+class _Profiled(Protocol):
+    """What is asked of a method here: :class:`lommel.methods.RadialMethod`, which stands above, has it."""
+
+    tol: float
+    keeps_tol: ClassVar[bool]
+
+    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities: ...
+    def stretch(self, pupil: Pupil) -> float: ...
+    def tightened(self) -> Self: ...
+    def unaberrated_peak(self, pupil: Pupil) -> float: ...
 
 
 class _Values(NamedTuple):
@@ -32,7 +41,7 @@ class _Values(NamedTuple):
 
 
 def subpixel_intensity(
-    method: RadialMethod, pupil: Pupil, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
+    method: _Profiled, pupil: Pupil, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
 ) -> Intensities:
     r"""Return I at, or averaged over, each pixel, shape ``(n, height, width)``, from profiles of a method.
 
@@ -92,7 +101,7 @@ def subpixel_intensity(
             )
 
 
-def _values(method: RadialMethod, pupil: Pupil, grid: Grid, level: int, threads: int) -> _Values:
+def _values(method: _Profiled, pupil: Pupil, grid: Grid, level: int, threads: int) -> _Values:
     # What varies faster than I is I of a larger window.
     faster, ceiling = method.stretch(pupil), method.unaberrated_peak(pupil)
     window = Window(grid.shape, grid.center, faster * grid.step(pupil))
@@ -125,7 +134,7 @@ def _level(error: float) -> int:
     return min(max(math.ceil(-math.log10(error)), _LEVELS[0]), _LEVELS[-1])
 
 
-def _finer(method: RadialMethod, asked: RadialMethod) -> RadialMethod:
+def _finer(method: _Profiled, asked: _Profiled) -> _Profiled:
     """Return a method with about a tenth of the tolerance, or the same where there is none."""
     for _ in range(3):
         try:
@@ -135,7 +144,7 @@ def _finer(method: RadialMethod, asked: RadialMethod) -> RadialMethod:
     return method if method.tol >= 1e-5 * asked.tol else asked
 
 
-def _peak_at_least(method: RadialMethod, pupil: Pupil, grid: Grid, level: int, threads: int) -> NDArray[np.float64]:
+def _peak_at_least(method: _Profiled, pupil: Pupil, grid: Grid, level: int, threads: int) -> NDArray[np.float64]:
     """Return what the largest value over the plane is at least: a window may miss the peak.
 
     Looks at pixels on a line from the axis to where the last rays arrive.

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.core import engine
 from lommel.core.answers import FieldValues, Intensities, ToleranceError
 from lommel.methods.method import FieldMethod, annulus, powers_cancel, relative_error

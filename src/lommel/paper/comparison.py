@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lommel.metrics import mse, peak_error
+from lommel.measures.errors import mse, peak_error
 from lommel.paper.drawing import COLORS, LABELS, V_AXIS, intensity_norm, new_figure, picture
 from lommel.paper.setting import REFERENCE, VARIANTS, FigureData, Setting, measures, middle_row
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lommel.metrics import mse
+from lommel.measures.errors import mse
 from lommel.paper.drawing import error_norm, intensity_norm, picture_rows
 from lommel.paper.setting import REFERENCE, VARIANTS, FigureData, Setting, measures, middle_row
 

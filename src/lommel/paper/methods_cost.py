@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from lommel.lens import Lens
+from lommel.measures.errors import peak_error
 from lommel.methods import ClosedForm, Fraunhofer, Hankel, HuygensFresnel, Method, NijboerZernike
-from lommel.metrics import peak_error
 from lommel.paper.drawing import new_figure
 from lommel.paper.setting import REFERENCE, FigureData
 from lommel.psf import psf

@@ -112,7 +112,7 @@ def middle_row(image: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def measures(image: NDArray[np.float64], truth: NDArray[np.float64], fft: NDArray[np.float64]) -> dict[str, float]:
     """Return MSE and peak error of an image against the exact one and against the FFT."""
-    from lommel.metrics import mse, peak_error
+    from lommel.measures.errors import mse, peak_error
 
     return {
         "mse": mse(image, truth),

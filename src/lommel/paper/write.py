@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lommel import atomic
+from lommel.base import atomic
 from lommel.paper import bessel_forms, comparison, families, methods_cost, numbers, spherical, validity
 from lommel.paper.setting import FigureData
 

@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lommel.base.validation import MAX_REACH
 from lommel.core import engine
-from lommel.validation import MAX_REACH
 
 
 def bessel_sequence(v: ArrayLike, count: int) -> NDArray[np.float64]:

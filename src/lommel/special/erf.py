@@ -14,7 +14,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel import validation
+from lommel.base import validation
 from lommel.special.fresnel import HALF, fresnel_auxiliary
 
 _RAY = np.exp(-0.25j * math.pi)

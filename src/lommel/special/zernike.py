@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import validation
+from lommel.base import validation
 
 ORDERS = ("nm", "noll", "ansi", "fringe")
 MAX_DEGREE = 60

@@ -1,0 +1,26 @@
+"""Whether a file is what was written: one checksum of its arrays and of what it says of them."""
+
+from __future__ import annotations
+
+import json
+import zlib
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def sealed(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> dict[str, Any]:
+    """Return a description with the checksum of the arrays of a file and of all else that it says."""
+    return description | {"checksum": checksum(description, arrays)}
+
+
+def checksum(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> str:
+    """Return the checksum of arrays by name, and of all that is said of them."""
+    said = {key: value for key, value in description.items() if key != "checksum"}
+    total = zlib.crc32(json.dumps(said, sort_keys=True, allow_nan=False).encode())
+    for name in sorted(arrays):
+        values = arrays[name]
+        plain = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
+        total = zlib.crc32(plain.data.cast("B") if plain.size else b"", zlib.crc32(name.encode(), total))
+    return f"crc32 {total:08x}"

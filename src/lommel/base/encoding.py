@@ -1,0 +1,69 @@
+"""Between stored values and light: sRGB or linear, integers or floats."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from lommel.base import validation
+
+ENCODINGS = ("linear", "srgb")
+
+
+def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[Any]:
+    """Return values in proportion to light, 1 being white, from integers (white is their maximum) or floats.
+
+    "srgb" is the transfer function of IEC 61966-2-1.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `values` are neither integers nor floats, or not finite, or negative where they must be sRGB.
+    """
+    validation.choice("encoding", encoding, ENCODINGS)
+    validation.kind("dtype", dtype, np.float32, np.float64)
+    if values.dtype.kind == "u":
+        light = values.astype(dtype) / np.asarray(np.iinfo(values.dtype).max, dtype=dtype)
+    elif values.dtype.kind == "f":
+        with np.errstate(over="ignore", invalid="ignore"):
+            light = values.astype(dtype)
+        if not np.all(np.isfinite(light)):
+            raise ValueError(f"{name} must be finite, got {values[~np.isfinite(light)].flat[0]}")
+    else:
+        raise TypeError(f"{name} must hold unsigned integers or floats, got {values.dtype}")
+    if encoding == "linear":
+        return np.asarray(light)
+    if light.size and float(light.min()) < 0.0:
+        raise ValueError(f"{name} must be >= 0 to be sRGB, got {light.min()}; give encoding='linear'")
+    low = light <= 0.04045
+    decoded = np.where(low, light / 12.92, ((light + 0.055) / 1.055) ** 2.4)
+    return np.asarray(decoded, dtype=dtype)
+
+
+def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[Any]:
+    """Return stored values of `dtype` from light; the inverse of :func:`lommel.base.encoding.to_light`.
+
+    In an integer type what is brighter than white is white, as on a sensor that is full, and what is below 0 is 0;
+    :func:`lommel.base.encoding.clipped_share` tells how much that is.
+    """
+    kind = np.dtype(dtype)
+    values = light
+    if encoding == "srgb":
+        positive = np.maximum(light, 0.0)
+        values = np.where(light <= 0.0031308, 12.92 * light, 1.055 * positive ** (1.0 / 2.4) - 0.055)
+    if kind.kind != "u":
+        return values.astype(kind, copy=False)
+    most = np.iinfo(kind).max
+    scaled = np.rint(values.astype(np.float64) * most)
+    return np.clip(scaled, 0, most).astype(kind)
+
+
+def clipped_share(light: NDArray[Any], dtype: DTypeLike) -> float:
+    """Return the share of values that an integer type clips by more than its rounding; 0 for floats."""
+    kind = np.dtype(dtype)
+    if kind.kind != "u" or light.size == 0:
+        return 0.0
+    level = 1.0 / np.iinfo(kind).max
+    return float(np.mean((light > 1.0 + level) | (light < -level)))

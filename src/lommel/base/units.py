@@ -1,0 +1,113 @@
+"""Unit strings, for the edges of the package only: the command line and lens files."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable
+
+from lommel.base.validation import real, shown
+
+_LENGTHS = {
+    "m": 1.0,
+    "km": 1e3,
+    "cm": 1e-2,
+    "mm": 1e-3,
+    "um": 1e-6,
+    "µm": 1e-6,  # micro sign
+    "μm": 1e-6,  # Greek mu
+    "nm": 1e-9,
+    "pm": 1e-12,
+    "angstrom": 1e-10,
+    "in": 25.4e-3,
+    "inch": 25.4e-3,
+}
+_ANGLES = {
+    "rad": 1.0,
+    "mrad": 1e-3,
+    "deg": math.pi / 180,
+    "arcmin": math.pi / 10800,
+    "arcsec": math.pi / 648000,
+    "mas": math.pi / 648000000,
+}
+_POWERS = {"m": 0, "km": 3, "cm": -2, "mm": -3, "um": -6, "µm": -6, "μm": -6, "nm": -9, "pm": -12, "angstrom": -10}
+_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)
+
+
+def parse_length(text: str | float) -> float:
+    """Return metres from ``"3.45 um"`` or ``"50mm"``; all but 0 and infinity needs a unit.
+
+    Units: km, m, cm, mm, um, nm, pm, angstrom, in. The result is the float nearest to what is written, but for
+    inches.
+
+    Raises
+    ------
+    ValueError
+        If it is not a text of a number with one of these units.
+    """
+    return _parse(text, _LENGTHS, "length", "550 nm")
+
+
+def parse_angle(text: str | float) -> float:
+    """Return radians from ``"0.1 arcsec"``, or a number of radians. Units: rad, mrad, deg, arcmin, arcsec, mas."""
+    if isinstance(text, int | float) and not isinstance(text, bool):
+        return real("an angle", text, infinite=True)
+    return _parse(text, _ANGLES, "angle", "0.1 arcsec")
+
+
+def parse_radius(text: str | float, focal_length: float) -> float:
+    """Return metres on the sensor from a length, or from an angle on the sky times the focal length."""
+    found = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
+    if found and found[2] in _ANGLES:
+        return parse_angle(found[0]) * real("focal_length", focal_length, above=0.0)
+    return _parse(text, _LENGTHS, "length", "5 um", others=_ANGLES)
+
+
+def format_length(metres: float, *, like: float | None = None, digits: int = 4) -> str:
+    """Return a length with a unit that suits it, or that suits another length: ``"3.45 um"``."""
+    metres = metres if isinstance(metres, float) else real("metres", metres, infinite=True)
+    if math.isinf(metres):
+        return "infinity" if metres > 0 else "-infinity"
+    size = abs(metres if like is None else like)
+    for name in ("m", "mm", "um", "nm"):
+        if size >= 0.99995 * _LENGTHS[name]:
+            break
+    else:
+        name = "m" if size == 0 else "nm"
+    return f"{metres / _LENGTHS[name]:.{digits}g} {name}"
+
+
+def with_units(message: str) -> str:
+    """Return a message of the library with lengths as they are written at the edges, ``"3.45 um"`` for 3.45e-6."""
+    units = {"6": "um", "9": "nm"}
+    return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda found: f'write "{found[1]} {units[found[2]]}"', message)
+
+
+def _parse(text: str | float, units: dict[str, float], kind: str, example: str, others: Iterable[str] = ()) -> float:
+    article = "an" if kind == "angle" else "a"
+    if isinstance(text, bool) or not isinstance(text, str | int | float):
+        raise ValueError(f"{article} {kind} is a number with a unit, a text such as {example!r}, got {shown(text)}")
+    text = text if isinstance(text, str) else format(real(f"{article} {kind}", text, infinite=True), "g")
+    found = _QUANTITY.fullmatch(text)
+    if not found:
+        raise ValueError(f"{shown(text)} is not {article} {kind}; write for example {example!r}")
+    number, unit = float(found[1]), found[2]
+    if unit and unit not in units:
+        angles = f", an angle in {', '.join(others)}" if others else ""
+        raise ValueError(
+            f"{shown(text)} has the unknown unit {shown(unit)}; {article} {kind} is in {', '.join(units)}{angles}"
+        )
+    if not unit and number != 0.0 and not math.isinf(number):
+        raise ValueError(f"{shown(text)} is {article} {kind} without a unit; write for example {example!r}")
+    value = _scaled(found[1], unit) if unit in _POWERS else number * units.get(unit, 1.0)
+    if math.isinf(value) and not found[1].lstrip("+-").startswith("inf"):
+        raise ValueError(f"{shown(text)} exceeds the range of numbers")
+    return value
+
+
+def _scaled(number: str, unit: str) -> float:
+    """Return the float nearest to a decimal number times a power of ten."""
+    digits, _, power = number.lower().partition("e")
+    if digits.lstrip("+-").startswith("inf") or len(power) > 9:
+        return float(number)
+    return float(f"{digits}e{int(power or 0) + _POWERS[unit]}")

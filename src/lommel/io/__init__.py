@@ -1,0 +1,1 @@
+"""PSFs, and grids of them, to files and back."""

@@ -1,0 +1,248 @@
+r"""Averages over the aperture: what a wavefront says of its image before any is computed.
+
+All are integrals over the clear aperture. On discs and annuli these are in polar coordinates, by Gauss-Legendre nodes
+in ``t = rho^2`` and equal steps in theta; on others by the rule of :meth:`lommel.Pupil.rule`. An average over theta
+is even in rho, hence smooth in t: convergence is spectral. What is polynomial in the phase is exact with finitely
+many nodes; what oscillates is refined until it stays.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Numbers
+from lommel.core.answers import ToleranceError
+from lommel.opening import degree_needed
+from lommel.pupil import Pupil, checked, ray_height
+from lommel.special import zernike
+from lommel.special.legendre import gauss_legendre
+from lommel.wavefront import Wavefront
+
+_MAX_NODES = 2**24
+
+
+def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
+    """Return the root mean square of the phase over the aperture, about its mean: the rms wavefront error.
+
+    Parameters
+    ----------
+    pupil : Pupil or Wavefront
+        The average is weighted by the amplitude of a pupil; a wavefront is averaged over the full disc.
+    unit : {"radians", "waves"}, default "radians"
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape``
+        Exact but for rounding. Tilt counts like every other term, though it only moves the image.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `pupil` is neither, or `unit` is unknown.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> float(lm.rms(lm.Wavefront.zernike({(3, 1): 0.3, (2, 2): 0.4})))
+    0.5
+    """
+    validation.choice("unit", unit, ("radians", "waves"))
+    of = Pupil(pupil) if isinstance(pupil, Wavefront) else checked(pupil)
+    result: Numbers = np.sqrt(_variance(of))[()] / (1.0 if unit == "radians" else 2.0 * math.pi)
+    return result
+
+
+def marechal(pupil: Pupil) -> Numbers:
+    """Return the extended Marechal estimate of the Strehl ratio, ``exp(-sigma^2)``.
+
+    sigma is the rms phase in radians, weighted by the amplitude (:func:`lommel.rms`). It agrees with
+    :func:`lommel.strehl` to second order in the phase; for primary aberrations Mahajan finds it within 10 % of that
+    where it exceeds 0.3.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape``
+
+    References
+    ----------
+    V. N. Mahajan, "Strehl ratio for primary aberrations in terms of their aberration variance",
+    J. Opt. Soc. Am. 73, 860 (1983), doi:10.1364/JOSA.73.000860.
+    """
+    result: Numbers = np.exp(-_variance(checked(pupil)))[()]
+    return result
+
+
+def strehl(pupil: Pupil) -> Numbers:
+    """Return the Strehl ratio: intensity on the axis over that of the same aperture without aberration.
+
+    ``abs(mean of exp(i phase))^2``, weighted by the amplitude. The brightest point of the image may lie elsewhere:
+    a tilt moves it away (:func:`lommel.measures.spot.peak_strehl`).
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape``
+        Refined until two quadratures differ by less than 1e-12; the finer one is then correct to about rounding.
+
+    Raises
+    ------
+    TypeError
+        If `pupil` is not a Pupil.
+    ToleranceError
+        If the phase takes more than 2^24 nodes.
+    """
+    flat = checked(pupil).wavefront.flattened()
+    out = np.empty(flat.shape)
+    for i in range(out.size):
+        out[i] = _strehl(replace(pupil, wavefront=flat[i], geometry=None))
+    result: Numbers = out.reshape(pupil.shape)[()]
+    return result
+
+
+def centroid(pupil: Pupil) -> NDArray[np.float64]:
+    """Return the centroid of the light, from the wavefront: the mean gradient of the phase, weighted by intensity.
+
+    The centroid of the rays and that of the light are one. That of a window, :attr:`lommel.PSF.centroid`, approaches
+    it as the window grows.
+
+    Returns
+    -------
+    ndarray, shape ``pupil.shape + (2,)``
+        x (columns) and y (rows) from the axis, in metres if the pupil has a wavelength, else in units of lambda*N.
+        Exact but for rounding.
+    """
+    rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
+    mean = (_gradient(pupil.wavefront, rho, theta) * weight).sum(axis=-1)
+    return np.asarray(mean.reshape(*pupil.shape, 2) * (pupil.scale / math.pi))
+
+
+def spot_radius(pupil: Pupil) -> Numbers:
+    """Return the rms radius of the rays on the sensor about their centroid, weighted by intensity.
+
+    Rays meet the sensor at the gradient of the phase. Diffraction is left out: the rms radius of the light itself
+    is infinite behind any hard edge.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape``
+        Metres if the pupil has a wavelength, else units of lambda*N. Exact but for rounding.
+    """
+    rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
+    rays = _gradient(pupil.wavefront, rho, theta)
+    away = rays - (rays * weight).sum(axis=-1, keepdims=True)
+    variance = (away**2 * weight).sum(axis=(-2, -1))
+    result: Numbers = (np.sqrt(variance) * (pupil.scale / math.pi)).reshape(pupil.shape)[()]
+    return result
+
+
+def _variance(pupil: Pupil) -> NDArray[np.float64]:
+    """Return the variance of the phase, weighted by amplitude, shape ``pupil.shape``."""
+    rho, theta, weight = _polynomial_rule(pupil, 1.0)
+    phase = pupil.wavefront.phase(rho, theta)
+    away = phase - (phase * weight).sum(axis=-1, keepdims=True)
+    return np.asarray((away**2 * weight).sum(axis=-1))
+
+
+def _polynomial_rule(
+    pupil: Pupil, power: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return rho, theta and weights, shape (points,), exact for the square of the phase or of its gradient.
+
+    The weights are those of the amplitude to the `power`, and sum to 1.
+    """
+    terms = pupil.wavefront.nonradial
+    degree = max(n for n, _ in pupil.wavefront.terms)
+    order = max([0, *(abs(m) for _, m in terms)])
+    # n nodes are exact to the degree 2 n - 1 in t; an amplitude takes some more.
+    fall = power * pupil.illumination.slope
+    if not pupil.circular:
+        return _clear_rule(pupil, power, 2 * degree + 2 + (0 if fall == 0.0 else 48 + math.ceil(fall)))
+    radial = degree // 2 + 2 + (0 if fall == 0.0 else 24 + math.ceil(0.5 * fall))
+    return _rule(pupil, power, radial, 2 * order + 2)
+
+
+def _rule(
+    pupil: Pupil, power: float, radial: int, around: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    low = pupil.obscuration**2
+    t, weight = gauss_legendre(radial, low, 1.0)
+    # Relative to the brightest zone: a strong fall underflows otherwise.
+    fall = pupil.illumination.exponent_at(t)
+    weight = weight * np.exp(-power * (fall - fall.min()))
+    theta = np.arange(around) * (2.0 * math.pi / around)
+    rho = np.repeat(np.sqrt(t), around)
+    return rho, np.tile(theta, radial), np.repeat(weight / (weight.sum() * around), around)
+
+
+def _clear_rule(
+    pupil: Pupil, power: float, degree: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return the same over what vanes, vignetting and a mask leave clear, exact to a degree in x and y."""
+    x, y, weight = pupil.rule(degree)
+    # The rule carries the amplitude of the mask once.
+    carried = 1.0 if pupil.mask is None else pupil.mask.at(x, y) ** (power - 1.0)
+    # At the middle of a mask rho is 0, where slopes over rho have a limit only.
+    rho = np.maximum(np.hypot(x, y), 1e-12)
+    weight = weight * carried * pupil.illumination.at(rho**2, power)
+    return rho, np.arctan2(y, x), weight / weight.sum()
+
+
+def _gradient(wavefront: Wavefront, rho: NDArray[np.float64], theta: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return ``(dPhi/dx, dPhi/dy)`` at points with rho > 0, shape ``(n, 2, points)`` for the flattened stack."""
+    flat = wavefront.flattened()
+    outward = ray_height(flat.edge[:, : flat.symmetric], rho)
+    sideways = np.zeros_like(outward)
+    for (n, m), c in flat.nonradial.items():
+        k = abs(m)
+        value, turn = (np.cos, -np.sin(k * theta)) if m > 0 else (np.sin, np.cos(k * theta))
+        outward = outward + c[:, None] * (_radial_slope(n, k, rho) * value(k * theta))
+        sideways = sideways + c[:, None] * (zernike.radial(n, k, rho) / rho * k * turn)
+    cos, sin = np.cos(theta), np.sin(theta)
+    return np.stack([outward * cos - sideways * sin, outward * sin + sideways * cos], axis=1)
+
+
+def _radial_slope(n: int, m: int, rho: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return ``dR_n^m/drho`` by ``R_n^m' = n (R_(n-1)^|m-1| + R_(n-1)^(m+1)) + R_(n-2)^m'``, R = 0 for m > n."""
+    total = np.zeros_like(rho)
+    for degree in range(n, max(m, 1) - 1, -2):
+        total += degree * zernike.radial(degree - 1, abs(m - 1), rho)
+        if m + 1 <= degree - 1:
+            total += degree * zernike.radial(degree - 1, m + 1, rho)
+    return total
+
+
+def _strehl(pupil: Pupil) -> float:
+    """Return the Strehl ratio of a single pupil."""
+    if not pupil.circular:
+        # Known to more than 1e-12: the rule has positive weights and is exact to the degree that is proven enough.
+        terms_of = [(n, float(np.abs(c).max())) for (n, _), c in pupil.wavefront.edge_terms().items()]
+        rho, theta, weight = _clear_rule(pupil, 1.0, degree_needed(terms_of, 0.0, pupil.illumination, 1e-13))
+        mean = np.sum(weight * np.exp(1j * pupil.wavefront.phase(rho, theta)))
+        return float(mean.real**2 + mean.imag**2)
+    blur = float(pupil.v(pupil.geometric_radius()))
+    terms = pupil.wavefront.nonradial
+    order = max([0, *(abs(m) for _, m in terms)])
+    radial = 24 + math.ceil(0.5 * blur + 0.5 * pupil.illumination.slope)
+    around = 2 * (16 + 2 * order + math.ceil(0.6 * blur)) if terms else 2
+
+    def quadrature(radial: int, around: int) -> float:
+        if radial * around > _MAX_NODES:
+            raise ToleranceError(
+                f"the Strehl ratio of a phase with a blur of v = {blur:.3g} takes more than {_MAX_NODES} nodes"
+            )
+        rho, theta, weight = _rule(pupil, 1.0, radial, around)
+        field = np.sum(weight * np.exp(1j * pupil.wavefront.phase(rho, theta)))
+        return float(field.real**2 + field.imag**2)
+
+    value = quadrature(radial, around)
+    while True:
+        radial = math.ceil(1.4 * radial)
+        around = 2 * math.ceil(0.7 * around) if terms else around
+        before, value = value, quadrature(radial, around)
+        # Phases of many radians are known to their rounding only.
+        if abs(value - before) <= 1e-12 + 1e-15 * blur:
+            return value

@@ -1,0 +1,217 @@
+"""How much of all light falls inside a window, a circle, a square, and about which point."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Numbers
+from lommel.measures.answer import Answer, checked
+from lommel.methods.method import RadialMethod
+from lommel.pupil import Pupil
+from lommel.special.disk import disk_overlap
+from lommel.special.legendre import gauss_panels
+
+
+def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis") -> Numbers:
+    """Return the fraction of all light within `radius` of the axis or of the centroid.
+
+    Parameters
+    ----------
+    answer : PSF
+    radius : array_like
+        Metres if the pupil has a wavelength, else units of lambda*N; >= 0.
+    about : {"axis", "centroid"}, default "axis"
+        The centroid is that of the values in the window; of a radial PSF it is the axis.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape + radius.shape``
+        Where pupil and method are radial, by quadrature of the profile, to the tolerance of the method, whatever the
+        pixels. Else the sum over pixels, each by the exact part of its area inside: as if its value held all over
+        it, which errs by about the square of the pixel over the width of the image, and limited to the window.
+    """
+    checked(answer)
+    at = validation.real_array("radius", radius, least=0.0)
+    center = _center(answer, about)
+    if answer.radial_method is not None:
+        return radial_energy(answer.radial_method, answer.pupil, at)
+    grid = answer.grid
+    half = 0.5 * grid.pixel
+    share = energy_per_pixel(answer).reshape(-1, *grid.shape)
+    inside = np.empty((len(share), at.size))
+    for i, (x, y) in enumerate(center):
+        columns, rows = grid.x - x, grid.y[:, None] - y
+        for j, r in enumerate(at.ravel()):
+            covered = disk_overlap(r, columns - half, columns + half, rows - half, rows + half) / grid.pixel**2
+            inside[i, j] = np.sum(covered * share[i])
+    result: Numbers = inside.reshape(answer.pupil.shape + at.shape)[()]
+    return result
+
+
+def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axis") -> Numbers:
+    """Return the fraction of all light within a square of sides ``2 half_width`` along rows and columns.
+
+    Parameters
+    ----------
+    answer : PSF
+    half_width : array_like
+        Half of the side, in metres if the pupil has a wavelength, else units of lambda*N; >= 0.
+    about : {"axis", "centroid"}, default "axis"
+        As of :func:`lommel.measures.energy.encircled_energy`, whose error it has.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape + half_width.shape``
+    """
+    checked(answer)
+    at = validation.real_array("half_width", half_width, least=0.0)
+    center = _center(answer, about)
+    pupil = answer.pupil
+    if answer.radial_method is not None:
+        radial_method = answer.radial_method
+        sides = [float(a) for a in _within_reach(pupil, "half_width", at, radial_method.stretch(pupil))]
+        energies = [_rectangles(radial_method, pupil, [(4.0, a, a)]) for a in sides]
+        exact = np.stack(energies, axis=-1) if sides else np.zeros((math.prod(pupil.shape), 0))
+        radial: Numbers = exact.reshape(pupil.shape + at.shape)[()]
+        return radial
+    grid = answer.grid
+    share = energy_per_pixel(answer).reshape(-1, *grid.shape)
+
+    def covered(places: NDArray[np.float64]) -> NDArray[np.float64]:
+        low, high = places - 0.5 * grid.pixel, places + 0.5 * grid.pixel
+        a = at.ravel()[:, None]
+        return np.asarray(np.maximum(np.minimum(high, a) - np.maximum(low, -a), 0.0) / grid.pixel)
+
+    inside = [
+        np.einsum("ky,yx,kx->k", covered(grid.y - y), one, covered(grid.x - x), optimize=True)
+        for one, (x, y) in zip(share, center, strict=True)
+    ]
+    result: Numbers = np.stack(inside).reshape(pupil.shape + at.shape)[()]
+    return result
+
+
+def window_centroid(answer: Answer) -> NDArray[np.float64]:
+    """Return the centroid of the values in the window, (x, y) from the axis.
+
+    :func:`lommel.centroid` is that of all light, from the wavefront; the two differ by what lies outside the window,
+    which falls with its size only slowly, like the reciprocal.
+
+    Returns
+    -------
+    ndarray, shape ``pupil.shape + (2,)``
+        Metres or units of lambda*N.
+
+    Raises
+    ------
+    ValueError
+        If no light falls into the window.
+    """
+    checked(answer)
+    share = energy_per_pixel(answer)
+    total = share.sum(axis=(-2, -1))
+    if not np.all(total > 0):
+        raise ValueError("the centroid of no light is unknown: none falls into the window")
+    x, y = share.sum(axis=-2) @ answer.grid.x, share.sum(axis=-1) @ answer.grid.y
+    return np.stack([x / total, y / total], axis=-1)
+
+
+def _center(answer: Answer, about: str) -> NDArray[np.float64]:
+    """Return the points (x, y) that `about` names, shape (n, 2)."""
+    validation.choice("about", about, ("axis", "centroid"))
+    if about == "axis" or answer.radial_method is not None:
+        return np.zeros((math.prod(answer.pupil.shape), 2))
+    return window_centroid(answer).reshape(-1, 2)
+
+
+def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numbers:
+    """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 (1 - eps^2))``, by quadrature."""
+    validation.instance("method", method, RadialMethod)
+    at = validation.real_array("radius", radius, least=0.0)
+    method.require(pupil)
+    if at.size == 0:
+        return np.zeros(pupil.shape + at.shape)
+    stretch = method.stretch(pupil)
+    edges, where = np.unique(_within_reach(pupil, "radius", at, stretch), return_inverse=True)
+    nodes, weights, counts = [np.zeros(1)], [np.zeros(1)], []
+    for low, high in zip(np.append(0.0, edges), edges, strict=False):
+        # I v is of exponential type 2 `stretch`, so half a node a unit of that, and some, is spectral accuracy.
+        x, w = gauss_panels(math.ceil(0.6 * stretch * (high - low)) + 24, low, high)
+        nodes.append(x)
+        weights.append(w * x)
+        counts.append(x.size)
+    intensity = method.profile(pupil, np.concatenate(nodes)).values
+    light = np.cumsum(intensity * np.concatenate(weights), axis=1)
+    within = light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission)
+    result: Numbers = within.reshape(pupil.shape + at.shape)[()]
+    return result
+
+
+def _within_reach(pupil: Pupil, name: str, at: NDArray[np.float64], stretch: float) -> NDArray[np.float64]:
+    """Return `at` in v, flat, if that is no farther from the axis than there is light worth computing."""
+    far = float(at.max(initial=0.0))
+    validation.reach(f"{name}={far:g}", stretch * (math.pi / pupil.scale * far), pupil.scale / stretch, pupil.unit)
+    return pupil.v(at).ravel()
+
+
+def window_energy(answer: Answer) -> Numbers:
+    """Return the fraction of all light inside the window, to the edges of its outer pixels."""
+    checked(answer)
+    if answer.radial_method is None:
+        summed: Numbers = energy_per_pixel(answer).sum(axis=(-2, -1))[()]
+        return summed
+    pupil = answer.pupil
+    grid = answer.grid
+    step = grid.step(pupil) / grid.pixel
+    half = 0.5 * grid.pixel
+    # Inclusion and exclusion of rectangles with one corner on the axis.
+    corners = [
+        (float(np.sign(a) * np.sign(b)), abs(a) * step, abs(b) * step)
+        for a in (grid.x[-1] + half, half - grid.x[0])
+        for b in (grid.y[-1] + half, half - grid.y[0])
+    ]
+    total: Numbers = _rectangles(answer.radial_method, pupil, corners).reshape(pupil.shape)[()]
+    return total
+
+
+def _rectangles(
+    method: RadialMethod, pupil: Pupil, rectangles: list[tuple[float, float, float]]
+) -> NDArray[np.float64]:
+    """Return the light in rectangles from the axis to (a, b) in v, each (weight, a, b), shape (n,)."""
+    nodes, weights = [np.zeros(1)], [np.zeros(1)]
+    for factor, a, b in rectangles:
+        if a > 1e-150 and b > 1e-150:  # whose inverses are numbers
+            v, w = _quadrant_rule(a, b, method.stretch(pupil))
+            nodes.append(v)
+            weights.append(factor * w)
+    v, w = np.concatenate(nodes), np.concatenate(weights)
+    order = np.argsort(v)
+    intensity = method.profile(pupil, v[order]).values
+    return np.asarray(intensity @ w[order] / (4.0 * math.pi * pupil.transmission))
+
+
+def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return nodes v and weights that integrate a radial function over the rectangle [0, a] x [0, b].
+
+    The function is of exponential type ``2 stretch``.
+    """
+    near, far = min(a, b), max(a, b)
+    pieces = [(0.0, near), (near, far), (far, math.hypot(a, b))]
+    nodes, weights = [], []
+    for low, high in pieces:
+        # v = low + (high - low) s^2 smooths the square root with which the arcs begin to leave the rectangle.
+        s, w = gauss_panels(math.ceil(1.2 * stretch * (high - low)) + 24)
+        v = low + (high - low) * s * s
+        arc = np.arcsin(np.minimum(1.0, b / v)) - np.arccos(np.minimum(1.0, a / v))
+        nodes.append(v)
+        weights.append(2.0 * (high - low) * s * w * v * np.maximum(arc, 0.0))
+    return np.concatenate(nodes), np.concatenate(weights)
+
+
+def energy_per_pixel(answer: Answer) -> NDArray[np.float64]:
+    """Return the values as fractions of all light per pixel, whatever their normalisation."""
+    factor = answer.grid.step(answer.pupil) ** 2 / (4.0 * math.pi * answer.pupil.transmission)
+    return np.asarray(answer.values * (factor / answer.scale)[..., None, None], dtype=np.float64)

@@ -1,0 +1,29 @@
+"""How far images are from a reference."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+
+
+def mse(values: ArrayLike, reference: ArrayLike) -> float:
+    """Return the mean squared error over the squared peak of the reference, as the paper reports it."""
+    a, b = _pair(values, reference)
+    return float(np.mean((a - b) ** 2) / b.max() ** 2)
+
+
+def peak_error(values: ArrayLike, reference: ArrayLike) -> float:
+    """Return the largest absolute error over the peak of the reference."""
+    a, b = _pair(values, reference)
+    return float(np.abs(a - b).max() / b.max())
+
+
+def _pair(values: ArrayLike, reference: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    a, b = validation.real_array("values", values), validation.real_array("reference", reference)
+    if a.shape != b.shape:
+        raise ValueError(f"values and reference must have the same shape, got {a.shape} and {b.shape}")
+    if not (np.all(np.isfinite(a)) and np.all(np.isfinite(b)) and b.max() > 0):
+        raise ValueError("values and reference must be finite, and the reference have a positive peak")
+    return a, b

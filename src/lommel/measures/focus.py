@@ -1,0 +1,62 @@
+"""The defocus that puts most light into a circle."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+from lommel.measures.energy import radial_energy
+from lommel.methods.method import RadialMethod
+from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.pupil import Pupil, checked
+from lommel.special import zernike
+from lommel.wavefront import Wavefront
+
+
+def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = None) -> float:
+    """Return the defocus C_d (radians) that, added to `pupil`, puts most light within `radius`.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        A single pupil.
+    radius : float
+        Metres if the pupil has a wavelength, else units of lambda*N.
+    method : RadialMethod, default NijboerZernike(tol=1e-6)
+
+    Notes
+    -----
+    The defocus is scanned in steps of half a radian over the range that brings any zone of the pupil to focus,
+    then refined by Brent's method to 1e-6 rad.
+    """
+    from scipy.optimize import minimize_scalar
+
+    way = validation.instance("method", NijboerZernike() if method is None else method, RadialMethod)
+    at = validation.real("radius", radius, above=0.0)
+    if checked(pupil).shape != ():
+        raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
+    way.require(pupil)
+    if not pupil.radial:
+        raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
+    # dPhi/d(rho^2) of the aberration, over the pupil: minus half of it is the defocus that focuses the zone.
+    t = np.linspace(pupil.obscuration**2, 1.0, 257)
+    slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
+    low, high = -0.5 * slope.max() - 6.0, -0.5 * slope.min() + 6.0
+    scan = np.linspace(low, high, math.ceil(2.0 * (high - low)) + 1)
+
+    def within(defocus: ArrayLike) -> NDArray[np.float64]:
+        moved = replace(pupil, wavefront=pupil.wavefront + Wavefront(defocus), geometry=None)
+        return np.asarray(radial_energy(way, moved, at))
+
+    start = float(scan[np.argmax(within(scan))])
+    found = minimize_scalar(
+        lambda c: -float(within(c)),
+        bounds=(start - 0.5, start + 0.5),
+        method="bounded",
+        options={"xatol": 1e-6},
+    )
+    return float(found.x)

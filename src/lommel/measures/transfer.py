@@ -1,0 +1,196 @@
+"""Optical transfer functions of pupils, from the wavefront.
+
+The OTF is the Fourier transform of the PSF over all the light,
+``OTF(f) = int I(r) exp(-2 pi i f.r) dr / int I dr``, which is the autocorrelation of the pupil function: overlap.py.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Numbers
+from lommel.measures.colours import colours
+from lommel.measures.overlap import autocorrelation
+from lommel.methods.polychromatic import Polychromatic
+from lommel.pupil import Pupil, checked
+
+Complexes = np.complex128 | NDArray[np.complex128]
+
+
+def otf(
+    pupil: Pupil,
+    fx: ArrayLike,
+    fy: ArrayLike = 0.0,
+    *,
+    pixel: float | None = None,
+    spectrum: Polychromatic | None = None,
+    tol: float = 1e-10,
+) -> Complexes:
+    """Return the optical transfer function of a pupil, from its wavefront.
+
+    Parameters
+    ----------
+    pupil : Pupil
+    fx, fy : array_like
+        Spatial frequencies along columns and rows: cycles per metre if the pupil has a wavelength, else cycles per
+        lambda*N. They broadcast: ``fx[None, :], fy[:, None]`` is a grid.
+    pixel : float, optional
+        Pixel pitch: multiplies by ``sinc(fx pixel) sinc(fy pixel)``, the transfer function of pixels that average.
+    spectrum : Polychromatic, optional
+        The sum over a spectrum, phases being path differences, as in the images of that method.
+    tol : float, default 1e-10
+        Absolute tolerance, 1e-13 to 0.1: nodes are added until two quadratures differ by no more.
+
+    Returns
+    -------
+    complex or complex ndarray, shape ``pupil.shape + s``
+        With s what fx and fy broadcast to. 1 at frequency 0, and 0 from :attr:`lommel.Pupil.cutoff` on. A shift of
+        the image by (a, b) multiplies by ``exp(-2 pi i (fx a + fy b))``.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is no finite real number or out of range, the frequencies do not broadcast, or the pupil has a
+        spider, vignetting or a mask: for such, see :func:`lommel.measures.image_transfer.image_otf`.
+    ToleranceError
+        If `tol` takes more than 4096 nodes along a line.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> round(float(abs(lm.otf(lm.Pupil(), 0.5))), 6)
+    0.391002
+    """
+    _round(pupil)
+    across, down = frequencies(fx, fy)
+    goal = validation.real("tol", tol, least=1e-13, below=0.1 + 1e-9)
+    if pixel is None:
+        blur = np.ones(across.shape)
+    else:
+        pitch = validation.pixel(pixel, metric=pupil.wavelength is not None)
+        blur = np.sinc(across * pitch) * np.sinc(down * pitch)
+    total = np.zeros((math.prod(pupil.shape), across.size), dtype=np.complex128)
+    if spectrum is not None and not isinstance(spectrum, Polychromatic):
+        raise TypeError(f"spectrum must be a Polychromatic, got {validation.shown(spectrum)}")
+    for _, weight, part in colours(spectrum, pupil):
+        f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
+        total += weight * autocorrelation(part, f, goal)
+    result: Complexes = (total.reshape(pupil.shape + across.shape) * blur)[()]
+    return result
+
+
+def mtf(
+    pupil: Pupil,
+    fx: ArrayLike,
+    fy: ArrayLike = 0.0,
+    *,
+    pixel: float | None = None,
+    spectrum: Polychromatic | None = None,
+    tol: float = 1e-10,
+) -> Numbers:
+    """Return the modulation transfer function ``abs(OTF)``; see :func:`lommel.otf`.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> camera = lm.Pupil(lm.Wavefront(1.5), wavelength=550e-9, f_number=2.8)
+    >>> at_nyquist = lm.mtf(camera, 1 / (2 * 3.45e-6), pixel=3.45e-6)
+    """
+    result: Numbers = np.abs(otf(pupil, fx, fy, pixel=pixel, spectrum=spectrum, tol=tol))
+    return result
+
+
+def ptf(
+    pupil: Pupil,
+    fx: ArrayLike,
+    fy: ArrayLike = 0.0,
+    *,
+    spectrum: Polychromatic | None = None,
+    tol: float = 1e-10,
+) -> Numbers:
+    """Return the phase transfer function, the argument of the OTF in radians, above -pi and up to pi.
+
+    The error is `tol` over the MTF. Where the MTF is `tol` or less there is no phase to speak of, and 0 is returned.
+    See :func:`lommel.otf`.
+    """
+    value = otf(pupil, fx, fy, spectrum=spectrum, tol=tol)
+    result: Numbers = np.where(np.abs(value) > tol, np.angle(value), 0.0)[()]
+    return result
+
+
+def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel: float | None = None) -> Numbers:
+    """Return the lowest frequency at which the MTF has fallen to `level`: MTF50 and its like.
+
+    Parameters
+    ----------
+    level : float, default 0.5
+        Above 0 and below 1.
+    angle : float, default 0
+        Direction of the frequency in radians, from the columns (x) to the rows (y).
+    pixel : float, optional
+        As of :func:`lommel.otf`.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape``
+        Cycles per metre or per lambda*N. The first crossing is bracketed by steps of 1/128 of the cutoff or, behind
+        a large blur, of a quarter of an oscillation or less, and found in the bracket to 1e-10 of the cutoff.
+    """
+    from scipy.optimize import brentq
+
+    _round(pupil)
+    wanted = validation.real("level", level, above=0.0, below=1.0)
+    turn = validation.real("angle", angle)
+    cos, sin = math.cos(turn), math.sin(turn)
+    cutoff = pupil.cutoff
+    # An image of radius r makes the OTF oscillate like J1(2 pi r f).
+    blur = float(pupil.v(pupil.geometric_radius()).max())
+    steps = math.ceil(max(128.0, 2.0 * blur))
+    first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
+    for start in range(1, steps + 1, 32):
+        k = np.arange(start, min(start + 32, steps + 1))
+        f = k * (cutoff / steps)
+        below = np.asarray(mtf(pupil, f * cos, f * sin, pixel=pixel, tol=1e-8)).reshape(-1, k.size) <= wanted
+        first = np.where((first == 0) & below.any(axis=1), k[below.argmax(axis=1)], first)
+        if first.all():
+            break
+    flat = replace(pupil, wavefront=pupil.wavefront.flattened(), geometry=None)
+    out = np.empty(first.size)
+    for i, k_high in enumerate(first):
+
+        def above(f: float, one: Pupil = flat[i]) -> float:
+            return float(mtf(one, f * cos, f * sin, pixel=pixel)) - wanted
+
+        low, high = (float(k) * (cutoff / steps) for k in (k_high - 1, k_high))
+        # The scan is less exact than the search: a bracket's end may have crossed by rounding.
+        ends = above(low), above(high)
+        if ends[0] <= 0.0 or ends[1] >= 0.0:
+            out[i] = low if ends[0] <= 0.0 else high
+        else:
+            out[i] = brentq(above, low, high, xtol=1e-10 * cutoff)
+    result: Numbers = out.reshape(pupil.shape)[()]
+    return result
+
+
+def _round(pupil: Pupil) -> None:
+    # The lines of the overlap end at circles; what ends within would be found by ever more nodes only.
+    if not checked(pupil).circular:
+        raise ValueError(
+            "pupil must be a disc or an annulus for its transfer function, got one with a spider, vignetting or a "
+            "mask; take that of its image, psf.mtf(fx, fy) or psf.otf(fx, fy)"
+        )
+
+
+def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return frequencies along columns and rows, broadcast."""
+    across, down = validation.real_array("fx", fx), validation.real_array("fy", fy)
+    try:
+        both = np.broadcast_arrays(across, down)
+    except ValueError:
+        raise ValueError(f"fx and fy must broadcast, got shapes {across.shape} and {down.shape}") from None
+    return both[0], both[1]

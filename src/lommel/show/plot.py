@@ -1,0 +1,251 @@
+"""Pictures of PSFs; matplotlib is imported when the first is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import validation
+from lommel.base.optional import library
+from lommel.measures.answer import Answer, AnswerGrid
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+MEANING = {
+    "energy": "fraction of all light per pixel",
+    "strehl": "1 = unaberrated peak",
+    "peak": "1 = largest value",
+}
+"""What a value is, by the normalisation."""
+
+HOW = {"pixel": "averaged over each pixel", "center": "sampled at pixel centres"}
+"""How values see their pixels, by :attr:`lommel.PSF.sampling`."""
+
+_USER = ("plots need", "plot")
+_MOST = 64  # PSFs of a stack in one figure
+_FLOOR = 1e-5  # of the peak: the bottom of logarithmic scales
+
+
+def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+    """Draw a single PSF, or a stack of them side by side, all on one scale.
+
+    Parameters
+    ----------
+    psf : PSF
+        Of a stack at most 64 are drawn: one of shape (rows, columns) so, others in rows of eight at most.
+    ax : matplotlib Axes, optional
+        Of a single PSF. By default those of a new figure, which has a title and a bar that says what a value is.
+    stretch : {"sqrt", "linear", "log"}
+        Of the grey levels; "log" goes down to 1e-5 of the peak.
+
+    Returns
+    -------
+    matplotlib Axes, or for a stack an ndarray of Axes of its shape
+
+    Raises
+    ------
+    ValueError
+        For a stack of more than 64, or `ax` for a stack.
+    ImportError
+        If matplotlib is not installed.
+    """
+    validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
+    if psf.pupil.shape != ():
+        return _stack(psf, ax, stretch)
+    axes = _draw(psf, _new_axes() if ax is None else ax, _norm(stretch, float(psf.values.max()) or 1.0))
+    if ax is None:
+        axes.set_title(_title(psf), fontsize=9)
+        axes.figure.colorbar(axes.images[0], ax=axes, label=MEANING[psf.normalize])
+    return axes
+
+
+def _stack(psf: Answer, ax: Axes | None, stretch: str) -> NDArray[Any]:
+    """Draw each PSF of a stack, titled by its index."""
+    shape = psf.pupil.shape
+    count = int(np.prod(shape))
+    if ax is not None:
+        raise ValueError(f"ax must be None for a stack, which takes many, got a stack of shape {shape}")
+    if count > _MOST:
+        raise ValueError(f"at most {_MOST} PSFs can be drawn, got a stack of shape {shape}; index it, as psf[:8]")
+    columns = shape[1] if len(shape) == 2 else min(count, 8)
+    rows = -(-count // columns)
+    figure = _pyplot().figure(figsize=(min(2.0 * columns, 14.0) + 1.2, 2.0 * rows + 0.8), layout="constrained")
+    norm = _norm(stretch, float(psf.values.max()) or 1.0)
+    drawn = np.empty(shape, dtype=object)
+    for k, index in enumerate(np.ndindex(shape)):
+        axes = drawn[index] = _draw(psf[index], figure.add_subplot(rows, columns, k + 1), norm)
+        axes.set_title(", ".join(map(str, index)), fontsize=8)
+        axes.tick_params(labelsize=7)
+        if k % columns:
+            axes.set_ylabel("")
+            axes.set_yticklabels([])
+        if k + columns < count:
+            axes.set_xlabel("")
+            axes.set_xticklabels([])
+    figure.suptitle(_title(psf), fontsize=9)
+    figure.colorbar(drawn.flat[0].images[0], ax=drawn.ravel().tolist(), label=MEANING[psf.normalize])
+    return drawn
+
+
+def _title(psf: Answer) -> str:
+    factor, unit = _scale(psf)
+    height, width = psf.shape[-2:]
+    return f"{height} × {width} pixels of {psf.pixel * factor:.4g} {unit}, {HOW[psf.sampling]}"
+
+
+def _draw(psf: Answer, axes: Axes, norm: Any) -> Axes:
+    """Draw the values of a single PSF on axes with its lengths."""
+    factor, unit = _scale(psf)
+    height, width = psf.shape
+    half = 0.5 * psf.pixel * factor
+    x, y = psf.grid.x * factor, psf.grid.y * factor
+    extent = (x[0] - half, x[-1] + half, y[-1] + half, y[0] - half)
+    interpolation = "nearest" if max(height, width) < 256 else "antialiased"
+    axes.imshow(psf.values, extent=extent, cmap="magma", norm=norm, interpolation=interpolation)
+    axes.set_xlabel(f"x ({unit})")
+    axes.set_ylabel(f"y ({unit})")
+    return axes
+
+
+def compare(answers: Mapping[str, Answer], reference: str) -> Figure:
+    """Draw several PSFs of one lens side by side, above the slices through their centres.
+
+    Parameters
+    ----------
+    answers : mapping of str to PSF
+        Each with the same grid; drawn in their order.
+    reference : str
+        The one that the errors are taken from.
+    """
+    if reference not in answers:
+        raise ValueError(f"reference must be one of {', '.join(answers)}, got {validation.shown(reference)}")
+    columns = max(len(answers), 3)
+    figure: Figure = library("matplotlib.figure", *_USER).Figure(figsize=(2.2 * columns, 7.2), layout="constrained")
+    parts: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.6))
+    pictures, graphs = parts
+    for k, (name, psf) in enumerate(answers.items()):
+        axes = pictures.add_subplot(1, columns, k + 1)
+        plot(psf, axes)
+        axes.set_title(name, fontsize=10)
+        axes.tick_params(labelsize=7)
+        axes.xaxis.label.set_fontsize(8)
+        if k:
+            axes.set_ylabel("")
+            axes.set_yticklabels([])
+        else:
+            axes.yaxis.label.set_fontsize(8)
+    truth = answers[reference]
+    factor, unit = _scale(truth)
+    slices, errors = graphs.subplots(1, 2)
+    radius, expected = truth.profile()
+    peak = float(truth.values.max())
+    for k, (name, psf) in enumerate(answers.items()):
+        values = psf.profile()[1] / peak
+        width = 3.2 if name == reference else 1.3
+        slices.plot(radius * factor, values, label=name, color=f"C{k}", linewidth=width, zorder=1 if k == 0 else 2)
+        if name != reference:
+            difference = np.abs(values - expected / peak)
+            errors.semilogy(radius * factor, np.maximum(difference, 1e-17), color=f"C{k}", linewidth=1.3)
+    slices.set_ylabel("intensity / peak of the reference")
+    slices.legend(fontsize=8)
+    errors.set_ylabel(f"error against {reference} / peak")
+    errors.set_ylim(1e-17, 3.0)
+    errors.grid(alpha=0.3)
+    for axes in (slices, errors):
+        axes.set_xlabel(f"distance from the centre ({unit})")
+        axes.set_xlim(0.0, max(float(radius[-1]), 0.5 * truth.pixel) * factor)
+    return figure
+
+
+def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
+    """Draw a grid of PSFs over the sensor, each enlarged in its place and scaled to its own largest value.
+
+    The axes are positions on the sensor, with a tick at each row and column of the grid; the bar below is a length
+    within the enlarged PSFs. Rows rise downwards, as in an image.
+
+    Parameters
+    ----------
+    grid : PSFGrid
+    ax : matplotlib Axes, optional
+        By default those of a new figure.
+    stretch : {"sqrt", "linear", "log"}
+        Of the levels; "log" goes down to 1e-5 of the largest value.
+    """
+    mpl = library("matplotlib", *_USER)
+    validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
+    rows, columns, height, width = grid.values.shape
+    axes = _field_axes(grid) if ax is None else ax
+    factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
+    sensor = (grid.sensor[0] * factor, grid.sensor[1] * factor)
+    cell = min(sensor[0] / rows / height, sensor[1] / columns / width)
+    half_height, half_width = 0.5 * height * cell, 0.5 * width * cell
+    colors = mpl.colormaps["magma"]
+    axes.set_facecolor(colors(0.0))
+    interpolation = "nearest" if max(height, width) < 24 else "bilinear"
+    for i, j in np.ndindex(rows, columns):
+        x, y = grid.x[j] * factor, grid.y[i] * factor
+        values = grid.values[i, j]
+        axes.imshow(
+            values,
+            extent=(x - half_width, x + half_width, y + half_height, y - half_height),
+            cmap=colors,
+            norm=_norm(stretch, float(values.max()) or 1.0),
+            interpolation=interpolation,
+        )
+    axes.set_xlim(-0.5 * sensor[1], 0.5 * sensor[1])
+    axes.set_ylim(0.5 * sensor[0], -0.5 * sensor[0])
+    axes.set_aspect("equal")
+    axes.set_xticks(grid.x * factor, [f"{value:.3g}" for value in grid.x * factor + 0.0])
+    axes.set_yticks(grid.y * factor, [f"{value:.3g}" for value in grid.y * factor + 0.0])
+    axes.set_xlabel(f"x on the sensor ({unit})")
+    axes.set_ylabel(f"y on the sensor ({unit})")
+    # Within the PSFs one pixel is `cell` long.
+    inner, inner_unit = _scale(grid.psf)
+    length = _round_length(0.8 * width * grid.psf.pixel * inner)
+    _scale_bar(axes, length / (grid.psf.pixel * inner) * cell / sensor[1], f"{length:g} {inner_unit} in the PSFs")
+    return axes
+
+
+def _norm(stretch: str, peak: float) -> Any:
+    from matplotlib.colors import LogNorm, Normalize, PowerNorm
+
+    if stretch == "log":
+        return LogNorm(_FLOOR * peak, peak, clip=True)
+    return PowerNorm(0.5, 0.0, peak) if stretch == "sqrt" else Normalize(0.0, peak)
+
+
+def _round_length(most: float) -> float:
+    """Return the largest of 1, 2 and 5 times a power of ten that is no more than `most`."""
+    decade = 10.0 ** np.floor(np.log10(most))
+    return float(max(k * decade for k in (1.0, 2.0, 5.0) if k * decade <= most * (1.0 + 1e-12)))
+
+
+def _scale_bar(axes: Axes, length: float, label: str) -> None:
+    """Draw a bar above the right end of the axes, its length a fraction of their width, with its label beside it."""
+    place = axes.transAxes
+    axes.plot([1.0 - length, 1.0], [1.04, 1.04], color="black", linewidth=2.5, transform=place, clip_on=False)
+    axes.text(0.99 - length, 1.04, label, transform=place, ha="right", va="center", fontsize=8)
+
+
+def _field_axes(grid: AnswerGrid) -> Any:
+    """Return axes of a new figure of the shape of the sensor."""
+    ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
+    width = 8.0 if ratio <= 1.2 else 9.6 / ratio
+    return _pyplot().subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
+
+
+def _new_axes() -> Any:
+    return _pyplot().subplots(layout="constrained")[1]
+
+
+def _pyplot() -> Any:
+    return library("matplotlib.pyplot", *_USER)
+
+
+def _scale(psf: Answer) -> tuple[float, str]:
+    return (1e6, "µm") if psf.unit == "m" else (1.0, "λN")

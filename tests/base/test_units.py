@@ -1,0 +1,169 @@
+"""Unit strings, as they are written on the command line and in lens files."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from lommel.base.units import format_length, parse_angle, parse_length, parse_radius
+
+LENGTHS = {
+    "m": 1.0, "km": 1e3, "cm": 1e-2, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "nm": 1e-9, "pm": 1e-12,
+    "angstrom": 1e-10, "in": 0.0254, "inch": 0.0254,
+}  # fmt: skip
+ANGLES = {
+    "rad": 1.0,
+    "mrad": 1e-3,
+    "deg": math.pi / 180,
+    "arcmin": math.pi / 180 / 60,
+    "arcsec": math.pi / 180 / 3600,
+    "mas": math.pi / 180 / 3600e3,
+}
+GARBAGE = [
+    "", " ", "um", "abc", "1 2", "1,5 mm", "1.2.3 m", "--1 m", "1e m", "0x10 m", "1_000 m", "nan", "nan m", "1 m m",
+    "1 m^2", "m 1", "٣ m", "1/2 m", "infinite", "1 m\x00", "½ m",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("unit", "metres"), LENGTHS.items())
+@pytest.mark.parametrize("text", ["{} {}", "{}{}", "  {}   {} ", "\t{}\n{}"])
+def test_every_unit_of_length_is_read_with_or_without_a_space(unit, metres, text):
+    assert parse_length(text.format("2.5", unit)) == pytest.approx(2.5 * metres, rel=1e-15)
+
+
+@pytest.mark.parametrize(("unit", "radians"), ANGLES.items())
+def test_every_unit_of_angle_is_read(unit, radians):
+    assert parse_angle(f"2.5 {unit}") == pytest.approx(2.5 * radians, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("text", "metres"),
+    [("0", 0.0), ("+1 m", 1.0), ("-1 m", -1.0), (".5 m", 0.5), ("5. m", 5.0), ("1e-3 m", 1e-3), ("1.5E+2 mm", 0.15)],
+)
+def test_numbers_are_written_as_usual(text, metres):
+    assert parse_length(text) == pytest.approx(metres)
+
+
+@pytest.mark.parametrize("text", ["inf", "+inf", "infinity", "inf m"])
+def test_infinity_is_a_length(text):
+    assert parse_length(text) == math.inf
+    assert parse_length("-inf") == -math.inf
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False) | st.integers(-1000, 1000))
+def test_a_plain_number_is_an_angle_in_radians(number):
+    assert parse_angle(number) == number
+
+
+@pytest.mark.parametrize("text", ["50", "1", "-2.5e-3", 50, 0.05])
+def test_a_length_without_a_unit_is_refused_with_the_fix(text):
+    with pytest.raises(ValueError, match=rf"'{text}' is a length without a unit; write for example '550 nm'"):
+        parse_length(text)
+    assert parse_length(0) == 0.0
+    assert parse_length(math.inf) == math.inf
+
+
+@given(st.integers(-(10**17), 10**17), st.integers(-30, 30), st.sampled_from(sorted(set(LENGTHS) - {"in", "inch"})))
+def test_a_length_is_the_float_nearest_to_what_is_written(digits, power, unit):
+    exact = Fraction(digits) * Fraction(10) ** power * Fraction(f"{LENGTHS[unit]:e}")
+    assert parse_length(f"{digits}e{power} {unit}") == float(exact)
+    assert parse_length("3.99 mm") == 3.99e-3
+
+
+@given(st.floats(-1e15, 1e15).filter(lambda x: x == 0 or abs(x) > 1e-15))
+def test_a_length_reads_back_as_it_was_shown_to_four_digits(metres):
+    assert parse_length(format_length(metres)) == pytest.approx(metres, rel=5.1e-4, abs=0)
+
+
+@given(st.integers(1, 9999), st.integers(-9, 2))
+def test_four_digits_read_back_exactly(digits, power):
+    metres = float(Fraction(digits) * Fraction(10) ** power)
+    assert parse_length(format_length(metres)) == pytest.approx(metres, rel=1e-15)
+
+
+@given(st.floats(1e-9, 999.0))
+def test_a_length_is_shown_with_the_unit_that_needs_the_fewest_zeros(metres):
+    number, unit = format_length(metres).split()
+    assert unit in ("m", "mm", "um", "nm")
+    assert 0.999 < float(number) < 1000
+    assert "e" not in number
+
+
+@pytest.mark.parametrize(
+    ("metres", "text"),
+    [
+        (0.0, "0 m"),
+        (3.45e-6, "3.45 um"),
+        (550e-9, "550 nm"),
+        (1e-6, "1 um"),
+        (0.9999999e-6, "1 um"),
+        (0.05, "50 mm"),
+        (2.0, "2 m"),
+        (57.6, "57.6 m"),
+        (-3e-3, "-3 mm"),
+        (1e-10, "0.1 nm"),
+        (math.inf, "infinity"),
+        (-math.inf, "-infinity"),
+    ],
+)
+def test_lengths_are_shown_with_a_unit_that_suits_them(metres, text):
+    assert format_length(metres) == text
+    assert parse_length(text) == pytest.approx(metres, rel=1e-6)
+
+
+@pytest.mark.parametrize("text", GARBAGE, ids=repr)
+@pytest.mark.parametrize(("parse", "kind"), [(parse_length, "length"), (parse_angle, "angle")])
+def test_garbage_is_refused_with_what_it_was_and_what_it_should_be(parse, kind, text):
+    with pytest.raises(ValueError, match=f" {kind}") as caught:
+        parse(text)
+    assert repr(text) in str(caught.value)
+
+
+@pytest.mark.parametrize("text", ["1 kg", "1 MM", "1 furlong", "1 deg", "1 Nm"])
+def test_an_unknown_unit_is_refused_with_the_known_ones(text):
+    with pytest.raises(ValueError, match=f"unknown unit '{text[2:]}'; a length is in m, km, cm, mm, um"):
+        parse_length(text)
+
+
+def test_a_length_is_no_angle():
+    with pytest.raises(ValueError, match=r"unknown unit 'um'; an? angle is in rad, mrad, deg, arcmin, arcsec, mas"):
+        parse_angle("1 um")
+
+
+@pytest.mark.parametrize("value", [None, True, [1], {"m": 1}, 1j, b"1 m"], ids=repr)
+@pytest.mark.parametrize("parse", [parse_length, parse_angle])
+def test_what_is_neither_number_nor_text_is_refused(parse, value):
+    with pytest.raises(ValueError, match="is a number with a unit, a text such as") as caught:
+        parse(value)
+    assert repr(value) in str(caught.value)
+
+
+@pytest.mark.parametrize("text", ["1e400 m", "-1e999", "1e308 km"])
+def test_a_number_beyond_the_range_of_numbers_is_refused(text):
+    with pytest.raises(ValueError, match="exceeds the range of numbers"):
+        parse_length(text)
+
+
+@given(st.text(max_size=12))
+def test_any_text_is_a_number_of_metres_or_a_value_error(text):
+    message = ""
+    try:
+        assert not math.isnan(parse_length(text))
+    except ValueError as error:
+        message = str(error)
+    assert not message or repr(text) in message
+
+
+def test_a_radius_on_the_sensor_is_a_length_or_an_angle_on_the_sky():
+    assert parse_radius("28 um", 57.6) == pytest.approx(28e-6)
+    assert parse_radius("0.1 arcsec", 57.6) == pytest.approx(57.6 * 0.1 * math.pi / 648000)
+    assert parse_radius("1 mrad", 2.0) == pytest.approx(2e-3)
+
+
+def test_a_radius_in_neither_unit_is_refused_with_both_kinds():
+    with pytest.raises(ValueError, match=r"'1 parsec' has the unknown unit 'parsec'.*arcsec"):
+        parse_radius("1 parsec", 57.6)

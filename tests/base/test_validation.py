@@ -1,0 +1,169 @@
+"""The checks that every public entry shares: what they let through, and what their messages say."""
+
+from __future__ import annotations
+
+import math
+import re
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from lommel.base import validation
+
+NUMBERS = [1, 1.0, Fraction(1), np.float32(1), np.float64(1), np.int8(1), np.uint64(1), np.array(1.0)]
+NOT_NUMBERS = [
+    "1", b"1", None, True, np.True_, 1j, np.complex128(1), [1.0], (1.0,), {}, np.ones(1), np.array("1"), np.array(1j),
+    np.datetime64("2020-01-01"), object, math,
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("value", NUMBERS, ids=repr)
+def test_every_kind_of_real_number_is_a_real_number(value):
+    number = validation.real("x", value)
+    assert type(number) is float
+    assert number == 1.0
+
+
+@pytest.mark.parametrize("value", NOT_NUMBERS, ids=repr)
+def test_nothing_else_is_a_real_number(value):
+    with pytest.raises(TypeError, match="x must be a real number, got "):
+        validation.real("x", value)
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, -math.inf, np.float32("nan")], ids=repr)
+def test_a_real_number_is_finite(value):
+    with pytest.raises(ValueError, match=f"x must be finite, got {float(value)}"):
+        validation.real("x", value)
+
+
+def test_an_integer_too_large_for_a_float_is_refused_like_infinity():
+    with pytest.raises(ValueError, match="x must be finite"):
+        validation.real("x", 10**400)
+
+
+@pytest.mark.parametrize(
+    ("value", "limits", "message"),
+    [
+        (0.0, {"above": 0.0}, "x must be > 0, got 0"),
+        (-1e-300, {"least": 0.0}, "x must be >= 0, got -1e-300"),
+        (1.0, {"below": 1.0}, "x must be < 1, got 1"),
+        (2.0, {"least": 0.0, "below": 1.0}, "x must be >= 0 and < 1, got 2"),
+        (-3, {"above": 0.0, "unit": "metres"}, "x must be > 0 metres, got -3"),
+    ],
+)
+def test_a_number_out_of_range_is_refused_with_the_range(value, limits, message):
+    with pytest.raises(ValueError, match=f"^{re.escape(message)}$"):
+        validation.real("x", value, **limits)
+
+
+def test_infinity_is_a_distance_where_that_is_allowed_and_minus_infinity_never_is():
+    assert validation.real("x", math.inf, above=0.0, infinite=True) == math.inf
+    assert validation.real("x", math.inf, below=1.0, infinite=True) == math.inf
+    with pytest.raises(ValueError, match="x must not be -infinity"):
+        validation.real("x", -math.inf, infinite=True)
+    with pytest.raises(ValueError, match="x must be finite, got nan"):
+        validation.real("x", math.nan, infinite=True)
+
+
+@pytest.mark.parametrize("value", [3, np.int64(3), np.uint8(3)], ids=repr)
+def test_every_kind_of_integer_is_an_integer(value):
+    number = validation.integer("n", value, least=1, most=3)
+    assert type(number) is int
+    assert number == 3
+
+
+@pytest.mark.parametrize("value", [3.0, "3", None, True, np.True_, 3j, [3], np.float64(3), math.nan], ids=repr)
+def test_nothing_else_is_an_integer(value):
+    with pytest.raises(TypeError, match="n must be an integer, got "):
+        validation.integer("n", value, least=1, most=5)
+
+
+@pytest.mark.parametrize("value", [0, 6, -1, 10**30])
+def test_an_integer_out_of_range_is_refused_with_the_range(value):
+    with pytest.raises(ValueError, match=f"n must be from 1 to 5, got {value}"):
+        validation.integer("n", value, least=1, most=5)
+
+
+@pytest.mark.parametrize("value", ["c", "A", "", None, 1, ["a"], b"a", np.array(["a"])], ids=repr)
+def test_a_choice_names_all_that_may_be_chosen(value):
+    with pytest.raises(ValueError, match="mode must be one of 'a', 'b', got ") as caught:
+        validation.choice("mode", value, ("a", "b"))
+    assert repr(value) in str(caught.value)
+
+
+def test_a_choice_is_returned():
+    assert validation.choice("mode", "b", ("a", "b")) == "b"
+
+
+@given(st.lists(st.floats(-1e300, 1e300), min_size=1, max_size=5))
+def test_arrays_of_real_numbers_are_copied_and_read_only(values):
+    given_array = np.array(values)
+    array = validation.real_array("a", given_array)
+    assert array.dtype == np.float64
+    np.testing.assert_array_equal(array, given_array)
+    assert not array.flags.writeable
+    assert given_array.flags.writeable
+    assert not np.shares_memory(array, given_array)
+
+
+@pytest.mark.parametrize("value", [["1"], [True], [1j], [None], [[1], [2, 3]], "1", {}, [object()]], ids=repr)
+def test_arrays_of_anything_else_are_refused(value):
+    with pytest.raises((TypeError, ValueError), match="a must hold real numbers, got "):
+        validation.real_array("a", value)
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        ([1.0, math.nan], "a must be finite and >= 0, got nan"),
+        ([1.0, -2.5, math.nan], "a must be finite and >= 0, got -2.5"),
+        (math.inf, "a must be finite and >= 0, got inf"),
+    ],
+)
+def test_the_first_bad_number_of_an_array_is_named(value, message):
+    with pytest.raises(ValueError, match=f"^{re.escape(message)}$"):
+        validation.real_array("a", value, least=0.0)
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [(5, (5, 5)), ((5, 7), (5, 7)), ([5, 7], (5, 7)), (np.array([5, 7]), (5, 7)), (16384, (16384, 16384))],
+)
+def test_a_shape_is_a_side_or_a_height_and_a_width(value, expected):
+    assert validation.image_shape(value) == expected
+
+
+@pytest.mark.parametrize("value", [(), (5,), (5, 5, 5), np.zeros((2, 2), int), np.array(5.5), "55", {5, 6}], ids=repr)
+def test_nothing_else_is_a_shape(value):
+    with pytest.raises((TypeError, ValueError), match="shape must be an integer"):
+        validation.image_shape(value)
+
+
+@pytest.mark.parametrize("metres", [1e-12, 13.5e-9, 550e-9, 10.6e-6, 1e-2])
+def test_wavelengths_from_gamma_rays_to_microwaves_are_wavelengths(metres):
+    assert validation.wavelength(metres) == metres
+
+
+@pytest.mark.parametrize(
+    ("value", "fix"),
+    [(550, "for 550 nm give 550e-9"), (1064.0, "1064e-9"), (0.55, "for 0.55 um give 0.55e-6"), (10.6, "10.6e-6")],
+)
+def test_a_wavelength_that_was_meant_in_another_unit_is_refused_with_the_fix(value, fix):
+    with pytest.raises(ValueError, match=f"wavelength is in metres .* got {value:g}; .*{fix}"):
+        validation.wavelength(value)
+
+
+@pytest.mark.parametrize("value", [1e-13, 0.011, 1e6])
+def test_a_wavelength_that_is_none_in_any_unit_is_refused_without_a_guess(value):
+    with pytest.raises(ValueError, match=r"wavelength is in metres and must be from 1e-12 to 1e-2, got \S+$"):
+        validation.wavelength(value)
+
+
+@pytest.mark.parametrize(("value", "fix"), [(3.45, "for 3.45 um give 3.45e-6"), (12, "12e-6")])
+def test_a_pixel_that_was_meant_in_micrometres_is_refused_with_the_fix(value, fix):
+    with pytest.raises(ValueError, match=f"pixel is in metres .* got {value:g}; .*{fix}"):
+        validation.pixel(value, metric=True)
+    assert validation.pixel(value, metric=False) == value

@@ -1,0 +1,243 @@
+"""Files that are no PSF of this package, or no longer: a FileError that names the file, never a wrong PSF."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image
+
+import lommel as lm
+from lommel.io.psf_files import FileError
+
+SUFFIXES = [".tif", ".npy", ".npz", ".png"]
+PSF = lm.psf(lm.Pupil(lm.Wavefront(1.0), wavelength=5e-7, f_number=2.0), 9, 5e-7)
+
+
+def test_a_file_error_is_a_value_error():
+    assert issubclass(FileError, ValueError)
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_no_beginning_of_a_file_loads_as_anything_but_the_whole(suffix, tmp_path):
+    file = tmp_path / f"a{suffix}"
+    PSF.save(file)
+    data, whole = file.read_bytes(), lm.PSF.load(file).values
+    for length in [*range(0, len(data), 7), len(data) - 1]:
+        file.write_bytes(data[:length])
+        try:
+            values = lm.PSF.load(file).values
+        except FileError:
+            continue
+        # The last bytes of a picture hold nothing.
+        np.testing.assert_array_equal(values, whole)
+
+
+def foreign(suffix: str, path) -> None:
+    grey = np.arange(12, dtype=np.uint16).reshape(3, 4)
+    if suffix == ".tif":
+        tifffile.imwrite(path, grey)
+    elif suffix == ".npy":
+        np.save(path, grey)
+    elif suffix == ".npz":
+        np.savez(path, values=grey)
+    else:
+        Image.fromarray(grey).save(path)
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_an_image_of_another_program_is_no_psf(suffix, tmp_path):
+    foreign(suffix, tmp_path / f"a{suffix}")
+    with pytest.raises(FileError, match=rf"a{suffix} is not a PSF written by lommel: "):
+        lm.PSF.load(tmp_path / f"a{suffix}")
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize(
+    "data", [b"", b"\0" * 100, b"name = 'lens'\n", b"\x93NUMPY\x09\x00", b"PK\x03\x04", b"II*\0"]
+)
+def test_what_is_no_image_at_all_is_no_psf(suffix, data, tmp_path):
+    (tmp_path / f"a{suffix}").write_bytes(data)
+    with pytest.raises(FileError, match=rf"a{suffix} is not a PSF written by lommel: ."):
+        lm.PSF.load(tmp_path / f"a{suffix}")
+
+
+def test_an_ome_file_of_another_program_is_no_psf(tmp_path):
+    metadata = {"axes": "YX", "Description": "mitochondria"}
+    tifffile.imwrite(tmp_path / "a.tif", np.ones((4, 4), np.float32), ome=True, metadata=metadata)
+    with pytest.raises(FileError, match=r"a\.tif is not a PSF written by lommel"):
+        lm.PSF.load(tmp_path / "a.tif")
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_python_objects_are_never_unpickled(tmp_path):
+    class Trap:
+        def __reduce__(self):
+            return sys.exit, (99,)
+
+    np.save(tmp_path / "a.npy", np.array([Trap()], dtype=object), allow_pickle=True)
+    np.savez(tmp_path / "a.npz", values=np.array([Trap()], dtype=object), description=np.array('{"shape": [1]}'))
+    for name in ("a.npy", "a.npz"):
+        with pytest.raises(FileError, match="pickle"):
+            lm.PSF.load(tmp_path / name)
+
+
+def pupil(**changes: object) -> dict[str, object]:
+    return PSF.pupil.to_dict() | changes
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"pixel": None},
+        {"pixel": "wide"},
+        {"pixel": -1.0},
+        {"normalize": "area"},
+        {"shape": [81]},
+        {"shape": [9, 8]},
+        {"dtype": "int8"},
+        {"dtype": "object"},
+        {"scale": [1.0, 2.0, 3.0]},
+        {"scale": "x"},
+        {"error_bound": "small"},
+        {"method": {"name": "Guess"}},
+        {"method": {"name": "FresnelErf"}},
+        {"method": {"name": "NijboerZernike", "tol": 5}},
+        {"method": None},
+        {"pupil": {}},
+        {"pupil": pupil(wavelength=550)},
+        {"pupil": pupil(obscuration=2)},
+        {"pupil": pupil(wavefront={"defocus": [1.0, 2.0], "spherical": 0.0, "higher": []})},
+        {"pupil": pupil(geometry={"object_distance": ["far"]})},
+    ],
+    ids=str,
+)
+def test_a_description_that_cannot_be_true_is_refused(changes, tmp_path):
+    PSF.save(tmp_path / "a.npz")
+    with np.load(tmp_path / "a.npz") as archive:
+        values, description = archive["values"], json.loads(str(archive["description"]))
+    np.savez(tmp_path / "a.npz", values=values, description=np.array(json.dumps(description | changes)))
+    with pytest.raises(FileError, match=r"a\.npz is not a PSF written by lommel: "):
+        lm.PSF.load(tmp_path / "a.npz")
+
+
+@pytest.mark.parametrize("key", ["pupil", "method", "normalize", "pixel", "error_bound", "scale", "shape", "dtype"])
+def test_a_description_that_lacks_something_is_refused_with_its_name(key, tmp_path):
+    PSF.save(tmp_path / "a.npz")
+    with np.load(tmp_path / "a.npz") as archive:
+        values, description = archive["values"], json.loads(str(archive["description"]))
+    del description[key]
+    np.savez(tmp_path / "a.npz", values=values, description=np.array(json.dumps(description)))
+    with pytest.raises(FileError, match=key):
+        lm.PSF.load(tmp_path / "a.npz")
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_a_missing_file_is_an_os_error_with_its_name(suffix, tmp_path):
+    with pytest.raises(FileNotFoundError, match="nowhere"):
+        lm.PSF.load(tmp_path / f"nowhere{suffix}")
+    (tmp_path / f"folder{suffix}").mkdir()
+    with pytest.raises(IsADirectoryError):
+        lm.PSF.load(tmp_path / f"folder{suffix}")
+
+
+@pytest.mark.parametrize(
+    ("suffix", "library", "module"), [(".tif", "tifffile", "tifffile"), (".png", "PIL", "PIL.Image")]
+)
+def test_a_missing_library_is_told_with_what_to_install(suffix, library, module, tmp_path, monkeypatch):
+    PSF.save(tmp_path / f"old{suffix}")
+    monkeypatch.setitem(sys.modules, module, None)
+    for call in (lambda: PSF.save(tmp_path / f"new{suffix}"), lambda: lm.PSF.load(tmp_path / f"old{suffix}")):
+        with pytest.raises(ImportError, match=rf'needs {library}: pip install .*\(the extra "images" of lommel'):
+            call()
+    assert [path.name for path in tmp_path.iterdir()] == [f"old{suffix}"]
+    PSF.save(tmp_path / "a.npz")
+    assert lm.PSF.load(tmp_path / "a.npz").shape == (9, 9)
+
+
+def test_a_picture_loads_however_large_it_is(tmp_path, monkeypatch):
+    monkeypatch.setattr(Image, "MAX_IMAGE_PIXELS", 16)
+    PSF.save(tmp_path / "a.png")
+    assert lm.PSF.load(tmp_path / "a.png").shape == (9, 9)
+
+
+def rewritten(path, **changes: object) -> None:
+    """Write a .npz anew with other arrays, or another description."""
+    with np.load(path) as archive:
+        parts = dict(archive) | changes
+    np.savez(path, **parts)
+
+
+@pytest.mark.parametrize(
+    ("change", "why"),
+    [
+        (lambda v: v * -5, "must be >= 0"),
+        (lambda v: v.astype(np.float64), "must be float32, got float64"),
+        (lambda v: v.astype(np.complex64), "must be float32, got complex64"),
+        (lambda v: v.astype("U"), "9 x 9 values of <U32; the limit is 81"),
+        (lambda v: (v * 1e9).astype(np.int64), "must be float32, got int64"),
+        (lambda v: np.where(v == v.max(), np.nan, v), "must be finite, got nan"),
+        (lambda v: np.where(v == v.max(), np.inf, v), "must be finite, got inf"),
+        (lambda v: np.nextafter(v, np.float32(1)), "its checksum is another"),
+        (lambda v: v[::-1, ::-1].T.copy() if v[0, 1] != v[1, 0] else v * 0, "its checksum is another"),
+    ],
+)
+def test_values_that_were_not_saved_are_refused(change, why, tmp_path):
+    PSF.save(tmp_path / "a.npz")
+    rewritten(tmp_path / "a.npz", values=change(PSF.values))
+    with pytest.raises(FileError, match=why):
+        lm.PSF.load(tmp_path / "a.npz")
+
+
+def test_a_description_without_a_checksum_or_changed_by_hand_is_refused(tmp_path):
+    PSF.save(tmp_path / "a.npz")
+    with np.load(tmp_path / "a.npz") as archive:
+        description = json.loads(str(archive["description"]))
+    rewritten(tmp_path / "a.npz", description=np.array(json.dumps(description | {"error_bound": 1e-12})))
+    with pytest.raises(FileError, match="its checksum is another: it is damaged, or was changed"):
+        lm.PSF.load(tmp_path / "a.npz")
+    del description["checksum"]
+    rewritten(tmp_path / "a.npz", description=np.array(json.dumps(description)))
+    with pytest.raises(FileError, match="it has no checksum, so nobody knows whether it is whole; save it anew"):
+        lm.PSF.load(tmp_path / "a.npz")
+
+
+def test_derivatives_that_were_not_saved_are_refused(tmp_path):
+    psf = lm.psf(PSF.pupil, 5, 5e-7, derivatives=["defocus"], integrate=False)
+    psf.save(tmp_path / "a.npz")
+    np.testing.assert_array_equal(lm.PSF.load(tmp_path / "a.npz").derivatives["defocus"], psf.derivatives["defocus"])
+    rewritten(tmp_path / "a.npz", **{"derivative defocus": -psf.derivatives["defocus"]})
+    with pytest.raises(FileError, match="checksum"):
+        lm.PSF.load(tmp_path / "a.npz")
+
+
+@pytest.mark.parametrize("suffix", [".tif", ".npy"])
+def test_any_bit_of_the_values_that_turns_is_noticed(suffix, tmp_path):
+    file = tmp_path / f"a{suffix}"
+    PSF.save(file)
+    data = file.read_bytes()
+    start = data.index(PSF.values.tobytes())
+    for bit in range(0, 8 * PSF.values.nbytes, 29):
+        damaged = bytearray(data)
+        damaged[start + bit // 8] ^= 1 << bit % 8
+        file.write_bytes(damaged)
+        with pytest.raises(FileError, match=r"its checksum is another|must be finite|must be >= 0"):
+            lm.PSF.load(file)
+
+
+def test_the_values_of_a_picture_are_those_of_its_levels(tmp_path):
+    PSF.save(tmp_path / "a.png")
+    with Image.open(tmp_path / "a.png") as picture:
+        text, grey = picture.text["lommel"], np.asarray(picture).astype(np.uint16)
+    from PIL.PngImagePlugin import PngInfo
+
+    info = PngInfo()
+    info.add_text("lommel", text)
+    Image.fromarray(grey).save(tmp_path / "a.png", pnginfo=info)
+    assert lm.PSF.load(tmp_path / "a.png").shape == (9, 9)
+    Image.fromarray(grey // 2).save(tmp_path / "a.png", pnginfo=info)
+    with pytest.raises(FileError, match="checksum"):
+        lm.PSF.load(tmp_path / "a.png")

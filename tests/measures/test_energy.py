@@ -1,0 +1,147 @@
+"""Shares of the light, against what is known of the Airy pattern and of defocus."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy import special
+
+import lommel as lm
+from lommel import Fraunhofer, Geometric, Hankel, LommelSeries, NijboerZernike, Pupil, Wavefront
+
+PUPILS = {
+    "in focus": Pupil(),
+    "defocused": Pupil(Wavefront(6.0)),
+    "spherical": Pupil(Wavefront(-4.0, 7.0)),
+    "obscured": Pupil(Wavefront(3.0, 1.0), obscuration=0.4),
+}
+
+
+def _airy_energy(v: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return Rayleigh's ``1 - J0^2 - J1^2``."""
+    return 1 - special.j0(v) ** 2 - special.j1(v) ** 2
+
+
+def _mean(method: lm.Method, pupil: Pupil, shape: tuple[int, int], pixel: float, parts: int) -> float:
+    """Return the light in the window as the sum over pixels cut into parts x parts."""
+    fine = (shape[0] * parts, shape[1] * parts)
+    return float(lm.psf(pupil, fine, pixel / parts, method=method, dtype=np.float64).values.sum())
+
+
+@pytest.mark.parametrize("method", [NijboerZernike(), NijboerZernike(tol=1e-10), Hankel(), LommelSeries()])
+def test_the_encircled_energy_of_the_airy_pattern_is_that_of_rayleigh(method: lm.Method) -> None:
+    radius = np.array([[0.0, 1e-6, 0.1], [1.22, 2.233, 40.0]])
+    energy = lm.psf(Pupil(), 1, 0.3, method=method, dtype=np.float64).encircled_energy(radius)
+    assert energy.shape == (2, 3)
+    assert energy == pytest.approx(_airy_energy(math.pi * radius), rel=0, abs=max(method.tol, 1e-13))
+
+
+def test_the_dark_rings_of_the_airy_pattern_hold_84_and_91_percent() -> None:
+    answer = lm.psf(Pupil(wavelength=550e-9, f_number=2.8), 5, 1e-6)
+    first = answer.pupil.airy_radius
+    second = first * special.jn_zeros(1, 2)[1] / special.jn_zeros(1, 1)[0]
+    assert answer.encircled_energy([first, second]) == pytest.approx([0.8378, 0.9099], abs=1e-4)
+
+
+@pytest.mark.parametrize("name", PUPILS)
+def test_the_encircled_energy_is_the_integral_of_the_profile(name: str) -> None:
+    pupil, radii = PUPILS[name], np.array([0.2, 1.5, 4.0, 9.0])
+    answer = lm.psf(pupil, 3, 0.5, method=NijboerZernike(tol=1e-9))
+    x, w = np.polynomial.legendre.leggauss(80)
+    for radius, energy in zip(radii, answer.encircled_energy(radii), strict=True):
+        v = 0.5 * math.pi * radius * (1 + x)
+        light = np.sum(0.5 * math.pi * radius * w * v * np.abs(Hankel().field(pupil, v)) ** 2) / (2 * pupil.area)
+        assert energy == pytest.approx(light, rel=0, abs=1e-8)
+
+
+@given(st.lists(st.floats(0, 30), min_size=2, max_size=6), st.floats(-20, 20), st.sampled_from([0.0, 0.5]))
+def test_larger_circles_hold_no_less_light_and_never_more_than_all(
+    radii: list[float], defocus: float, obscuration: float
+) -> None:
+    pupil = Pupil(Wavefront(defocus), obscuration=obscuration)
+    energy = lm.psf(pupil, 1, 1.0, method=NijboerZernike(1e-9)).encircled_energy(np.sort(radii))
+    assert np.all(np.diff(energy) >= -1e-9)
+    assert np.all((energy >= 0) & (energy <= 1 + 1e-9))
+
+
+@pytest.mark.parametrize("method", [Fraunhofer(samples=256, edge="grey"), Geometric()])
+def test_on_the_grid_the_encircled_energy_is_summed_over_the_pixels(method: lm.Method) -> None:
+    pupil = Pupil(Wavefront(12.0))
+    answer = lm.psf(pupil, 129, 0.35, method=method, dtype=np.float64)
+    exact = lm.psf(pupil, 1, 1.0).encircled_energy([5.0, 10.0, 20.0])
+    energy = answer.encircled_energy([5.0, 10.0, 20.0])
+    assert energy == pytest.approx(exact, abs=0.03)
+    whole = 0.35 * 129
+    assert answer.encircled_energy(whole) == pytest.approx(float(answer.energy), rel=1e-12)
+    assert answer.encircled_energy(0.0) == 0.0
+
+
+@pytest.mark.parametrize("name", PUPILS)
+def test_the_energy_of_a_window_tends_to_one_as_it_grows(name: str) -> None:
+    """What is left outside falls like 1 / v: ``4 (1 + eps) / (pi v)`` of ``2 (1 - eps^2)`` beyond the circle v."""
+    pupil = PUPILS[name]
+    missing = []
+    for side in (65, 129, 257, 513, 1025):
+        answer = lm.psf(pupil, side, 0.5)
+        missing.append(1 - float(answer.energy))
+    missing = np.array(missing)
+    assert np.all(missing > 0)
+    # Over a square of half side a the mean of 1 / v is that of cos(angle) / a, which is 2 sqrt(2) / (pi a).
+    half = 0.25 * math.pi * np.array([65, 129, 257, 513, 1025])
+    tail = 2 * (1 + pupil.obscuration) / (math.pi * pupil.area) * 2 * math.sqrt(2) / (math.pi * half)
+    assert missing[2:] == pytest.approx(tail[2:], rel=0.02)
+
+
+@pytest.mark.parametrize(("shape", "pixel"), [((9, 9), 0.6), ((7, 11), 0.5), ((1, 1), 1.0), ((3, 33), 0.3)])
+@pytest.mark.parametrize("name", PUPILS)
+def test_the_energy_of_a_window_is_the_sum_over_ever_smaller_pixels(
+    name: str, shape: tuple[int, int], pixel: float
+) -> None:
+    pupil = PUPILS[name]
+    energy = float(lm.psf(pupil, shape, pixel, method=Hankel()).energy)
+    # Odd parts keep the window where it is; the midpoint rule errs by h^2, so two of them give the limit.
+    coarse, fine = (_mean(NijboerZernike(1e-10), pupil, shape, pixel, parts) for parts in (21, 63))
+    limit = fine + (fine - coarse) / 8
+    assert energy == pytest.approx(limit, rel=1e-6)
+    assert abs(energy - fine) < abs(energy - coarse) / 8
+
+
+@pytest.mark.parametrize("shape", [(8, 8), (7, 10), (2, 1)])
+def test_the_window_of_an_even_image_reaches_half_a_pixel_further_up_and_left(shape: tuple[int, int]) -> None:
+    """Its four quadrants are those of odd images, each a quarter of such a window."""
+    pupil, pixel = PUPILS["spherical"], 0.45
+    height, width = shape
+    tall, flat = 2 * (height // 2) + 1, 2 * ((height - 1) // 2) + 1
+    wide, slim = 2 * (width // 2) + 1, 2 * ((width - 1) // 2) + 1
+    odd = [float(lm.psf(pupil, (h, w), pixel, method=Hankel()).energy) for h in (tall, flat) for w in (wide, slim)]
+    assert float(lm.psf(pupil, shape, pixel, method=Hankel()).energy) == pytest.approx(sum(odd) / 4, rel=1e-12)
+
+
+@pytest.mark.parametrize("pixel", [1e-4, 3e-3, 0.05])
+def test_the_energy_of_a_long_thin_window_is_that_of_a_line(pixel: float) -> None:
+    """One row of pixels: the pixel times the integral along it, where the pixel is small."""
+    pupil, length = PUPILS["in focus"], 1001
+    x, w = np.polynomial.legendre.leggauss(120)
+    half = 0.5 * length * math.pi * pixel
+    line = np.sum(half * w * np.abs(Hankel().field(pupil, np.abs(half * x))) ** 2)
+    energy = float(lm.psf(pupil, (1, length), pixel, method=Hankel()).energy)
+    assert energy == pytest.approx(line * math.pi * pixel / (4 * math.pi), rel=1e-7 + (math.pi * pixel) ** 2 / 24)
+
+
+def test_every_number_has_the_shape_of_the_stack() -> None:
+    pupils = Pupil(Wavefront(np.array([[1.0, 2.0, 3.0]])), obscuration=0.2)
+    for method in (NijboerZernike(), Fraunhofer()):
+        answer = lm.psf(pupils, (6, 5), 0.5, method=method)
+        assert np.shape(answer.energy) == np.shape(answer.strehl) == (1, 3)
+        assert np.shape(answer.encircled_energy(1.0)) == (1, 3)
+        assert np.shape(answer.encircled_energy([1.0, 2.0])) == (1, 3, 2)
+        alone = lm.psf(pupils[0, 1], (6, 5), 0.5, method=method)
+        assert answer.energy[0, 1] == pytest.approx(float(alone.energy), rel=1e-5)
+        assert answer.encircled_energy([1.0, 2.0])[0, 1] == pytest.approx(
+            alone.encircled_energy([1.0, 2.0]), rel=1e-5
+        )

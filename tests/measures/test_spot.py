@@ -1,0 +1,206 @@
+"""Where the light is and how wide: the Airy pattern, defocus, and images of pupils that are not radial."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy import special
+from scipy.optimize import brentq
+
+import lommel as lm
+from lommel.measures import energy, spot
+
+FINE = lm.Fraunhofer(samples=512, edge="grey")
+EXACT = lm.NijboerZernike(1e-11)
+
+
+def airy(v: float) -> float:
+    return (2 * special.j1(v) / v) ** 2 if v else 1.0
+
+
+def test_the_airy_pattern_is_1_029_lambda_N_wide():
+    expected = 2 * brentq(lambda v: airy(v) - 0.5, 1.0, 2.5, xtol=1e-14) / math.pi
+    assert expected == pytest.approx(1.02899, abs=1e-5)
+    for pixel in (0.1, 3.0):
+        answer = lm.psf(lm.Pupil(), 5, pixel, method=EXACT)
+        assert [answer.fwhm(along) for along in ("mean", "x", "y")] == pytest.approx([expected] * 3, abs=1e-9)
+    metric = lm.psf(lm.Pupil(wavelength=500e-9, f_number=4.0), 5, 1e-6, method=EXACT)
+    assert metric.fwhm() == pytest.approx(expected * 2e-6, rel=1e-9)
+
+
+@pytest.mark.parametrize(("eps", "g"), [(0.0, 0.0), (0.5, 0.0), (0.95, 0.0), (0.0, 2.0)])
+@pytest.mark.parametrize("defocus", [0.0, 2.0, 3.3, 25.0])
+def test_at_half_of_its_width_the_profile_is_half_of_its_largest_value_and_beyond_it_less(eps, g, defocus):
+    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus), obscuration=eps, apodization=g), 5, 0.2, method=lm.Hankel())
+    half = 0.5 * answer.fwhm()
+    reach = float(answer.pupil.geometric_radius()) + 8
+    values = answer.profile(np.linspace(0, reach, 20001))[1]
+    assert answer.profile(half)[1] == pytest.approx(0.5 * values.max(), rel=1e-5)
+    assert answer.profile(half + np.linspace(1e-3, reach, 2000))[1].max() < 0.5 * values.max()
+
+
+def test_the_width_of_a_large_defocus_is_about_that_of_the_geometric_blur_where_the_axis_is_dark():
+    answer = lm.psf(lm.Pupil(lm.Wavefront(64 * math.pi)), 5, 0.2)
+    assert answer.fwhm() == pytest.approx(2 * answer.pupil.geometric_radius(), rel=0.1)
+
+
+@pytest.mark.parametrize("fraction", [0.01, 0.5, 0.8, 0.95])
+def test_the_diameters_of_the_airy_pattern_hold_what_rayleigh_says(fraction):
+    answer = lm.psf(lm.Pupil(), 5, 0.2, method=EXACT)
+    v = 0.5 * math.pi * answer.energy_diameter(fraction)
+    assert 1 - special.j0(v) ** 2 - special.j1(v) ** 2 == pytest.approx(fraction, abs=1e-9)
+
+
+@given(st.floats(-30, 30), st.floats(0.02, 0.97), st.sampled_from([0.0, 0.6]))
+def test_a_diameter_holds_the_light_it_was_asked_for(defocus, fraction, eps):
+    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus), obscuration=eps), 5, 0.2, method=lm.NijboerZernike(1e-9))
+    assert answer.encircled_energy(0.5 * answer.energy_diameter(fraction)) == pytest.approx(fraction, abs=1e-8)
+
+
+def test_images_of_a_method_without_a_profile_come_near_those_of_one_with():
+    pupil = lm.Pupil(lm.Wavefront([0.0, 1.5]))
+    exact = lm.psf(pupil, 129, 0.25, method=EXACT)
+    errors = []
+    for pixel in (0.25, 0.125):
+        image = lm.psf(pupil, round(32 / pixel) + 1, pixel, method=FINE)
+        assert image.fwhm() == pytest.approx(exact.fwhm(), rel=1e-2)
+        assert image.fwhm("x") == pytest.approx(image.fwhm("y"), rel=1e-6)
+        errors.append(np.abs(image.energy_diameter(0.8) - exact.energy_diameter(0.8)).max())
+    assert errors[0] < 0.05
+    assert errors[1] < 0.7 * errors[0]
+
+
+def test_astigmatism_is_wider_along_one_axis_and_turns_with_its_sign():
+    widths = []
+    for sign in (1, -1):
+        pupil = lm.Pupil(lm.Wavefront(1.0, nonradial={(2, 2): sign * 2.0}))
+        image = lm.psf(pupil, 65, 0.25, method=FINE)
+        widths.append([image.fwhm("x"), image.fwhm("y")])
+        assert image.fwhm() == pytest.approx(np.mean(widths[-1]))
+    # 2 C_d rho^2 and 2 rho^2 cos(2 theta) cancel along y, and add along x.
+    assert widths[0][0] > 1.5 * widths[0][1]
+    assert widths[0] == pytest.approx(widths[1][::-1], rel=1e-4)
+
+
+@pytest.mark.parametrize(("across", "down"), [(2.0, 0.0), (-1.3, 4.7), (0.0, -3.0)])
+def test_a_tilt_moves_peak_and_centroid_and_leaves_the_rest(across, down):
+    still = lm.psf(lm.Pupil(lm.Wavefront(nonradial={(2, 2): 1.0})), 257, 0.25, method=FINE, dtype="float64")
+    wavefront = lm.Wavefront(nonradial={(2, 2): 1.0, (1, 1): math.pi * across, (1, -1): math.pi * down})
+    moved = lm.psf(lm.Pupil(wavefront), 257, 0.25, method=FINE, dtype="float64")
+    assert moved.peak_position == pytest.approx([across, down], abs=0.01)
+    assert lm.centroid(moved.pupil) == pytest.approx([across, down], abs=1e-12)
+    # The window cuts more on the side to which the light has moved.
+    assert moved.centroid == pytest.approx([across, down], rel=0.06, abs=1e-6)
+    assert moved.fwhm() == pytest.approx(still.fwhm(), rel=0.02)
+    # The two definitions of the Strehl ratio.
+    assert moved.strehl < 0.05
+    assert moved.peak_strehl == pytest.approx(still.strehl, rel=0.06)
+    assert still.peak_strehl == pytest.approx(still.strehl, rel=2e-3)
+    away = math.hypot(across, down)
+    around = moved.encircled_energy([0.5, 2.0], about="centroid")
+    assert around == pytest.approx(still.encircled_energy([0.5, 2.0]), abs=0.04)
+    assert moved.encircled_energy(0.3 * away) < 0.2
+    sides = moved.ensquared_energy([0.5, 2.0], about="centroid")
+    assert sides == pytest.approx(still.ensquared_energy([0.5, 2.0]), abs=0.04)
+    assert moved.energy_diameter(0.7, about="centroid") == pytest.approx(still.energy_diameter(0.7), abs=0.1)
+
+
+def test_the_centroid_of_a_window_approaches_that_of_the_wavefront():
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}), obscuration=0.2)
+    errors = []
+    for side in (65, 129, 257):
+        image = lm.psf(pupil, side, 0.25, method=FINE, dtype="float64")
+        errors.append(np.abs(image.centroid - lm.centroid(pupil)).max())
+    assert errors[0] > 1.5 * errors[1] > 2.25 * errors[2]
+
+
+def test_squares_of_a_radial_psf_are_exact_and_those_of_its_pixels_come_near():
+    pupil = lm.Pupil(lm.Wavefront([0.0, 4.0]), obscuration=0.3)
+    half = np.array([0.0, 0.6, 1.0, 3.1])
+    exact = lm.psf(pupil, 5, 0.3, method=EXACT).ensquared_energy(half)
+    # A square of whole pixels is a window.
+    window = lm.psf(pupil, 31, 0.2, integrate=True, method=EXACT).values.sum(axis=(1, 2))
+    assert exact[:, 3] == pytest.approx(window, abs=1e-8)
+    assert np.all(exact[:, 0] == 0)
+    image = lm.psf(pupil, 101, 0.1, method=lm.Fraunhofer(samples=256, edge="grey"))
+    assert image.ensquared_energy(half) == pytest.approx(exact, abs=3e-3)
+
+
+@given(st.floats(0.01, 20), st.floats(-10, 10))
+def test_a_square_holds_no_less_than_its_inner_circle_and_no_more_than_its_outer(half, defocus):
+    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus)), 3, 0.3, method=lm.NijboerZernike(1e-9))
+    inner, outer = answer.encircled_energy([half, half * math.sqrt(2)])
+    assert inner - 1e-8 <= answer.ensquared_energy(half) <= outer + 1e-8
+    pixels = lm.psf(lm.Pupil(lm.Wavefront(defocus)), 41, 0.5, method=lm.Geometric())
+    inner, outer = pixels.encircled_energy([half, half * math.sqrt(2)])
+    assert inner - 1e-9 <= pixels.ensquared_energy(half) <= outer + 1e-9
+    assert pixels.ensquared_energy(100.0) == pytest.approx(pixels.energy, rel=1e-9)
+
+
+def test_a_stack_gives_what_each_of_its_pupils_gives():
+    for wavefront, method in (
+        (lm.Wavefront([[0.0, 1.0, 3.0]]), EXACT),
+        (lm.Wavefront([[0.0, 1.0, 3.0]], nonradial={(3, 1): 1.0}), FINE),
+    ):
+        stack = lm.psf(lm.Pupil(wavefront), (33, 41), 0.25, method=method)
+        numbers = {
+            "fwhm": lambda a: a.fwhm(),
+            "diameter": lambda a: a.energy_diameter(0.5),
+            "square": lambda a: a.ensquared_energy([0.5, 1.5]),
+            "circle": lambda a: a.encircled_energy([0.5, 1.5], about="centroid"),
+            "strehl": lambda a: a.strehl,
+            "peak": lambda a: a.peak_strehl,
+            "place": lambda a: a.peak_position,
+            "centroid": lambda a: a.centroid,
+            "mtf": lambda a: a.mtf([0.1, 0.2]),
+        }
+        for name, number in numbers.items():
+            whole = number(stack)
+            assert whole.shape[:2] == (1, 3), name
+            for i in range(3):
+                assert whole[0, i] == pytest.approx(number(stack[0, i]), rel=1e-6, abs=1e-9), name
+
+
+def test_what_is_impossible_is_refused_by_name():
+    radial = lm.psf(lm.Pupil(lm.Wavefront(2.0)), 9, 0.25)
+    coma = lm.psf(lm.Pupil(lm.Wavefront(2.0, nonradial={(3, 1): 4.0})), 5, 0.1, method=FINE)
+    for match, call in {
+        "half_width must be finite": lambda: radial.ensquared_energy([1.0, math.nan]),
+        "half_width must be finite and >= 0": lambda: coma.ensquared_energy(-1.0),
+        "radius must be finite": lambda: coma.encircled_energy(math.inf),
+        "about must be one of": lambda: radial.encircled_energy(1.0, about="peak"),
+        "about must be one of 'axis', 'centroid'": lambda: radial.energy_diameter(0.5, about="peak"),
+        "along must be one of": lambda: radial.fwhm("z"),
+        "fraction must be > 0 and < 1, got 1": lambda: radial.energy_diameter(1.0),
+        "fraction must be finite": lambda: coma.energy_diameter(math.nan),
+        "fraction must be at most the": lambda: coma.energy_diameter(0.9),
+        "fraction must be held by a circle": lambda: radial.energy_diameter(1 - 1e-6),
+        "do not fall to half of the largest along x": lambda: coma.fwhm("x"),
+        "takes at least 4 pixels": lambda: lm.psf(coma.pupil, 3, 0.25, method=FINE).fwhm(),
+        "radius must be None for a pupil that is not radial": lambda: coma.profile(1.0),
+        "pupil must be radially symmetric|supports radially": lambda: lm.best_focus(coma.pupil, 1.0),
+        "supports radially|must be radially": lambda: spot.radial_fwhm(lm.Hankel(), coma.pupil),
+        "no light": lambda: energy.window_centroid(
+            lm.psf(lm.Pupil(), 3, 1.0, method=lm.Geometric(), center=(50, 50))
+        ),
+    }.items():
+        with pytest.raises(ValueError, match=match):
+            call()
+
+
+@pytest.mark.parametrize("defocus", [0.0, 1.0, math.pi, -7.3])
+@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
+def test_the_strehl_ratio_of_defocus_is_a_sinc_squared(defocus, normalize):
+    answer = lm.psf(lm.Pupil(lm.Wavefront(defocus)), (4, 5), 0.7, method=lm.Hankel(), normalize=normalize)
+    expected = (math.sin(defocus) / defocus) ** 2 if defocus else 1.0
+    assert float(answer.strehl) == pytest.approx(expected, rel=1e-12, abs=1e-15)
+
+
+def test_the_strehl_ratio_of_an_obscured_lens_is_relative_to_itself():
+    assert float(lm.psf(lm.Pupil(obscuration=0.6), 3, 0.7, method=lm.Hankel()).strehl) == pytest.approx(
+        1.0, rel=1e-13
+    )

@@ -1,0 +1,296 @@
+"""Transfer functions, against closed forms, direct quadrature, and the images themselves."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from scipy.special import jv
+
+import lommel as lm
+from lommel.measures import image_transfer
+from lommel.methods import ToleranceError
+
+COMA = lm.Wavefront([0.0, 3.0], 0.4, nonradial={(3, 1): 1.0, (2, -2): -1.1, (1, 1): 2.0})
+FREQUENCIES = np.linspace(0.0, 1.2, 49)
+
+
+def overlap(a: mpmath.mpf, b: mpmath.mpf, d: mpmath.mpf) -> mpmath.mpf:
+    """Return the area that discs of radii a >= b share, their centres d apart."""
+    if d >= a + b:
+        return mpmath.mpf(0)
+    if d <= a - b:
+        return mpmath.pi * b * b
+    one, two = ((d * d + b * b - a * a) / (2 * d * b), (d * d + a * a - b * b) / (2 * d * a))
+    root = mpmath.sqrt((a + b - d) * (d + b - a) * (d - b + a) * (d + a + b))
+    return b * b * mpmath.acos(one) + a * a * mpmath.acos(two) - root / 2
+
+
+def oneill(f: float, eps: float) -> float:
+    """Return O'Neill's transfer function of an annulus, by the areas that its discs share."""
+    with mpmath.workdps(40):
+        rim, hole, d = mpmath.mpf(1), mpmath.mpf(eps), 2 * mpmath.mpf(f)
+        shared = overlap(rim, rim, d) - 2 * overlap(rim, hole, d) + overlap(hole, hole, d)
+        return float(shared / (mpmath.pi * (1 - hole**2)))
+
+
+def hopkins(f: float, defocus: float) -> float:
+    """Return Hopkins' series for a defocused lens; his s is 2 f, his a is 8 C_d f."""
+    a, beta = 8 * defocus * f, math.acos(f)
+    n = np.arange(1, 80)
+    even = beta * jv(1, a) + np.sum(
+        (-1.0) ** (n + 1) * np.sin(2 * n * beta) / (2 * n) * (jv(2 * n - 1, a) - jv(2 * n + 1, a))
+    )
+    n = np.arange(0, 80)
+    odd = np.sum((-1.0) ** n * np.sin((2 * n + 1) * beta) / (2 * n + 1) * (jv(2 * n, a) - jv(2 * n + 2, a)))
+    return 4 / (math.pi * a) * (math.cos(a * f) * even - math.sin(a * f) * odd)
+
+
+def brute(pupil: lm.Pupil, fx: float, fy: float, side: int) -> NDArray[np.complex128]:
+    """Return the autocorrelation by the midpoint rule on a Cartesian grid, first order at the edges."""
+    x = (np.arange(side) + 0.5) / side * 2 - 1
+    grid = np.meshgrid(x, x)
+    product = pupil.values(grid[0] - fx, grid[1] - fy) * pupil.values(grid[0] + fx, grid[1] + fy).conj()
+    return product.sum(axis=(1, 2)) * (2 / side) ** 2 / (math.pi * pupil.transmission)
+
+
+def test_the_mtf_of_a_perfect_lens_is_that_of_two_discs():
+    s = np.minimum(FREQUENCIES, 1.0)
+    expected = 2 / math.pi * (np.arccos(s) - s * np.sqrt(1 - s * s))
+    np.testing.assert_allclose(lm.otf(lm.Pupil(), FREQUENCIES), expected, rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("eps", [1e-3, 0.2, 1 / 3, 0.5, 0.8, 0.99])
+def test_the_mtf_of_an_annulus_is_that_of_oneill(eps):
+    # The arcs of the annuli begin to cross, or touch, at (1 - eps) / 2, eps, (1 + eps) / 2.
+    special = np.array([(1 - eps) / 2, eps, (1 + eps) / 2])
+    f = np.concatenate([FREQUENCIES[1:], special, special + 1e-9, special - 1e-9])
+    expected = [oneill(one, eps) for one in f]
+    np.testing.assert_allclose(lm.otf(lm.Pupil(obscuration=eps), f), expected, rtol=0, atol=5e-12)
+
+
+@pytest.mark.parametrize("defocus", [0.01, 1.0, -4.0, 15.0])
+def test_the_otf_of_a_defocused_lens_is_that_of_hopkins(defocus):
+    f = np.array([0.02, 0.1, 0.35, 0.5, 0.77, 0.96])
+    found = lm.otf(lm.Pupil(lm.Wavefront(defocus)), f)
+    np.testing.assert_allclose(found, [hopkins(one, defocus) for one in f], rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("f", [0.003, 0.4, 0.999])
+def test_a_large_defocus_is_no_less_exact(f):
+    a, end = 8 * 200.0 * f, math.acos(f)
+
+    def line(t: mpmath.mpf) -> mpmath.mpf:
+        return mpmath.cos(t) * 2 * mpmath.sin(a * (mpmath.cos(t) - f)) / a
+
+    expected = 2 / mpmath.pi * mpmath.quad(line, mpmath.linspace(0, end, 40))
+    found = lm.otf(lm.Pupil(lm.Wavefront(200.0)), f)
+    assert complex(found) == pytest.approx(complex(expected), abs=2e-12)
+
+
+@pytest.mark.parametrize(
+    "pupil",
+    [
+        lm.Pupil(COMA),
+        lm.Pupil(COMA, obscuration=0.35),
+        lm.Pupil(COMA, obscuration=0.6, apodization=1.5),
+        lm.Pupil(lm.Wavefront(2.0, 1.0), apodization=3.0),
+    ],
+)
+def test_the_otf_is_the_autocorrelation_of_the_pupil(pupil):
+    for fx, fy in [(-0.15, 0.3), (0.2, -0.6)]:
+        found = lm.otf(pupil, fx, fy).reshape(-1)
+        errors = [np.abs(brute(pupil, fx, fy, n) - found).max() for n in (100, 800)]
+        assert errors[1] < 1e-3
+        assert errors[1] < max(0.5 * errors[0], 1e-4)
+
+
+@pytest.mark.parametrize("eps", [0.0, 0.3])
+def test_every_tolerance_is_met(eps):
+    pupil = lm.Pupil(lm.Wavefront([8.0, 0.0], [3.0, -20.0], nonradial={(3, -1): 4.0}), obscuration=eps)
+    f = np.array([-0.95, -0.4, 0.2, 0.7])
+    truth = lm.otf(pupil, f, 0.1, tol=1e-13)
+    for tol in 10.0 ** np.arange(-12, 0):
+        assert np.abs(lm.otf(pupil, f, 0.1, tol=tol) - truth).max() <= tol
+
+
+@pytest.mark.parametrize("pupil", [lm.Pupil(COMA), lm.Pupil(COMA, obscuration=0.4)])
+def test_the_wavefront_and_the_image_agree_to_what_the_window_holds(pupil):
+    f = np.linspace(-1.0, 1.0, 9)
+    outside = []
+    for side in (65, 257):
+        image = lm.psf(pupil, side, 0.25, method=lm.Fraunhofer(samples=512, edge="grey"), dtype="float64")
+        difference = np.abs(image.otf(f, f[:, None]) - lm.otf(pupil, f, f[:, None]))
+        outside.append(1 - image.energy)
+        assert np.all(difference.max(axis=(1, 2)) <= outside[-1] + 1e-4)
+    assert np.all(outside[1] < 0.3 * outside[0])
+
+
+def test_pixels_that_average_carry_their_sinc_in_the_image_and_from_the_wavefront():
+    pupil = lm.Pupil(lm.Wavefront(2.0), wavelength=500e-9, f_number=4.0)
+    pixel = 0.4 * pupil.scale
+    image = lm.psf(pupil, 301, pixel, integrate=True, method=lm.NijboerZernike(1e-9))
+    f = np.array([0.05, 0.2, 0.6, 0.95]) * pupil.cutoff
+    expected = lm.otf(pupil, f, 0.3 * f, pixel=pixel)
+    plain = lm.otf(pupil, f, 0.3 * f)
+    np.testing.assert_allclose(expected / plain, np.sinc(f * pixel) * np.sinc(0.3 * f * pixel), rtol=1e-9)
+    # Sampled at 1 / pixel, frequencies return: at most what the sinc of those leaves.
+    assert np.abs(image.otf(f, 0.3 * f) - expected).max() < (1 - image.energy) + 1e-3
+    assert np.abs(image.otf(f, 0.3 * f) - plain).max() > 2 * np.abs(image.otf(f, 0.3 * f) - expected).max()
+
+
+@pytest.mark.parametrize(("shape", "center"), [((16, 21), None), ((9, 8), (3.3, 5.1))])
+def test_the_spectrum_of_a_window_is_its_sum_at_the_frequencies_of_the_window(shape, center):
+    image = lm.psf(lm.Pupil(lm.Wavefront([1.0, 5.0])), shape, 0.4, center=center)
+    fx, fy, values = image_transfer.image_spectrum(image)
+    assert values.shape == (2, *shape)
+    assert fx[shape[1] // 2] == fy[shape[0] // 2] == 0.0
+    np.testing.assert_allclose(values, image.otf(fx, fy[:, None]), rtol=0, atol=1e-13)
+    assert values[:, shape[0] // 2, shape[1] // 2].real == pytest.approx(image.values.sum(axis=(1, 2)), rel=1e-6)
+
+
+COEFFICIENT = st.floats(-4, 4)
+
+
+@given(COEFFICIENT, COEFFICIENT, st.sampled_from([0.0, 0.4]), st.floats(-1.1, 1.1), st.floats(-1.1, 1.1))
+def test_no_aberration_raises_the_contrast_and_the_otf_is_hermitian(coma, astigmatism, eps, fx, fy):
+    pupil = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): coma, (2, -2): astigmatism}), obscuration=eps)
+    here, there = lm.otf(pupil, fx, fy), lm.otf(pupil, -fx, -fy)
+    assert here == pytest.approx(np.conj(there), abs=1e-9)
+    assert abs(here) <= abs(lm.otf(pupil.unaberrated(), fx, fy)) + 1e-9
+    assert abs(here) <= 1 + 1e-13
+    if math.hypot(fx, fy) >= 1:
+        assert here == 0
+
+
+@pytest.mark.parametrize("obscuration", [0.0, 0.4])
+@pytest.mark.parametrize("frequency", [5e-324, 2.2e-311, 1e-101, 1e-99, 1e-30])
+def test_next_to_the_frequency_0_the_otf_is_1(frequency, obscuration):
+    pupil = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 2.0}), obscuration=obscuration)
+    assert lm.otf(pupil, frequency, frequency) == pytest.approx(1.0, abs=1e-12)
+
+
+@given(COEFFICIENT, COEFFICIENT, st.floats(-0.7, 0.7), st.floats(-0.7, 0.7))
+def test_a_tilt_turns_the_phase_of_the_otf_and_nothing_else(a, b, fx, fy):
+    wavefront = lm.Wavefront(1.0, nonradial={(3, -1): 1.5})
+    tilted = wavefront + lm.Wavefront(nonradial={(1, 1): a, (1, -1): b})
+    plain, moved = lm.otf(lm.Pupil(wavefront), fx, fy), lm.otf(lm.Pupil(tilted), fx, fy)
+    # A tilt of pi radians at the edge moves the image by one lambda*N.
+    assert moved == pytest.approx(plain * np.exp(-2j * (fx * a + fy * b)), abs=1e-9)
+
+
+def test_the_otf_of_a_symmetric_pupil_is_real_and_the_same_in_every_direction():
+    pupil = lm.Pupil(lm.Wavefront(3.0, -2.0), obscuration=0.2)
+    angle = np.linspace(0, 2 * math.pi, 9)
+    values = lm.otf(pupil, 0.4 * np.cos(angle), 0.4 * np.sin(angle))
+    assert np.all(values.imag == 0)
+    np.testing.assert_allclose(values, values[0], rtol=0, atol=1e-12)
+
+
+def test_the_phase_transfer_of_a_tilt_is_linear_and_zero_where_there_is_no_contrast():
+    pupil = lm.Pupil(lm.Wavefront(nonradial={(1, 1): 0.5}))
+    np.testing.assert_allclose(lm.ptf(pupil, [0.0, 0.5, 0.9, 1.0, 2.0]), [0, -0.5, -0.9, 0, 0], rtol=0, atol=1e-8)
+
+
+def test_defocus_reverses_contrast():
+    assert lm.otf(lm.Pupil(lm.Wavefront(6.0)), 0.15).real < -0.05
+    assert lm.ptf(lm.Pupil(lm.Wavefront(6.0)), 0.15) == pytest.approx(math.pi)
+
+
+def test_frequencies_in_cycles_per_metre_and_per_lambda_N_agree():
+    metric = lm.Pupil(COMA, wavelength=633e-9, f_number=5.6)
+    f = np.array([0.1, 0.5])
+    assert metric.cutoff == pytest.approx(1 / (633e-9 * 5.6))
+    np.testing.assert_allclose(
+        lm.mtf(metric, f * metric.cutoff, 0.2 * metric.cutoff), lm.mtf(lm.Pupil(COMA), f, 0.2), rtol=0, atol=1e-9
+    )
+
+
+def test_a_stack_gives_what_each_of_its_pupils_gives():
+    stack = lm.Pupil(lm.Wavefront(np.array([[0.0, 3.0]]), nonradial={(2, 2): [[1.0], [2.0]]}), obscuration=0.1)
+    f = np.linspace(-0.9, 0.9, 3)
+    values = lm.otf(stack, f, f[:, None])
+    widths = lm.mtf_frequency(stack)
+    assert values.shape == (2, 2, 3, 3)
+    assert widths.shape == (2, 2)
+    for index in np.ndindex(2, 2):
+        np.testing.assert_allclose(values[index], lm.otf(stack[index], f, f[:, None]), rtol=0, atol=1e-9)
+        assert widths[index] == pytest.approx(lm.mtf_frequency(stack[index]), abs=1e-8)
+    assert np.ndim(lm.otf(stack[0, 0], 0.1)) == 0
+
+
+def test_a_spectrum_is_the_weighted_sum_and_what_its_images_hold():
+    pupil = lm.Pupil(lm.Wavefront(2.0), wavelength=500e-9, f_number=4.0)
+    spectrum = lm.Polychromatic([450e-9, 500e-9, 600e-9], [1, 2, 1], lm.NijboerZernike(1e-9))
+    f = np.array([0.0, 0.1, 0.5, 0.95]) * pupil.cutoff
+    found = lm.otf(pupil, f, spectrum=spectrum)
+    parts = [
+        lm.otf(lm.Pupil(lm.Wavefront(2.0 * 500e-9 / w), wavelength=w, f_number=4.0), f) for w in spectrum.wavelengths
+    ]
+    np.testing.assert_allclose(found, np.tensordot(spectrum.weights, parts, 1), rtol=0, atol=1e-10)
+    image = lm.psf(pupil, 401, 0.2 * pupil.scale, method=spectrum)
+    assert np.abs(image.otf(f) - found).max() <= (1 - image.values.sum()) + 1e-6
+    with pytest.raises(ValueError, match="needs a pupil with a wavelength"):
+        lm.otf(lm.Pupil(), 0.5, spectrum=spectrum)
+    with pytest.raises(TypeError, match="spectrum must be a Polychromatic"):
+        lm.otf(pupil, 0.5, spectrum=lm.Hankel())
+
+
+@pytest.mark.parametrize("angle", [0.0, 1.1])
+@pytest.mark.parametrize("level", [0.1, 0.5, 0.9])
+def test_the_frequency_of_a_contrast_has_that_contrast_and_is_the_first(level, angle):
+    pupil = lm.Pupil(COMA, wavelength=500e-9, f_number=2.0)
+    for one, found in zip((pupil[0], pupil[1]), lm.mtf_frequency(pupil, level, angle=angle), strict=True):
+        assert lm.mtf(one, found * math.cos(angle), found * math.sin(angle)) == pytest.approx(level, abs=1e-8)
+        before = np.linspace(0, 0.999 * found, 200)
+        assert lm.mtf(one, before * math.cos(angle), before * math.sin(angle)).min() > level
+    perfect = lm.mtf_frequency(lm.Pupil(), 0.5)
+    assert perfect == pytest.approx(0.40397, abs=1e-5)
+
+
+NAN = [math.nan, math.inf]
+
+
+@pytest.mark.parametrize("bad", NAN)
+def test_frequencies_and_options_that_are_no_finite_numbers_are_refused(bad):
+    pupil, image = lm.Pupil(), lm.psf(lm.Pupil(), 5, 0.5)
+    for call in (
+        lambda: lm.otf(pupil, bad),
+        lambda: lm.mtf(pupil, 0.1, [0.1, bad]),
+        lambda: lm.otf(pupil, 0.1, pixel=bad),
+        lambda: lm.otf(pupil, 0.1, tol=bad),
+        lambda: lm.mtf_frequency(pupil, bad),
+        lambda: lm.mtf_frequency(pupil, angle=bad),
+        lambda: image.otf(bad),
+    ):
+        with pytest.raises(ValueError, match="must be finite"):
+            call()
+
+
+def test_what_is_impossible_is_refused_by_name():
+    pupil, image = lm.Pupil(), lm.psf(lm.Pupil(), 5, 0.5)
+    for match, call in {
+        "pupil must be a Pupil": lambda: lm.otf(lm.Wavefront(), 0.1),
+        "fx must hold real numbers": lambda: lm.otf(pupil, "1"),
+        "fx and fy must broadcast": lambda: lm.otf(pupil, [0.1, 0.2], [0.1, 0.2, 0.3]),
+        "tol must be": lambda: lm.otf(pupil, 0.1, tol=1e-15),
+        "level must be": lambda: lm.mtf_frequency(pupil, 1.0),
+        "fy must be at most the Nyquist frequency": lambda: image.otf(0.1, -1.01),
+        "pixel is in metres": lambda: lm.mtf(lm.Pupil(wavelength=5e-7, f_number=2.0), 1e5, pixel=3.45),
+    }.items():
+        with pytest.raises((TypeError, ValueError), match=match):
+            call()
+    with pytest.raises(ToleranceError, match="takes more than 4096 nodes"):
+        lm.otf(lm.Pupil(lm.Wavefront(1e5)), 0.5)
+
+
+def test_an_aperture_that_is_not_round_is_refused_with_what_to_do():
+    pupil = lm.Pupil(spider=lm.Spider.equal(3, 0.1))
+    for ask in (lambda: lm.mtf(pupil, 0.3), lambda: lm.mtf_frequency(pupil)):
+        with pytest.raises(ValueError, match=r"pupil must be a disc or an annulus .* psf\.mtf\(fx, fy\)"):
+            ask()

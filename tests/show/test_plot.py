@@ -1,0 +1,261 @@
+"""Pictures of PSFs."""
+
+from __future__ import annotations
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import lommel as lm
+from lommel.methods import METHODS
+from lommel.show import plot
+
+METRIC = {"wavelength": 500e-9, "f_number": 4.0}
+
+
+@pytest.fixture
+def image() -> lm.PSF:
+    return lm.psf(lm.Pupil(lm.Wavefront(defocus=4.0), **METRIC), (6, 9), 2e-6)
+
+
+@pytest.fixture
+def answers(camera) -> dict[str, lm.PSF]:
+    """The same question put to every method."""
+    pupil = camera.pupil(1.99)
+    return {type(m).__name__: lm.psf(pupil, 9, 1e-6, method=m) for m in (kind() for kind in METHODS.values())}
+
+
+def test_it_draws_on_the_axes_it_is_given_and_returns_them(image):
+    _, (left, right) = plt.subplots(1, 2)
+    assert image.plot(right) is right
+    assert len(right.get_images()) == 1
+    assert not left.get_images()
+
+
+def test_it_draws_on_new_axes_where_none_are_given(image):
+    _, axes = plt.subplots()
+    new = image.plot()
+    assert new is not axes
+    assert new.figure in map(plt.figure, plt.get_fignums())
+
+
+def test_the_picture_shows_the_values_with_row_zero_at_the_top(image):
+    axes = image.plot()
+    picture = axes.get_images()[0]
+    np.testing.assert_array_equal(picture.get_array(), image.values)
+    left, right, bottom, top = picture.get_extent()
+    # Edges of the outer pixels in micrometres: columns -4..4 and rows -3..2 of 2 um, and half a pixel around.
+    assert (left, right, top, bottom) == pytest.approx((-9.0, 9.0, -7.0, 5.0))
+    assert axes.get_ylim() == pytest.approx((bottom, top))
+
+
+@pytest.mark.parametrize(("options", "pixel", "unit"), [(METRIC, 2e-6, "µm"), ({}, 0.5, "λN")], ids=["m", "lambda*N"])
+def test_the_labels_have_the_unit_of_the_sensor(options, pixel, unit):
+    axes = lm.psf(lm.Pupil(**options), 5, pixel).plot()
+    assert (axes.get_xlabel(), axes.get_ylabel()) == (f"x ({unit})", f"y ({unit})")
+
+
+@pytest.mark.parametrize(("stretch", "grey"), [("linear", 1e-2), ("sqrt", 1e-1), ("log", 0.6)])
+def test_a_hundredth_of_the_peak_is_as_grey_as_the_stretch_says(image, stretch, grey):
+    norm = image.plot(stretch=stretch).get_images()[0].norm
+    peak = float(image.values.max())
+    assert norm(peak) == pytest.approx(1.0)
+    assert norm(0.01 * peak) == pytest.approx(grey)
+    assert norm(0.0) == pytest.approx(0.0)
+
+
+def test_the_square_root_is_the_stretch_unless_another_is_named(image):
+    norm = image.plot().get_images()[0].norm
+    assert norm(0.25 * float(image.values.max())) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("stretch", ["cubic", "", None, 1])
+def test_an_unknown_stretch_is_refused(image, stretch):
+    with pytest.raises(ValueError, match="stretch must be one of 'sqrt', 'linear', 'log', got ") as caught:
+        image.plot(stretch=stretch)
+    assert repr(stretch) in str(caught.value)
+
+
+def test_new_axes_say_how_large_pixels_are_how_they_see_and_what_a_value_is(image):
+    axes = image.plot()
+    how = "averaged over each pixel" if image.sampling == "pixel" else "sampled at pixel centres"
+    assert axes.get_title() == f"6 × 9 pixels of 2 µm, {how}"
+    bar = next(other for other in axes.figure.axes if other is not axes)
+    assert bar.get_ylabel() == "fraction of all light per pixel"
+    # Axes that are someone's own stay as they are.
+    _, own = plt.subplots()
+    image.plot(own)
+    assert own.get_title() == ""
+    assert own.figure.axes == [own]
+    averaged = lm.psf(lm.Pupil(), 5, 0.5, integrate=True, normalize="peak").plot()
+    assert averaged.get_title() == "5 × 5 pixels of 0.5 λN, averaged over each pixel"
+    assert averaged.figure.axes[1].get_ylabel() == "1 = largest value"
+
+
+@pytest.mark.parametrize(("shape", "panels"), [((3,), (1, 3)), ((2, 4), (2, 4)), ((10,), (2, 8)), ((1,), (1, 1))])
+def test_a_stack_is_drawn_side_by_side_on_one_scale(shape, panels):
+    stack = lm.psf(lm.Pupil(lm.Wavefront(np.linspace(0.0, 5.0, int(np.prod(shape))).reshape(shape))), 9, 0.5)
+    drawn = stack.plot()
+    assert drawn.shape == shape
+    for index in np.ndindex(shape):
+        (picture,) = drawn[index].get_images()
+        np.testing.assert_array_equal(picture.get_array(), stack.values[index])
+        assert picture.norm.vmax == stack.values.max()
+        assert drawn[index].get_title() == ", ".join(map(str, index))
+        place = drawn[index].get_subplotspec()
+        assert place.get_gridspec().get_geometry() == panels
+    drawn.flat[0].figure.canvas.draw()
+
+
+def test_a_stack_takes_no_axes_and_a_large_one_is_to_be_indexed():
+    stack = lm.psf(lm.Pupil(lm.Wavefront(np.arange(65.0))), 5, 0.5)
+    with pytest.raises(ValueError, match=r"at most 64 PSFs can be drawn, got a stack of shape \(65,\); index it"):
+        stack.plot()
+    with pytest.raises(ValueError, match="ax must be None for a stack"):
+        stack[:2].plot(plt.subplots()[1])
+
+
+@pytest.mark.parametrize("draw", [lm.PSF.plot, lambda image: plot.compare({"a": image}, "a")])
+def test_without_matplotlib_it_is_said_how_to_get_it(image, draw, monkeypatch):
+    for name in ("matplotlib", "matplotlib.pyplot", "matplotlib.figure"):
+        monkeypatch.setitem(__import__("sys").modules, name, None)
+    with pytest.raises(ImportError, match=r'plots need matplotlib: pip install matplotlib \(the extra "plot"'):
+        draw(image)
+
+
+@pytest.mark.parametrize("shape", [1, (1, 7), (7, 1), 2, 300], ids=str)
+@pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
+def test_windows_of_every_shape_are_drawn_without_a_warning(shape, stretch):
+    lm.psf(lm.Pupil(), shape, 0.5).plot(stretch=stretch).figure.canvas.draw()
+
+
+def test_a_window_without_light_is_drawn_without_a_warning():
+    ring = lm.Pupil(lm.Wavefront(defocus=100.0), obscuration=0.9)
+    dark = lm.psf(ring, 3, 0.5, method=lm.Geometric())
+    assert dark.values.max() == 0
+    for stretch in ("sqrt", "linear", "log"):
+        dark.plot(stretch=stretch).figure.canvas.draw()
+
+
+def test_a_comparison_shows_every_image_and_the_slices_and_the_errors(answers):
+    figure = plot.compare(answers, "Hankel")
+    figure.canvas.draw()
+    *pictures, slices, errors = figure.axes
+    assert [axes.get_title() for axes in pictures] == list(answers)
+    for axes, psf in zip(pictures, answers.values(), strict=True):
+        np.testing.assert_array_equal(axes.get_images()[0].get_array(), psf.values)
+    assert [text.get_text() for text in slices.get_legend().get_texts()] == list(answers)
+    assert len(slices.get_lines()) == len(answers)
+    assert len(errors.get_lines()) == len(answers) - 1
+    assert errors.get_ylabel() == "error against Hankel / peak"
+    assert {axes.get_xlabel() for axes in (slices, errors)} == {"distance from the centre (µm)"}
+
+
+def test_the_slices_of_a_comparison_are_the_profiles_over_the_peak_of_the_reference(answers):
+    *_, slices, errors = plot.compare(answers, "Hankel").axes
+    reference, other = answers["Hankel"], answers["Fraunhofer"]
+    peak = reference.values.max()
+    lines = {line.get_label(): line for line in slices.get_lines()}
+    radius, values = reference.profile()
+    np.testing.assert_allclose(lines["Hankel"].get_xdata(), radius * 1e6)
+    np.testing.assert_allclose(lines["Hankel"].get_ydata(), values / peak)
+    difference = np.abs(other.profile()[1] - values) / peak
+    assert any(np.allclose(line.get_ydata(), difference, rtol=1e-6) for line in errors.get_lines())
+
+
+def test_a_line_of_errors_has_the_colour_of_its_method(answers):
+    *_, slices, errors = plot.compare(answers, "Hankel").axes
+    colors = [line.get_color() for line in slices.get_lines() if line.get_label() != "Hankel"]
+    assert [line.get_color() for line in errors.get_lines()] == colors
+    assert len(set(colors)) == len(colors)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_a_comparison_of_few_methods_is_drawn_too(answers, count):
+    few = {name: answers[name] for name in ["Hankel", "Geometric"][:count]}
+    figure = plot.compare(few, "Hankel")
+    figure.canvas.draw()
+    assert len(figure.axes) == count + 2
+
+
+@pytest.mark.parametrize("shape", [1, (1, 7), (7, 1), 300], ids=str)
+def test_a_comparison_of_windows_of_every_shape_is_drawn_without_a_warning(shape):
+    few = {"Hankel": lm.psf(lm.Pupil(), shape, 0.5), "other": lm.psf(lm.Pupil(lm.Wavefront(1.0)), shape, 0.5)}
+    plot.compare(few, "Hankel").canvas.draw()
+
+
+def test_a_comparison_leaves_no_figure_open(answers):
+    before = plt.get_fignums()
+    assert isinstance(plot.compare(answers, "Hankel"), Figure)
+    assert plt.get_fignums() == before
+
+
+def test_an_unknown_reference_is_refused_with_the_known_ones(answers):
+    with pytest.raises(ValueError, match=r"reference must be one of NijboerZernike, Hankel, .*, got 'truth'"):
+        plot.compare(answers, "truth")
+
+
+@pytest.fixture
+def over_the_field() -> lm.PSFGrid:
+    field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
+    return field.grid(2, 3, sensor=(20e-3, 30e-3), shape=(15, 11), pixel=1e-6, method=lm.Fraunhofer(samples=64))
+
+
+def test_a_grid_is_drawn_with_each_psf_in_its_place(over_the_field):
+    axes = over_the_field.plot()
+    axes.figure.canvas.draw()
+    pictures = axes.get_images()
+    assert len(pictures) == 6
+    for (i, j), picture in zip(np.ndindex(2, 3), pictures, strict=True):
+        np.testing.assert_array_equal(picture.get_array(), over_the_field.values[i, j])
+        left, right, bottom, top = picture.get_extent()
+        assert (0.5 * (left + right), 0.5 * (bottom + top)) == pytest.approx(
+            (1e3 * over_the_field.x[j], 1e3 * over_the_field.y[i])
+        )
+        # As large as cells of 10 mm by 10 mm let 15 x 11 square pixels be.
+        assert (bottom - top, right - left) == pytest.approx((10.0, 10.0 * 11 / 15))
+    assert axes.get_xlim() == pytest.approx((-15.0, 15.0))
+    assert axes.get_ylim() == pytest.approx((10.0, -10.0))
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x on the sensor (mm)", "y on the sensor (mm)")
+    assert [text.get_text() for text in axes.get_xticklabels()] == ["-10", "0", "10"]
+    assert [text.get_text() for text in axes.get_yticklabels()] == ["-5", "5"]
+
+
+def test_the_bar_of_a_grid_is_as_long_as_its_label_says(over_the_field):
+    axes = over_the_field.plot()
+    (bar,) = axes.get_lines()
+    (label,) = axes.texts
+    micrometres = float(label.get_text().split()[0])
+    assert label.get_text() == f"{micrometres:g} µm in the PSFs"
+    # 15 pixels of 1 um are drawn 10 mm high on a sensor 30 mm wide.
+    assert np.ptp(bar.get_xdata()) * 30.0 == pytest.approx(micrometres * 10.0 / 15.0)
+    assert micrometres <= 11.0
+
+
+@pytest.mark.parametrize("stretch", ["sqrt", "linear", "log"])
+def test_each_psf_of_a_grid_is_scaled_to_its_own_peak(over_the_field, stretch):
+    for picture, values in zip(
+        over_the_field.plot(stretch=stretch).get_images(), over_the_field.values.reshape(6, 15, 11), strict=True
+    ):
+        assert picture.norm(float(values.max())) == pytest.approx(1.0)
+        assert picture.norm(0.01 * float(values.max())) == pytest.approx(
+            {"sqrt": 0.1, "linear": 0.01, "log": 0.6}[stretch]
+        )
+
+
+def test_a_grid_is_drawn_on_the_axes_it_is_given(over_the_field):
+    _, (left, right) = plt.subplots(1, 2)
+    assert over_the_field.plot(right) is right
+    assert not left.get_images()
+    with pytest.raises(ValueError, match="stretch must be one of"):
+        over_the_field.plot(stretch="cubic")
+
+
+@pytest.mark.parametrize(("rows", "columns"), [(1, 1), (1, 9), (9, 1)])
+def test_grids_of_every_shape_are_drawn_without_a_warning(rows, columns):
+    field = lm.FieldMap.from_seidel(20.0, W131=1.0)
+    grid = field.grid(rows, columns, sensor=(2, 30), shape=1, pixel=0.1, method=lm.Fraunhofer(samples=32))
+    axes = grid.plot()
+    axes.figure.canvas.draw()
+    assert axes.get_xlabel() == "x on the sensor (λN)"

@@ -347,3 +347,9 @@ def test_what_is_no_aplanatic_lens_is_refused(changes, message):
 def test_an_object_on_the_lens_is_refused():
     with pytest.raises(ValueError, match="the object is so close that the phase has no expansion"):
         aplanatic(1.2, "focus").pupil(5e-3)
+
+
+def test_a_photographer_s_lens_takes_a_few_terms():
+    """Not as many as there may be, which every PSF would pay for: what roundings leave of a series is no reason."""
+    for f_number, most in ((1.2, 10), (1.8, 8), (8.0, 6)):
+        assert aplanatic(f_number, "object").pupil(1.5).wavefront.symmetric <= most

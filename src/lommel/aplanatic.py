@@ -110,7 +110,8 @@ def expansion(
     beyond = 8.0 * wavenumber * radius**2 * reach * size * ellipse**-_DEGREE / (ellipse - 1.0)
     total = np.abs(series).sum(axis=1).max()
     tails = np.abs(series[:, ::-1]).cumsum(axis=1)[:, ::-1].max(axis=0)  # from each term on
-    degree = next((k for k in range(_LEAST, _MOST) if tails[k + 1] <= _ROUNDING * total), _MOST)
+    enough = 4.0 * _ROUNDING * total  # what roundings of the series leave is less
+    degree = next((k for k in range(_LEAST, _MOST) if tails[k + 1] <= enough), _MOST)
     terms = series[:, : degree + 1] @ _chebyshev_to_legendre(degree)
     rounding = _ROUNDING * (total + np.abs(terms).sum(axis=1).max())
     return terms[:, 1:], float(tails[degree + 1] + beyond + rounding) if size else 0.0

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -38,6 +39,29 @@ struct EllipseGrid {
         }
     }
     static double pi() { return 3.14159265358979323846; }
+};
+
+// Im P_1, Im P_2, ... at those angles of each ellipse.
+struct EllipsePolynomials {
+    static constexpr std::size_t most = 30;
+    std::vector<std::array<std::array<double, EllipseGrid::steps + 1>, EllipseGrid::count>> imaginary;
+
+    explicit EllipsePolynomials(const EllipseGrid& grid) : imaginary(most) {
+        for (std::size_t i = 0; i < EllipseGrid::count; ++i) {
+            for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
+                const std::complex<double> x(grid.cos[j] * grid.cosh[i], -grid.sin[j] * grid.sinh[i]);
+                std::complex<double> before = 0.0, here = 1.0;
+                for (std::size_t k = 0; k < most; ++k) {
+                    // (n + 1) P_{n+1} = (2n + 1) x P_n - n P_{n-1}
+                    const double n = static_cast<double>(k);
+                    const std::complex<double> next = ((2.0 * n + 1.0) * x * here - n * before) / (n + 1.0);
+                    before = here;
+                    here = next;
+                    imaginary[k][i][j] = here.imag();
+                }
+            }
+        }
+    }
 };
 
 class Ellipses {
@@ -141,22 +165,16 @@ class Ellipses {
             return;
         }
         for (std::size_t i = 0; i < count; ++i) {
-            double top = 0.0;
-            for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
-                const double x = grid.cos[j] * grid.cosh[i], y = -grid.sin[j] * grid.sinh[i];
-                double before[2] = {0.0, 0.0}, here[2] = {1.0, 0.0}, im = 0.0;
-                for (std::size_t k = 0; k < terms; ++k) {
-                    // (n + 1) P_{n+1} = (2n + 1) x P_n - n P_{n-1}
-                    const double n = static_cast<double>(k), p = (2.0 * n + 1.0) / (n + 1.0), q = n / (n + 1.0);
-                    const double re = p * (x * here[0] - y * here[1]) - q * before[0];
-                    const double imaginary = p * (x * here[1] + y * here[0]) - q * before[1];
-                    before[0] = here[0];
-                    before[1] = here[1];
-                    here[0] = re;
-                    here[1] = imaginary;
-                    im += phase[k] * imaginary;
+            std::array<double, EllipseGrid::steps + 1> sums{};
+            for (std::size_t k = 0; k < terms; ++k) {
+                const auto& imaginary = the_polynomials.imaginary[k][i];
+                for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
+                    sums[j] += phase[k] * imaginary[j];
                 }
-                top = std::max(top, std::abs(im));
+            }
+            double top = 0.0;
+            for (const double sum : sums) {
+                top = std::max(top, std::abs(sum));
             }
             // A trigonometric polynomial of this degree between grid points (Ehlich and Zeller, 1964).
             g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
@@ -174,6 +192,7 @@ class Ellipses {
 
     // Made when the program is loaded: a fork must not find it half done.
     static inline const EllipseGrid the_grid;
+    static inline const EllipsePolynomials the_polynomials{the_grid};
 
     std::array<double, count> g_;
 };

@@ -9,6 +9,7 @@
 
 #include "lommel/amplitude.hpp"
 #include "lommel/cache.hpp"
+#include "lommel/ellipse.hpp"
 #include "lommel/legendre.hpp"
 #include "lommel/simd.hpp"
 #include "lommel/sincos.hpp"
@@ -23,7 +24,7 @@ struct LegendreRule {
     Doubles upper, lower;  // t of the upper nodes and of their mirror images
     Doubles even, odd;     // [block][node][lane]: (2n+1) w P_n
     Doubles polynomials;   // [n - 1][node]: P_1, P_2, ... at the upper nodes, for the phase
-    static constexpr std::size_t most_terms = 30;
+    static constexpr std::size_t most_terms = EllipsePolynomials::most;
 
     LegendreRule(std::size_t nodes, std::size_t terms)
         : half(nodes / 2), blocks((terms + 2 * row_lanes - 1) / (2 * row_lanes)), upper(half), lower(half),

@@ -50,11 +50,12 @@ void far_windows(double obscuration) {
         } catch (const std::domain_error&) {
             ++refused;
         }
-        const std::int32_t n[] = {2, 3}, m[] = {0, 1};
-        const std::int64_t axis = 2;
-        const lommel::ZernikeStack general{n, m, coefficients, coefficients, 1, 2, obscuration};
+        const lommel::DiskWindow window{5, 5, 2.0, 2.0, reach};
+        lommel::DiskStack general({{2, 0}, {3, 1}}, coefficients, 1, obscuration, {});
         try {
-            lommel::ZernikeRenderer<double>(general, 5, 5, &axis, &axis, reach, 1e-6, 1, image, &scale, &bound, &peak).run();
+            general.move_axes(window);
+            general.shrink();
+            lommel::ZernikeRenderer<double>(general, window, 1e-6, 1, {image, &scale, &bound, &peak}).run();
         } catch (const std::domain_error&) {
             ++refused;
         }

@@ -40,23 +40,23 @@ void bessel_functions_agree_with_the_standard_library() {
 template <class T>
 void general_images_agree_with_radial_ones(double defocus, double obscuration, std::int64_t height, std::int64_t width,
                                            std::int64_t row, std::int64_t column, int threads) {
-    const std::int32_t n[] = {0, 2, 3, 2}, m[] = {0, 0, -1, 2};
-    // The constant of both disks is that of 2 C rho^2 = C (R_2^0 + 1); the last two terms vanish.
-    const double area = obscuration * obscuration;
-    const double outer[] = {defocus, defocus, 0.0, 1e-300}, inner[] = {defocus * area, defocus * area, 0.0, 0.0};
+    // 2 C rho^2 is C R_2^0 and a constant; the other two terms vanish.
+    const std::vector<lommel::ZernikeTerm> terms = {{2, 0}, {3, -1}, {2, 2}};
+    const double edge[] = {defocus, 0.0, 1e-300};
     const double step = 0.9, tol = 1e-6;
     std::vector<T> image(static_cast<std::size_t>(height * width), T(-1));
     double scale = 1.0, bound = 0.0, brightest = 0.0;
     const double powers[] = {0.2, 0.4, -0.6};  // 1 at the rim
     const lommel::Amplitude amplitude(powers, 3);
-    const lommel::ZernikeStack stack{n, m, outer, inner, 1, 4, obscuration, amplitude};
-    lommel::ZernikeRenderer<T>(stack, static_cast<std::size_t>(height), static_cast<std::size_t>(width), &row, &column, step, tol,
-                               threads, image.data(), &scale, &bound, &brightest)
-        .run();
+    const lommel::DiskWindow window{static_cast<std::size_t>(height), static_cast<std::size_t>(width), static_cast<double>(row),
+                                    static_cast<double>(column), step};
+    lommel::DiskStack stack(terms, edge, 1, obscuration, amplitude);
+    stack.move_axes(window);
+    stack.shrink();
+    lommel::ZernikeRenderer<T>(stack, window, tol, threads, {image.data(), &scale, &bound, &brightest}).run();
     check(bound <= tol, "bound of a general image", bound);
     check(brightest >= 0.999999 * *std::max_element(image.begin(), image.end()), "peak of a general image", brightest);
-    const double coefficient = 2.0 * defocus;
-    const lommel::Stack radial{&coefficient, 1, 1, obscuration, amplitude};
+    const lommel::Stack radial{&defocus, 1, 1, obscuration, amplitude};
     std::vector<double> v;
     for (std::int64_t y = 0; y < height; ++y) {
         for (std::int64_t x = 0; x < width; ++x) {
@@ -146,30 +146,25 @@ template <class T>
 void chordal_windows(std::mt19937& random, std::size_t count, std::size_t side, double obscuration, const lommel::Amplitude& amplitude,
                      int threads, bool normalize) {
     std::uniform_real_distribution<double> phase(-2.0, 2.0);
-    const double tol = sizeof(T) == 4 ? 1e-5 : 1e-8, step = 1.3, area = obscuration * obscuration;
+    const double tol = sizeof(T) == 4 ? 1e-5 : 1e-8, step = 1.3;
     const double middle = static_cast<double>(side / 2);
-    std::vector<double> powers(count), outer(3 * count), turned(3 * count), inner(3 * count), turned_inner(3 * count);
+    std::vector<double> radial(count), edge(2 * count), turned(2 * count);
     for (std::size_t p = 0; p < count; ++p) {
-        // c t, t = rho^2, is c R_2^0 / 2 and a constant; on the inner disk as much times its area.
-        powers[p] = 4.0 * phase(random);
-        outer[3 * p] = turned[3 * p] = 0.5 * powers[p];
-        inner[3 * p] = turned_inner[3 * p] = 0.5 * area * powers[p];
-        if (obscuration > 0.0) {
-            // The constants differ: that of the inner disk is not lost.
-            inner[3 * p + 1] = turned_inner[3 * p + 1] = 0.5 * powers[p] * (area - 1.0);
-        } else {
-            outer[3 * p + 2] = phase(random);
-            turned[3 * p + 2] = -outer[3 * p + 2];
+        radial[p] = edge[2 * p] = turned[2 * p] = 2.0 * phase(random);
+        if (obscuration == 0.0) {
+            edge[2 * p + 1] = phase(random);
+            turned[2 * p + 1] = -edge[2 * p + 1];
         }
     }
-    std::vector<lommel::ZernikeTerm> terms = {{2, 0}, {0, 0}, {2, 2}};
+    const std::vector<lommel::ZernikeTerm> terms = {{2, 0}, {2, 2}};
     std::vector<T> images(count * side * side), others(images.size());
-    std::vector<double> scales(count, normalize ? 0.0 : 1.0), bounds(count), other_scales = scales;
-    const lommel::ChordalWindow window{side, side, middle, middle, step};
-    const lommel::ChordalStack stack{terms, outer.data(), inner.data(), count, obscuration, amplitude};
-    const lommel::ChordalStack around{terms, turned.data(), turned_inner.data(), count, obscuration, amplitude};
-    lommel::ChordalRenderer<T>(stack, window, tol, threads, {images.data(), scales.data(), bounds.data()}).run();
-    lommel::ChordalRenderer<T>(around, window, tol, threads, {others.data(), other_scales.data(), bounds.data()}).run();
+    std::vector<double> scales(count, normalize ? 0.0 : 1.0), bounds(count), peaks(count), other_scales = scales;
+    const lommel::DiskWindow window{side, side, middle, middle, step};
+    lommel::DiskStack stack(terms, edge.data(), count, obscuration, amplitude), around(terms, turned.data(), count, obscuration, amplitude);
+    stack.shrink();
+    around.shrink();
+    lommel::ChordalRenderer<T>(stack, window, tol, threads, {images.data(), scales.data(), bounds.data(), peaks.data()}).run();
+    lommel::ChordalRenderer<T>(around, window, tol, threads, {others.data(), other_scales.data(), bounds.data(), peaks.data()}).run();
     for (std::size_t p = 0; p < count; ++p) {
         const T* image = images.data() + p * side * side;
         const double peak = static_cast<double>(*std::max_element(image, image + side * side));
@@ -185,7 +180,7 @@ void chordal_windows(std::mt19937& random, std::size_t count, std::size_t side, 
             const double v = step * middle;
             std::complex<double> u;
             double bound;
-            lommel::fields({powers.data() + p, 1, 1, obscuration, amplitude}, &v, 1, 1e-12, &u, &bound);
+            lommel::fields({radial.data() + p, 1, 1, obscuration, amplitude}, &v, 1, 1e-12, &u, &bound);
             const double found = static_cast<double>(image[(side / 2) * side]);
             check(std::abs(found - scales[p] * std::norm(u)) <= allowed, "chordal against the series", found);
         }

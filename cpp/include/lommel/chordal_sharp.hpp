@@ -33,7 +33,7 @@ struct SharpTable {
         harmonics = degree + 1;
         for (std::size_t m = 0; m <= degree; ++m) {
             for (std::size_t n = std::max<std::size_t>(m, 2); n <= degree; ++n) {
-                const Pair pair{find(n, static_cast<std::int64_t>(m)), m > 0 ? find(n, -static_cast<std::int64_t>(m)) : none, m};
+                const Pair pair{find(n, static_cast<std::int32_t>(m)), m > 0 ? find(n, -static_cast<std::int32_t>(m)) : none, m};
                 if (pair.cosine != none || pair.sine != none) {
                     pairs.push_back(pair);
                 }
@@ -56,7 +56,7 @@ struct SharpTable {
                 const std::complex<long double> x = std::cos(angle), y = eta * std::sin(angle);
                 for (const Pair& pair : pairs) {
                     const ZernikeTerm& term = terms[pair.cosine != none ? pair.cosine : pair.sine];
-                    const std::int64_t m = std::abs(term.m);
+                    const std::int32_t m = std::abs(term.m);
                     *to++ = static_cast<double>(zernike_value(ZernikeTerm{term.n, m}, x, y).imag());
                     *to++ = m == 0 ? 0.0 : static_cast<double>(zernike_value(ZernikeTerm{term.n, -m}, x, y).imag());
                 }
@@ -95,7 +95,7 @@ struct SharpTable {
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 
    private:
-    std::size_t find(std::size_t n, std::int64_t m) const {
+    std::size_t find(std::size_t n, std::int32_t m) const {
         for (std::size_t j = 0; j < terms.size(); ++j) {
             if (terms[j] == ZernikeTerm{static_cast<std::int32_t>(n), m}) {
                 return j;

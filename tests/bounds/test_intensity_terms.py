@@ -239,3 +239,14 @@ def test_the_bounds_of_two_disks_add_up_the_inner_one_by_its_area():
     # 8 t^2 at half the radius is 0.5 t^2; a quarter of the area.
     assert found.error[0] == pytest.approx(0.125 * 8.0 + 0.25 * 0.125 * 0.5, rel=1e-12, abs=0.0)
     assert np.allclose(found.values, 0.75)
+
+
+@few
+@given(phases, lights, obscurations, st.sampled_from([1e-4, 1e-7, 1e-11]))
+def test_the_bound_of_a_field_counts_what_makes_its_phase_0_in_the_middle(phase, light, obscuration, tol):
+    v = np.linspace(0.0, 20.0, 200)
+    found = _core.field(np.array([phase]), obscuration, np.array(light), v, tol)[1][0]
+    error = _core.peaks(np.array(phase), np.array(light), obscuration, tol)["first_error"]
+    expanded = _core.field_bound(np.array(phase), np.array(light), 0, obscuration, 20.0, error)
+    turned = UNIT * (len(phase) * sum(abs(mp.mpf(c)) for c in phase) + 8)
+    assert float(found) == pytest.approx(float(expanded + turned), rel=1e-12, abs=0.0)

@@ -264,7 +264,7 @@ class Lens:
             return illumination(self.apodization)
         return Apodization.cosine(0.5 * self.aperture_diameter * abs(self._geometry.sphere), -0.5)
 
-    @property
+    @cached_property
     def _geometry(self) -> Geometry:
         radius = 0.5 * self.aperture_diameter
         return Geometry(radius, self.focal_length, self.sensor_distance, (), self.model, self.corrected_for)
@@ -294,16 +294,7 @@ class Lens:
                     f"got shapes {s.shape} and {self.aberrations.shape}"
                 ) from None
         distances = s if s.shape == wavefront.shape else np.broadcast_to(s, wavefront.shape)
-        known = self._in_focus.geometry
-        assert known is not None
-        geometry = Geometry(
-            known.aperture_radius,
-            known.focal_length,
-            known.sensor_distance,
-            tuple(distances.ravel().tolist()),
-            known.model,
-            known.corrected_for,
-        )
+        geometry = replace(self._geometry, object_distance=tuple(distances.ravel().tolist()))
         return self._in_focus.carrying(wavefront, geometry)
 
     @cached_property

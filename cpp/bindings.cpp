@@ -14,19 +14,19 @@
 #include <string>
 #include <vector>
 
-#include "lommel/bessel.hpp"
-#include "lommel/chordal.hpp"
-#include "lommel/closed_form.hpp"
-#include "lommel/huygens.hpp"
-#include "lommel/images.hpp"
-#include "lommel/legendre.hpp"
-#include "lommel/means.hpp"
-#include "lommel/pixel_images.hpp"
-#include "lommel/profiles.hpp"
-#include "lommel/render.hpp"
-#include "lommel/spread.hpp"
-#include "lommel/watch.hpp"
-#include "lommel/zernike_images.hpp"
+#include "lommel/special/bessel.hpp"
+#include "lommel/chordal/images.hpp"
+#include "lommel/paper/closed_form.hpp"
+#include "lommel/paper/huygens.hpp"
+#include "lommel/radial/images.hpp"
+#include "lommel/special/legendre.hpp"
+#include "lommel/imaging/means.hpp"
+#include "lommel/radial/average_images.hpp"
+#include "lommel/radial/profiles.hpp"
+#include "lommel/pixels/render.hpp"
+#include "lommel/imaging/spread.hpp"
+#include "lommel/base/watch.hpp"
+#include "lommel/zernike/images.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -10,12 +10,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lommel/chordal_sharp.hpp"
-#include "lommel/engine.hpp"
-#include "lommel/pieces.hpp"
-#include "lommel/pixel_images.hpp"
-#include "lommel/pixel_table.hpp"
-#include "lommel/zernike_images.hpp"
+#include "lommel/chordal/sharp.hpp"
+#include "lommel/radial/field.hpp"
+#include "lommel/special/bessel_table.hpp"
+#include "lommel/radial/average_images.hpp"
+#include "lommel/pixels/table.hpp"
+#include "lommel/zernike/images.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -72,7 +72,7 @@ def call_lommel(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> Callable[..., subprocess.CompletedProcess[str]]:
     """Do what the installed `lommel` does, in this process, which is a hundred times as fast."""
-    from lommel.cli import main
+    from lommel.cli.main import main
 
     for name in TERMINAL:
         monkeypatch.delenv(name, raising=False)

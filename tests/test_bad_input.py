@@ -10,7 +10,7 @@ import pytest
 
 import lommel as lm
 from lommel.methods import METHODS
-from lommel.pupil import Geometry
+from lommel.optics.pupil import Geometry
 
 BAD = (ValueError, TypeError)
 METHOD = pytest.mark.parametrize("method", [kind() for kind in METHODS.values()], ids=list(METHODS))
@@ -283,14 +283,17 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
         (lambda: lm.measures.spot.axis_strehl(1), "answer must be a PSF, got 1"),
         (lambda: lm.measures.spot.fwhm("psf"), "answer must be a PSF, got 'psf'"),
         (lambda: lm.measures.image_transfer.image_otf(None, 0.1), "answer must be a PSF, got None"),
-        (lambda: lm.encircled.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
-        (lambda: lm.encircled.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
+        (lambda: lm.reports.encircled.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
+        (lambda: lm.reports.encircled.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
         (lambda: lm.best_focus(SPHERICAL, 1.0, method="x"), "method must be a RadialMethod, got 'x'"),
         (lambda: lm.psf(SPHERICAL, 3, 0.5).plot(ax=1), "ax must be axes of matplotlib or None, got 1"),
         (lambda: lm.ZernikeTable(1, "noll", "nm", "rms"), "terms must map indices to coefficients, got 1"),
         (lambda: lm.PSF.load(1), "path must be a path, got 1"),
-        (lambda: lm.fieldtable.read_rows([], [], "noll"), "the first columns must be height, or x and y, got none"),
-        (lambda: lm.opening.Opening(obscuration="x"), "obscuration must be a real number, got 'x'"),
+        (
+            lambda: lm.lensfiles.field_tables.read_rows([], [], "noll"),
+            "the first columns must be height, or x and y, got none",
+        ),
+        (lambda: lm.optics.opening.Opening(obscuration="x"), "obscuration must be a real number, got 'x'"),
         (lambda: SPHERICAL.rule(2.5), "degree must be an integer, got 2.5"),
         (lambda: SPHERICAL.v("nan"), "radius must hold real numbers, got 'nan'"),
         (lambda: lm.Hankel().field(SPHERICAL, ["1", "2"]), "v must hold real numbers, got ['1', '2']"),
@@ -306,7 +309,7 @@ def test_what_is_of_the_wrong_kind_is_refused_by_name(call, name):
 
 def test_no_radii_give_no_energies():
     assert lm.psf(SPHERICAL, 3, 0.5).encircled_energy([]).shape == (0,)
-    assert lm.encircled.encircled(SPHERICAL, []).fraction.shape == (0,)
+    assert lm.reports.encircled.encircled(SPHERICAL, []).fraction.shape == (0,)
 
 
 @pytest.mark.parametrize(

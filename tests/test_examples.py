@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel import report
 from lommel.methods import METHODS
+from lommel.reports import report
 
 
 @pytest.fixture(scope="module")

@@ -36,17 +36,8 @@ ORDER = [
 ]
 RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms}
 
-# The rooms of files that stand in no folder of the name.
-FLAT = {
-    "_core": "core",
-    "descriptions aplanatic wavefront aperture apodization fitting opening pupil lens interpolation grid": "optics",
-    "fieldmap": "field",
-    "aperturefile entries faults fieldtable instrument lensfile zernikefile": "lensfiles",
-    "encircled report": "reports",
-    "cli cli_imaging cli_methods cli_parts tables __main__": "cli",
-    "__init__": "the package",
-}
-ROOM = {name: room for names, room in FLAT.items() for name in names.split()}
+# Files that stand in no room of the name.
+ROOM = {"_core": "core", "__main__": "cli", "__init__": "the package"}
 
 
 def python(code: str) -> str:

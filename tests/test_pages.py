@@ -21,7 +21,7 @@ import tifffile
 from PIL import Image
 
 import lommel as lm
-from lommel.cli import main
+from lommel.cli.main import main
 from lommel.methods import METHODS
 
 ROOT = Path(__file__).resolve().parent.parent

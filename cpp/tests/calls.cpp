@@ -18,9 +18,9 @@
 #include <unistd.h>
 #endif
 
-#include "lommel/images.hpp"
-#include "lommel/profiles.hpp"
-#include "lommel/zernike_images.hpp"
+#include "lommel/radial/images.hpp"
+#include "lommel/radial/profiles.hpp"
+#include "lommel/zernike/images.hpp"
 
 #include "check.hpp"
 

@@ -9,14 +9,14 @@
 #include <thread>
 #include <vector>
 
-#include "lommel/bessel.hpp"
-#include "lommel/chordal.hpp"
-#include "lommel/huygens.hpp"
-#include "lommel/images.hpp"
-#include "lommel/pixel_images.hpp"
-#include "lommel/profiles.hpp"
-#include "lommel/spread.hpp"
-#include "lommel/zernike_images.hpp"
+#include "lommel/special/bessel.hpp"
+#include "lommel/chordal/images.hpp"
+#include "lommel/paper/huygens.hpp"
+#include "lommel/radial/images.hpp"
+#include "lommel/radial/average_images.hpp"
+#include "lommel/radial/profiles.hpp"
+#include "lommel/imaging/spread.hpp"
+#include "lommel/zernike/images.hpp"
 
 #include "check.hpp"
 

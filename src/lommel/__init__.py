@@ -10,14 +10,10 @@ from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
     from lommel import imaging as imaging
-    from lommel.aperture import CatEye, Ellipse, Mask, Spider
-    from lommel.apodization import Apodization
-    from lommel.fieldmap import FieldMap, PSFGrid
-    from lommel.fitting import WavefrontFit, fit_opd, fit_radial, opd_map
-    from lommel.grid import Grid
-    from lommel.instrument import Instrument
-    from lommel.lens import Lens
-    from lommel.lensfile import load_instrument
+    from lommel.field.maps import FieldMap, PSFGrid
+    from lommel.lensfiles.instrument import Instrument
+    from lommel.lensfiles.lens_files import load_instrument
+    from lommel.lensfiles.zernike_tables import ZernikeTable, load_zernike, save_zernike
     from lommel.measures.aperture_means import centroid, marechal, rms, spot_radius, strehl
     from lommel.measures.errors import mse, peak_error
     from lommel.measures.focus import best_focus
@@ -38,23 +34,27 @@ if TYPE_CHECKING:
         ToleranceError,
         TunedClosedForm,
     )
-    from lommel.pupil import Pupil
+    from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
+    from lommel.optics.apodization import Apodization
+    from lommel.optics.fitting import WavefrontFit, fit_opd, fit_radial, opd_map
+    from lommel.optics.grid import Grid
+    from lommel.optics.lens import Lens
+    from lommel.optics.pupil import Pupil
+    from lommel.optics.wavefront import Wavefront
     from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
-    from lommel.wavefront import Wavefront
-    from lommel.zernikefile import ZernikeTable, load_zernike, save_zernike
 
 _HOME = {
-    "FieldMap": "fieldmap",
-    "PSFGrid": "fieldmap",
-    "Apodization": "apodization",
-    "CatEye": "aperture",
-    "Ellipse": "aperture",
-    "Mask": "aperture",
-    "Spider": "aperture",
-    "Grid": "grid",
-    "Lens": "lens",
-    "Instrument": "instrument",
-    "load_instrument": "lensfile",
+    "FieldMap": "field.maps",
+    "PSFGrid": "field.maps",
+    "Apodization": "optics.apodization",
+    "CatEye": "optics.aperture",
+    "Ellipse": "optics.aperture",
+    "Mask": "optics.aperture",
+    "Spider": "optics.aperture",
+    "Grid": "optics.grid",
+    "Lens": "optics.lens",
+    "Instrument": "lensfiles.instrument",
+    "load_instrument": "lensfiles.lens_files",
     "best_focus": "measures.focus",
     "mse": "measures.errors",
     "centroid": "measures.aperture_means",
@@ -84,32 +84,31 @@ _HOME = {
     "Polychromatic": "methods.polychromatic",
     "NijboerZernike": "methods.nijboer_zernike",
     "NonuniformFFT": "methods.nonuniform_fft",
-    "Pupil": "pupil",
-    "Wavefront": "wavefront",
-    "WavefrontFit": "fitting",
-    "fit_opd": "fitting",
-    "fit_radial": "fitting",
-    "opd_map": "fitting",
-    "ZernikeTable": "zernikefile",
-    "load_zernike": "zernikefile",
-    "save_zernike": "zernikefile",
+    "Pupil": "optics.pupil",
+    "Wavefront": "optics.wavefront",
+    "WavefrontFit": "optics.fitting",
+    "fit_opd": "optics.fitting",
+    "fit_radial": "optics.fitting",
+    "opd_map": "optics.fitting",
+    "ZernikeTable": "lensfiles.zernike_tables",
+    "load_zernike": "lensfiles.zernike_tables",
+    "save_zernike": "lensfiles.zernike_tables",
 }
 
 # Whose modules are given in full in the reference, such as lommel.show.plot.field.
 _ROOMS = (
     "adapters",
     "base",
-    "encircled",
-    "fieldtable",
+    "field",
     "imaging",
     "io",
-    "lensfile",
+    "lensfiles",
     "measures",
     "methods",
-    "report",
+    "optics",
+    "reports",
     "show",
     "special",
-    "zernikefile",
 )
 
 __all__ = [

@@ -14,13 +14,13 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Numbers
 from lommel.core.answers import Images, ToleranceError
-from lommel.grid import Grid
 from lommel.io import psf_files
 from lommel.measures import energy, image_transfer, spot
 from lommel.measures.answer import Answer
 from lommel.methods.choice import SERIES, choose
 from lommel.methods.method import Method, widened
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 from lommel.show import plot
 
 if TYPE_CHECKING:

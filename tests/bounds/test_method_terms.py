@@ -17,7 +17,7 @@ from lommel.methods import bounds
 from lommel.methods.averaging import averaged, filtered_by, least_average
 from lommel.methods.method import stored
 from lommel.methods.subpixel import gauss_pixel, pixel_error, pixel_nodes
-from lommel.opening import degree_needed
+from lommel.optics.opening import degree_needed
 from lommel.special.legendre import gauss_legendre
 
 UNIT = mp.mpf(2) ** -53

@@ -12,13 +12,15 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel import encircled, fieldtable, imaging
+from lommel import imaging
 from lommel.base import units, validation
 from lommel.imaging import frames
 from lommel.io.psf_files import FileError
+from lommel.lensfiles import field_tables
 from lommel.measures import aperture_means, energy, image_transfer, spot
 from lommel.methods import METHODS
-from lommel.opening import Opening, degree_needed
+from lommel.optics.opening import Opening, degree_needed
+from lommel.reports import encircled
 
 SQUARE = np.linspace(0.1, 1.0, 24 * 24).reshape(24, 24)
 DEPTH = 1.8 + 0.3 * SQUARE
@@ -33,7 +35,7 @@ PSF = lm.psf(PUPIL, 5, 0.5)
 ODD = lm.psf(COMA, 5, 0.5)
 FIELD = lm.FieldMap.from_seidel(1.0, W131=0.5)
 GRID = FIELD.grid(2, 2, sensor=(1.0, 1.0), shape=5, pixel=0.5)
-TABLE = fieldtable.FieldTable({"height": (0.0, 1e-3)}, {4: (0.0, 0.1)}, "noll")
+TABLE = field_tables.FieldTable({"height": (0.0, 1e-3)}, {4: (0.0, 0.1)}, "noll")
 PLAN = imaging.FocusPlan(SQUARE, DEPTH, LENS, 8e-6, encoding="linear")
 BLUR = imaging.DepthBlur(LENS, DEPTH, 8e-6)
 CHART = lm.opd_map(lm.Wavefront(1.0), 24, unit="radians")
@@ -135,13 +137,13 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("PSFGrid.plot", GRID.plot, ax=None, stretch="sqrt"),
         tagged("PSFGrid.save", GRID.save, path=folder / "g.npz"),
         tagged("PSFGrid.load", lm.PSFGrid.load, path=folder / "grid.npz"),
-        tagged("FieldTable", fieldtable.FieldTable, positions={"height": (0.0, 1.0)}, terms={4: (0.1, 0.2)},
+        tagged("FieldTable", field_tables.FieldTable, positions={"height": (0.0, 1.0)}, terms={4: (0.1, 0.2)},
                order="noll"),
         tagged("FieldTable.field_map", TABLE.field_map, pupil=PUPIL, unit="waves", normalization="rms",
                direction="x"),
-        tagged("read_rows", fieldtable.read_rows, columns=["height", "Z4"], rows=[["0", 0.1], ["1 mm", 0.2]],
+        tagged("read_rows", field_tables.read_rows, columns=["height", "Z4"], rows=[["0", 0.1], ["1 mm", 0.2]],
                order="noll"),
-        tagged("read_csv", fieldtable.read_csv, path=folder / "field.csv", order="noll"),
+        tagged("read_csv", field_tables.read_csv, path=folder / "field.csv", order="noll"),
         tagged("fit_opd", lm.fit_opd, opd=CHART, unit="metres", wavelength=550e-9, mask=None, degree=3,
                center=(11.5, 11.5), radius=12.0, tol=1.0),
         tagged("fit_opd", lm.fit_opd, opd=np.nan_to_num(CHART), unit="waves", wavelength=550e-9,

@@ -75,7 +75,7 @@ def far(words: list[str]) -> bool:
 
 
 def test_a_bad_command_line_is_told_in_one_line(folder, hunt, count, monkeypatch):
-    from lommel.cli import main
+    from lommel.cli.main import main
 
     monkeypatch.chdir(folder)
     monkeypatch.delenv("LOMMEL_TRACEBACK", raising=False)

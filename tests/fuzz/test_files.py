@@ -14,7 +14,7 @@ from PIL import Image
 
 import lommel as lm
 from lommel import imaging
-from lommel.fieldtable import read_csv
+from lommel.lensfiles.field_tables import read_csv
 
 DEPTH = np.linspace(1.0, 3.0, 12 * 15).reshape(12, 15).astype(np.float32)
 GREY = np.arange(12 * 15, dtype=np.uint8).reshape(12, 15)

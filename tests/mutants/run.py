@@ -62,7 +62,7 @@ def load() -> list[Fault]:
             for place, (old, new, *more) in enumerate(entry["faults"], 1):
                 extra = more[0] if more else {}
                 tests = tuple(extra.get("tests", entry["tests"]))
-                name = f"{Path(file).name}:{place}"
+                name = f"{Path(file).parent.name}/{Path(file).name}:{place}"
                 faults.append(Fault(len(faults) + 1, name, file, old, new, tests, extra.get("argued", "")))
     return faults
 
@@ -151,7 +151,7 @@ class Workplace:
         # The packages of .venv are there, but not its hook that imports the project from its own folder.
         (packages / "shared.pth").write_text(f"{self.tree / 'src'}\n{inside}\n")
         self.python, script = venv / "bin" / "python", venv / "bin" / "lommel"
-        script.write_text(f"#!{self.python}\nimport sys\nfrom lommel.cli import main\nsys.exit(main())\n")
+        script.write_text(f"#!{self.python}\nimport sys\nfrom lommel.cli.main import main\nsys.exit(main())\n")
         script.chmod(0o755)
 
     def pytest(self, number: int, tests: tuple[str, ...], limit: float) -> str:
@@ -203,7 +203,9 @@ def main() -> None:
     if wrong := misfits(faults):
         sys.exit("\n".join(wrong))
     chosen = [
-        f for f in faults if not given.only or any(f.name == o or (":" not in o and o in f.name) for o in given.only)
+        f
+        for f in faults
+        if not given.only or any(f"/{f.name}".endswith(f"/{o}") or (":" not in o and o in f.name) for o in given.only)
     ]
     build = compiled([f for f in faults if f.compiled])
     idle: queue.SimpleQueue[Workplace] = queue.SimpleQueue()
@@ -222,7 +224,7 @@ def main() -> None:
         finally:
             idle.put(workplace)
         said = found or (f"NOT NOTICED, argued: {fault.argued}" if fault.argued else "NOT NOTICED")
-        print(f"{fault.name:28} {time.monotonic() - start:6.1f} s  {said}", flush=True)
+        print(f"{fault.name:36} {time.monotonic() - start:6.1f} s  {said}", flush=True)
         return fault, found
 
     start = time.monotonic()

@@ -24,8 +24,8 @@ import numpy as np
 from lommel.adapters import traced
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.fieldmap import FieldMap
-from lommel.pupil import Pupil
+from lommel.field.maps import FieldMap
+from lommel.optics.pupil import Pupil
 
 
 def pupil(

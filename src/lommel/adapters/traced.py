@@ -21,11 +21,11 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.fieldmap import FieldMap
-from lommel.pupil import Pupil
+from lommel.field.maps import FieldMap
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
-from lommel.wavefront import Wavefront
 
 MAX_DEGREE = 20
 """Highest degree of the Zernike terms: that of the radial terms of a wavefront."""

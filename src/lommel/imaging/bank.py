@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.imaging.pixel_rule import PixelRule, pixel_rule
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.pupil import Pupil
-from lommel.wavefront import Wavefront
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision

@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
-from lommel.lens import Lens
-from lommel.pupil import Pupil
+from lommel.optics.lens import Lens
+from lommel.optics.pupil import Pupil
 
 BORDERS = ("reflect", "extend", "zero")
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, DTypeLike
 from lommel.imaging.blur import Spectrum
 from lommel.imaging.plan import FocusPlan
 from lommel.imaging.scene import Photograph
-from lommel.lens import Lens
+from lommel.optics.lens import Lens
 
 
 def depth_of_field(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.imaging.blur import DepthBlur
-from lommel.pupil import ray_height
+from lommel.optics.pupil import ray_height
 
 MOST_LAYERS = 64
 """Layers are made thicker than a pixel of blur where there would be more of them."""

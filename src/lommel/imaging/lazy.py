@@ -9,7 +9,7 @@ from lommel.base import validation
 from lommel.base.optional import library
 from lommel.imaging.blur import require_lens
 from lommel.imaging.tiles import TileBlur
-from lommel.lens import Lens
+from lommel.optics.lens import Lens
 
 
 def depth_of_field_of_chunks(

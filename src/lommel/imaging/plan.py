@@ -15,7 +15,7 @@ from lommel.base.encoding import to_light
 from lommel.imaging.blur import DepthBlur, Spectrum, require_lens
 from lommel.imaging.layers import occlude
 from lommel.imaging.scene import Photograph, channels_of, fill_missing, photograph
-from lommel.lens import Lens
+from lommel.optics.lens import Lens
 
 
 class FocusPlan:

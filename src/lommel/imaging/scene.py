@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.encoding import clipped_share, from_light
 from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur, Spectrum
-from lommel.lens import Lens
+from lommel.optics.lens import Lens
 
 MISSING = ("raise", "nearest", "infinity")
 

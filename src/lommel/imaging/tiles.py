@@ -13,7 +13,7 @@ from lommel.base import validation
 from lommel.base.encoding import clipped_share, from_light, to_light
 from lommel.imaging.blur import DepthBlur, Spectrum, require_lens
 from lommel.imaging.scene import Photograph, channels_of, fill_missing
-from lommel.lens import Lens
+from lommel.optics.lens import Lens
 
 MISSING = ("raise", "infinity")
 _STRIP = 2**20  # points whose depths are looked at together

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from lommel.base import atomic, optional, reading, validation
 from lommel.base.checksums import checksum, sealed
 from lommel.base.version import version
-from lommel.grid import Grid
 from lommel.measures.answer import Answer
 from lommel.methods import method_from_dict
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 SUFFIXES = (".tif", ".tiff", ".npy", ".npz", ".png")
 

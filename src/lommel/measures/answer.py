@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.grid import Grid
 from lommel.methods.method import Method, RadialMethod
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 
 @dataclass(frozen=True, eq=False)

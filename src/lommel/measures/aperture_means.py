@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.base.arrays import Numbers
 from lommel.core.answers import ToleranceError
-from lommel.opening import degree_needed
-from lommel.pupil import Pupil, checked, ray_height
+from lommel.optics.opening import degree_needed
+from lommel.optics.pupil import Pupil, checked, ray_height
+from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
-from lommel.wavefront import Wavefront
 
 _MAX_NODES = 2**24
 

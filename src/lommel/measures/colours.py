@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from lommel.methods.method import Method
 from lommel.methods.polychromatic import Polychromatic
-from lommel.pupil import Pupil
+from lommel.optics.pupil import Pupil
 
 
 def colours(method: Method | None, pupil: Pupil) -> list[tuple[float, float, Pupil]]:

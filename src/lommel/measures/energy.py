@@ -11,7 +11,7 @@ from lommel.base import validation
 from lommel.base.arrays import Numbers
 from lommel.measures.answer import Answer, checked
 from lommel.methods.method import RadialMethod
-from lommel.pupil import Pupil
+from lommel.optics.pupil import Pupil
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_panels
 

@@ -12,9 +12,9 @@ from lommel.base import validation
 from lommel.measures.energy import radial_energy
 from lommel.methods.method import RadialMethod
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.pupil import Pupil, checked
+from lommel.optics.pupil import Pupil, checked
+from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
-from lommel.wavefront import Wavefront
 
 
 def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = None) -> float:

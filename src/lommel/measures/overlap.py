@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.core.answers import ToleranceError
-from lommel.pupil import Pupil
+from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
 _CHUNK = 2**20

@@ -14,7 +14,7 @@ from lommel.measures.answer import Answer, checked
 from lommel.measures.colours import colours
 from lommel.measures.energy import encircled_energy, radial_energy
 from lommel.methods.method import RadialMethod
-from lommel.pupil import Pupil
+from lommel.optics.pupil import Pupil
 
 _STEP = 0.15
 """Spacing of tables in v, over the stretch of the method."""

@@ -17,7 +17,7 @@ from lommel.base.arrays import Numbers
 from lommel.measures.colours import colours
 from lommel.measures.overlap import autocorrelation
 from lommel.methods.polychromatic import Polychromatic
-from lommel.pupil import Pupil, checked
+from lommel.optics.pupil import Pupil, checked
 
 Complexes = np.complex128 | NDArray[np.complex128]
 

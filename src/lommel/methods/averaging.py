@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.core.answers import Images, Intensities, ToleranceError, not_met
-from lommel.grid import Grid
 from lommel.methods.method import normalized_error, stored, storing
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 _SIDE = 2048  # samples along a side at once
 _VALUES = 2**23  # samples at once

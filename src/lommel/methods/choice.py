@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from importlib.util import find_spec
 
-from lommel.grid import Grid
 from lommel.methods.averaging import samples_across
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 SERIES, _MATRIX, _SUM = NijboerZernike(), ChordalGauss(), NonuniformFFT()
 

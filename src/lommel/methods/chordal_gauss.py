@@ -11,11 +11,11 @@ from numpy.typing import DTypeLike, NDArray
 from lommel.base import validation
 from lommel.core.answers import Images, Intensities
 from lommel.core.engine import chordal_images
-from lommel.grid import Grid
 from lommel.methods.averaging import Sample, averaged, averaged_images
 from lommel.methods.method import Method
 from lommel.methods.terms import disk_stack, window_of
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 _LEAST_TOL = 1e-12
 

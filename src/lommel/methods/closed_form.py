@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.core.answers import FieldValues
-from lommel.grid import Grid
 from lommel.methods.method import FieldMethod, annulus, powers_cancel
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.pupil import Pupil, checked
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil, checked
 from lommel.special.bessel import j0_series, tangent_line
 from lommel.special.chirp import chirp_moments, unit_moments
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf

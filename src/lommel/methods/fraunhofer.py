@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.core.answers import Intensities
-from lommel.grid import Grid
 from lommel.methods.method import Method
 from lommel.methods.sampling import blur_and_window, illuminated, transmission
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 _MAX_SIDE = 16384
 _MAX_SAMPLES = 8192

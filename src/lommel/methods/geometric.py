@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.core.answers import Intensities
-from lommel.grid import Grid
 from lommel.methods.method import Method
-from lommel.pupil import Pupil, ray_height
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil, ray_height
 from lommel.special.disk import disk_overlap
 
 _MAX_CELLS = 2**23

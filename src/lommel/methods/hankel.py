@@ -12,7 +12,7 @@ from lommel.base import validation
 from lommel.core.answers import FieldValues
 from lommel.methods import bounds
 from lommel.methods.method import FieldMethod
-from lommel.pupil import Pupil
+from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
 _BLOCK = 2**21  # values of J0 held at once: 16 MiB

@@ -10,14 +10,14 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.aplanatic import expansion, path
 from lommel.base import validation
 from lommel.core.answers import FieldValues, Intensities
 from lommel.core.engine import huygens_sum
-from lommel.grid import Grid
 from lommel.methods.averaging import filtered, filtered_by
 from lommel.methods.method import FieldMethod
-from lommel.pupil import Geometry, Pupil
+from lommel.optics.aplanatic import expansion, path
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Geometry, Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 

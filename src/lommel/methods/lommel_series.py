@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from lommel.core.answers import FieldValues
 from lommel.methods.method import FieldMethod, annulus
-from lommel.pupil import Pupil
+from lommel.optics.pupil import Pupil
 from lommel.special.bessel import bessel_sequence
 
 _BLOCK = 2**20  # values of J held at once: 8 MiB

@@ -9,14 +9,14 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.aperture import cell_centers
 from lommel.base import validation
 from lommel.core.answers import Intensities
-from lommel.grid import Grid
 from lommel.methods.method import Method
 from lommel.methods.sampling import illuminated, samples_needed, transmission
 from lommel.methods.subpixel import gauss_pixel
-from lommel.pupil import Pupil
+from lommel.optics.aperture import cell_centers
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 _MAX_SAMPLES = 8192
 _MAX_FIELD = 2**27  # complex values held at once: 2 GiB

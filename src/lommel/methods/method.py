@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.core.answers import FieldValues, Images, Intensities, ToleranceError, not_met
-from lommel.grid import Grid
 from lommel.methods.subpixel import subpixel_intensity
-from lommel.pupil import Pupil, checked
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil, checked
+from lommel.optics.wavefront import MAX_HIGHER
 from lommel.special.bessel import _radii
-from lommel.wavefront import MAX_HIGHER
 
 
 class Method(ABC):

@@ -18,11 +18,11 @@ from lommel.core.engine import (
     series_images,
     window_images,
 )
-from lommel.grid import Grid
 from lommel.methods.averaging import Sample, averaged, averaged_images
 from lommel.methods.method import FieldMethod
 from lommel.methods.terms import disk_stack, radial_stack, window_of
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 _LEAST_TOL = 1e-12
 

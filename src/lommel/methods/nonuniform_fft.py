@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from lommel.base import optional, validation
 from lommel.core.answers import Intensities, ToleranceError
-from lommel.grid import Grid
 from lommel.methods.averaging import filtered, filtered_by, least_average
 from lommel.methods.method import Method
 from lommel.methods.sampling import samples_needed
-from lommel.opening import degree_needed
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.opening import degree_needed
+from lommel.optics.pupil import Pupil
 
 Array = NDArray[np.float64]
 
@@ -40,9 +40,9 @@ class NonuniformFFT(Method):
 
     Notes
     -----
-    The nodes (:meth:`lommel.opening.Opening.rule`) are exact to a total degree for which the error of U is proven to
-    be below a quarter of the tolerance (:func:`lommel.opening.degree_needed`), on discs, annuli and full ellipses. On
-    other apertures the degree is the same, and the rule converged to about 1e-13 instead of exact. The precision
+    The nodes (:meth:`lommel.optics.opening.Opening.rule`) are exact to a total degree for which the error of U is
+    proven to be below a quarter of the tolerance (:func:`lommel.optics.opening.degree_needed`), on discs, annuli and
+    full ellipses. On other apertures the degree is the same, and the rule converged to about 1e-13. The precision
     asked of FINUFFT is another quarter; it is a requested relative accuracy of its kernel, measured by its authors,
     not proven. A mask is not integrated: its samples are the pupil, and are summed.
 

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.core.answers import Intensities, not_met
-from lommel.grid import Grid
 from lommel.methods.choice import SERIES, choose
 from lommel.methods.method import Method, RadialMethod
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 
 @dataclass(frozen=True, init=False)

@@ -7,8 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.grid import Grid
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 
 def blur_and_window(pupil: Pupil, grid: Grid) -> tuple[float, float]:
@@ -31,7 +31,7 @@ def transmission(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str) -
     """Return the amplitude, without apodization, of square cells of side ``2 half`` centred at ``(x, x)``.
 
     "binary": that at the centre of the cell. "grey": times the part of the cell that the aperture leaves clear; see
-    :meth:`lommel.opening.Opening.coverage`.
+    :meth:`lommel.optics.opening.Opening.coverage`.
     """
     across, down = x[None, :], x[:, None]
     if edge == "grey":

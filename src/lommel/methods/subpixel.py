@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from lommel.core.answers import Intensities, ToleranceError
 from lommel.core.engine import Window, gauss_error, pixel_radii, pixel_values
-from lommel.grid import Grid
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
 _ROUNDOFF = 2.0**-53

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from lommel.core.engine import DiskStack, RadialStack, Window
-from lommel.grid import Grid
-from lommel.pupil import Pupil
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
 
 
 def radial_stack(pupil: Pupil) -> RadialStack:

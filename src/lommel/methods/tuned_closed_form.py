@@ -12,7 +12,7 @@ from lommel.base import validation
 from lommel.core import engine
 from lommel.core.answers import FieldValues, Intensities, ToleranceError
 from lommel.methods.method import FieldMethod, annulus, powers_cancel, relative_error
-from lommel.pupil import Pupil
+from lommel.optics.pupil import Pupil
 from lommel.special.piecewise import fit_quadratics
 
 _TRANSITION, _TERMS = 10.0, 10  # of Hankel's expansion, whose remainder is then below 1e-8 of J0

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lommel.lens import Lens
 from lommel.measures.errors import peak_error
 from lommel.methods import ClosedForm, Fraunhofer, Hankel, HuygensFresnel, Method, NijboerZernike
+from lommel.optics.lens import Lens
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
 from lommel.paper.drawing import new_figure
 from lommel.paper.setting import REFERENCE, FigureData
 from lommel.psf import psf
-from lommel.pupil import Pupil
 from lommel.special.erf import AbramowitzErf, FresnelErf
-from lommel.wavefront import Wavefront
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

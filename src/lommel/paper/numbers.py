@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
 from lommel.paper import families, spherical
 from lommel.paper.setting import REFERENCE, VARIANTS, Setting, measures, middle_row
-from lommel.pupil import Pupil
-from lommel.wavefront import Wavefront
 
 Errors = tuple[NDArray[np.float64], NDArray[np.float64]]
 

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.methods import ClosedForm, Fraunhofer, Method, NijboerZernike
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
 from lommel.psf import psf
-from lommel.pupil import Pupil
 from lommel.special.erf import AbramowitzErf, Erf, FresnelErf
-from lommel.wavefront import Wavefront
 
 VARIANTS = ("printed", "corrected")
 REFERENCE = NijboerZernike(tol=1e-9)

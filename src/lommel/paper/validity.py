@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.methods import ClosedForm, RadialMethod, TunedClosedForm
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
 from lommel.paper.drawing import V_AXIS, new_figure
 from lommel.paper.setting import REFERENCE, FigureData
-from lommel.pupil import Pupil
 from lommel.special.erf import AbramowitzErf
-from lommel.wavefront import Wavefront
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

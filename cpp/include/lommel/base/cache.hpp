@@ -1,0 +1,104 @@
+// Tables that all calls share.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "lommel/base/fork.hpp"
+#include "lommel/base/watch.hpp"
+
+namespace lommel {
+
+// One thread's turn to make something that takes long. Those who wait for theirs can be stopped, which a mutex does not
+// let them; and a child finds it free whoever had it.
+class Turn {
+   public:
+    class Taken {
+       public:
+        explicit Taken(Turn& turn) : turn_(turn) {
+            while (turn.taken_.exchange(true, std::memory_order_acquire)) {
+                look();
+                std::this_thread::sleep_for(std::chrono::microseconds(50));
+            }
+        }
+        ~Taken() { turn_.taken_.store(false, std::memory_order_release); }
+        Taken(const Taken&) = delete;
+        Taken& operator=(const Taken&) = delete;
+
+       private:
+        Turn& turn_;
+    };
+    void free() { taken_.store(false, std::memory_order_release); }
+
+   private:
+    std::atomic<bool> taken_{false};
+};
+
+// What is shared has a mutex, held for the moment of a look or a change, never while something is made (who makes may wait
+// for Python's lock, which who forks holds); and a turn for that.
+class Shared : protected ForkAware {
+   protected:
+    std::mutex mutex_;
+    Turn turn_;
+
+   private:
+    void before_fork() override { mutex_.lock(); }
+    void after_fork(bool in_child) override {
+        mutex_.unlock();
+        if (in_child) {
+            turn_.free();
+        }
+    }
+};
+
+// Tables of one kind: the most recent ones, up to Table::most_bytes, and the one just made whatever its size. A table is
+// made from its key, and says whether it serves another by is().
+template <class Table>
+class Cache final : Shared {
+   public:
+    template <class... Key>
+    std::shared_ptr<const Table> get(const Key&... key) {
+        if (auto found = held(key...)) {
+            return found;
+        }
+        const Turn::Taken turn(turn_);
+        if (auto found = held(key...)) {
+            return found;
+        }
+        const auto made = std::make_shared<const Table>(key...);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        recent_.push_front(made);
+        std::size_t bytes = 0;
+        for (auto at = recent_.begin(); at != recent_.end();) {
+            bytes += (*at)->bytes();
+            at = bytes > Table::most_bytes ? recent_.erase(at) : std::next(at);
+        }
+        return made;
+    }
+
+   private:
+    template <class... Key>
+    std::shared_ptr<const Table> held(const Key&... key) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        for (auto at = recent_.begin(); at != recent_.end(); ++at) {
+            if ((*at)->is(key...)) {
+                recent_.splice(recent_.begin(), recent_, at);
+                return recent_.front();
+            }
+        }
+        return nullptr;
+    }
+
+    std::list<std::shared_ptr<const Table>> recent_;
+};
+
+// Never destroyed: threads may outlive main().
+template <class Table>
+inline Cache<Table>& cache = *new Cache<Table>;
+
+}  // namespace lommel

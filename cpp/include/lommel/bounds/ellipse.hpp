@@ -1,0 +1,246 @@
+// How many terms and nodes an accuracy takes: bounds on Bernstein ellipses.
+//
+// In t = rho^2 the pupil function exp(i Phi(t)) is entire. On the ellipse t = (1 + cos(theta + i eta)) / 2 around
+// [0, 1] it is at most exp g(eta), g = max_theta |Im Phi|. Legendre coefficients then fall like exp(-n eta) and Gauss
+// quadrature like exp(-2 n eta), for every eta > 0; the best eta of a fixed set is taken.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/bounds/amplitude.hpp"
+
+namespace lommel {
+
+// The ellipses that are tried, and angles around them.
+struct EllipseGrid {
+    static constexpr std::size_t count = 40, steps = 96;
+    std::array<double, count> eta, sinh, cosh, decay, perimeter, quadrature;
+    std::array<double, steps + 1> sin, cos;
+
+    EllipseGrid() {
+        for (std::size_t i = 0; i < count; ++i) {
+            eta[i] = 2e-3 * std::pow(2000.0, static_cast<double>(i) / (count - 1));
+            sinh[i] = std::sinh(eta[i]);
+            cosh[i] = std::cosh(eta[i]);
+            decay[i] = std::exp(-eta[i]);
+            const double closed = std::log(-std::expm1(-2.0 * eta[i]));
+            // log(l / pi) <= log sqrt(2 cosh 2 eta)
+            perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - closed;
+            quadrature[i] = std::log(32.0 / 15.0) - closed - std::log(std::expm1(eta[i]));
+        }
+        for (std::size_t j = 0; j <= steps; ++j) {
+            sin[j] = std::sin(pi() * static_cast<double>(j) / steps);
+            cos[j] = std::cos(pi() * static_cast<double>(j) / steps);
+        }
+    }
+    static double pi() { return 3.14159265358979323846; }
+};
+
+// Im P_1, Im P_2, ... at those angles of each ellipse.
+struct EllipsePolynomials {
+    static constexpr std::size_t most = 30;
+    std::vector<std::array<std::array<double, EllipseGrid::steps + 1>, EllipseGrid::count>> imaginary;
+
+    explicit EllipsePolynomials(const EllipseGrid& grid) : imaginary(most) {
+        for (std::size_t i = 0; i < EllipseGrid::count; ++i) {
+            for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
+                const std::complex<double> x(grid.cos[j] * grid.cosh[i], -grid.sin[j] * grid.sinh[i]);
+                std::complex<double> before = 0.0, here = 1.0;
+                for (std::size_t k = 0; k < most; ++k) {
+                    // (n + 1) P_{n+1} = (2n + 1) x P_n - n P_{n-1}
+                    const double n = static_cast<double>(k);
+                    const std::complex<double> next = ((2.0 * n + 1.0) * x * here - n * before) / (n + 1.0);
+                    before = here;
+                    here = next;
+                    imaginary[k][i][j] = here.imag();
+                }
+            }
+        }
+    }
+};
+
+class Ellipses {
+   public:
+    static constexpr std::size_t count = EllipseGrid::count;
+
+    // Of t^power A exp(i Phi), with the coefficients of P_1(2t - 1), P_2, ... in radians and the amplitude A.
+    Ellipses(const double* phase, std::size_t terms, const Amplitude& amplitude, std::size_t power) {
+        const EllipseGrid& grid = the_grid;
+        measure(phase, terms);
+        for (std::size_t i = 0; i < count && !amplitude.uniform(); ++i) {
+            g_[i] += amplitude.growth(grid.cosh[i]);
+        }
+        for (std::size_t i = 0; i < count && power > 0; ++i) {
+            g_[i] += static_cast<double>(power) * std::log(0.5 * (1.0 + grid.cosh[i]));
+        }
+    }
+
+    // Of every pupil between two, coefficient by coefficient: g is convex, so the corners of their box bound it.
+    Ellipses(const std::vector<double>& least, const std::vector<double>& most, const Amplitude& amplitude) {
+        const std::size_t terms = least.size();
+        std::vector<double> corner(terms);
+        g_.fill(0.0);
+        for (std::size_t which = 0; which < (std::size_t{1} << terms); ++which) {
+            for (std::size_t k = 0; k < terms; ++k) {
+                corner[k] = (which >> k) % 2 == 0 ? least[k] : most[k];
+            }
+            const Ellipses one(corner.data(), terms, amplitude, 0);
+            for (std::size_t i = 0; i < count; ++i) {
+                g_[i] = std::max(g_[i], one.g_[i]);
+            }
+        }
+    }
+
+    // Bound on sum_{n >= terms} |beta_n| / sqrt(2n+1), hence on the tail of the series at every v. Wang and Xiang,
+    // Math. Comp. 81, 861 (2012): |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi (1 - e^{-2 eta})), l the perimeter.
+    double tail(std::size_t terms) const {
+        const EllipseGrid& grid = the_grid;
+        const double order = 2.0 * static_cast<double>(terms) + 1.0;
+        double best = 1e300;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double q = grid.decay[i];
+            const double sums = 1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q));
+            best = std::min(best, g_[i] + grid.perimeter[i] + std::log(sums) -
+                                      (static_cast<double>(terms) + 1.0) * grid.eta[i]);
+        }
+        return std::sqrt(order) * std::exp(std::min(best, 700.0));
+    }
+
+    // Fewest terms for which tail() is at most `error`.
+    std::size_t terms(double error) const {
+        const EllipseGrid& grid = the_grid;
+        double needed = 1e300;
+        for (std::size_t i = 0; i < count; ++i) {
+            // From below: sums >= 1 / (1 - q), order >= 1.
+            needed = std::min(needed, (g_[i] + grid.perimeter[i] - std::log(1.0 - grid.decay[i]) - std::log(error)) /
+                                              grid.eta[i] - 1.0);
+        }
+        std::size_t n = static_cast<std::size_t>(std::max(1.0, std::min(needed, 1e9)));
+        while (tail(n) > error && n < 1000000) {
+            n += 1 + n / 64;
+        }
+        return n;
+    }
+
+    // Bound on the error in U when the first `terms` coefficients come from `nodes`-point Gauss quadrature
+    // (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3, with |P_n| <= e^{n eta}).
+    double quadrature(std::size_t nodes, std::size_t terms) const {
+        const EllipseGrid& grid = the_grid;
+        double best = 1e300;
+        for (std::size_t i = 0; i < count; ++i) {
+            best = std::min(best, g_[i] + grid.quadrature[i] +
+                                      (static_cast<double>(terms) - 2.0 * static_cast<double>(nodes)) * grid.eta[i]);
+        }
+        return std::sqrt(2.0 * static_cast<double>(terms) + 1.0) * std::exp(std::min(best, 700.0));
+    }
+
+    // Fewest nodes for which quadrature() is at most `error`.
+    std::size_t nodes(std::size_t terms, double error) const {
+        const EllipseGrid& grid = the_grid;
+        const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
+        double needed = 1e300;
+        for (std::size_t i = 0; i < count; ++i) {
+            needed = std::min(needed, 0.5 * (static_cast<double>(terms) +
+                                             (g_[i] + grid.quadrature[i] - log_error) / grid.eta[i]));
+        }
+        return static_cast<std::size_t>(std::ceil(std::max(1.0, std::min(needed, 1e9))));
+    }
+
+   private:
+    void measure(const double* phase, std::size_t terms) {
+        const EllipseGrid& grid = the_grid;
+        if (terms <= 2) {
+            // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maxima are known.
+            const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const double a = grid.sinh[i] * std::abs(a1);
+                const double b = 3.0 * grid.sinh[i] * grid.cosh[i] * std::abs(a2);
+                g_[i] = largest(a, b);
+            }
+            return;
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            std::array<double, EllipseGrid::steps + 1> sums{};
+            for (std::size_t k = 0; k < terms; ++k) {
+                const auto& imaginary = the_polynomials.imaginary[k][i];
+                for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
+                    sums[j] += phase[k] * imaginary[j];
+                }
+            }
+            double top = 0.0;
+            for (const double sum : sums) {
+                top = std::max(top, std::abs(sum));
+            }
+            // A trigonometric polynomial of this degree between grid points (Ehlich and Zeller, 1964).
+            g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
+        }
+    }
+
+    // max over c = cos of sqrt(1 - c^2) (a + b c), a, b >= 0: at 2 b c^2 + a c - b = 0.
+    static double largest(double a, double b) {
+        if (b == 0.0) {
+            return a;
+        }
+        const double c = 2.0 * b / (a + std::hypot(a, 2.8284271247461903 * b));
+        return std::sqrt(std::max(0.0, 1.0 - c * c)) * (a + b * c);
+    }
+
+    // Made when the program is loaded: a fork must not find it half done.
+    static inline const EllipseGrid the_grid;
+    static inline const EllipsePolynomials the_polynomials{the_grid};
+
+    std::array<double, count> g_;
+};
+
+// How far from the axis, in v: beyond, light is less than 1e-17 of that of an aperture in focus, and roundings of v show.
+constexpr double max_reach = 1e6;
+
+// log of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and the rate at which it falls with m.
+inline double kapteyn(double m, double v, double& rate) {
+    const double x = v / m, root = std::sqrt(std::max(0.0, 1.0 - x * x));
+    rate = std::log((1.0 + root) / x);
+    return m * (root - rate);
+}
+
+// Bound on sum_{n >= terms} sqrt(2n+1) |2 J_{2n+1}(v) / v| for all v <= reach: what the terms beyond can add whatever
+// the pupil (|beta_n| <= sqrt(2n+1) by Parseval), because high orders vanish near the axis.
+inline double window_tail(std::size_t terms, double reach) {
+    const double m = 2.0 * static_cast<double>(terms) + 1.0;
+    if (reach < 1e-100) {
+        return terms > 0 ? 0.0 : 1.0;
+    }
+    if (m <= reach) {
+        return 1e300;
+    }
+    double rate = 0.0;
+    const double top = kapteyn(m, reach, rate);
+    const double ratio = std::exp(-2.0 * rate) * std::sqrt((m + 2.0) / m);
+    // Near m = v the bound is not yet rising with v.
+    if (ratio >= 1.0 || rate * m < 1.2) {
+        return 1e300;
+    }
+    // 2/v |J_m(v)| grows with v up to the reach, for m > v.
+    return 2.0 / reach * std::sqrt(m) * std::exp(top) / (1.0 - ratio);
+}
+
+// Fewest terms for which window_tail() is at most `error`; the reach is at most max_reach.
+inline std::size_t window_terms(double reach, double error) {
+    std::size_t n = static_cast<std::size_t>(0.5 * reach) + 1;
+    std::size_t step = 1;
+    while (window_tail(n + step, reach) > error) {
+        step *= 2;
+    }
+    for (std::size_t half = step; half > 0; half /= 2) {
+        if (window_tail(n + half, reach) > error) {
+            n += half;
+        }
+    }
+    return n + 1;
+}
+
+}  // namespace lommel

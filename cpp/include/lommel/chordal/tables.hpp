@@ -1,0 +1,203 @@
+// The chordal Gauss rule on the unit disk, and what is tabulated at its nodes: Zernike terms for a list of them, and
+// the kernel for a window.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/bounds/chords.hpp"
+#include "lommel/special/legendre.hpp"
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+// Calls f(first, size) for tiles of at most `most` that cover 0 .. count - 1 and differ by one at most.
+template <class F>
+LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
+    const std::size_t tiles = (count + most - 1) / most;
+    for (std::size_t t = 0, first = 0; t < tiles; ++t) {
+        const std::size_t size = (count - first + tiles - t - 1) / (tiles - t);
+        f(first, size);
+        first += size;
+    }
+}
+
+constexpr std::size_t node_tile = 4, row_tile = 3, column_tile = 6;
+
+// R_n^|m|(rho) cos(m theta) or sin(|m| theta), as a polynomial in x and y: Jacobi's recurrence for alpha = 0,
+// beta = |m| (DLMF 18.9.1-2).
+template <class Number>
+Number zernike_value(const ZernikeTerm& term, Number x, Number y) {
+    using real = long double;
+    const std::int64_t a = std::abs(term.m);
+    const real order = static_cast<real>(a);
+    const Number z = real(2) * (x * x + y * y) - real(1);
+    Number before = real(0), here = real(1);
+    for (std::int64_t j = 0; j < (term.n - a) / 2; ++j) {
+        const real k = static_cast<real>(j), s = 2 * k + order;
+        if (j == 0) {
+            before = here;
+            here = ((order + 2) * z - order) / real(2);
+            continue;
+        }
+        const Number next = (((s + 1) * (s + 2) * s * z - (s + 1) * order * order) * here -
+                             2 * k * (k + order) * (s + 2) * before) /
+                            (2 * (k + 1) * (k + 1 + order) * s);
+        before = here;
+        here = next;
+    }
+    Number re = real(1), im = real(0);  // the parts of (x + i y)^|m|
+    for (std::int64_t j = 0; j < a; ++j) {
+        const Number next = re * x - im * y;
+        im = re * y + im * x;
+        re = next;
+    }
+    return here * (term.m < 0 ? im : re);
+}
+
+// Nodes x_i = cos(i pi / (N+1)), y = s_i eta_k with s_i = sqrt(1 - x_i^2), of the quadrant x, y > 0; N is even.
+struct ChordRule {
+    std::size_t half;  // N / 2: chords with x > 0, and nodes with eta > 0
+    std::vector<long double> x, s, eta, gauss;
+
+    explicit ChordRule(std::size_t chords) : half(chords / 2), x(half), s(half), eta(half), gauss(half) {
+        const long double pi = std::acos(-1.0L);
+        std::vector<long double> nodes(chords), weights(chords);
+        gauss_legendre(chords, nodes.data(), weights.data());
+        for (std::size_t i = 0; i < half; ++i) {
+            const long double angle = pi * static_cast<long double>(i + 1) / static_cast<long double>(chords + 1);
+            x[i] = std::cos(angle);
+            s[i] = std::sin(angle);
+            eta[i] = nodes[half + i];
+            gauss[i] = weights[half + i];
+        }
+    }
+    // Weights sum to 1 over the disk.
+    long double weight(std::size_t i, std::size_t k) const {
+        return s[i] * s[i] * gauss[k] / static_cast<long double>(2 * half + 1);
+    }
+};
+
+// Terms at the nodes of a quadrant, sorted into four classes: even or odd in x (second bit), in y (first bit).
+struct TermTable {
+    std::size_t chords, half;
+    std::vector<ZernikeTerm> terms;
+    Amplitude amplitude;
+    std::vector<std::size_t> order;  // of the terms, class by class
+    std::size_t ends[4];             // of the classes
+    Doubles values;                  // [chord][tile of nodes][term][node of the tile]
+    Doubles weights;                 // [chord][node], with the amplitude
+
+    TermTable(std::size_t n, const std::vector<ZernikeTerm>& list, const Amplitude& light)
+        : chords(n), half(n / 2), terms(list), amplitude(light), values(half * half * list.size()), weights(half * half) {
+        for (std::size_t parity = 0; parity < 4; ++parity) {
+            for (std::size_t j = 0; j < list.size(); ++j) {
+                const std::size_t odd_y = list[j].m < 0 ? 1 : 0;
+                const std::size_t odd_x = (static_cast<std::size_t>(std::abs(list[j].m)) + odd_y) % 2;
+                if (2 * odd_x + odd_y == parity) {
+                    order.push_back(j);
+                }
+            }
+            ends[parity] = order.size();
+        }
+        const ChordRule rule(n);
+        for (std::size_t i = 0; i < half; ++i) {
+            for_tiles(half, node_tile, [&](std::size_t first, std::size_t size) {
+                look();
+                double* tile = values.data() + (i * half + first) * list.size();
+                for (std::size_t j = 0; j < list.size(); ++j) {
+                    for (std::size_t r = 0; r < size; ++r) {
+                        tile[j * size + r] = static_cast<double>(
+                            zernike_value(list[order[j]], rule.x[i], rule.s[i] * rule.eta[first + r]));
+                    }
+                }
+            });
+            for (std::size_t k = 0; k < half; ++k) {
+                const long double y = rule.s[i] * rule.eta[k];
+                weights[i * half + k] = static_cast<double>(
+                    rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
+            }
+        }
+    }
+    bool is(std::size_t n, const std::vector<ZernikeTerm>& list, const Amplitude& light) const {
+        return chords == n && amplitude == light && terms == list;
+    }
+    std::size_t bytes() const { return (values.size() + weights.size()) * sizeof(double); }
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
+};
+
+// Rows or columns of a window: distances from the axis in pixels, those at +v and -v as one.
+struct WindowAxis {
+    static constexpr std::size_t none = ~std::size_t{0};
+    std::size_t count;
+    double center;
+    std::vector<double> at;
+    std::vector<std::size_t> plus, minus;  // the pixels at +at and at -at
+
+    WindowAxis(std::size_t pixels, double axis) : count(pixels), center(axis) {
+        for (std::size_t j = 0; j < pixels; ++j) {
+            const double here = static_cast<double>(j) - axis, mirrored = axis - here;
+            const bool paired = here != 0.0 && mirrored >= 0.0 && mirrored <= static_cast<double>(pixels - 1) &&
+                                mirrored == std::floor(mirrored);
+            if (paired && here < 0.0) {
+                continue;
+            }
+            at.push_back(here);
+            plus.push_back(j);
+            minus.push_back(paired ? static_cast<std::size_t>(mirrored) : none);
+        }
+    }
+    bool operator==(const WindowAxis& other) const { return count == other.count && center == other.center; }
+    double low() const { return -center; }
+    double high() const { return static_cast<double>(count - 1) - center; }
+};
+
+// The kernel at the nodes: cos and sin of v_y y for each pair of chords at +-x, and of v_x x.
+struct KernelTable {
+    std::size_t chords, half;
+    WindowAxis rows, columns;
+    double step;
+    Doubles row_cos, row_sin;        // [chord][tile of rows][node][row of the tile]
+    Doubles column_cos, column_sin;  // [tile of columns][chord][column of the tile]
+
+    KernelTable(std::size_t n, const WindowAxis& down, const WindowAxis& across, double pixel_step)
+        : chords(n), half(n / 2), rows(down), columns(across), step(pixel_step), row_cos(half * half * rows.at.size()),
+          row_sin(row_cos.size()), column_cos(half * columns.at.size()), column_sin(column_cos.size()) {
+        const ChordRule rule(n);
+        for (std::size_t i = 0; i < half; ++i) {
+            fill(rows.at, row_tile, rule.eta, rule.s[i], row_cos.data() + i * half * rows.at.size(),
+                 row_sin.data() + i * half * rows.at.size());
+        }
+        fill(columns.at, column_tile, rule.x, 1.0L, column_cos.data(), column_sin.data());
+    }
+    bool is(std::size_t n, const WindowAxis& down, const WindowAxis& across, double pixel_step) const {
+        return chords == n && step == pixel_step && rows == down && columns == across;
+    }
+    std::size_t bytes() const { return 2 * (row_cos.size() + column_cos.size()) * sizeof(double); }
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
+    static double bytes(std::size_t n, std::size_t rows) {
+        return 4.0 * static_cast<double>(n) * static_cast<double>(n) * static_cast<double>(rows);
+    }
+
+   private:
+    void fill(const std::vector<double>& at, std::size_t tile, const std::vector<long double>& nodes, long double factor,
+              double* cosines, double* sines) const {
+        for_tiles(at.size(), tile, [&](std::size_t first, std::size_t size) {
+            look();
+            for (std::size_t k = 0; k < half; ++k) {
+                for (std::size_t r = 0; r < size; ++r) {
+                    const long double angle = static_cast<long double>(at[first + r] * step) * factor * nodes[k];
+                    const std::size_t place = first * half + k * size + r;
+                    cosines[place] = static_cast<double>(std::cos(angle));
+                    sines[place] = static_cast<double>(std::sin(angle));
+                }
+            }
+        });
+    }
+};
+
+}  // namespace lommel

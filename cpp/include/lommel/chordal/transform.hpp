@@ -1,0 +1,164 @@
+// The transform of one disk by two matrix products, along y, then along x. Pupils lie side by side in the lanes of
+// vectors, so that tables are read once for all of them.
+#pragma once
+
+#include <cstddef>
+
+#include "lommel/chordal/tables.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/special/sincos.hpp"
+
+namespace lommel {
+
+// sum += table[k][r] * data[k][c] for every vector c of `data`: R * C chains of multiply-adds.
+template <std::size_t R, std::size_t C, class I>
+LOMMEL_INLINE void multiply(I, const double* table, const double* data, std::size_t count,
+                            typename I::pack (&sum)[R][C]) {
+    using V = typename I::pack;
+    for (std::size_t r = 0; r < R; ++r) {
+        for (std::size_t c = 0; c < C; ++c) {
+            sum[r][c] = splat<V>(0.0);
+        }
+    }
+    for (std::size_t k = 0; k < count; ++k, table += R, data += C * I::lanes) {
+        V d[C];
+        for (std::size_t c = 0; c < C; ++c) {
+            d[c] = load<V>(data + c * I::lanes);
+        }
+        for (std::size_t r = 0; r < R; ++r) {
+            const V t = splat<V>(table[r]);
+            for (std::size_t c = 0; c < C; ++c) {
+                sum[r][c] = sum[r][c] + t * d[c];
+            }
+        }
+    }
+}
+
+template <std::size_t N>
+struct Size {
+    static constexpr std::size_t value = N;
+};
+
+// for_tiles with the size known when compiling.
+template <std::size_t Most, class F>
+LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
+    for_tiles(count, Most, [&](std::size_t first, std::size_t size) LOMMEL_INLINE_LAMBDA {
+        if (size == Most) {
+            return f(first, Size<Most>{});
+        }
+        switch (size) {
+            case 1: return f(first, Size<1>{});
+            case 2: return f(first, Size<2>{});
+            case 3: if constexpr (Most > 3) return f(first, Size<3>{}); break;
+            case 4: if constexpr (Most > 4) return f(first, Size<4>{}); break;
+            case 5: if constexpr (Most > 5) return f(first, Size<5>{}); break;
+            default: break;
+        }
+    });
+}
+
+// Of as many pupils as a vector has lanes.
+struct ChordalScratch {
+    Doubles coefficients, nodes, chords, row, inner, intensity;
+};
+
+// The pupil function of a pair of chords at +-x: nodes[even, odd in y][node][even, odd in x][re, im], weighted. Bound
+// by the sines.
+template <class I>
+LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients,
+                                  double* nodes) {
+    using V = typename I::pack;
+    constexpr std::size_t lanes = I::lanes;
+    const std::size_t half = table.half, terms = table.order.size();
+    double *even = nodes, *odd = nodes + half * 4 * lanes;
+    for_fixed_tiles<node_tile>(half, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t R = decltype(size)::value;
+        const double* values = table.values.data() + (chord * half + first) * terms;
+        V parts[4][R][1];
+        for (std::size_t parity = 0, from = 0; parity < 4; from = table.ends[parity], ++parity) {
+            multiply<R, 1>(isa, values + from * R, coefficients + from * lanes, table.ends[parity] - from, parts[parity]);
+        }
+        for (std::size_t r = 0; r < R; ++r) {
+            const V ee = parts[0][r][0], eo = parts[1][r][0], oe = parts[2][r][0], oo = parts[3][r][0];
+            const V a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;  // at +x: even, odd in y; at -x
+            V re[4], im[4];
+            sincos(isa, a + b, im[0], re[0]);
+            sincos(isa, a - b, im[1], re[1]);
+            sincos(isa, c + d, im[2], re[2]);
+            sincos(isa, c - d, im[3], re[3]);
+            const V w = splat<V>(table.weights[chord * half + first + r]);
+            const auto spread = [&](const V* p, std::size_t part) LOMMEL_INLINE_LAMBDA {
+                const V e = (p[0] + p[1]) * w, f = (p[2] + p[3]) * w, o = (p[0] - p[1]) * w, q = (p[2] - p[3]) * w;
+                double *at = even + (first + r) * 4 * lanes + part * lanes, *on = odd + (at - even);
+                store(at, e + f);
+                store(at + 2 * lanes, e - f);
+                store(on, o + q);
+                store(on + 2 * lanes, o - q);
+            };
+            spread(re, 0);
+            spread(im, 1);
+        }
+    });
+}
+
+// U at every pixel, row by row, as sink(row, values[column][re, im]).
+template <class I, class Sink>
+LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTable& kernel, ChordalScratch& scratch,
+                                  const Sink& sink) {
+    using V = typename I::pack;
+    constexpr std::size_t lanes = I::lanes;
+    const std::size_t half = kernel.half, rows = kernel.rows.at.size(), columns = kernel.columns.at.size();
+    const std::size_t line = half * 2 * lanes;  // of chords[row][even, odd in x][chord][re, im]
+    scratch.nodes.resize(2 * half * 4 * lanes);
+    scratch.chords.resize(kernel.rows.count * 2 * line);
+    scratch.row.resize(kernel.columns.count * 2 * lanes);
+    double *nodes = scratch.nodes.data(), *chords = scratch.chords.data(), *row = scratch.row.data();
+    for (std::size_t i = 0; i < half; ++i) {
+        look();
+        pair_of_chords(isa, terms, i, scratch.coefficients.data(), nodes);
+        for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t R = decltype(size)::value;
+            const std::size_t at = (i * rows + first) * half;
+            V a[R][4], b[R][4];
+            multiply<R, 4>(isa, kernel.row_cos.data() + at, nodes, half, a);
+            multiply<R, 4>(isa, kernel.row_sin.data() + at, nodes + half * 4 * lanes, half, b);
+            for (std::size_t r = 0; r < R; ++r) {
+                double* to = chords + kernel.rows.plus[first + r] * 2 * line + i * 2 * lanes;
+                for (std::size_t x = 0; x < 2; ++x) {
+                    store(to + x * line, a[r][2 * x] + b[r][2 * x + 1]);
+                    store(to + x * line + lanes, a[r][2 * x + 1] - b[r][2 * x]);
+                }
+                if (kernel.rows.minus[first + r] != WindowAxis::none) {
+                    to = chords + kernel.rows.minus[first + r] * 2 * line + i * 2 * lanes;
+                    for (std::size_t x = 0; x < 2; ++x) {
+                        store(to + x * line, a[r][2 * x] - b[r][2 * x + 1]);
+                        store(to + x * line + lanes, a[r][2 * x + 1] + b[r][2 * x]);
+                    }
+                }
+            }
+        });
+    }
+    for (std::size_t y = 0; y < kernel.rows.count; ++y) {
+        look();
+        const double* from = chords + y * 2 * line;
+        for_fixed_tiles<column_tile>(columns, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t R = decltype(size)::value;
+            V a[R][2], b[R][2];
+            multiply<R, 2>(isa, kernel.column_cos.data() + first * half, from, half, a);
+            multiply<R, 2>(isa, kernel.column_sin.data() + first * half, from + line, half, b);
+            for (std::size_t r = 0; r < R; ++r) {
+                double* to = row + kernel.columns.plus[first + r] * 2 * lanes;
+                store(to, a[r][0] + b[r][1]);
+                store(to + lanes, a[r][1] - b[r][0]);
+                if (kernel.columns.minus[first + r] != WindowAxis::none) {
+                    to = row + kernel.columns.minus[first + r] * 2 * lanes;
+                    store(to, a[r][0] - b[r][1]);
+                    store(to + lanes, a[r][1] + b[r][0]);
+                }
+            }
+        });
+        sink(y, row);
+    }
+}
+
+}  // namespace lommel

@@ -1,0 +1,218 @@
+// The inner loops of windows of averages: making weights, sums of intensities with them, and the harmonics.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+constexpr std::size_t radial_degree = 16;  // Chebyshev coefficients across a ring
+constexpr std::size_t block_outputs = 16;  // values that share a block of weights
+
+// Positions are padded to so many.
+constexpr std::size_t position_step = 2 * row_lanes;
+
+// row[0 .. count): the weights of the nodes in sum over i of share[i] f(z[i]), f interpolated at the nodes: Lagrange's
+// polynomials, as products from both ends, which lose nothing to cancellation. `scale` holds 1 / their values at their own
+// nodes. z and share are padded, with a share of 0; scratch holds 3 count vectors. Bound by the latency of products, of
+// which four chains overlap.
+template <class I>
+LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::size_t positions, const double* nodes,
+                                const double* scale, std::size_t count, double* scratch, double* row) {
+    using V = typename I::pack;
+    constexpr std::size_t lanes = I::lanes;
+    double* sums = scratch + 2 * count * lanes;
+    std::fill_n(sums, count * lanes, 0.0);
+    const std::size_t half = count / 2;
+    for (std::size_t i = 0; i < positions; i += 2 * lanes) {
+        V twice[2], below[2], above[2];  // products of what lies before a node, and behind it
+        for (std::size_t u = 0; u < 2; ++u) {
+            twice[u] = load<V>(z + i + u * lanes) * splat<V>(2.0);
+            below[u] = load<V>(share + i + u * lanes);
+            above[u] = splat<V>(1.0);
+        }
+        const auto advance = [&](std::size_t low, std::size_t high) LOMMEL_INLINE_LAMBDA {
+            const V a = splat<V>(2.0 * nodes[low]), b = splat<V>(2.0 * nodes[high]);
+            for (std::size_t u = 0; u < 2; ++u) {
+                below[u] = below[u] * (twice[u] - a);
+                above[u] = above[u] * (twice[u] - b);
+            }
+        };
+        const auto add = [&](std::size_t n, V value) LOMMEL_INLINE_LAMBDA {
+            store(sums + n * lanes, load<V>(sums + n * lanes) + value);
+        };
+        for (std::size_t n = 0; n < half; ++n) {
+            const std::size_t other = count - 1 - n;
+            for (std::size_t u = 0; u < 2; ++u) {
+                store(scratch + (2 * n + u) * lanes, below[u]);
+                store(scratch + (2 * other + u) * lanes, above[u]);
+            }
+            advance(n, other);
+        }
+        if (count % 2 == 1) {
+            add(half, below[0] * above[0] + below[1] * above[1]);
+            advance(half, half);
+        }
+        for (std::size_t n = count - half; n < count; ++n) {
+            const std::size_t other = count - 1 - n;
+            const double *stored = scratch + 2 * n * lanes, *mirrored = scratch + 2 * other * lanes;
+            add(n, below[0] * load<V>(stored) + below[1] * load<V>(stored + lanes));
+            add(other, above[0] * load<V>(mirrored) + above[1] * load<V>(mirrored + lanes));
+            advance(n, other);
+        }
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+        double sum = 0.0;
+        for (std::size_t l = 0; l < lanes; ++l) {
+            sum += sums[n * lanes + l];
+        }
+        row[n] = scale[n] * sum;
+    }
+}
+
+// sums[p][0 .. block_outputs) of `Together` pupils: their intensities at the nodes times a block of weights
+// [node][block_outputs]. Bound by reading the weights, once for all pupils.
+template <std::size_t Together, class I>
+LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, const double* const* intensity,
+                                 double* const* sums, std::size_t offset) {
+    using V = typename I::pack;
+    constexpr std::size_t packs = Together == 1 && 4 * I::lanes <= block_outputs ? 4 : 2;
+    constexpr std::size_t chains = Together == 1 ? 2 : 1;  // of sums, for multiply-adds to overlap
+    for (std::size_t j = 0; j < block_outputs; j += packs * I::lanes) {
+        V sum[Together][chains][packs];
+        for (auto& pupil : sum) {
+            for (auto& chain : pupil) {
+                for (V& pack : chain) {
+                    pack = splat<V>(0.0);
+                }
+            }
+        }
+        const auto add = [&](std::size_t chain, std::size_t n) LOMMEL_INLINE_LAMBDA {
+            V row[packs];
+            for (std::size_t k = 0; k < packs; ++k) {
+                row[k] = load<V>(weights + n * block_outputs + j + k * I::lanes);
+            }
+            for (std::size_t p = 0; p < Together; ++p) {
+                const V value = splat<V>(intensity[p][n]);
+                for (std::size_t k = 0; k < packs; ++k) {
+                    sum[p][chain][k] = sum[p][chain][k] + value * row[k];
+                }
+            }
+        };
+        std::size_t n = 0;
+        for (; n + chains <= nodes; n += chains) {
+            for (std::size_t c = 0; c < chains; ++c) {
+                add(c, n + c);
+            }
+        }
+        for (; n < nodes; ++n) {
+            add(0, n);
+        }
+        for (std::size_t p = 0; p < Together; ++p) {
+            for (std::size_t k = 0; k < packs; ++k) {
+                V total = sum[p][0][k];
+                for (std::size_t c = 1; c < chains; ++c) {
+                    total = total + sum[p][c][k];
+                }
+                store(sums[p] + offset + j + k * I::lanes, total);
+            }
+        }
+    }
+}
+
+// The sum of |coefficient| times penalty.
+template <class I>
+LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* penalty, std::size_t count) {
+    using V = typename I::pack;
+    V sum = splat<V>(0.0);
+    for (std::size_t k = 0; k < count; k += I::lanes) {
+        const V c = load<V>(coefficients + k);
+        sum = sum + larger(c, splat<V>(0.0) - c) * load<V>(penalty + k);
+    }
+    double total = 0.0;
+    for (std::size_t l = 0; l < I::lanes; ++l) {
+        total += sum[l];
+    }
+    return total;
+}
+
+// Clenshaw's recurrence along the radius for `Orders` harmonics of two vectors of pixels.
+template <std::size_t Orders, class V>
+LOMMEL_INLINE void along_radius(const double* coefficients, const V (&x)[2], V (&out)[Orders][2]) {
+    V now[Orders][2], before[Orders][2];
+    const V twice[2] = {x[0] + x[0], x[1] + x[1]};
+    for (std::size_t j = 0; j < Orders; ++j) {
+        for (std::size_t u = 0; u < 2; ++u) {
+            now[j][u] = splat<V>(coefficients[j * radial_degree + radial_degree - 1]);
+            before[j][u] = splat<V>(0.0);
+        }
+    }
+    for (std::size_t k = radial_degree - 2; k > 0; --k) {
+        for (std::size_t j = 0; j < Orders; ++j) {
+            const V c = splat<V>(coefficients[j * radial_degree + k]);
+            for (std::size_t u = 0; u < 2; ++u) {
+                const V next = twice[u] * now[j][u] + (c - before[j][u]);
+                before[j][u] = now[j][u];
+                now[j][u] = next;
+            }
+        }
+    }
+    for (std::size_t j = 0; j < Orders; ++j) {
+        const V c = splat<V>(coefficients[j * radial_degree]);
+        for (std::size_t u = 0; u < 2; ++u) {
+            out[j][u] = x[u] * now[j][u] + (c - before[j][u]);
+        }
+    }
+}
+
+// Values of `count` pixels of a ring from coefficients [harmonic][radial_degree]: x from -1 to 1 across the ring, the
+// cosine of four times the angle. Bound by arithmetic.
+template <class I>
+LOMMEL_INLINE void sum_harmonics(I, const double* coefficients, std::size_t harmonics, const double* x,
+                                 const double* cosine, std::size_t count, double* out) {
+    using V = typename I::pack;
+    for (std::size_t i = 0; i < count; i += 2 * I::lanes) {
+        const V at[2] = {load<V>(x + i), load<V>(x + i + I::lanes)};
+        const V angle[2] = {load<V>(cosine + i), load<V>(cosine + i + I::lanes)};
+        // T_j of the cosine: of the last order, and of the one before.
+        V now[2], before[2], sum[2];
+        for (std::size_t u = 0; u < 2; ++u) {
+            now[u] = splat<V>(1.0);
+            before[u] = angle[u];
+            sum[u] = splat<V>(0.0);
+        }
+        const auto add = [&](const V(&value)[2]) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t u = 0; u < 2; ++u) {
+                sum[u] = sum[u] + value[u] * now[u];
+                const V next = (angle[u] + angle[u]) * now[u] - before[u];
+                before[u] = now[u];
+                now[u] = next;
+            }
+        };
+        std::size_t j = 0;
+        for (; j + 2 < harmonics; j += 3) {
+            V values[3][2];
+            along_radius<3>(coefficients + j * radial_degree, at, values);
+            add(values[0]);
+            add(values[1]);
+            add(values[2]);
+        }
+        if (j + 1 < harmonics) {
+            V values[2][2];
+            along_radius<2>(coefficients + j * radial_degree, at, values);
+            add(values[0]);
+            add(values[1]);
+        } else if (j < harmonics) {
+            V values[1][2];
+            along_radius<1>(coefficients + j * radial_degree, at, values);
+            add(values[0]);
+        }
+        store(out + i, sum[0]);
+        store(out + i + I::lanes, sum[1]);
+    }
+}
+
+}  // namespace lommel

@@ -1,0 +1,44 @@
+// Where the pixels are: the distinct radii of a centred grid, and which one each pixel has.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/pixels/render.hpp"
+
+namespace lommel {
+
+// Radii, rising; padded so that the widest kernel can read anywhere. In units of their own.
+struct Radii {
+    Doubles radii;
+    std::size_t count = 0;  // radii that are not padding
+    double reach() const { return radii.back(); }
+};
+
+struct Layout : Radii {  // distinct radii in pixels
+    std::size_t height, width;
+    std::vector<std::int32_t> index;  // quadrant, (height / 2 + 1) x (width / 2 + 1): rank of each pixel's radius
+
+    Layout(std::size_t h, std::size_t w) : height(h), width(w), index((h / 2 + 1) * (w / 2 + 1)) {
+        const std::vector<std::int64_t> squares = distinct_radii(h / 2, w / 2, index.data());
+        count = squares.size();
+        for (const std::int64_t s : squares) {
+            radii.push_back(std::sqrt(static_cast<double>(s)));
+        }
+        radii.resize(count + padding, radii.back());
+    }
+
+    static constexpr std::size_t padding = widest_step;
+    std::size_t bytes() const { return sizeof(double) * radii.size() + sizeof(std::int32_t) * index.size(); }
+
+    bool is(std::size_t h, std::size_t w) const { return height == h && width == w; }
+
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
+    static std::shared_ptr<const Layout> get(std::size_t h, std::size_t w) { return cache<Layout>.get(h, w); }
+};
+
+}  // namespace lommel

@@ -1,0 +1,395 @@
+// Windows whose pixels average over their area, or whose axis lies off the pixels: every value is a weighted sum of I at
+// few radii. The weights depend on the window alone, so that one table serves every pupil. docs/certificate.md, section 9.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/pixels/layout.hpp"
+#include "lommel/special/legendre.hpp"
+#include "lommel/base/parallel.hpp"
+#include "lommel/special/bessel_table.hpp"
+#include "lommel/bounds/pixels.hpp"
+#include "lommel/pixels/kernels.hpp"
+#include "lommel/pixels/window.hpp"
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+// Chebyshev points for I at all distances within `slack` of [least, most]. Near the axis I is taken as a polynomial in the
+// square of the distance, which is to interpolate it as an even function on both sides.
+struct RingNodes {
+    double low, high;
+    bool even;
+    std::size_t count;
+    double error;
+
+    RingNodes(double least, double most, double slack, double allowed) : low(least - slack), high(most + slack) {
+        even = low < 0.25 * high;
+        low = even ? 0.0 : low;
+        const double half = even ? high : 0.5 * (high - low);
+        const std::size_t share = even ? 2 : 1;
+        const auto off = [&](std::size_t n) { return interpolation_error(half, share * n); };
+        count = fewest(static_cast<std::size_t>(2.0 * half) / share + 1, allowed, off);
+        error = off(count);
+    }
+
+    double point(std::size_t i) const { return chebyshev_point(count - 1 - i, count); }
+    double radius(std::size_t i) const {
+        return even ? high * std::sqrt(0.5 * (1.0 + point(i))) : 0.5 * (low + high + (high - low) * point(i));
+    }
+    // Where distances, given by their squares, lie between -1 and 1.
+    LOMMEL_INLINE void squeeze(double* squares, std::size_t length) const {
+        if (even) {
+            const double slope = high > 0.0 ? 2.0 / (high * high) : 0.0;
+            for (std::size_t i = 0; i < length; ++i) {
+                squares[i] = slope * squares[i] - 1.0;
+            }
+        } else {
+            const double slope = high > low ? 2.0 / (high - low) : 0.0, middle = 0.5 * (low + high);
+            for (std::size_t i = 0; i < length; ++i) {
+                squares[i] = slope * (std::sqrt(squares[i]) - middle);
+            }
+        }
+    }
+};
+
+struct PixelTable : Radii {  // where I is wanted, in v
+    static constexpr std::size_t most_nodes = 900;  // of a ring: the products of Lagrange's polynomials stay in range
+    static constexpr std::size_t most_weights = std::size_t{1} << 27;
+
+    struct Ring {
+        RingNodes nodes;
+        double middle, half;              // of the pixel centres
+        std::size_t first_node;           // in `places`
+        std::size_t first_value, values, padding;  // pixels that differ, padded to blocks
+        std::size_t first_weight, outputs;
+        bool direct;  // outputs are the values; else coefficients [harmonic][radial_degree]
+    };
+
+    PixelWindow window;
+    int level;  // errors are about 10^-level; `error` says what they are
+    PixelGroups groups;
+    std::vector<Ring> rings;           // none where I is wanted at the pixels themselves
+    std::vector<std::int32_t> places;  // of the nodes of each ring among the radii
+    Doubles weights;                   // of each ring: [block of outputs][node][output]
+    Doubles x, cosine;                 // x: from -1 to 1 across the ring; cosine of four times the angle
+    Doubles penalty;                   // roundings that each coefficient takes part in
+    std::size_t value_count = 0, harmonics = 1, gauss = 1;
+    double error = 0.0;    // of the values, over half the range of I, where I is exact at the radii
+    double of_nodes = 1.0, of_grid = 1.0;  // what errors are multiplied by: at the radii, at the places of the harmonics
+    double rounding = 0.0;  // of making and applying the weights, in units of roundoff times the largest I
+
+    PixelTable(const PixelWindow& w, int digits, int threads) : window(w), level(digits), groups(w) {
+        const auto ends = std::minmax_element(groups.v.begin(), groups.v.end());
+        const double least = *ends.first, most = *ends.second, slack = w.side() * 0.70710678118654752;
+        const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
+        gauss = fewest(1, 0.1 * allowed, [&](std::size_t q) { return gauss_error(w.side(), q); });
+        harmonics = fewest(1, 0.2 * allowed, [&](std::size_t j) { return harmonics_error(w.side(), j); });
+        const double by_angle = lebesgue(harmonics);
+        double half = 6.0;
+        while (by_angle * interpolation_error(half, radial_degree) > 0.3 * allowed) {
+            half *= 0.98;
+        }
+
+        // Multiply-adds of one image, and a share of those of the table: rings so narrow that `radial_degree` coefficients
+        // do, the window as one ring, or I at the pixels.
+        const double within = 0.2 * allowed / (by_angle * lebesgue(radial_degree));
+        const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
+        const RingNodes whole(least, most, slack, 0.5 * allowed);
+        const double ring_count = std::ceil((most - least) / (2.0 * half)) + 1.0;
+        const double coefficients = static_cast<double>(radial_degree * harmonics), of_ring = values / ring_count;
+        const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
+        const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
+                                (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
+        const double by_one = static_cast<double>(whole.count) * (64.0 + values * sum);
+        if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {
+            at_pixels();
+            return;
+        }
+        const bool one = by_one <= by_rings && whole.count <= most_nodes;
+        make_rings(least, one ? 0.5 * (most - least) : half, slack, one, one ? 0.5 * allowed : within);
+        const std::size_t entries = rings.back().first_weight + rings.back().nodes.count * rings.back().outputs;
+        const std::size_t nodes = std::max(narrow.count, rings.front().nodes.count);
+        if (entries > most_weights || nodes > most_nodes) {
+            throw std::invalid_argument("averages over pixels of " + std::to_string(w.step / 3.14159265358979324) +
+                                        " lambda*N take " +
+                                        (nodes > most_nodes ? std::to_string(nodes) + " radii a pixel, more than the limit of " +
+                                                                  std::to_string(most_nodes)
+                                                            : std::to_string(entries) + " weights, more than the limit of " +
+                                                                  std::to_string(most_weights)) +
+                                        "; take smaller pixels, and average blocks of them");
+        }
+        weights.resize(entries);
+        const Square square(w.side(), gauss);
+        const Doubles radial = cosine_transform(radial_degree), angular = cosine_transform(harmonics);
+        parallel_for(rings.size(), threads, [&](std::size_t, std::size_t r) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { weigh(isa, rings[r], square, radial, angular); });
+        });
+        judge(half);
+    }
+
+    // What an error of I at the radii may become in a value.
+    double magnification() const { return of_grid * of_nodes; }
+
+    std::size_t bytes() const {
+        return sizeof(double) * (weights.size() + x.size() + cosine.size() + radii.size()) +
+               sizeof(std::int32_t) * (groups.index.size() + places.size());
+    }
+
+    bool is(const PixelWindow& w, int digits, int) const { return window == w && level == digits; }
+    static constexpr std::size_t most_bytes = std::size_t{192} << 20;
+    static std::shared_ptr<const PixelTable> get(const PixelWindow& window, int level, int threads) {
+        return cache<PixelTable>.get(window, level, threads);
+    }
+
+    // Values of `Together` windows from I at the radii, for rings [first, last); raises `penalties` to what evaluating
+    // the harmonics may be off by, in units of roundoff.
+    template <std::size_t Together, class I>
+    LOMMEL_INLINE void apply(I isa, std::size_t first, std::size_t last, const double* const* intensity,
+                             double* const* out, double* penalties, Doubles& scratch) const {
+        for (std::size_t r = first; r < last; ++r) {
+            const Ring& ring = rings[r];
+            const std::size_t nodes = ring.nodes.count, room = ring.direct ? 0 : ring.outputs;
+            scratch.resize(Together * (nodes + room));
+            double *at[Together], *sums[Together];
+            for (std::size_t p = 0; p < Together; ++p) {
+                at[p] = scratch.data() + Together * room + p * nodes;
+                sums[p] = ring.direct ? out[p] + ring.first_value : scratch.data() + p * room;
+                for (std::size_t i = 0; i < nodes; ++i) {
+                    at[p][i] = intensity[p][places[ring.first_node + i]];
+                }
+            }
+            for (std::size_t block = 0; block < ring.outputs; block += block_outputs) {
+                weighted_sums<Together>(isa, weights.data() + ring.first_weight + block * nodes, nodes, at, sums, block);
+            }
+            for (std::size_t p = 0; p < Together && !ring.direct; ++p) {
+                penalties[p] = std::max(penalties[p], weighted_size(isa, sums[p], penalty.data(), ring.outputs));
+                sum_harmonics(isa, sums[p], harmonics, x.data() + ring.first_value, cosine.data() + ring.first_value,
+                              ring.values, out[p] + ring.first_value);
+            }
+        }
+    }
+
+   private:
+    // Gauss's nodes in a square, and their weights, which sum to 1; padded to vectors.
+    struct Square {
+        std::size_t padded;
+        Doubles across, down, share;
+
+        Square(double side, std::size_t q) : padded((q * q + position_step - 1) / position_step * position_step), across(padded), down(padded), share(padded) {
+            std::vector<double> nodes(q), weight(q);
+            gauss_legendre(q, nodes.data(), weight.data());
+            for (std::size_t i = 0; i < q * q; ++i) {
+                down[i] = 0.5 * side * nodes[i / q];
+                across[i] = 0.5 * side * nodes[i % q];
+                share[i] = 0.25 * weight[i / q] * weight[i % q];
+            }
+        }
+    };
+
+    static std::vector<std::int32_t> order_of(const std::vector<double>& v) {
+        std::vector<std::int32_t> order(v.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t k) {
+            return v[static_cast<std::size_t>(i)] < v[static_cast<std::size_t>(k)];
+        });
+        return order;
+    }
+
+    // Takes `v` for the radii; returns the place of each among them.
+    std::vector<std::int32_t> sort_radii(const std::vector<double>& v) {
+        std::vector<std::int32_t> place(v.size());
+        for (const std::int32_t i : order_of(v)) {
+            place[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(radii.size());
+            radii.push_back(v[static_cast<std::size_t>(i)]);
+        }
+        count = v.size();
+        radii.resize(count + widest_step, radii.back());
+        return place;
+    }
+
+    void at_pixels() {
+        groups.renumber(sort_radii(groups.v));
+        value_count = count;
+        harmonics = 0;
+    }
+
+    // Rings of 2 half from `least` on, each with its values next to each other, and their nodes.
+    void make_rings(double least, double half, double slack, bool one, double allowed) {
+        std::vector<std::size_t> ring_of(groups.v.size()), sizes(1, 0);
+        for (std::size_t i = 0; i < ring_of.size(); ++i) {
+            ring_of[i] = one ? 0 : static_cast<std::size_t>((groups.v[i] - least) / (2.0 * half));
+            sizes.resize(std::max(sizes.size(), ring_of[i] + 1), 0);
+            ++sizes[ring_of[i]];
+        }
+        std::vector<std::size_t> next(sizes.size());
+        std::vector<double> middle(sizes.size()), radius;
+        std::size_t entries = 0;
+        for (std::size_t s = 0; s < sizes.size(); ++s) {
+            next[s] = value_count;
+            middle[s] = least + half * (2.0 * static_cast<double>(s) + 1.0);
+            if (sizes[s] > 0) {
+                const RingNodes nodes(middle[s] - half, middle[s] + half, slack, allowed);
+                const std::size_t padded = (sizes[s] + block_outputs - 1) / block_outputs * block_outputs;
+                const bool direct = one || sizes[s] <= radial_degree * harmonics;
+                rings.push_back({nodes, middle[s], half, radius.size(), value_count, padded, padded - sizes[s], entries,
+                                 direct ? padded : radial_degree * harmonics, direct});
+                value_count += padded;
+                entries += nodes.count * rings.back().outputs;
+                for (std::size_t i = 0; i < nodes.count; ++i) {
+                    radius.push_back(nodes.radius(i));
+                }
+            }
+        }
+        places = sort_radii(radius);
+        x.resize(value_count);
+        cosine.resize(value_count);
+        std::vector<std::int32_t> place(groups.v.size());
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            const std::size_t at = next[ring_of[i]]++;
+            place[i] = static_cast<std::int32_t>(at);
+            x[at] = half > 0.0 ? (groups.v[i] - middle[ring_of[i]]) / half : 0.0;
+            cosine[at] = groups.cosine[i];
+        }
+        // What pads a ring is one of its pixels, so that the largest value is one in the window.
+        for (const Ring& ring : rings) {
+            const std::size_t end = ring.first_value + ring.values, used = end - ring.padding;
+            std::fill(x.begin() + used, x.begin() + end, x[ring.first_value]);
+            std::fill(cosine.begin() + used, cosine.begin() + end, cosine[ring.first_value]);
+        }
+        groups.renumber(place);
+        // Of each pixel is known what is needed.
+        groups.v = groups.cosine = {};
+    }
+
+    // The weights of the average over the square at `radius`, along the direction that has this cosine of four times
+    // its angle: all such directions are alike.
+    template <class I>
+    LOMMEL_INLINE void row(I isa, const RingNodes& nodes, const Square& square, double radius, double fourfold,
+                           const Doubles& points, const Doubles& scale, Doubles& scratch, double* out) const {
+        const double angle = 0.25 * std::acos(std::max(-1.0, std::min(1.0, fourfold)));
+        const double at_x = radius * std::cos(angle), at_y = radius * std::sin(angle);
+        scratch.resize(square.padded + 3 * nodes.count * I::lanes);
+        for (std::size_t i = 0; i < square.padded; ++i) {
+            const double dx = at_x + square.across[i], dy = at_y + square.down[i];
+            scratch[i] = dx * dx + dy * dy;
+        }
+        nodes.squeeze(scratch.data(), square.padded);
+        lagrange_row(isa, scratch.data(), square.share.data(), square.padded, points.data(), scale.data(), nodes.count,
+                     scratch.data() + square.padded, out);
+    }
+
+    template <class I>
+    LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Square& square, const Doubles& radial,
+                             const Doubles& angular) {
+        const std::size_t count_here = ring.nodes.count;
+        Doubles points(count_here), scale(count_here), scratch;
+        for (std::size_t i = 0; i < count_here; ++i) {
+            points[i] = ring.nodes.point(i);
+        }
+        for (std::size_t i = 0; i < count_here; ++i) {
+            double product = 1.0;
+            for (std::size_t k = 0; k < count_here; ++k) {
+                product *= k == i ? 1.0 : 2.0 * (points[i] - points[k]);
+            }
+            scale[i] = 1.0 / product;
+        }
+        Doubles rows(ring.outputs * count_here);
+        for (std::size_t o = 0; o < ring.outputs; ++o) {
+            look();
+            // Directly the pixels; else Chebyshev points of the radius, and of the cosine for each.
+            const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
+            const double fourfold = ring.direct ? cosine[ring.first_value + o] : chebyshev_point(o / radial_degree, harmonics);
+            row(isa, ring.nodes, square, ring.middle + ring.half * at, fourfold, points, scale, scratch,
+                rows.data() + o * count_here);
+        }
+        if (!ring.direct) {
+            transform(radial, harmonics, radial_degree, 1, count_here, rows);
+            transform(angular, radial_degree, 1, radial_degree, count_here, rows);
+        }
+        double* out = weights.data() + ring.first_weight;
+        for (std::size_t o = 0; o < ring.outputs; ++o) {
+            double* block = out + o / block_outputs * block_outputs * count_here + o % block_outputs;
+            for (std::size_t i = 0; i < count_here; ++i) {
+                block[i * block_outputs] = rows[o * count_here + i];
+            }
+        }
+    }
+
+    // From values at Chebyshev points to the coefficients of their polynomial: [degree][point].
+    static Doubles cosine_transform(std::size_t points) {
+        Doubles matrix(points * points);
+        for (std::size_t k = 0; k < points; ++k) {
+            for (std::size_t i = 0; i < points; ++i) {
+                const double angle = 3.14159265358979323846 * static_cast<double>(k) * (static_cast<double>(i) + 0.5);
+                matrix[k * points + i] = (k == 0 ? 1.0 : 2.0) / static_cast<double>(points) *
+                                         std::cos(angle / static_cast<double>(points));
+            }
+        }
+        return matrix;
+    }
+
+    // Applies a square matrix to each of so many sets of rows; sets are `apart` rows from each other, their rows `stride`.
+    LOMMEL_INLINE static void transform(const Doubles& matrix, std::size_t sets, std::size_t apart, std::size_t stride,
+                                        std::size_t length, Doubles& rows) {
+        const std::size_t points = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
+        Doubles made(points * length);
+        for (std::size_t s = 0; s < sets; ++s) {
+            double* first = rows.data() + s * apart * length;
+            std::fill(made.begin(), made.end(), 0.0);
+            for (std::size_t k = 0; k < points; ++k) {
+                for (std::size_t i = 0; i < points; ++i) {
+                    const double factor = matrix[k * points + i];
+                    const double* from = first + i * stride * length;
+                    for (std::size_t n = 0; n < length; ++n) {
+                        made[k * length + n] += factor * from[n];
+                    }
+                }
+            }
+            for (std::size_t k = 0; k < points; ++k) {
+                std::copy_n(made.data() + k * length, length, first + k * stride * length);
+            }
+        }
+    }
+
+    // docs/certificate.md, section 9.
+    void judge(double half) {
+        double worst = 0.0;
+        std::size_t most = 0;
+        bool expanded = false;
+        for (const Ring& ring : rings) {
+            worst = std::max(worst, ring.nodes.error);
+            most = std::max(most, ring.nodes.count);
+            expanded = expanded || !ring.direct;
+        }
+        const double n = static_cast<double>(most);
+        of_nodes = lebesgue(most);
+        of_grid = expanded ? lebesgue(harmonics) * lebesgue(radial_degree) : 1.0;
+        error = of_grid * (worst + gauss_error(window.side(), gauss));
+        rounding = of_grid * of_nodes * (6.0 * n + 40.0);
+        if (!expanded) {
+            harmonics = 0;
+            return;
+        }
+        error += lebesgue(harmonics) * interpolation_error(half, radial_degree) + harmonics_error(window.side(), harmonics);
+        const double orders = static_cast<double>(harmonics), degrees = static_cast<double>(radial_degree);
+        rounding += of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
+        for (std::size_t j = 0; j < harmonics; ++j) {
+            for (std::size_t k = 0; k < radial_degree; ++k) {
+                const double order = static_cast<double>(j), power = static_cast<double>(k);
+                penalty.push_back(1.5 * (power + 1.0) * (power + 2.0) + 10.0 * order * order + 4.0 * orders);
+            }
+        }
+    }
+};
+
+}  // namespace lommel

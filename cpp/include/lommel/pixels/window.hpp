@@ -1,0 +1,103 @@
+// Where the pixels of a window are around an axis anywhere, and which of them share one value.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "lommel/pixels/render.hpp"
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+struct PixelWindow {
+    std::size_t height, width;
+    double center_y, center_x, step;  // the axis in pixels, 0 the middle of the first; the pitch in v
+    bool integrate;                   // average over the pixels, or sample their centres
+
+    bool operator==(const PixelWindow& o) const {
+        return height == o.height && width == o.width && center_y == o.center_y && center_x == o.center_x &&
+               step == o.step && integrate == o.integrate;
+    }
+    double side() const { return integrate ? step : 0.0; }
+};
+
+// Distances from the axis along one side of a window: the distinct ones, rising, and which one each pixel has.
+struct Fold {
+    std::vector<double> distances;
+    std::vector<std::int32_t> rank;
+
+    Fold(std::size_t count, double center) : rank(count) {
+        const auto away = [&](std::size_t i) { return std::abs(static_cast<double>(i) - center); };
+        for (std::size_t i = 0; i < count; ++i) {
+            distances.push_back(away(i));
+        }
+        std::sort(distances.begin(), distances.end());
+        distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
+        for (std::size_t i = 0; i < count; ++i) {
+            rank[i] = static_cast<std::int32_t>(std::lower_bound(distances.begin(), distances.end(), away(i)) -
+                                                distances.begin());
+        }
+    }
+};
+
+// Pixels that differ: those at (a, b) and (b, a) from the axis have one value, where the window has both.
+struct PixelGroups {
+    Fold rows, columns;
+    std::vector<std::int32_t> index;  // [distance along y][distance along x]
+    std::vector<double> v, cosine;    // of each group: its distance, and the cosine of four times its angle
+    bool centered;                    // as render.hpp has it
+
+    explicit PixelGroups(const PixelWindow& w)
+        : rows(w.height, w.center_y), columns(w.width, w.center_x),
+          centered(w.center_y == static_cast<double>(w.height / 2) && w.center_x == static_cast<double>(w.width / 2)) {
+        const std::vector<double>&down = rows.distances, &across = columns.distances;
+        const std::size_t common = std::min(down.size(), across.size());
+        const bool alike = std::equal(down.begin(), down.begin() + static_cast<std::ptrdiff_t>(common), across.begin());
+        index.reserve(down.size() * across.size());
+        for (std::size_t i = 0; i < down.size(); ++i) {
+            for (std::size_t k = 0; k < across.size(); ++k) {
+                if (alike && k < i && i < across.size()) {
+                    index.push_back(index[k * across.size() + i]);
+                    continue;
+                }
+                index.push_back(static_cast<std::int32_t>(v.size()));
+                const double a = down[i], b = across[k], square = a * a + b * b;
+                const double product = square > 0.0 ? a * b / square : 0.0;
+                v.push_back(w.step * std::sqrt(square));
+                cosine.push_back(1.0 - 8.0 * product * product);
+            }
+        }
+    }
+
+    // Numbers the groups anew.
+    void renumber(const std::vector<std::int32_t>& place) {
+        for (std::int32_t& group : index) {
+            group = place[static_cast<std::size_t>(group)];
+        }
+    }
+
+    // Rows [first, last) of distances along y, of one image.
+    template <class T>
+    LOMMEL_INLINE void paint(const T* values, std::size_t first, std::size_t last, T* out) const {
+        const std::size_t height = rows.rank.size(), width = columns.rank.size();
+        if (centered) {
+            return scatter_rows(values, index.data(), height, width, first, last, out);
+        }
+        for (std::size_t y = 0; y < height; ++y) {
+            const std::size_t distance = static_cast<std::size_t>(rows.rank[y]);
+            if (distance < first || distance >= last) {
+                continue;
+            }
+            const std::int32_t* from = index.data() + distance * columns.distances.size();
+            for (std::size_t x = 0; x < width; ++x) {
+                out[y * width + x] = values[from[columns.rank[x]]];
+            }
+        }
+    }
+};
+
+}  // namespace lommel

@@ -1,0 +1,258 @@
+// The universal table: 2 (-1)^n J_{2n+1}(v) / v as polynomials on pieces of the v axis. It depends on nothing but the
+// width of the pieces, so one table serves every pupil, wavelength and pixel. A second one, of 2 (-1)^n J_{2n+2}(v) / v,
+// is for the odd azimuthal orders of pupils that are not radially symmetric.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "lommel/special/bessel.hpp"
+#include "lommel/base/cache.hpp"
+#include "lommel/bounds/ellipse.hpp"
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+constexpr std::size_t degree_count = 16;  // coefficients of a piece
+
+// Widths to choose from: the error of interpolation, relative to sup|U|, and the size of the coefficients, which
+// magnifies rounding, both rise with the width.
+constexpr std::array<double, 7> widths = {12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2};
+
+// Bound on the error of a piece relative to sup|U|: U is of exponential type 1, so |U^(16)| <= sup|U| (Bernstein), and
+// interpolation at Chebyshev points errs by 2 (H/4)^16 / 16! of that.
+inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16) / 20922789888000.0; }
+
+// One piece: rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ... Orders that vanish here have no row.
+struct Piece {
+    Doubles rows;
+    double magnitude = 0.0, azimuthal = 0.0;
+    std::size_t terms() const { return rows.size() / degree_count; }
+};
+
+struct PieceTable {
+    double width = 0.0;
+    std::size_t terms = 0;  // rows each piece has, unless it needs fewer
+    // max over pieces of sum_k sqrt(sum_n (2n+1) C_nk^2): with sum |beta_n|^2 / (2n+1) <= 1 it bounds the sum of the
+    // magnitudes of all that is added up for one value of U, hence the rounding.
+    double magnitude = 0.0;
+    // The same for all azimuthal orders together: max of sum_k sqrt(sum_n (n+1)^2 C_nk^2), n the degree.
+    double azimuthal = 0.0;
+    std::vector<std::shared_ptr<const Piece>> pieces;  // by their place; those that nobody wanted are missing
+    std::size_t leading = 0;                           // so many from the first on are there
+
+    bool has(std::size_t s) const { return s < pieces.size() && pieces[s] != nullptr; }
+};
+
+// All pieces below one, and some beyond, rising.
+struct WantedPieces {
+    std::size_t leading = 0;
+    std::vector<std::size_t> others;
+    std::size_t end() const { return others.empty() ? leading : others.back() + 1; }
+};
+
+inline double chebyshev_point(std::size_t j, std::size_t count) {
+    return std::cos(3.14159265358979323846 * (static_cast<double>(j) + 0.5) / static_cast<double>(count));
+}
+
+// From values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ...: [power][point].
+template <std::size_t Count>
+struct ChebyshevToMonomials : std::array<std::array<long double, Count>, Count> {
+    ChebyshevToMonomials() : std::array<std::array<long double, Count>, Count>{} {
+        // Monomial coefficients of T_0, T_1, ...
+        std::array<std::array<long double, Count>, Count> t{};
+        t[0][0] = 1;
+        t[1][1] = 1;
+        for (std::size_t i = 2; i < Count; ++i) {
+            for (std::size_t k = 0; k < Count; ++k) {
+                t[i][k] = (k > 0 ? 2 * t[i - 1][k - 1] : 0) - t[i - 2][k];
+            }
+        }
+        const long double pi = std::acos(-1.0L);
+        for (std::size_t j = 0; j < Count; ++j) {
+            for (std::size_t i = 0; i < Count; ++i) {
+                const long double c = (i == 0 ? 1.0L : 2.0L) / Count * std::cos(pi * i * (j + 0.5L) / Count);
+                for (std::size_t k = 0; k < Count; ++k) {
+                    (*this)[k][j] += c * t[i][k];
+                }
+            }
+        }
+    }
+};
+template <std::size_t Count>
+inline const ChebyshevToMonomials<Count> chebyshev_to_monomials;
+
+// What all rows that a piece leaves out can add to U, whatever the pupil.
+constexpr double left_out = 1e-19;
+
+class PieceTables final : Shared {
+   public:
+    explicit PieceTables(std::size_t parity) : parity_(parity) {}
+
+    // A table with at least these pieces, of as many rows. Pieces are made where they are missing, shared by all threads, and
+    // kept until all of their parity outgrow 128 MiB.
+    std::shared_ptr<const PieceTable> get(std::size_t width_index, const WantedPieces& wanted, std::size_t terms) {
+        if (auto found = held(width_index); serves(found.get(), wanted, terms)) {
+            return found;
+        }
+        const Turn::Taken turn(turn_);
+        const auto old = held(width_index);
+        if (serves(old.get(), wanted, terms)) {
+            return old;
+        }
+        const std::shared_ptr<const PieceTable> table = extended(old.get(), widths[width_index], wanted, terms);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        tables_[width_index] = table;
+        if (bytes() > (std::size_t{128} << 20)) {
+            tables_ = {};
+        }
+        return table;
+    }
+
+   private:
+    std::shared_ptr<const PieceTable> held(std::size_t width_index) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return tables_[width_index];
+    }
+
+    static bool serves(const PieceTable* table, const WantedPieces& wanted, std::size_t terms) {
+        return table != nullptr && table->terms >= terms && table->leading >= wanted.leading &&
+               std::all_of(wanted.others.begin(), wanted.others.end(), [&](std::size_t s) { return table->has(s); });
+    }
+
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (const auto& table : tables_) {
+            for (std::size_t i = 0; table && i < table->pieces.size(); ++i) {
+                sum += table->has(i) ? sizeof(double) * table->pieces[i]->rows.size() : 0;
+            }
+        }
+        return sum;
+    }
+
+    std::shared_ptr<const PieceTable> extended(const PieceTable* old, double width, const WantedPieces& wanted,
+                                               std::size_t terms) {
+        auto table = std::make_shared<PieceTable>();
+        table->width = width;
+        // Rounded up, so that a little more defocus does not mean a new table.
+        table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
+        table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
+        const auto rows = [&](std::size_t s) {
+            return std::min(table->terms, window_terms(width * static_cast<double>(s + 1), left_out));
+        };
+        // Of the old ones those that have rows enough, as all have unless there are more terms now.
+        for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
+            if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {
+                table->pieces[s] = old->pieces[s];
+            }
+        }
+        std::vector<double> scratch;
+        const auto need = [&](std::size_t s) {
+            if (!table->pieces[s]) {
+                look();
+                table->pieces[s] = made(width, s, rows(s), scratch);
+            }
+        };
+        for (std::size_t s = 0; s < wanted.leading; ++s) {
+            need(s);
+        }
+        for (const std::size_t s : wanted.others) {
+            need(s);
+        }
+        while (table->has(table->leading)) {
+            ++table->leading;
+        }
+        for (const auto& piece : table->pieces) {
+            if (piece) {
+                table->magnitude = std::max(table->magnitude, piece->magnitude);
+                table->azimuthal = std::max(table->azimuthal, piece->azimuthal);
+            }
+        }
+        return table;
+    }
+
+    // Values at Chebyshev points to monomials, in extended precision: in double, the conversion would lose five digits.
+    std::shared_ptr<const Piece> made(double width, std::size_t s, std::size_t terms, std::vector<double>& scratch) const {
+        constexpr std::size_t m = degree_count;
+        auto piece = std::make_shared<Piece>();
+        piece->rows.resize(terms * m);
+        std::vector<double> values(m * terms);
+        for (std::size_t j = 0; j < m; ++j) {
+            const double x = chebyshev_point(j, m);
+            const double v = width * (static_cast<double>(s) + 0.5 * (1.0 + x));
+            zernike_transforms(parity_, v, terms, &values[j * terms], scratch);
+        }
+        for (std::size_t n = 0; n < terms; ++n) {
+            for (std::size_t k = 0; k < m; ++k) {
+                long double sum = 0;
+                for (std::size_t j = 0; j < m; ++j) {
+                    sum += chebyshev_to_monomials<m>[k][j] * static_cast<long double>(values[j * terms + n]);
+                }
+                piece->rows[n * m + k] = static_cast<double>(sum);
+            }
+        }
+        for (std::size_t k = 0; k < m; ++k) {
+            double sum = 0.0, all = 0.0;
+            for (std::size_t n = 0; n < terms; ++n) {
+                const double square = piece->rows[n * m + k] * piece->rows[n * m + k];
+                const double orders = static_cast<double>(2 * n + parity_ + 1);
+                sum += (2.0 * static_cast<double>(n) + 1.0) * square;
+                all += orders * orders * square;
+            }
+            piece->magnitude += std::sqrt(sum);
+            piece->azimuthal += std::sqrt(all);
+        }
+        return piece;
+    }
+
+    std::size_t parity_;
+    std::array<std::shared_ptr<const PieceTable>, widths.size()> tables_;
+};
+inline PieceTables& even_pieces = *new PieceTables(0);
+inline PieceTables& odd_pieces = *new PieceTables(1);
+
+// The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Bound by reading the
+// table once.
+template <class I>
+LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im,
+                           double* re, double* im, std::size_t first = 0) {
+    using V = typename I::pack;
+    constexpr std::size_t at_once = 2 * I::lanes < degree_count ? 2 * I::lanes : degree_count;
+    constexpr std::size_t packs = at_once / I::lanes;
+    terms = std::min(terms, piece.terms() - std::min(first, piece.terms()));
+    for (std::size_t k = 0; k < degree_count; k += at_once) {
+        const double* column = piece.rows.data() + first * degree_count + k;
+        V a[2][packs], b[2][packs];  // two rows at once, for their chains of multiply-adds to overlap
+        for (std::size_t j = 0; j < 2; ++j) {
+            for (std::size_t p = 0; p < packs; ++p) {
+                a[j][p] = b[j][p] = splat<V>(0.0);
+            }
+        }
+        const auto add = [&](std::size_t j, std::size_t n) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t p = 0; p < packs; ++p) {
+                const V c = load<V>(column + n * degree_count + p * I::lanes);
+                a[j][p] = a[j][p] + c * splat<V>(beta_re[n]);
+                b[j][p] = b[j][p] + c * splat<V>(beta_im[n]);
+            }
+        };
+        std::size_t n = 0;
+        for (; n + 2 <= terms; n += 2) {
+            add(0, n);
+            add(1, n + 1);
+        }
+        if (n < terms) {
+            add(0, n);
+        }
+        for (std::size_t p = 0; p < packs; ++p) {
+            store(re + k + p * I::lanes, a[0][p] + a[1][p]);
+            store(im + k + p * I::lanes, b[0][p] + b[1][p]);
+        }
+    }
+}
+
+}  // namespace lommel

@@ -1,0 +1,150 @@
+// A stack of wavefronts as the engines of the whole disk take it: on the aperture and, over its own radius, on the obscuration.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "lommel/bounds/amplitude.hpp"
+#include "lommel/radial/field.hpp"
+#include "lommel/special/radial_polynomials.hpp"
+
+namespace lommel {
+
+// A window of pixels, `step` in v apart; the axis is at the given row and column, of whole or broken number.
+struct DiskWindow {
+    std::size_t height, width;
+    double row, column, step;
+};
+
+// Where the answer goes. For each pupil: the image; what the intensity was multiplied by (0 on entry: divide by the largest value
+// instead); the bound on the error over a peak; and that peak, of the intensity.
+template <class T>
+struct DiskAnswer {
+    T* images;
+    double *scales, *bounds, *peaks;
+};
+
+struct DiskStack {
+    std::vector<ZernikeTerm> terms;     // those that are not zero throughout, and what the inner disk makes of them
+    std::vector<double> outer, inner;   // [pupil][term], radians at the edge; no `inner` without an obscuration
+    std::vector<std::int64_t> rows, columns;  // the pixels that axes are moved to by move_axes()
+    std::vector<double> lost;           // of each pupil, what roundings on the way here do to U at most
+    std::size_t count;
+    double obscuration;
+    Amplitude amplitude;
+
+    // Of `given` terms, edge[pupil][term].
+    DiskStack(const std::vector<ZernikeTerm>& given, const double* edge, std::size_t pupils, double eps, const Amplitude& light)
+        : terms(given), outer(edge, edge + pupils * given.size()), lost(pupils, 0.0), count(pupils), obscuration(eps),
+          amplitude(light) {
+        trim();
+    }
+
+    // Takes whole pixels of tilt as a move of the axis, which is then in the middle of a pixel for each pupil; what is left of
+    // them, and of the place of the axis, is a tilt of less than a pixel.
+    void move_axes(const DiskWindow& window) {
+        constexpr double farthest = 1e6;
+        const std::size_t at[2] = {place({1, -1}), place({1, 1})};
+        rows.resize(count);
+        columns.resize(count);
+        for (std::size_t p = 0; p < count; ++p) {
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                double& tilt = outer[p * terms.size() + at[axis]];
+                const double given = axis == 0 ? window.row : window.column, here = given + tilt / window.step;
+                if (!(std::abs(here) <= farthest)) {
+                    char message[128];
+                    std::snprintf(message, sizeof message,
+                                  "tilt and center put the axis at %s %.3g, more than the limit of 1e+06 pixels away",
+                                  axis == 0 ? "row" : "column", here);
+                    throw PhaseTooLarge(message);
+                }
+                const double whole = std::nearbyint(here);
+                (axis == 0 ? rows : columns)[p] = static_cast<std::int64_t>(whole);
+                if (tilt != 0.0) {
+                    // Step, quotient and sum are rounded, relative to what may cancel; |dU/dv| < 1/2.
+                    lost[p] += 3.0 * unit_roundoff * (std::abs(tilt) + std::abs(given) * window.step);
+                }
+                tilt = (here - whole) * window.step;
+            }
+        }
+        trim();
+    }
+
+    // Fills `inner`: the same phase over the radius of the obscuration, its constant among the terms.
+    void shrink() {
+        if (obscuration == 0.0) {
+            return;
+        }
+        const std::vector<ZernikeTerm> before = terms;
+        for (const ZernikeTerm& term : before) {
+            for (std::int32_t k = term.n - 2; k >= std::abs(term.m); k -= 2) {
+                place({k, term.m});
+            }
+        }
+        inner.assign(outer.size(), 0.0);
+        const double area = obscuration * obscuration, products = unit_roundoff * static_cast<double>(before.size() + 1);
+        for (std::size_t j = 0; j < before.size(); ++j) {
+            const std::size_t n = static_cast<std::size_t>(before[j].n);
+            for (std::int32_t k = before[j].n; k >= std::abs(before[j].m); k -= 2) {
+                const double share = shrunk(n, static_cast<std::size_t>(k), obscuration);
+                const std::size_t to = place({k, before[j].m});
+                for (std::size_t p = 0; p < count; ++p) {
+                    const double c = outer[p * terms.size() + j];
+                    inner[p * terms.size() + to] += share * c;
+                    lost[p] += area * products * std::abs(share * c);
+                }
+            }
+            for (std::size_t p = 0; p < count; ++p) {
+                lost[p] += area * shrinking(n) * std::abs(outer[p * terms.size() + j]);
+            }
+        }
+    }
+
+   private:
+    // Leaves terms out that are zero throughout.
+    void trim() {
+        std::vector<std::size_t> used;
+        for (std::size_t j = 0; j < terms.size(); ++j) {
+            for (std::size_t p = 0; p < count; ++p) {
+                if (outer[p * terms.size() + j] != 0.0) {
+                    used.push_back(j);
+                    break;
+                }
+            }
+        }
+        if (used.empty()) {
+            used.push_back(0);
+        }
+        for (std::size_t p = 0; p < count; ++p) {
+            for (std::size_t j = 0; j < used.size(); ++j) {
+                outer[p * used.size() + j] = outer[p * terms.size() + used[j]];
+            }
+        }
+        for (std::size_t j = 0; j < used.size(); ++j) {
+            terms[j] = terms[used[j]];
+        }
+        terms.resize(used.size());
+        outer.resize(count * used.size());
+    }
+
+    // Where a term is, added at the end where it was not.
+    std::size_t place(const ZernikeTerm& term) {
+        const std::size_t j = static_cast<std::size_t>(std::find(terms.begin(), terms.end(), term) - terms.begin());
+        if (j == terms.size()) {
+            std::vector<double> wider(count * (terms.size() + 1), 0.0);
+            for (std::size_t p = 0; p < count; ++p) {
+                std::copy_n(&outer[p * terms.size()], terms.size(), &wider[p * (terms.size() + 1)]);
+            }
+            outer.swap(wider);
+            terms.push_back(term);
+        }
+        return j;
+    }
+};
+
+}  // namespace lommel

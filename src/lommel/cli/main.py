@@ -1,0 +1,370 @@
+"""The command line: ``lommel psf``, ``lommel compare``, ``lommel info``, ``lommel paper``; see also cli_imaging."""
+
+from __future__ import annotations
+
+import dataclasses
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from lommel.base.optional import how_to_get
+from lommel.base.validation import shown
+
+try:
+    import click
+
+    from lommel.cli.methods import METHOD_NAMES, build_method, chosen, methods
+    from lommel.cli.parts import Length, Shape, one_line_errors, print_json, progress
+    from lommel.cli.photo_commands import blur, focus_pull
+except ImportError as missing:  # pragma: no cover
+    sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
+
+if TYPE_CHECKING:
+    from lommel.lensfiles.instrument import Instrument
+    from lommel.psf import PSF
+
+
+def _lens_command(command: Callable[..., None], *more: Callable[..., Any]) -> Callable[..., None]:
+    """Add what every command takes: the lens file, what overrides it, and --json."""
+    parts = [
+        click.argument("lens", type=click.Path(dir_okay=False, path_type=Path)),
+        click.option("--object-distance", type=Length(), help='Instead of the file\'s: "1.5 m", "inf".'),
+        click.option("--pixel", type=Length(), help='Pixel pitch, instead of the file\'s: "3.45 um".'),
+        click.option("--shape", type=Shape(), help="Window in pixels, instead of the file's: 65 or 64x128."),
+        *more,
+        click.option("--json", "as_json", is_flag=True, help="Print what the tables show as JSON."),
+    ]
+    for part in reversed(parts):
+        command = part(command)
+    return command
+
+
+def _psf_command(command: Callable[..., None]) -> Callable[..., None]:
+    """Add what every command takes that makes PSFs."""
+    return _lens_command(
+        command,
+        click.option("--integrate/--sample", default=None,
+                     help="Average over the area of each pixel, as a sensor does and is the default, or sample its "
+                     "centre; instead of the file's."),
+    )  # fmt: skip
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.version_option(package_name="lommel")
+def main() -> None:
+    """Point spread functions of defocused and aberrated lenses.
+
+    A lens is described by a TOML file; see examples/lenses. Lengths carry units: "550 nm", "3.45 um", "1.5 m".
+
+    \b
+    Examples:
+      lommel info    lens.toml                          # what is known without an image
+      lommel psf     lens.toml -o psf.tif -o psf.png    # the PSF, as data and as a picture
+      lommel compare lens.toml --figure compare.png     # every method against the reference
+      lommel methods                                    # what they are, and their options
+      lommel paper   out                                # every figure and number of the paper
+      lommel blur    photo.jpg depth.tif lens.toml --focus "2 m" -o out.jpg    # a photograph
+    """  # noqa: D301 (\b is meant)
+
+
+for command in (blur, focus_pull, methods):
+    main.add_command(command)
+
+
+@main.command()
+@_psf_command
+@click.option("-o", "--output", "outputs", multiple=True, type=click.Path(dir_okay=False, path_type=Path),
+              help="The values: .tif (OME), .npy or .npz; or a grey picture to look at: .png, the square root of the "
+              "values, enlarged to 512 pixels or more. Repeatable. With --field .tif, .zarr or .npz.")  # fmt: skip
+@click.option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
+              help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
+@click.option("--plot", "figure", type=click.Path(dir_okay=False, path_type=Path),
+              help="A figure with axes and scale: .png, .pdf, .svg.")  # fmt: skip
+@click.option("-m", "--method", "method_name", default="auto", show_default=True,
+              type=click.Choice(("auto", *METHOD_NAMES)),
+              help="How to evaluate the diffraction integral; auto: what suits the pupil.")  # fmt: skip
+@click.option("--tol", type=float, help="Tolerance, relative to the peak, of methods that have one.")
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
+              help="An option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated.")  # fmt: skip
+@click.option("--normalize", default="energy", show_default=True, type=click.Choice(["energy", "strehl", "peak"]),
+              help="Fraction of all light per pixel, or 1 = unaberrated peak, or 1 = largest value.")  # fmt: skip
+@click.option("--dtype", type=click.Choice(["float32", "float64"]), help="Of the values.")
+@one_line_errors
+def psf(
+    lens: Path,
+    object_distance: float | None,
+    pixel: float | None,
+    shape: Any,
+    integrate: bool | None,
+    as_json: bool,
+    outputs: tuple[Path, ...],
+    field: Any,
+    figure: Path | None,
+    method_name: str,
+    tol: float | None,
+    settings: tuple[str, ...],
+    normalize: str,
+    dtype: str | None,
+) -> None:
+    """Compute the PSF of a lens, print what it is, and write it to files.
+
+    \b
+    Examples:
+      lommel psf hubble.toml -o hubble.tif -o hubble.png
+      lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz
+      lommel psf camera.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
+      lommel psf camera.toml --field 5x7 --plot field.png -o field.tif
+    """  # noqa: D301 (\b is meant)
+    from lommel.cli import tables
+    from lommel.io import field_files, psf_files
+    from lommel.psf import psf as compute
+    from lommel.reports import report
+
+    for path in outputs:
+        if field is not None:
+            field_files.check_suffix(path, "--output")
+        elif path.suffix.lower() not in psf_files.SUFFIXES:
+            raise ValueError(f"--output must end in {', '.join(psf_files.SUFFIXES)}, got {shown(str(path))}")
+    if figure is not None:
+        _figure_format(figure)
+    instrument = _instrument(lens, object_distance, pixel, shape, integrate)
+    method = chosen(instrument, settings, tol) if method_name == "auto" else build_method(method_name, settings, tol)
+    if field is not None:
+        options = {"method": method, "normalize": normalize, "dtype": dtype, "integrate": instrument.integrate}
+        _psf_over_field(instrument, field, options, outputs, figure, as_json)
+        return
+    with progress(f"{instrument.window[0]} x {instrument.window[1]} pixels"):
+        start = time.perf_counter()
+        answer = compute(
+            instrument.pupil(),
+            instrument.window,
+            instrument.pixel,
+            method=method,
+            normalize=normalize,
+            dtype=dtype,
+            integrate=instrument.integrate,
+        )
+        seconds = time.perf_counter() - start
+        facts = report.describe_lens(instrument) | {"psf": report.describe_psf(answer, seconds)}
+        for path in outputs:
+            answer.save(path)
+        if figure is not None:
+            axes = answer.plot()
+            axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9)
+            _save_figure(axes.figure, figure)
+    written = [str(path) for path in (*outputs, *([figure] if figure else []))]
+    if as_json:
+        print_json(facts | {"files": written})
+        return
+    tables.print_lens(facts)
+    tables.print_psf(answer, facts["psf"])
+    for path in outputs:
+        click.echo(f"wrote {path}{_of_picture(answer) if path.suffix.lower() == '.png' else ''}")
+    if figure is not None:
+        click.echo(f"wrote {figure}")
+
+
+def _of_picture(answer: PSF) -> str:
+    from lommel.io.psf_files import png_scale
+
+    scale = png_scale(answer)
+    height, width = (scale * side for side in answer.shape)
+    each = f"{scale} x {scale} for each of the PSF, " if scale > 1 else ""
+    return f": {width} x {height} pixels, {each}square root of the values, 16 bit"
+
+
+def _psf_over_field(
+    instrument: Instrument,
+    field: Any,
+    options: dict[str, Any],
+    outputs: tuple[Path, ...],
+    figure: Path | None,
+    as_json: bool,
+) -> None:
+    """Do what ``lommel psf --field`` does."""
+    from lommel.cli import tables
+    from lommel.reports import report
+
+    if not isinstance(field, tuple) or len(field) != 2:
+        raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
+    rows, columns = field
+    field_map, sensor = instrument.field(), instrument.sensor
+    assert sensor is not None  # as long as there is a map
+    with progress(f"{rows} x {columns} PSFs of {instrument.window[0]} x {instrument.window[1]} pixels"):
+        start = time.perf_counter()
+        grid = field_map.grid(
+            rows, columns, sensor=sensor, shape=instrument.window, pixel=instrument.pixel, **options
+        )
+        facts = report.describe_field(instrument, grid, time.perf_counter() - start)
+        for path in outputs:
+            grid.save(path)
+        if figure is not None:
+            axes = grid.plot()
+            axes.set_title(instrument.name, fontsize=9, loc="left", pad=22)
+            _save_figure(axes.figure, figure)
+    written = [str(path) for path in (*outputs, *([figure] if figure else []))]
+    if as_json:
+        print_json(facts | {"files": written})
+        return
+    tables.print_field(grid, facts)
+    for name in written:
+        click.echo(f"wrote {name}")
+
+
+@main.command()
+@_lens_command
+@one_line_errors
+def info(lens: Path, object_distance: float | None, pixel: float | None, shape: Any, as_json: bool) -> None:
+    """Print what is known about a lens.
+
+    Wavefront in radians and waves, what narrows the aperture, Airy radius, geometric blur, Strehl ratio and
+    Marechal's estimate of it, full width at half of the largest intensity, contrast at the Nyquist frequency of the
+    pixels and frequency of half contrast (of round apertures), and encircled energies beside those of the same
+    aperture without aberration.
+
+    \b
+    Example:
+      lommel info camera.toml --object-distance "3 m"
+    """  # noqa: D301 (\b is meant)
+    from lommel.cli import tables
+    from lommel.reports import report
+
+    facts = report.describe_lens(_instrument(lens, object_distance, pixel, shape))
+    if as_json:
+        print_json(facts)
+    else:
+        tables.print_lens(facts)
+
+
+@main.command()
+@_psf_command
+@click.option("--figure", type=click.Path(dir_okay=False, path_type=Path),
+              help="Write the PSFs and their slices side by side: .png, .pdf, .svg.")  # fmt: skip
+@one_line_errors
+def compare(
+    lens: Path,
+    object_distance: float | None,
+    pixel: float | None,
+    shape: Any,
+    integrate: bool | None,
+    as_json: bool,
+    figure: Path | None,
+) -> None:
+    """Compute the PSF of a lens by every method and judge each by a reference.
+
+    That is plain quadrature (Hankel); where the wavefront depends on the direction the certified series at a
+    tolerance of 1e-9, and where the aperture is not round the non-uniform FFT at 1e-11. Methods that do not take such
+    a pupil are named with the reason.
+
+    Errors are relative to the peak of the reference; MSE is the mean squared error over the squared peak. That of
+    HuygensFresnel, of a paraxial lens, is the Fresnel approximation of all the others, and is of samples at the
+    centres of the pixels; ClosedForm has the tangent-line centre and the erf of least mean square error in this
+    window. Times are those of a second call, where the first takes less than a second. What the other model of the
+    lens would change is told below.
+
+    \b
+    Example:
+      lommel compare camera.toml --figure methods.png
+    """  # noqa: D301 (\b is meant)
+    from lommel.cli import tables
+    from lommel.methods import METHODS, ClosedForm
+    from lommel.reports import report
+
+    if figure is not None:
+        _figure_format(figure)
+    instrument = _instrument(lens, object_distance, pixel, shape, integrate)
+    pupil = instrument.pupil()
+    with progress("", total=len(METHODS) + 1) as started:
+        methods = [
+            # The paper's form at its best, so that nobody compares with it at its worst.
+            ClosedForm.best(pupil, instrument.window, instrument.pixel)
+            if kind is ClosedForm and pupil.radial
+            else kind()
+            for kind in METHODS.values()
+        ]
+        rows, answers = report.compare(instrument, methods, started)
+        reference = report.reference_name(pupil)
+        sampling = answers[reference].sampling
+        if figure is not None:
+            from lommel.show import plot
+
+            _save_figure(plot.compare(answers, reference), figure)
+    if as_json:
+        named = {"name": instrument.name, "reference": reference, "sampling": sampling}
+        print_json(named | {"rows": rows, "other_model": report.other_model(instrument)})
+    else:
+        tables.print_comparison(instrument, rows, reference, sampling, report.other_model(instrument))
+        if figure is not None:
+            click.echo(f"wrote {figure}")
+
+
+@main.command()
+@click.argument("outdir", type=click.Path(path_type=Path))
+@click.option("--figure", "figures", multiple=True, type=click.Choice([*"1234567", "17", "100"]),
+              help="One, without the table; may be repeated. 17: Eq. (17); 100: where the forms hold.")  # fmt: skip
+@click.option("--json", "as_json", is_flag=True, help="Print settings, errors and the table as JSON.")
+@one_line_errors
+def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
+    """Regenerate every figure and number of the paper, in OUTDIR, in about half a minute.
+
+    Each figure becomes figure-N.png, figure-N.npz with all of its data and figure-N.csv with its curves.
+    table.md and table.json set each number of the paper beside the one computed, from
+    Eq. (12) as printed and corrected.
+
+    \b
+    Examples:
+      lommel paper out
+      lommel paper out --figure 3 --figure 5
+    """  # noqa: D301 (\b is meant)
+    from lommel.cli import tables
+    from lommel.paper.write import FIGURES, reproduce
+
+    wanted = [int(number) for number in figures] or None
+    with progress("", total=len(wanted) if wanted else len(FIGURES) + 1) as started:
+        made = reproduce(outdir, wanted, started)
+    if as_json:
+        print_json(made)
+        return
+    if made["table"] is not None:
+        tables.print_numbers(made["table"])
+    for name in made["files"]:
+        click.echo(f"wrote {name}")
+
+
+def _instrument(
+    path: Path, object_distance: float | None, pixel: float | None, shape: Any, integrate: bool | None = None
+) -> Instrument:
+    from lommel.base import validation
+    from lommel.lensfiles.lens_files import load_instrument
+
+    instrument = load_instrument(path)
+    changes: dict[str, Any] = {}
+    if object_distance is not None:
+        changes["object_distance"] = object_distance
+    if pixel is not None:
+        changes["pixel"] = validation.pixel(pixel, metric=True)
+    if shape is not None:
+        changes["shape"] = validation.image_shape(shape)
+    if integrate is not None:
+        changes["integrate"] = integrate
+    return dataclasses.replace(instrument, **changes)
+
+
+def _figure_format(path: Path) -> str:
+    suffix = path.suffix.lower().lstrip(".")
+    if suffix not in ("png", "pdf", "svg"):
+        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {shown(str(path))}")
+    return suffix
+
+
+def _save_figure(figure: Any, path: Path) -> None:
+    """Write a figure through a temporary name."""
+    import io
+
+    from lommel.base import atomic
+
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format=_figure_format(path), dpi=150)
+    atomic.write(path, buffer.getvalue())

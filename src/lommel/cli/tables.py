@@ -1,0 +1,306 @@
+"""The command line's tables: what :mod:`lommel.reports.report` says, for people."""
+
+from __future__ import annotations
+
+import math
+import sys
+from typing import TYPE_CHECKING, Any
+
+from rich.console import Console
+from rich.table import Table
+
+from lommel.base.units import format_length
+from lommel.show.plot import HOW, MEANING
+
+if TYPE_CHECKING:
+    from lommel.field.maps import PSFGrid
+    from lommel.lensfiles.instrument import Instrument
+    from lommel.psf import PSF
+
+
+_NOTES = {
+    "HuygensFresnel": "takes the lens for a flat, thin one, without the Fresnel approximation",
+    "Geometric": "no diffraction",
+}
+
+
+def _console() -> Console:
+    # A pipe has no width; tables are then as wide as they need to be. Names are shown as they are written.
+    width = None if sys.stdout.isatty() else 160
+    return Console(width=width, markup=False, emoji=False, highlight=False)
+
+
+def print_lens(facts: dict[str, Any]) -> None:
+    """Print what :func:`lommel.reports.report.describe_lens` says."""
+    waves = ", ".join(f"{name} = {value:.4g}" for name, value in facts["waves"].items())
+    focused, seen = _told_apart(facts["focus_distance"], facts["object_distance"])
+    lines = [
+        ("lens", f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
+         + (f", obscuration {facts['obscuration']:.3g}" if facts["obscuration"] else "")),
+        *_aperture(facts),
+        ("focused at", focused),
+        ("object at", seen),
+        ("wavelength", format_length(facts["wavelength"])),
+        ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
+         f" (working f/{facts['working_f_number']:.4g})"),
+        ("pixel", format_length(facts["pixel"])),
+        ("model", _model(facts)),
+        *([] if facts["apodization"] == 0.0 else [("amplitude", _amplitude(facts))]),
+        ("other model", model_in_words(facts["other_model"])),
+        ("defocus C_d", f"{facts['defocus']:.4g} rad"),
+        ("spherical C_s", f"{facts['spherical']:.4g} rad"),
+        *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(facts["higher"])],
+        ("in waves", waves),
+        ("Airy radius", format_length(facts["airy_radius"])),
+        ("geometric blur radius", format_length(facts["geometric_radius"])),
+        ("rms wavefront error", f"{facts['rms_waves']:.4g} waves"),
+        ("Strehl ratio (on axis)", "-" if facts["strehl"] is None else f"{facts['strehl']:.4g}"),
+        ("Marechal's estimate", f"{facts['marechal']:.4g}"
+         + (" (holds where it is above 0.3)" if facts["marechal"] < 0.3 else "")),
+        ("full width at half", "-" if facts["fwhm"] is None else format_length(facts["fwhm"])),
+        *([
+            ("MTF falls to 50 % at", f"{_per_mm(facts['mtf50'])} (cutoff {_per_mm(facts['cutoff'])})"),
+        ] if facts["mtf50"] is not None else []),
+        *([
+            ("MTF at Nyquist", f"{facts['mtf_at_nyquist']:.4g} at {_per_mm(facts['nyquist'])},"
+             f" with the pixel {facts['mtf_at_nyquist_with_pixel']:.4g}"),
+        ] if facts["mtf_at_nyquist_with_pixel"] is not None else []),
+    ]  # fmt: skip
+    table = Table(show_header=False, box=None, pad_edge=False)
+    table.add_column(style="cyan")
+    table.add_column()
+    for row in lines:
+        table.add_row(*row)
+    terms = Table(box=None, pad_edge=False, title="Zernike terms", title_justify="left")
+    for name in ("name", "(n, m)", "waves rms"):
+        terms.add_column(name, justify="left" if name == "name" else "right")
+    for term in facts["zernike"]:
+        terms.add_row(term["name"], f"({term['n']}, {term['m']})", f"{term['waves_rms']:+.4g}")
+    energies = Table(box=None, pad_edge=False, title="Encircled energy", title_justify="left")
+    for name in ("within", "radius", "this lens", "unaberrated"):
+        energies.add_column(name, justify="left" if name == "within" else "right")
+    for row in facts["encircled_energy"]:
+        here = "-" if row["fraction"] is None else f"{row['fraction']:.1%}"
+        ideal = "-" if row["unaberrated"] is None else f"{row['unaberrated']:.1%}"
+        energies.add_row(row["within"], format_length(row["radius"]), here, ideal)
+    console = _console()
+    console.print(facts["name"], style="bold")
+    console.print(table)
+    if any(term["m"] for term in facts["zernike"]):
+        console.print()
+        console.print(terms)
+    if facts["field"] is not None:
+        _print_field_of_lens(console, facts["field"])
+    console.print()
+    console.print(energies)
+    if facts["encircled_energy_error"] is not None:
+        console.print(f"errors below {facts['encircled_energy_error']:.1g}", style="dim")
+    elif any(facts["aperture"].values()):
+        console.print("no error bound", style="dim")
+    for reason in facts["refused"]:
+        console.print(f"not all could be computed: {reason}", style="dim")
+
+
+def _told_apart(*distances: float | None) -> list[str]:
+    """Return lengths with as many digits as it takes to tell those apart that differ."""
+    for digits in range(4, 13):
+        texts = ["infinity" if d is None else format_length(d, digits=digits) for d in distances]
+        if len(set(texts)) == len(set(distances)):
+            break
+    return texts
+
+
+def _print_field_of_lens(console: Console, field: dict[str, Any]) -> None:
+    seidel = ", ".join(f"{name} = {waves:.4g}" for name, waves in field["seidel"].items())
+    if seidel:
+        seidel = f": {seidel} waves {format_length(field['reach'])} from the axis"
+    table = Table(box=None, pad_edge=False, title=f"Over the field{seidel}", title_justify="left")
+    for name in ("from the axis", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)"):
+        table.add_column(name, justify="left" if name.startswith("largest") else "right")
+    for place in field["places"]:
+        largest = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:3]
+        terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
+        distance = format_length(place["distance"], like=field["reach"])
+        table.add_row(distance, f"{place['strehl']:.4g}", f"{place['rms_waves']:.4g}", terms)
+    console.print()
+    console.print(table)
+    console.print("along a diagonal of the sensor; all else is of the axis", style="dim")
+
+
+def _amplitude(facts: dict[str, Any]) -> str:
+    kind = facts["apodization"]
+    if isinstance(kind, float):
+        name = f"Gaussian, exp(-{kind:.4g} rho^2)"
+    else:
+        name = "cos(theta)^(-1/2)" if kind == "aplanatic" else "a polynomial of rho^2 in the exponent"
+    return f"{name}: at the rim {facts['rim_amplitude']:.4g} of that of the middle"
+
+
+def _model(facts: dict[str, Any]) -> str:
+    side = f", corrected for the {facts['corrected_for']}" if facts["model"] == "aplanatic" else ""
+    return f"{facts['model']}{side}"
+
+
+def model_in_words(other: dict[str, Any]) -> str:
+    """Return in a line what :func:`lommel.reports.report.other_model` says."""
+    if other["reason"] is not None:
+        return f"{other['model']}: {other['reason']}"
+    return (
+        f"{_model(other)}: differs by {other['peak_error']:.2g} of the peak, geometric blur radius "
+        f"{format_length(other['geometric_radius'])}"
+    )
+
+
+def _aperture(facts: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return rows about what narrows the aperture, if anything does."""
+    spider, edge, mask = (facts["aperture"][name] for name in ("spider", "vignetting", "mask"))
+    rows = []
+    if spider is not None:
+        angles = ", ".join(f"{math.degrees(angle):.4g}" for angle in spider["angles"])
+        width = format_length(spider["width"] * 0.5 * facts["aperture_diameter"])
+        rows.append(("vanes", f"{width} wide, at {angles} degrees from x to y"))
+    if edge is not None and edge["name"] == "Ellipse":
+        rows.append(
+            ("ellipse", f"{edge['a']:.4g} x {edge['b']:.4g} radii, at {math.degrees(edge['angle']):.4g} degrees")
+        )
+    elif edge is not None:
+        x, y = edge["shift"]
+        rows.append(("cat's eye", f"a circle of {edge['radius']:.4g} radii around ({x:.4g}, {y:.4g})"))
+    if mask is not None:
+        rows.append(("mask", f"{mask['side']} x {mask['side']} samples"))
+    return [*rows, ("clear area", f"{facts['clear_area']:.2%} of the full aperture")] if rows else []
+
+
+def _per_mm(frequency: float) -> str:
+    return f"{1e-3 * frequency:.4g} cycles/mm"
+
+
+def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
+    """Print what :func:`lommel.reports.report.describe_psf` says."""
+    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
+    table = Table(title="PSF", title_justify="left", show_header=False, box=None, pad_edge=False)
+    table.add_column(style="cyan")
+    table.add_column()
+    for row in (
+        ("method", repr(answer.method)),
+        ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"),
+        ("pixels", f"{HOW[facts['sampling']]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"),
+        ("largest value", f"{facts['peak']:.4g}"),
+        ("energy in the window", f"{facts['energy']:.2%}"),
+        ("error bound", bound),
+        ("time", f"{1e3 * facts['seconds']:.1f} ms"),
+    ):
+        table.add_row(*row)
+    console = _console()
+    console.print()
+    console.print(table)
+    if facts["sum"] is not None:
+        console.print(
+            f"The values sum to {facts['sum']:.4g}, not to the light in the window: samples this far apart are no "
+            "share of it. A sensor averages: --integrate."
+        )
+    if facts["wide_enough"] is not None:
+        side = facts["wide_enough"]
+        console.print(
+            f"The window holds {facts['energy']:.0%} of the light; {side} x {side} pixels would hold about 98 %: "
+            f"--shape {side}."
+        )
+
+
+def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
+    """Print what :func:`lommel.reports.report.describe_field` says: the largest value of each PSF, in its place."""
+    rows, columns, height, width = facts["shape"]
+    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
+    table = Table(show_header=False, box=None, pad_edge=False)
+    table.add_column(style="cyan")
+    table.add_column()
+    sums = [value for row in facts["sum"] or [[0.0]] for value in row]
+    least, most = min(sums), max(sums)
+    for row in (
+        ("sensor", f"{format_length(facts['sensor'][0])} x {format_length(facts['sensor'][1])} (height x width)"),
+        ("method", repr(grid.psf.method)),
+        ("values", f"{rows} x {columns} PSFs of {height} x {width} {facts['dtype']}, {MEANING[facts['normalize']]}"),
+        ("pixel", f"{format_length(facts['pixel'])}, {HOW[facts['sampling']]}"),
+        *(
+            [("sums of the values", f"{least:.4g} to {most:.4g}: samples this far apart are no share of the light")]
+            if facts["sum"] is not None
+            else []
+        ),
+        ("error bound", bound),
+        ("time", f"{1e3 * facts['seconds']:.1f} ms"),
+    ):
+        table.add_row(*row)
+    peaks = Table(box=None, pad_edge=False, title="Largest value at y (down) and x (across)", title_justify="left")
+    peaks.add_column("", style="cyan", justify="right", no_wrap=True)
+    reach = max(facts["sensor"])
+    for x in facts["x"]:
+        peaks.add_column(format_length(x, like=reach), justify="right", no_wrap=True)
+    for y, values in zip(facts["y"], facts["peak"], strict=True):
+        peaks.add_row(format_length(y, like=reach), *(f"{value:.4g}" for value in values))
+    console = _console()
+    console.print(facts["name"], style="bold")
+    console.print(table)
+    console.print()
+    console.print(peaks)
+
+
+def print_comparison(
+    instrument: Instrument, rows: list[dict[str, Any]], reference: str, sampling: str, other: dict[str, Any]
+) -> None:
+    """Print the rows of :func:`lommel.reports.report.compare`, judged by the `reference` of that name."""
+    height, width = instrument.window
+    size = f"{height} x {width} pixels of {format_length(instrument.pixel)}, {HOW[sampling]}"
+    table = Table(box=None, pad_edge=False)
+    for name in ("method", "time", "MSE", "peak error", "error bound"):
+        table.add_column(name, justify="left" if name == "method" else "right", no_wrap=True)
+    table.add_column("")
+
+    def number(value: float | None) -> str:
+        return "-" if value is None else f"{value:.2g}"
+
+    for row in rows:
+        # "X supports defocus only; this pupil ..." stands beside the name of X.
+        reason = row["reason"] and row["reason"].removeprefix(row["method"]).split(";")[0].strip()
+        note = reason or ("the reference" if row["method"] == reference else _NOTES.get(row["method"], ""))
+        if row["method"] == "HuygensFresnel" and instrument.lens.model == "aplanatic":
+            note = "the same model, without its expansion in powers of rho"
+        if row["sampling"] not in (None, sampling):
+            note = f"{HOW[row['sampling']]}; {note}"
+        spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
+        table.add_row(
+            row["method"],
+            spent,
+            number(row["mse"]),
+            number(row["peak_error"]),
+            number(row["error_bound"]),
+            note,
+        )
+    console = _console()
+    console.print(instrument.name, style="bold")
+    # A reference with a row of its own is marked there.
+    console.print(size if any(row["method"] == reference for row in rows) else f"{size}; judged by {reference}")
+    console.print(table)
+    console.print(f"model: {instrument.lens.model}; {model_in_words(other)}")
+
+
+def print_methods(rows: list[dict[str, Any]]) -> None:
+    """Print the rows of ``lommel methods``."""
+    table = Table(box=None, pad_edge=False, show_lines=False)
+    for name in ("method", "what it is", "options (defaults)"):
+        table.add_column(name, no_wrap=name == "method")
+    for row in rows:
+        table.add_row(row["name"], row["what"], " ".join(f"{name}={value}" for name, value in row["options"].items()))
+    _console().print(table)
+
+
+def print_numbers(rows: list[dict[str, Any]]) -> None:
+    """Print the rows of :func:`lommel.paper.numbers.rows`."""
+    from lommel.paper.numbers import closest_text, number
+
+    table = Table(box=None, pad_edge=False, title="The numbers of the paper", title_justify="left")
+    for name in ("quantity", "paper", "as printed", "corrected", "closest, as printed"):
+        table.add_column(name, justify="left" if name == "quantity" else "right", no_wrap=True)
+    for row in rows:
+        values = [number(row[key]) for key in ("paper", "printed", "corrected")]
+        table.add_row(row["quantity"], *values, closest_text(row["closest"]["printed"]))
+    _console().print(table)

@@ -1,0 +1,1 @@
+"""The field of a lens: what varies over the sensor."""

@@ -1,0 +1,331 @@
+"""The field of a lens: wavefronts that change over the sensor, and the PSFs they make."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from os import PathLike
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.field import interpolation
+from lommel.io import field_files
+from lommel.measures.answer import AnswerGrid, sides
+from lommel.methods import Method
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
+from lommel.psf import PSF, psf
+from lommel.show import plot
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+@dataclass(frozen=True, eq=False)
+class FieldMap:
+    """Wavefronts known at some positions on the sensor, and smoothly in between.
+
+    Made by :meth:`on_grid`, :meth:`scattered`, :meth:`radial` or :meth:`from_seidel`. Positions (x, y) are measured
+    from the optical axis, x along rising columns and y along rising rows (downwards in a picture), in metres if the
+    map has a wavelength, else in units of lambda*N. What is interpolated are the coefficients of the wavefronts,
+    and at the given positions they come back but for rounding. A position beyond the map is refused.
+
+    A map plus a wavefront is the map with that wavefront added everywhere, such as the defocus of an object.
+
+    Attributes
+    ----------
+    pupil_without_wavefront : Pupil
+        Obscuration, wavelength, f-number and apodization, the same over the whole field: vignetting and the change
+        of the f-number towards the edge are not modelled.
+
+    Notes
+    -----
+    A wavefront refers to the point of the sensor whose position it is given for: terms of tilt move the light in
+    the window.
+
+    Examples
+    --------
+    >>> field = FieldMap.from_seidel(20e-3, W131=2.0, W222=1.0, wavelength=550e-9, f_number=2.8)
+    >>> field.pupil(10e-3, 0.0).wavefront == Wavefront.from_seidel(W131=2.0, W222=1.0, field=(0.5, 0.0))
+    True
+    """
+
+    pupil_without_wavefront: Pupil
+    _known: interpolation.Known
+    _added: Wavefront
+
+    @classmethod
+    def on_grid(
+        cls,
+        x: ArrayLike,
+        y: ArrayLike,
+        wavefront: Wavefront,
+        *,
+        wavelength: float | None = None,
+        f_number: float | None = None,
+        obscuration: float = 0.0,
+    ) -> FieldMap:
+        """Build a map from wavefronts on a rectangular grid, by bicubic splines.
+
+        Parameters
+        ----------
+        x, y : array_like, shapes (columns,) and (rows,)
+            Rising, at least two each. Along an axis of two or three positions the spline is linear or quadratic.
+        wavefront : Wavefront of shape (rows, columns)
+        wavelength, f_number, obscuration
+            As of :class:`lommel.Pupil`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If positions are not finite or do not rise, or if the wavefronts are not one for each.
+        """
+        known = interpolation.OnGrid(x, y, wavefront)
+        return cls(_bare(wavelength, f_number, obscuration), known, Wavefront())
+
+    @classmethod
+    def scattered(
+        cls,
+        x: ArrayLike,
+        y: ArrayLike,
+        wavefront: Wavefront,
+        *,
+        wavelength: float | None = None,
+        f_number: float | None = None,
+        obscuration: float = 0.0,
+    ) -> FieldMap:
+        """Build a map from wavefronts at any positions, by radial basis functions (cubic, with a polynomial).
+
+        The polynomial is quadratic where the positions determine one (six or more), so that field curvature,
+        astigmatism and coma of third order are exact, else linear. The map ends at the convex hull.
+
+        Parameters
+        ----------
+        x, y : array_like, shape (n,)
+            3 to 4000 positions, all different, not all on one line.
+        wavefront : Wavefront of shape (n,)
+        wavelength, f_number, obscuration
+            As of :class:`lommel.Pupil`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If positions are not finite, come twice or lie on a line, or if the wavefronts are not one for each.
+        """
+        known = interpolation.Scattered(x, y, wavefront)
+        return cls(_bare(wavelength, f_number, obscuration), known, Wavefront())
+
+    @classmethod
+    def radial(
+        cls,
+        height: ArrayLike,
+        wavefront: Wavefront,
+        *,
+        azimuth: float = 0.0,
+        wavelength: float | None = None,
+        f_number: float | None = None,
+        obscuration: float = 0.0,
+    ) -> FieldMap:
+        """Build a map of a rotationally symmetric lens from wavefronts along one direction of the field.
+
+        Along the height, coefficients are cubic splines with the parity that rotation by half a turn demands
+        (even in the height for even m, odd for odd m); for other azimuths the wavefront is rotated exactly.
+        Aberrations of third order are exact from three heights on.
+
+        Parameters
+        ----------
+        height : array_like, shape (n,)
+            Distances from the axis, rising from 0, at least two.
+        wavefront : Wavefront of shape (n,)
+            The first, on the axis, must be radially symmetric (to 1e-6 rad).
+        azimuth : float, default 0
+            Direction of these positions in radians, from x (0) to y (pi / 2, downwards in a picture).
+        wavelength, f_number, obscuration
+            As of :class:`lommel.Pupil`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If heights are not finite, do not rise or do not begin with 0, if the wavefronts are not one for each,
+            or if that on the axis depends on the direction.
+        """
+        known = interpolation.Radial(height, wavefront, azimuth)
+        return cls(_bare(wavelength, f_number, obscuration), known, Wavefront())
+
+    @classmethod
+    def from_seidel(
+        cls,
+        edge: float,
+        *,
+        W020: float = 0.0,
+        W040: float = 0.0,
+        W060: float = 0.0,
+        W080: float = 0.0,
+        W131: float = 0.0,
+        W222: float = 0.0,
+        W220: float = 0.0,
+        W311: float = 0.0,
+        wavelength: float | None = None,
+        f_number: float | None = None,
+        obscuration: float = 0.0,
+    ) -> FieldMap:
+        """Build a map from Seidel coefficients in waves at the edge of the field.
+
+        Parameters
+        ----------
+        edge : float
+            Distance from the axis at which the coefficients hold (H = 1), and where the map ends.
+        W020, W040, W060, W080, W131, W222, W220, W311 : float
+            As of :meth:`lommel.Wavefront.from_seidel`, which is evaluated at each position.
+        wavelength, f_number, obscuration
+            As of :class:`lommel.Pupil`.
+        """
+        waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
+        waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
+        known = interpolation.Seidel(edge, waves)
+        return cls(_bare(wavelength, f_number, obscuration), known, Wavefront())
+
+    @property
+    def unit(self) -> str:
+        """Unit of positions: ``"m"`` or ``"lambda*N"``."""
+        return self.pupil_without_wavefront.unit
+
+    @property
+    def seidel(self) -> dict[str, float]:
+        """Seidel coefficients in waves at :attr:`reach` of a map made of them, else none; without what was added."""
+        return dict(self._known.waves) if isinstance(self._known, interpolation.Seidel) else {}
+
+    @property
+    def reach(self) -> float:
+        """Distance from the axis of the farthest position in the map."""
+        return self._known.reach
+
+    def __repr__(self) -> str:
+        return f"<FieldMap, {self._known.limits(self.unit)}>"
+
+    def __add__(self, other: object) -> FieldMap:
+        """Return the map with one wavefront added everywhere."""
+        if not isinstance(other, Wavefront):
+            return NotImplemented
+        if other.shape != ():
+            raise ValueError(f"a single wavefront can be added to a map, got a stack of shape {other.shape}")
+        return replace(self, _added=self._added + other)
+
+    def pupil(self, x: ArrayLike, y: ArrayLike) -> Pupil:
+        """Return the pupil that the position (x, y) of the sensor sees; arrays give a stack.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a position is not finite or lies beyond the map; the message names it and the limits.
+        """
+        across, down = validation.real_array("x", x), validation.real_array("y", y)
+        try:
+            across, down = np.broadcast_arrays(across, down)
+        except ValueError:
+            raise ValueError(f"x and y must broadcast, got shapes {across.shape} and {down.shape}") from None
+        if across.size == 0:
+            raise ValueError(f"x and y must not be empty, got shape {across.shape}")
+        outside = ~self._known.contains(across, down)
+        if outside.any():
+            at = f"({across[outside].flat[0]:.6g}, {down[outside].flat[0]:.6g}) {self.unit}"
+            limits = self._known.limits(self.unit)
+            raise ValueError(f"position (x, y) = {at} lies outside of the map, {limits}")
+        wavefront = self._known.wavefront(across, down) + self._added
+        return replace(self.pupil_without_wavefront, wavefront=wavefront)
+
+    def psf(
+        self,
+        x: ArrayLike,
+        y: ArrayLike,
+        shape: int | tuple[int, int],
+        pixel: float,
+        *,
+        method: Method | None = None,
+        **options: Any,
+    ) -> PSF:
+        """Compute the PSF at a position of the sensor; arrays of positions give a stack.
+
+        Parameters
+        ----------
+        x, y : array_like
+        shape, pixel, options
+            As of :func:`lommel.psf`; the middle of the window is at the position.
+        method : Method, optional
+            By default what :func:`lommel.psf` takes by default.
+        """
+        return psf(self.pupil(x, y), shape, pixel, method=method, **options)
+
+    def grid(
+        self,
+        rows: int,
+        columns: int,
+        *,
+        sensor: tuple[float, float],
+        shape: int | tuple[int, int],
+        pixel: float,
+        method: Method | None = None,
+        **options: Any,
+    ) -> PSFGrid:
+        """Compute PSFs over the sensor in one call: one for the centre of each of rows times columns equal cells.
+
+        Parameters
+        ----------
+        rows, columns : int
+            1 to 1000 each.
+        sensor : (float, float)
+            Height and width, centred on the axis, in the unit of positions.
+        shape, pixel, method, options
+            As of :meth:`psf`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            Also if a centre lies outside of the map.
+        """
+        counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
+        height_width = sides(sensor, self.unit)
+        # Exactly symmetric, so that the middle one of an odd number is on the axis.
+        y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
+        return PSFGrid(self.psf(x, y[:, None], shape, pixel, method=method, **options), x, y, height_width)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class PSFGrid(AnswerGrid):
+    """PSFs over a sensor; ``grid[row, column]`` is one of them.
+
+    Attributes
+    ----------
+    psf : PSF
+        A stack of shape (rows, columns).
+    x, y : ndarray, shapes (columns,) and (rows,)
+        Where each is, from the optical axis, in :attr:`unit`.
+    sensor : (float, float)
+        Height and width.
+    """
+
+    psf: PSF
+
+    def __getitem__(self, index: Any) -> PSF:
+        """Return part of the stack."""
+        return self.psf[index]
+
+    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
+        """Draw each PSF, enlarged, in its place on the sensor; see :func:`lommel.show.plot.field`."""
+        validation.axes("ax", ax)
+        return plot.field(self, ax, stretch=stretch)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write ``.tif`` (OME), ``.zarr`` or ``.npz``; see :func:`lommel.io.field_files.save`."""
+        field_files.save(self, path)
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> PSFGrid:
+        """Read a file that :meth:`save` wrote."""
+        return cls(*field_files.load(path, PSF))
+
+
+def _bare(wavelength: float | None, f_number: float | None, obscuration: float) -> Pupil:
+    return Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)

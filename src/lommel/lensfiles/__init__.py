@@ -1,0 +1,1 @@
+"""Lenses and tables of coefficients, from files that people write."""

@@ -1,0 +1,149 @@
+"""The section [aperture] of lens files: vanes, vignetting, and masks from files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, Literal, TypedDict
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field, ValidationInfo, field_validator, model_validator
+
+from lommel.base import reading, validation
+from lommel.lensfiles.entries import Angle, Length, Number, Section, beside
+from lommel.optics.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
+
+_SUFFIXES = (".npy", ".png", ".tif", ".tiff")
+
+
+class Shapes(TypedDict, total=False):
+    """What narrows an aperture, as :class:`lommel.Lens` takes it."""
+
+    spider: Spider
+    vignetting: Ellipse | CatEye
+    mask: Mask
+
+
+class _Spider(Section):
+    width: Length
+    vanes: Annotated[int, Field(strict=True, ge=1, le=MAX_VANES)] | None = None
+    first: Angle = 0.0
+    angles: Annotated[list[Angle], Field(min_length=1, max_length=MAX_VANES)] | None = None
+
+    @model_validator(mode="after")
+    def _one_way(self) -> _Spider:
+        if (self.vanes is None) == (self.angles is None):
+            raise ValueError("needs vanes, a number of them at equal angles, or angles: exactly one of the two")
+        if self.angles is not None and "first" in self.model_fields_set:
+            raise ValueError("first has no meaning with angles")
+        return self
+
+    def spider(self, radius: float) -> Spider:
+        """Return the vanes of an aperture of this radius (metres)."""
+        if not self.width < 2.0 * radius:
+            raise ValueError(
+                f"aperture.spider.width: must be below the diameter of the aperture, {2.0 * radius:g} m, "
+                f"got {self.width:g} m"
+            )
+        width = self.width / radius
+        if self.angles is not None:
+            return Spider(width, tuple(self.angles))
+        assert self.vanes is not None
+        return Spider.equal(self.vanes, width, self.first)
+
+
+class _Ellipse(Section):
+    a: Annotated[Number, Field(gt=0, le=1)]
+    b: Annotated[Number, Field(gt=0, le=1)]
+    angle: Angle = 0.0
+
+
+class _CatEye(Section):
+    shift: tuple[Number, Number]
+    radius: Annotated[Number, Field(gt=0, le=1000)] = 1.0
+
+    @model_validator(mode="after")
+    def _overlap(self) -> _CatEye:
+        CatEye(self.shift, self.radius)
+        return self
+
+
+class _Mask(Section):
+    holds: Literal["amplitude", "intensity"] = "amplitude"
+    # Becomes the mask: read once what it holds is known.
+    file: Any
+
+    @field_validator("file")
+    @classmethod
+    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+        if not isinstance(value, str):
+            raise ValueError(f"must be the name of a file, {', '.join(_SUFFIXES)}, got {validation.shown(value)}")
+        if "holds" not in info.data:
+            return value  # its own fault is told
+        try:
+            values = read_transmission(beside(info.context, value))
+        except OSError as error:
+            raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
+        mask = Mask(values)
+        return mask if info.data["holds"] == "amplitude" else Mask(np.sqrt(mask.values))
+
+
+class ApertureSection(Section):
+    """What the section [aperture] of a lens file may hold."""
+
+    spider: _Spider | None = None
+    ellipse: _Ellipse | None = None
+    cat_eye: _CatEye | None = None
+    mask: _Mask | None = None
+
+    @model_validator(mode="after")
+    def _one_edge(self) -> ApertureSection:
+        if self.ellipse is not None and self.cat_eye is not None:
+            raise ValueError("takes one of ellipse and cat_eye, got both")
+        return self
+
+    def shapes(self, radius: float) -> Shapes:
+        """Return what narrows an aperture of this radius (metres), for :class:`lommel.Lens`."""
+        found: Shapes = {}
+        if self.spider is not None:
+            found["spider"] = self.spider.spider(radius)
+        if self.ellipse is not None:
+            found["vignetting"] = Ellipse(self.ellipse.a, self.ellipse.b, self.ellipse.angle)
+        if self.cat_eye is not None:
+            found["vignetting"] = CatEye(self.cat_eye.shift, self.cat_eye.radius)
+        if self.mask is not None:
+            found["mask"] = self.mask.file
+        return found
+
+
+def read_transmission(path: Path) -> NDArray[Any]:
+    """Read a square of transmissions from 0 to 1: an array (.npy), or a grey picture, white being 1.
+
+    Rows rise downwards in a picture, as y does.
+
+    Raises
+    ------
+    ValueError
+        If the file is of another kind, or damaged, or a picture in colour.
+    OSError
+        If it cannot be read.
+    """
+    suffix = path.suffix.lower()
+    if suffix not in _SUFFIXES:
+        raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
+    if suffix == ".npy":
+        try:
+            return reading.npy(reading.contents(path), MAX_SIDE**2)[0]
+        except ValueError as error:
+            raise ValueError(f"{path.name!r} is no array: {reading.reason(error)}") from None
+    from lommel.imaging.photos import PhotoError, read_raster
+
+    try:
+        values = read_raster(path)[0]
+    except PhotoError as error:
+        raise ValueError(f"{path.name!r} is no picture: {reading.reason(error)}") from None
+    if values.ndim != 2:
+        raise ValueError(f"{path.name!r} must be a grey picture, got one in colour")
+    if values.dtype.kind == "u":
+        return np.asarray(values / np.iinfo(values.dtype).max)
+    return values

@@ -1,0 +1,197 @@
+"""Tables of Zernike coefficients over the field, as lens files and CSV files write them."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+from lommel.base import reading, validation
+from lommel.base.units import parse_length
+from lommel.field.maps import FieldMap
+from lommel.lensfiles.faults import TOLD
+from lommel.optics.pupil import Pupil, checked
+from lommel.optics.wavefront import Wavefront
+from lommel.special import zernike
+
+
+@dataclass(frozen=True)
+class FieldTable:
+    """Zernike coefficients at positions of the sensor.
+
+    Attributes
+    ----------
+    positions : dict of str to tuple of float
+        Either ``"height"`` or ``"x"`` and ``"y"``: metres from the axis.
+    terms : dict of int to tuple of float
+        Coefficients by index, each as long as the positions.
+    order : str
+        Of the indices: "noll", "ansi" or "fringe".
+    """
+
+    positions: dict[str, tuple[float, ...]]
+    terms: dict[int, tuple[float, ...]]
+    order: str
+
+    def __post_init__(self) -> None:
+        validation.choice("order", self.order, ("noll", "ansi", "fringe"))
+        places = self.positions.keys() if isinstance(self.positions, dict) else None
+        if places not in ({"height"}, {"x", "y"}):
+            raise TypeError(
+                f'positions must be a dict of "height", or "x" and "y", got {validation.shown(self.positions)}'
+            )
+        if not isinstance(self.terms, dict) or not self.terms:
+            raise TypeError(f"terms must be a dict of indices to coefficients, got {validation.shown(self.terms)}")
+        columns = [validation.real_array(f"positions[{name!r}]", at) for name, at in self.positions.items()]
+        for index, values in self.terms.items():
+            zernike.term(index, self.order)
+            columns.append(validation.real_array(f"terms[{validation.shown(index)}]", values))
+        if any(column.ndim != 1 or column.size == 0 or column.size != columns[0].size for column in columns):
+            raise ValueError(f"positions and terms must be equally long, got shapes {[c.shape for c in columns]}")
+
+    def field_map(self, pupil: Pupil, *, unit: str, normalization: str, direction: str) -> FieldMap:
+        """Return the map, with the obscuration and the scale of `pupil`.
+
+        Parameters
+        ----------
+        pupil : Pupil
+        unit, normalization : str
+            As of :meth:`lommel.Wavefront.zernike`.
+        direction : {"x", "y"}
+            Along which heights are given: rising columns, or rising rows (downwards). Coefficients are in the axes
+            of the sensor all the same: the coma of heights along y is a sine.
+        """
+        validation.choice("direction", direction, ("x", "y"))
+        checked(pupil)
+        wavefront = Wavefront.zernike(
+            self.terms, order=self.order, unit=unit, normalization=normalization, wavelength=pupil.wavelength
+        )
+        options: dict[str, Any] = {
+            "wavelength": pupil.wavelength,
+            "f_number": pupil.f_number,
+            "obscuration": pupil.obscuration,
+        }
+        if "height" in self.positions:
+            azimuth = 0.0 if direction == "x" else 0.5 * math.pi
+            return FieldMap.radial(self.positions["height"], wavefront, azimuth=azimuth, **options)
+        x, y = (np.array(self.positions[name]) for name in ("x", "y"))
+        return FieldMap.scattered(x, y, wavefront, **options)
+
+
+def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
+    """Read a table from a CSV file: a line of column names, then a line for each position.
+
+    Lines that are empty or begin with ``#`` are skipped. Columns and cells are those of :func:`read_rows`.
+
+    Raises
+    ------
+    ValueError
+        For every fault at once, each with its line.
+    OSError
+        If the file cannot be read.
+    """
+    source = validation.path("path", path)
+    validation.choice("order", order, ("noll", "ansi", "fringe"))
+    try:
+        numbered = [
+            (number, [cell.strip() for cell in row])
+            for number, row in enumerate(csv.reader(reading.text(source).splitlines()), 1)
+            if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
+        ]
+    except (ValueError, csv.Error) as error:
+        raise ValueError(f"{source.name}: {reading.reason(error)}") from None
+    if not numbered:
+        raise ValueError(f"{source.name} is empty; its first line must name the columns")
+    rows = [(f"{source.name} line {number}", row) for number, row in numbered[1:]]
+    try:
+        return _table(numbered[0][1], rows, order)
+    except ValueError as error:
+        raise error if source.name in str(error) else ValueError(f"{source.name}: {error}") from None
+
+
+def read_rows(columns: Sequence[str], rows: Sequence[Sequence[Any]], order: str) -> FieldTable:
+    """Return a table from names of columns and rows of cells.
+
+    The first column is ``height``, or the first two are ``x`` and ``y``: lengths, texts with a unit, or 0. The
+    others are Zernike indices such as ``Z4``, with numbers.
+
+    Raises
+    ------
+    ValueError
+        For every fault at once, each with its row.
+    """
+    for name, value in (("columns", columns), ("rows", rows)):
+        if not isinstance(value, list | tuple):
+            raise TypeError(f"{name} must be a list, got {validation.shown(value)}")
+    if not all(isinstance(name, str) for name in columns):
+        raise TypeError(f"columns must be names, got {validation.shown(columns)}")
+    if not all(isinstance(row, list | tuple) for row in rows):
+        raise TypeError(f"rows must be lists of cells, got {validation.shown(rows)}")
+    validation.choice("order", order, ("noll", "ansi", "fringe"))
+    return _table(columns, [(f"row {k}", row) for k, row in enumerate(rows, 1)], order)
+
+
+def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], order: str) -> FieldTable:
+    places = ("height",) if columns and columns[0] == "height" else ("x", "y")
+    if tuple(columns[: len(places)]) != places:
+        got = validation.brief(validation.line(", ".join(columns[:2]))) or "none"
+        raise ValueError(f"the first columns must be height, or x and y, got {got}")
+    faults: list[str] = []
+    indices: list[int] = []
+    for name in columns[len(places) :]:
+        try:
+            if not (found := re.fullmatch(r"Z(\d{1,5})", name)):
+                raise ValueError(f"column {validation.shown(name)} must be a Zernike index such as Z4")
+            zernike.term(int(found[1]), order)
+            if int(found[1]) in indices:
+                raise ValueError(f"column {name} comes twice")
+            indices.append(int(found[1]))
+        except ValueError as error:
+            faults.append(str(error))
+    if len(columns) == len(places):
+        faults.append("there must be a column for a Zernike coefficient, such as Z4")
+    kinds = [*(("length", name) for name in places), *(("number", name) for name in columns[len(places) :])]
+    cells: list[list[float]] = [[] for _ in columns]
+    for where, row in rows:
+        if len(row) != len(columns):
+            faults.append(f"{where} must have {len(columns)} cells, as there are columns, got {len(row)}")
+            continue
+        for values, cell, (kind, name) in zip(cells, row, kinds, strict=True):
+            try:
+                values.append(_cell(cell, kind))
+            except ValueError as error:
+                faults.append(f"{where}, {name}: {error}")
+    if not rows:
+        faults.append("there must be a row for each position, got none")
+    if faults:
+        faults = [validation.brief(fault, 200) for fault in faults[:TOLD]] + faults[TOLD:]
+        more = f"; and {len(faults) - TOLD} more" if len(faults) > TOLD else ""
+        raise ValueError("; ".join(faults[:TOLD]) + more)
+    whole = [tuple(values) for values in cells]
+    count = len(places)
+    return FieldTable(
+        dict(zip(places, whole[:count], strict=True)), dict(zip(indices, whole[count:], strict=True)), order
+    )
+
+
+def _cell(cell: Any, kind: str) -> float:
+    """Return a length in metres or a number, given as such or as a text."""
+    if kind == "length":
+        return validation.real("a position", parse_length(cell), unit="metres")
+    value = _number(cell) if isinstance(cell, str) else cell
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ValueError(f"must be a number, got {validation.shown(cell)}")
+    return validation.real("a coefficient", value)
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None

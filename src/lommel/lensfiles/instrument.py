@@ -1,0 +1,81 @@
+"""A lens, the object it looks at, and its sensor: what a lens file describes."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+
+from lommel.base import validation
+from lommel.field.maps import FieldMap
+from lommel.optics.lens import Lens
+from lommel.optics.pupil import Pupil
+
+
+@dataclass(frozen=True)
+class Instrument:
+    """What a lens file describes: a lens, the object it looks at, and its sensor.
+
+    Attributes
+    ----------
+    name, source : str
+        What it is, and where its figures come from.
+    lens : Lens
+    object_distance, pixel : float
+        Metres.
+    shape : tuple of int, or None
+        Height and width of the window, in pixels, where the file names them; see :attr:`window`.
+    radii : dict of str to float
+        Radii of interest on the sensor (metres) by the text that named them; for encircled energies.
+    sensor : tuple of float, or None
+        Height and width of the whole sensor, metres, where the file says what changes over the field.
+    aberrations_of_field : FieldMap, or None
+        What the field adds to the wavefront of the lens.
+    integrate : bool or None
+        Whether pixels average or sample, as of :func:`lommel.psf`; None where the file does not say.
+    """
+
+    name: str
+    source: str
+    lens: Lens
+    object_distance: float
+    pixel: float
+    shape: tuple[int, int] | None
+    radii: dict[str, float] = field(hash=False)
+    sensor: tuple[float, float] | None = None
+    aberrations_of_field: FieldMap | None = field(default=None, repr=False)
+    integrate: bool | None = None
+
+    @property
+    def window(self) -> tuple[int, int]:
+        """Height and width of the window: `shape`, or a square for about 98 % of the light, see `wide_enough`."""
+        return self.shape or (max(33, min(wide_enough(self.pupil(), self.pixel), 1025)),) * 2
+
+    def pupil(self) -> Pupil:
+        """Return the pupil for the object of the file."""
+        return self.lens.pupil(self.object_distance)
+
+    def field(self) -> FieldMap:
+        """Return the map of the field for the object of the file: the aberrations of the field and of the lens.
+
+        The amplitude of the lens is that of all positions.
+
+        Raises
+        ------
+        ValueError
+            If the file has no section [field].
+        """
+        if self.aberrations_of_field is None:
+            raise ValueError(f"the lens file of {self.name!r} must have a section [field] for PSFs over the field")
+        pupil, made = self.pupil(), self.aberrations_of_field
+        lit = replace(made.pupil_without_wavefront, apodization=pupil.apodization)
+        return replace(made, pupil_without_wavefront=lit) + pupil.wavefront
+
+
+def wide_enough(pupil: Pupil, pixel: float) -> int:
+    """Return the odd side, in pixels, of a square about the axis that holds some 98 % of the light.
+
+    Beyond the rays diffraction spreads ``2 / pi^2`` of the light per lambda*N of distance from the edge of their
+    blur, and more the longer the rim of the aperture is for its area.
+    """
+    tail = 10.0 * pupil.scale / (1.0 - pupil.obscuration)
+    return 2 * min(math.ceil((float(pupil.geometric_radius()) + tail) / pixel), validation.MAX_SIDE // 2 - 1) + 1

@@ -1,0 +1,373 @@
+"""Lens descriptions in TOML, validated: every error at once, unknown keys refused."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from os import PathLike
+from typing import Annotated, Any, Literal, get_args
+
+import numpy as np
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Field,
+    ValidationError,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
+
+from lommel.base import reading, validation
+from lommel.base.units import parse_radius, with_units
+from lommel.field.maps import FieldMap
+from lommel.lensfiles import faults, field_tables, zernike_tables
+from lommel.lensfiles.aperture_section import ApertureSection
+from lommel.lensfiles.entries import Distance, Length, Number, Section, SignedLength, beside
+from lommel.lensfiles.instrument import Instrument
+from lommel.lensfiles.zernike_tables import ZernikeTable
+from lommel.optics.lens import Lens
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
+
+
+class LensFileError(ValueError):
+    """A lens file that cannot be used; the message names every fault with its key and line."""
+
+
+def _shape(value: Any) -> tuple[int, int]:
+    try:
+        return validation.image_shape(value)
+    except TypeError as error:
+        raise ValueError(str(error)) from None
+
+
+def _pitch(value: float) -> float:
+    return _told_with_units(lambda: validation.pixel(value, metric=True))
+
+
+def _wavelength(value: float) -> float:
+    return _told_with_units(lambda: validation.wavelength(value))
+
+
+def _told_with_units(check: Callable[[], float]) -> float:
+    try:
+        return check()
+    except ValueError as error:
+        raise ValueError(with_units(str(error))) from None
+
+
+def _radius(value: Any) -> str | float:
+    """Return a length or an angle as it was written, if it is one."""
+    if not 0.0 < parse_radius(value, 1.0) < math.inf:
+        raise ValueError(f"must be a positive length or angle, got {validation.shown(value)}")
+    found: str | float = value
+    return found
+
+
+def _amplitude(value: Any) -> str | float:
+    """Return a number, or the name of the only amplitude that has one."""
+    if value == "aplanatic":
+        return "aplanatic"
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 <= value <= 100.0:
+        raise ValueError(f'must be a number from 0 to 100, or "aplanatic", got {validation.shown(value)}')
+    return float(value)
+
+
+class _Lens(Section):
+    focal_length: Length
+    f_number: Annotated[Number, Field(gt=0)] | None = None
+    aperture_diameter: Length | None = None
+    focus_distance: Distance | None = None
+    sensor_distance: Length | None = None
+    wavelength: Annotated[Length, AfterValidator(_wavelength)]
+    obscuration: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    model: Literal["paraxial", "aplanatic"] = "paraxial"
+    corrected_for: Literal["object", "focus"] = "object"
+    apodization: Annotated[Any, BeforeValidator(_amplitude)] = 0.0
+
+
+class _Aberrations(Section):
+    defocus: Number = 0.0
+    spherical: Number = 0.0
+    W020: Number = 0.0
+    W040: Number = 0.0
+    W060: Number = 0.0
+    W080: Number = 0.0
+    spherical_rms: SignedLength = 0.0
+    W131: Number = 0.0
+    W222: Number = 0.0
+    W220: Number = 0.0
+    W311: Number = 0.0
+    field: tuple[Number, Number] = (1.0, 0.0)
+    zernike: dict[str, Any] | None = None  # told by zernike_tables what it may hold
+
+
+class _Object(Section):
+    distance: Distance | None = None  # that in focus
+
+
+class _Sensor(Section):
+    pixel: Annotated[Length, AfterValidator(_pitch)]
+    shape: Annotated[tuple[int, int], BeforeValidator(_shape)] | None = None
+    integrate: Annotated[bool, Field(strict=True)] | None = None
+
+
+_SEIDEL = ("W131", "W222", "W220", "W311")
+
+
+class _Field(Section):
+    sensor: tuple[Length, Length]
+    edge: Length | None = None
+    W131: Number = 0.0
+    W222: Number = 0.0
+    W220: Number = 0.0
+    W311: Number = 0.0
+    order: Literal["noll", "ansi", "fringe"] = "noll"
+    unit: Literal["waves", "radians", "metres"] = "waves"
+    normalization: Literal["rms", "edge"] = "rms"
+    direction: Literal["x", "y"] = "x"
+    columns: Annotated[list[str], Field(min_length=1)] | None = None
+    # Checked in this order: a table needs the order and the columns. Rows and files become tables.
+    rows: Any = None
+    file: Any = None
+
+    @field_validator("rows")
+    @classmethod
+    def _rows(cls, value: Any, info: ValidationInfo) -> Any:
+        if not isinstance(value, list) or not all(isinstance(row, list) for row in value):
+            raise ValueError(f"must be a list of lists, one for each position, got {validation.shown(value)}")
+        if not {"order", "columns"} <= info.data.keys():
+            return value  # their own faults are told
+        if info.data["columns"] is None:
+            raise ValueError('needs columns, such as columns = ["height", "Z4"]')
+        return field_tables.read_rows(info.data["columns"], value, info.data["order"])
+
+    @field_validator("file")
+    @classmethod
+    def _file(cls, value: Any, info: ValidationInfo) -> Any:
+        if not isinstance(value, str):
+            raise ValueError(f"must be the name of a CSV file, got {validation.shown(value)}")
+        if "order" not in info.data:
+            return value
+        try:
+            return field_tables.read_csv(beside(info.context, value), info.data["order"])
+        except OSError as error:
+            raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
+
+    @model_validator(mode="after")
+    def _one_way(self) -> _Field:
+        given = self.model_fields_set
+        ways = {"rows": "rows" in given, "file": "file" in given, ", ".join(_SEIDEL): bool(given & set(_SEIDEL))}
+        if sum(ways.values()) != 1:
+            got = " and ".join(name for name, there in ways.items() if there) or "none"
+            raise ValueError(
+                f"needs Seidel coefficients ({', '.join(_SEIDEL)}), rows, or file: one of them, got {got}"
+            )
+        stray = {"columns"} if "rows" not in given else set()
+        if ways[", ".join(_SEIDEL)]:
+            stray |= {"order", "unit", "normalization", "direction"}
+        else:
+            stray |= {"edge"}
+        if found := sorted(stray & given):
+            raise ValueError(
+                f"{', '.join(found)} has no meaning with {next(n for n, there in ways.items() if there)}"
+            )
+        return self
+
+    def map(self, pupil: Pupil) -> FieldMap:
+        """Return the map, with the obscuration and the scale of `pupil`."""
+        table = self.rows if self.rows is not None else self.file
+        if table is not None:
+            made: FieldMap = table.field_map(
+                pupil, unit=self.unit, normalization=self.normalization, direction=self.direction
+            )
+            return made
+        corner = 0.5 * math.hypot(*self.sensor)
+        return FieldMap.from_seidel(
+            corner if self.edge is None else self.edge,
+            **{name: getattr(self, name) for name in _SEIDEL},
+            wavelength=pupil.wavelength,
+            f_number=pupil.f_number,
+            obscuration=pupil.obscuration,
+        )
+
+
+class _Report(Section):
+    encircled_energy: list[Annotated[Any, BeforeValidator(_radius)]] = Field(default_factory=list)
+
+
+class _File(Section):
+    name: str | None = None
+    source: str = ""
+    lens: _Lens
+    aperture: ApertureSection = ApertureSection()
+    aberrations: _Aberrations = _Aberrations()
+    object: _Object = _Object()
+    sensor: _Sensor
+    field: _Field | None = None
+    report: _Report = _Report()
+
+
+def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> Instrument:
+    """Read a lens file.
+
+    Lengths are texts with a unit (``"50 mm"``, ``"inf"``), angles also numbers of radians. Sections and keys:
+    ``name`` (by default that of the file) and ``source``; ``[lens]`` focal_length, f_number or aperture_diameter,
+    focus_distance or sensor_distance, wavelength, obscuration, model ("paraxial" or "aplanatic"), corrected_for
+    ("object" or "focus") and apodization (a number, or "aplanatic"), see :class:`lommel.Lens`; ``[aberrations]``
+    defocus and spherical (C_d, C_s, radians), W020, W040, W060, W080 (waves), spherical_rms (a length: balanced
+    primary spherical over the annulus), W131, W222, W220, W311 (waves at the edge of the field) with field, a pair
+    [x, y] over that edge, and a section ``[aberrations.zernike]``, all of which add; ``[object]`` distance, by
+    default that in focus; ``[sensor]`` pixel, shape (by default a window that holds about 98 % of the light) and
+    integrate, whether its pixels average over their area, which they do by default; ``[report]`` encircled_energy, a
+    list of radii on the sensor or of angles; ``[field]`` what changes over the sensor and adds to all of this.
+
+    ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
+    them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
+    b, and an angle, or ``[aperture.cat_eye]`` with shift, a pair [x, y], and radius, all over the radius of the
+    aperture; ``[aperture.mask]`` with file, the path of a square array (.npy) or grey picture (.png, .tif) from the
+    folder of the lens file, and holds, "amplitude" or "intensity". A file with ``[field]`` has no such section.
+
+    ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
+    the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the
+    folder of the lens file. A table in waves or radians must state its wavelength.
+
+    ``[field]`` has sensor, the height and width of all of it, and one of three: Seidel coefficients W131, W222, W220,
+    W311 in waves at the edge of the field (edge, by default half the diagonal); columns and rows, a table of Zernike
+    coefficients (:func:`lommel.lensfiles.field_tables.read_rows`); or file, a CSV file with such a table
+    beside the lens file. Tables may say order ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"),
+    normalization ("rms", "edge"), and direction, "x" or "y", that heights are along.
+
+    Parameters
+    ----------
+    path : path
+    folder_only : bool, default False
+        Refuse what lies outside of the folder of the lens file. A lens file may name tables and masks anywhere, and
+        what is wrong with these is told with some of their contents: a service that takes lens files from strangers
+        should refuse.
+
+    Raises
+    ------
+    LensFileError
+        If the file is not valid TOML, or for every missing, unknown or impossible entry, with key and line.
+    OSError
+        If it cannot be read.
+    """
+    source = validation.path("path", path)
+    try:
+        text = reading.text(source)
+        raw = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise LensFileError(f"{validation.line(source)}: not valid TOML: {reading.reason(error)}") from None
+    if not isinstance(folder_only, bool):
+        raise TypeError(f"folder_only must be True or False, got {validation.shown(folder_only)}")
+    context = {"folder": source.parent, "folder_only": folder_only}
+    table, found = _zernike(raw, text, context)
+    try:
+        file = _File.model_validate(raw, context=context)
+        if not found:
+            with np.errstate(over="raise", divide="raise", invalid="raise"):
+                return _instrument(file, table, source.stem)
+    except ValidationError as error:
+        every = error.errors(include_url=False, include_context=False, include_input=False)
+        count = len(every) + len(found)
+        found = [_describe(fault, text) for fault in every[: faults.TOLD]] + found
+        raise LensFileError(faults.together(source, found, count)) from None
+    except ArithmeticError as error:
+        found.append(f"its numbers lead beyond the range of numbers: {error}")
+    except ValueError as error:
+        found.append(str(error))
+    raise LensFileError(faults.together(source, found))
+
+
+def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[ZernikeTable | None, list[str]]:
+    """Return the table of [aberrations.zernike], if there is one, and what is wrong with it."""
+    above = raw.get("aberrations")
+    section = above.get("zernike") if isinstance(above, dict) else None
+    if not isinstance(section, dict):
+        return None, []  # absent, or told by pydantic
+
+    def where(keys: Sequence[str]) -> str:
+        return faults.place(text, ["aberrations", "zernike", *keys])
+
+    if "file" not in section:
+        return zernike_tables.build_section(section, where)
+    name, others = section["file"], [key for key in section if key != "file"]
+    if others:
+        return None, [f"{where(['file'])}: the file states everything; leave out {', '.join(others)}"]
+    if not isinstance(name, str):
+        return None, [f"{where(['file'])}: must be the path of a table, got {validation.shown(name)}"]
+    try:
+        path = beside(context, name)
+        table = zernike_tables.load_zernike(path)
+    except OSError as error:
+        return None, [f"{where(['file'])}: {validation.line(path)}: {error.strerror or error}"]
+    except ValueError as error:
+        return None, [f"{where(['file'])}: {error}"]
+    if table.wavelength is None and table.unit in ("radians", "waves"):
+        return None, [f"{where(['file'])}: {validation.line(path)}: must state the wavelength of its {table.unit}"]
+    return table, []
+
+
+def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrument:
+    wavelength = file.lens.wavelength
+    a = file.aberrations
+    rms = 2.0 * math.pi * a.spherical_rms / wavelength
+    aberrations = (
+        Wavefront(a.defocus, a.spherical)
+        + Wavefront.from_seidel(
+            a.W020, a.W040, a.W060, a.W080, W131=a.W131, W222=a.W222, W220=a.W220, W311=a.W311, field=a.field
+        )
+        + Wavefront.balanced_spherical(rms, file.lens.obscuration)
+    )
+    if table is not None:
+        own = wavelength if table.wavelength is None else table.wavelength
+        aberrations += replace(table, wavelength=own).wavefront(wavelength)
+    given = file.lens.model_dump()
+    radius = 0.5 * Lens(**given).aperture_diameter
+    shapes = file.aperture.shapes(radius)
+    if shapes and file.field is not None:
+        raise ValueError(
+            f"aperture: must be left out where there is a section [field], got {', '.join(shapes)}: what narrows the "
+            "aperture is not known over the field"
+        )
+    try:
+        lens = Lens(**given, aberrations=aberrations, **shapes)
+    except ValueError as error:
+        raise ValueError(f"aperture: {error}" if shapes else str(error)) from None
+    radii = {str(text): parse_radius(text, lens.focal_length) for text in file.report.encircled_energy}
+    distance = lens.focus_distance if file.object.distance is None else file.object.distance
+    if distance < 0.0:
+        raise ValueError(
+            "object.distance: must be given where the sensor lies inside the focal plane: no object is in focus"
+        )
+    name, sensor = stem if file.name is None else file.name, file.sensor
+    found = Instrument(
+        name, file.source, lens, distance, sensor.pixel, sensor.shape, radii, integrate=sensor.integrate
+    )
+    if file.field is None:
+        return found
+    try:
+        return replace(found, sensor=file.field.sensor, aberrations_of_field=file.field.map(found.pupil()))
+    except ValueError as error:
+        raise ValueError(f"field: {error}") from None
+
+
+def _describe(fault: Any, text: str) -> str:
+    keys = [str(part) for part in fault["loc"] if not isinstance(part, int) or len(fault["loc"]) == 1]
+    message = fault["msg"].removeprefix("Value error, ")
+    if fault["type"] == "extra_forbidden":
+        model: Any = _File
+        for part in keys[:-1]:
+            model = model.model_fields[part].annotation
+            model = next((kind for kind in get_args(model) if kind is not type(None)), model)
+        message = faults.unknown_key(keys[-1], model.model_fields)
+    elif fault["type"] == "missing":
+        message = "is missing"
+    elif fault["type"] in ("model_type", "dict_type"):
+        message = f"must be a section, [{'.'.join(keys)}]"
+    line = faults.line_of(text, keys)
+    return f"{'.'.join(keys)}{f' (line {line})' if line else ''}: {message}"

@@ -1,0 +1,1 @@
+"""Lenses: aperture, wavefront, pupil."""

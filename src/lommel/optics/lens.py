@@ -1,0 +1,346 @@
+"""A physical lens: focal length, stop and focus (paper, Eq. 1-3)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
+from lommel.optics.aplanatic import expansion
+from lommel.optics.apodization import Apodization, illumination
+from lommel.optics.pupil import Geometry, Pupil
+from lommel.optics.wavefront import Wavefront
+
+MODELS = ("paraxial", "aplanatic")
+CORRECTED_FOR = ("object", "focus")
+
+
+@dataclass(frozen=True, init=False)
+class Lens:
+    """A thin lens with its stop at the lens; metres everywhere, distances from the lens.
+
+    Parameters
+    ----------
+    focal_length : float
+        Metres, positive.
+    f_number, aperture_diameter : float
+        Exactly one: focal length over diameter, or the diameter in metres.
+    focus_distance, sensor_distance : float
+        At most one: the object distance in focus (default infinity; must exceed the focal length), or the
+        distance of the sensor behind the lens.
+    wavelength : float
+        Metres.
+    obscuration : float, default 0
+        Central obscuration over aperture radius.
+    aberrations : Wavefront, default none
+        Added to the defocus of every object distance.
+    spider, vignetting, mask : optional
+        What narrows the aperture, as of :class:`lommel.Pupil`.
+    model : {"paraxial", "aplanatic"}, default "paraxial"
+        How defocus is turned into phase. "paraxial": the paper's Eq. 1-3, parabolas for spheres. "aplanatic": a lens
+        that obeys Abbe's sine condition, so that a ray leaves for the axial point of the sensor at an angle whose
+        sine is rho times ``aperture radius / sensor distance`` (1 / 2N, N the working f-number), and the exact path
+        difference between reference spheres.
+    corrected_for : {"object", "focus"}, default "object"
+        Of an aplanatic lens: which point it images without aberration. No lens that obeys the sine condition does so
+        for points at two distances from it (Herschel's condition contradicts Abbe's), so one must say. "object": the
+        object, whatever its distance, as of a lens that is corrected for all and whose sensor is out of place. The
+        spheres are those round the image of the object and round the axial point of the sensor. "focus": the point in
+        focus, as of a lens at rest whose object is out of place, above all a microscope's. The spheres are those
+        round the object and round the point in focus, and the sine of the angle there is rho times
+        ``aperture radius / focus distance``.
+    apodization : float, Apodization or "aplanatic", default 0
+        The amplitude across the pupil, as of :class:`lommel.Pupil`: over rho the light is even by default.
+        "aplanatic", of an aplanatic lens only, is ``cos(theta)^(-1/2)``, theta being the angle whose sine the model
+        states. An evenly lit entrance pupil has the amplitude ``cos(theta)^(1/2)`` on the reference sphere, and
+        ``1 / cos(theta)`` is from the solid angle (Richards and Wolf 1959, doi:10.1098/rspa.1959.0200, of whom this
+        is the scalar part). Light that a point sends out evenly in all directions of that angle has the same. It
+        rises towards the rim.
+
+    Raises
+    ------
+    TypeError, ValueError
+        On anything missing, contradictory, non-finite or out of range.
+
+    Examples
+    --------
+    >>> lens = Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+    >>> round(float(lens.defocus(1.5)), 2)
+    91.82
+    """
+
+    focal_length: float
+    aperture_diameter: float
+    sensor_distance: float
+    wavelength: float
+    obscuration: float
+    aberrations: Wavefront = field(repr=False)
+    spider: Spider | None
+    vignetting: Ellipse | CatEye | None
+    mask: Mask | None
+    model: str
+    corrected_for: str
+    apodization: float | Apodization | str
+
+    def __init__(
+        self,
+        *,
+        focal_length: float,
+        wavelength: float,
+        f_number: float | None = None,
+        aperture_diameter: float | None = None,
+        focus_distance: float | None = None,
+        sensor_distance: float | None = None,
+        obscuration: float = 0.0,
+        aberrations: Wavefront | None = None,
+        spider: Spider | None = None,
+        vignetting: Ellipse | CatEye | None = None,
+        mask: Mask | None = None,
+        model: str = "paraxial",
+        corrected_for: str = "object",
+        apodization: float | Apodization | str = 0.0,
+    ) -> None:
+        f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
+        if (f_number is None) == (aperture_diameter is None):
+            raise ValueError(
+                "give exactly one of f_number and aperture_diameter, "
+                f"got f_number={f_number!r}, aperture_diameter={aperture_diameter!r}"
+            )
+        if f_number is not None:
+            diameter = f / validation.real("f_number", f_number, above=0.0)
+        else:
+            diameter = validation.real("aperture_diameter", aperture_diameter, above=0.0, unit="metres")
+        validation.real(
+            "aperture_diameter, focal_length / f_number,", diameter, least=1e-12, below=1e6, unit="metres"
+        )
+        if focus_distance is not None and sensor_distance is not None:
+            raise ValueError(
+                "give at most one of focus_distance and sensor_distance, "
+                f"got focus_distance={focus_distance!r}, sensor_distance={sensor_distance!r}"
+            )
+        if sensor_distance is not None:
+            d = validation.real("sensor_distance", sensor_distance, above=0.0, unit="metres")
+        else:
+            s = math.inf if focus_distance is None else focus_distance
+            s = validation.real("focus_distance", s, above=0.0, infinite=True, unit="metres")
+            if s <= f:
+                raise ValueError(
+                    f"focus_distance must exceed the focal length {f:g} m (no real image otherwise), got {s:g}"
+                )
+            d = 1.0 / (1.0 / f - 1.0 / s)
+        aberrations = Wavefront() if aberrations is None else aberrations
+        if not isinstance(aberrations, Wavefront):
+            raise TypeError(f"aberrations must be a Wavefront, got {validation.shown(aberrations)}")
+        values: dict[str, Any] = {
+            "focal_length": f,
+            "aperture_diameter": diameter,
+            "sensor_distance": d,
+            "wavelength": validation.wavelength(wavelength),
+            "obscuration": validation.real("obscuration", obscuration, least=0.0, below=1.0),
+            "aberrations": aberrations,
+            "spider": spider,
+            "vignetting": vignetting,
+            "mask": mask,
+            "model": validation.choice("model", model, MODELS),
+            "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
+            "apodization": _apodization(apodization, model),
+        }
+        # What is no such shape, or leaves nothing clear, is told now.
+        Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        if model == "aplanatic":
+            self.phase(0.0)  # a rim out of reach is told now
+
+    @property
+    def f_number(self) -> float:
+        """Focal length over aperture diameter, as engraved on the lens."""
+        return self.focal_length / self.aperture_diameter
+
+    @property
+    def working_f_number(self) -> float:
+        """Sensor distance over aperture diameter: the N of lambda*N."""
+        return self.sensor_distance / self.aperture_diameter
+
+    @property
+    def focus_distance(self) -> float:
+        """Object distance in focus, metres; infinite or negative where the sensor is at or inside the focal plane."""
+        vergence = 1.0 / self.focal_length - 1.0 / self.sensor_distance
+        return math.inf if abs(vergence) < 1e-15 / self.focal_length else 1.0 / vergence
+
+    def focused(self, focus_distance: float) -> Lens:
+        """Return the lens focused at a distance (metres, may be infinite): the sensor moves, all else stays."""
+        s = validation.real("focus_distance", focus_distance, above=0.0, infinite=True, unit="metres")
+        return self._with(focus_distance=s, sensor_distance=None)
+
+    def stopped(self, f_number: float) -> Lens:
+        """Return the lens with its aperture at another f-number, as engraved; the sensor stays where it is.
+
+        What else there is keeps its size: wavefront and amplitude are those of the middle of the aperture, and the
+        obscuration and the vanes are larger over its radius. A Gaussian beam, stated as a number, is known beyond
+        the rim too, and an amplitude "aplanatic" is that of the angles that there are.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the f-number is no positive number, if the obscuration leaves nothing clear, if a lens with aberrations
+            or with an Apodization is opened wider, where these are not known, or if it has vignetting or a mask.
+        """
+        stop = validation.real("f_number", f_number, least=1e-6, below=1e12)
+        ratio = stop / self.f_number
+        if self.vignetting or self.mask:
+            raise ValueError(
+                "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
+                "the aperture: make a lens with those of the other stop"
+            )
+        known = not self.aberrations.edge.any()
+        if ratio < 1.0 - 1e-9 and not known:
+            raise ValueError(
+                f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its aberrations are "
+                f"known, got f/{stop:g}"
+            )
+        light = self.apodization
+        if isinstance(light, Apodization) and not light.uniform:
+            if ratio < 1.0 - 1e-9:
+                raise ValueError(
+                    f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its apodization "
+                    f"is known, got f/{stop:g}"
+                )
+            light = light.scaled(min(1.0, 1.0 / ratio))
+        elif isinstance(light, float):
+            light = light / ratio**2
+        return self._with(
+            f_number=stop,
+            apodization=light,
+            aperture_diameter=None,
+            obscuration=self.obscuration * ratio,
+            aberrations=self.aberrations if known else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
+            spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
+        )
+
+    def _with(self, **changes: Any) -> Lens:
+        """Return the lens with other arguments: fields, or what the constructor takes in their stead."""
+        return replace(self, **changes)
+
+    def defocus(self, object_distance: ArrayLike | None = None) -> NDArray[np.float64]:
+        """Return C_d in radians for objects at `object_distance` (metres from the lens, may be infinite).
+
+        By default for one in focus. ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, with the 1/s
+        of a finite object distance s). Positive where the sensor, at d, lies between the lens and the image of the
+        object. The aberrations of the lens are not included; nor is what makes a lens aplanatic, see :meth:`phase`.
+        """
+        return self._defocus(self._object_distance(object_distance))
+
+    def _defocus(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
+        vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length + 1.0 / s
+        return np.asarray(math.pi / (2.0 * self.wavelength) * vergence * (0.5 * self.aperture_diameter) ** 2)
+
+    def phase(self, defocus: ArrayLike) -> Wavefront:
+        """Return the wavefront of a defocus C_d (radians, of any shape), without the aberrations of the lens.
+
+        The defocus itself if the model is paraxial. Else the Zernike terms in which the exact path difference is
+        expanded, with a bound on what they leave out; see :func:`lommel.optics.aplanatic.expansion`.
+        """
+        return self._phase(validation.real_array("defocus", defocus))
+
+    def _phase(self, c: NDArray[np.float64]) -> Wavefront:
+        if self.model == "paraxial":
+            return Wavefront.of_defocus(c)
+        radius = 0.5 * self.aperture_diameter
+        vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c.ravel()
+        edge, error = expansion(radius, self._geometry.sphere, vergence, self.wavelength)
+        return Wavefront.radial_sum(edge.reshape(*c.shape, -1), error)
+
+    @property
+    def illumination(self) -> Apodization:
+        """The amplitude across the pupil."""
+        if not isinstance(self.apodization, str):
+            return illumination(self.apodization)
+        return Apodization.cosine(0.5 * self.aperture_diameter * abs(self._geometry.sphere), -0.5)
+
+    @cached_property
+    def _geometry(self) -> Geometry:
+        radius = 0.5 * self.aperture_diameter
+        return Geometry(radius, self.focal_length, self.sensor_distance, (), self.model, self.corrected_for)
+
+    def pupil(self, object_distance: ArrayLike | None = None) -> Pupil:
+        """Return the pupil for an object at `object_distance`; an array gives a stack of pupils.
+
+        Parameters
+        ----------
+        object_distance : array_like, optional
+            Metres from the lens, may be infinite. By default the distance in focus.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a distance is not above 0, or does not broadcast with the aberrations; without a distance, if the
+            sensor lies inside the focal plane, where no object is in focus.
+        """
+        s = self._object_distance(object_distance)
+        wavefront = self._phase(self._defocus(s))
+        if not self.aberrations.flat:
+            try:
+                wavefront = wavefront + self.aberrations
+            except ValueError:
+                raise ValueError(
+                    "object_distance must broadcast with the aberrations, "
+                    f"got shapes {s.shape} and {self.aberrations.shape}"
+                ) from None
+        distances = s if s.shape == wavefront.shape else np.broadcast_to(s, wavefront.shape)
+        geometry = replace(self._geometry, object_distance=tuple(distances.ravel().tolist()))
+        return self._in_focus.carrying(wavefront, geometry)
+
+    @cached_property
+    def _in_focus(self) -> Pupil:
+        """The pupil without aberration, which every other is made of."""
+        return Pupil(
+            obscuration=self.obscuration,
+            wavelength=self.wavelength,
+            f_number=self.working_f_number,
+            apodization=self.illumination if isinstance(self.apodization, str) else self.apodization,
+            geometry=self._geometry,
+            spider=self.spider,
+            vignetting=self.vignetting,
+            mask=self.mask,
+        )
+
+    def _object_distance(self, value: ArrayLike | None) -> NDArray[np.float64]:
+        if value is None:
+            value = focus = self.focus_distance
+            if focus < 0.0:
+                raise ValueError(
+                    "object_distance must be given: no object is in focus, for the sensor at "
+                    f"{self.sensor_distance:g} m lies inside the focal plane at {self.focal_length:g} m"
+                )
+        distance = validation.array("object_distance", value)
+        if distance.dtype.kind not in "iuf":
+            raise TypeError(f"object_distance must be a number of metres, got {validation.shown(value)}")
+        with np.errstate(over="ignore"):
+            distance = np.array(distance, dtype=np.float64)
+        if distance.size == 0:
+            raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
+        bad = ~(distance >= 1e-150)  # whose inverse is a number, and its square
+        if bad.any():
+            raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
+        return distance
+
+
+def _apodization(value: float | Apodization | str, model: str) -> float | Apodization | str:
+    """Return the apodization of a lens as it is kept."""
+    if not isinstance(value, str):
+        light = illumination(value)
+        return value if isinstance(value, Apodization) else light.slope
+    if value != "aplanatic":
+        raise ValueError(
+            f"apodization must be a number, an Apodization or 'aplanatic', got {validation.shown(value)}"
+        )
+    if model != "aplanatic":
+        raise ValueError("apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles")
+    return value

@@ -1,0 +1,416 @@
+"""The aperture, the wavefront across it, and the physical scale of the image."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, dataclass, field, replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider, cell_centers, vignetting_from_dict
+from lommel.optics.apodization import Apodization, illumination
+from lommel.optics.opening import Opening, Rule, degree_needed
+from lommel.optics.wavefront import Wavefront
+from lommel.special import zernike
+
+
+@dataclass(frozen=True)
+class Geometry:
+    """Distances that the Fresnel approximation reduces to C_d; Huygens' superposition needs them exactly.
+
+    A paraxial lens is stigmatic (free of aberration) for the plane it is focused on, the conjugate of the sensor:
+    ``1/focus_distance = 1/focal_length - 1/sensor_distance``.
+
+    Attributes
+    ----------
+    aperture_radius, focal_length, sensor_distance : float
+        Metres; the sensor distance is measured from the lens.
+    object_distance : tuple of float
+        Metres, one for each pupil of the (flattened) stack; may be infinite.
+    model, corrected_for : str
+        As of :class:`lommel.Lens`.
+    """
+
+    aperture_radius: float
+    focal_length: float
+    sensor_distance: float
+    object_distance: tuple[float, ...]
+    model: str = "paraxial"
+    corrected_for: str = "object"
+
+    @property
+    def in_focus(self) -> float:
+        """One over the distance in focus, 1/metres; negative for a point behind the lens."""
+        return 1.0 / self.focal_length - 1.0 / self.sensor_distance
+
+    @property
+    def vergence(self) -> NDArray[np.float64]:
+        """``1/s - 1/focus_distance`` for each object, 1/metres."""
+        return 1.0 / np.asarray(self.object_distance) - self.in_focus
+
+    @property
+    def sphere(self) -> float:
+        """Curvature of an aplanatic lens's reference sphere, 1/metres: see :func:`lommel.optics.aplanatic.path`."""
+        return self.in_focus if self.corrected_for == "focus" else -1.0 / self.sensor_distance
+
+    def focused(self) -> Geometry:
+        """Return the same lens with one object, in focus: behind the lens where its distance is negative."""
+        return replace(self, object_distance=(1.0 / self.in_focus if self.in_focus else math.inf,))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types, an infinite distance as None (JSON has no infinity)."""
+        distances = [None if math.isinf(s) else s for s in self.object_distance]
+        return asdict(self) | {"object_distance": distances}
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> Geometry:
+        """Rebuild a geometry from :meth:`to_dict`."""
+        distances = tuple(math.inf if s is None else float(s) for s in description["object_distance"])
+        return cls(**{**description, "object_distance": distances})
+
+
+@dataclass(frozen=True)
+class Pupil:
+    """An aperture, clear from the obscuration to the rim less what narrows it, with a wavefront across it.
+
+    Parameters
+    ----------
+    wavefront : Wavefront
+        Phase; a stack of wavefronts makes a stack of pupils.
+    obscuration : float, default 0
+        Radius of the central obscuration over the radius of the aperture, 0 to below 1.
+    wavelength : float, optional
+        Metres. Together with `f_number` it makes lengths on the sensor metres; without both they are in
+        units of lambda*N.
+    f_number : float, optional
+        Working f-number N: sensor distance over aperture diameter.
+    apodization : float or Apodization, default 0
+        The amplitude across the aperture, of all pupils of a stack. A number is g >= 0 of a Gaussian
+        ``exp(-g rho^2)``, at most 100: a laser beam whose amplitude falls to 1/e at w is clipped at the radius a with
+        ``g = (a / w)^2``. See :attr:`lommel.Method.apodized` for who takes it.
+    geometry : Geometry, optional
+        Physical distances, filled in by :meth:`lommel.Lens.pupil`; needed by ``HuygensFresnel`` only.
+    spider : Spider, optional
+        Vanes across the aperture.
+    vignetting : Ellipse or CatEye, optional
+        A further edge within which light passes.
+    mask : Mask, optional
+        Amplitude transmission sampled over the aperture. The pupil function is then that of the samples.
+
+    Attributes
+    ----------
+    illumination : Apodization
+        The apodization, that of a Gaussian where it was given as a number.
+    circular : bool
+        Whether the aperture is a plain disc or annulus: without spider, vignetting and mask.
+    radial : bool
+        Whether phase and transmission depend on the distance from the axis only.
+
+    Raises
+    ------
+    TypeError, ValueError
+        On anything that is not a finite number in range, if only one of `wavelength` and `f_number` is given, or if
+        no light passes through the aperture.
+    """
+
+    wavefront: Wavefront = field(default_factory=Wavefront)
+    obscuration: float = field(default=0.0, kw_only=True)
+    wavelength: float | None = field(default=None, kw_only=True)
+    f_number: float | None = field(default=None, kw_only=True)
+    apodization: float | Apodization = field(default=0.0, kw_only=True)
+    geometry: Geometry | None = field(default=None, kw_only=True)
+    spider: Spider | None = field(default=None, kw_only=True)
+    vignetting: Ellipse | CatEye | None = field(default=None, kw_only=True)
+    mask: Mask | None = field(default=None, kw_only=True)
+    illumination: Apodization = field(init=False, repr=False, compare=False)
+    circular: bool = field(init=False, repr=False, compare=False)
+    # A field, for a PSF asks several times and a small one takes microseconds.
+    radial: bool = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.wavefront, Wavefront):
+            raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(self.wavefront)}")
+        if self.geometry is not None and not isinstance(self.geometry, Geometry):
+            raise TypeError(
+                f"geometry must be a Geometry, as Lens.pupil makes, got {validation.shown(self.geometry)}"
+            )
+        eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
+        object.__setattr__(self, "obscuration", eps)
+        light = illumination(self.apodization)
+        object.__setattr__(self, "illumination", light)
+        if not isinstance(self.apodization, Apodization):
+            object.__setattr__(self, "apodization", light.slope)
+        if (self.wavelength is None) != (self.f_number is None):
+            raise ValueError(
+                "wavelength and f_number must be given together (sensor in metres) or not at all "
+                f"(sensor in lambda*N), got wavelength={self.wavelength!r}, f_number={self.f_number!r}"
+            )
+        if self.wavelength is not None:
+            object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
+            object.__setattr__(self, "f_number", validation.real("f_number", self.f_number, above=0.0))
+        object.__setattr__(self, "circular", all(part is None for part in (self.spider, self.vignetting, self.mask)))
+        object.__setattr__(self, "radial", self.circular and self.wavefront.radial)
+        if not self.circular:
+            self._check_aperture()
+
+    def _check_aperture(self) -> None:
+        kinds: tuple[tuple[str, Any], ...] = (("spider", Spider), ("vignetting", Ellipse | CatEye), ("mask", Mask))
+        for name, kind in kinds:
+            part = getattr(self, name)
+            if part is not None and not isinstance(part, kind):
+                allowed = " or ".join(k.__name__ for k in getattr(kind, "__args__", (kind,)))
+                raise TypeError(f"{name} must be of the type {allowed}, or None, got {validation.shown(part)}")
+        if self.area < 1e-12:
+            parts = {name: getattr(self, name) for name, _ in kinds if getattr(self, name) is not None}
+            listed = ", ".join(f"{name}={part!r}" for name, part in parts.items())
+            raise ValueError(
+                f"{', '.join(parts)} must leave part of the aperture clear, got {listed} with "
+                f"obscuration={self.obscuration:g}"
+            )
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the stack; ``()`` for a single pupil."""
+        return self.wavefront.shape
+
+    @property
+    def scale(self) -> float:
+        """One unit of lambda*N in the unit of lengths on the sensor: metres, or 1."""
+        if self.wavelength is None or self.f_number is None:
+            return 1.0
+        return self.wavelength * self.f_number
+
+    @property
+    def unit(self) -> str:
+        """Unit of lengths on the sensor: ``"m"`` or ``"lambda*N"``."""
+        return "lambda*N" if self.wavelength is None else "m"
+
+    @property
+    def area(self) -> float:
+        """Clear area over that of the unobscured aperture, ``1 - eps^2`` if circular; a mask counts by amplitude."""
+        return self._integral(0.0)
+
+    @property
+    def amplitude(self) -> float:
+        """Field at the peak without aberration, ``(1/pi) int A dx dy`` of the amplitude A; the area if it is 1.
+
+        A closed form of a Gaussian over an annulus, else quadrature to about 1e-13, or the sum over the samples of
+        a mask.
+        """
+        return self._integral(1.0)
+
+    @property
+    def transmission(self) -> float:
+        """Light that passes, ``(1/pi) int A^2 dx dy`` of the amplitude A; the area if A is 1."""
+        return self._integral(2.0)
+
+    def _integral(self, power: float) -> float:
+        if not self.circular:
+            return _moment(self.opening, self.mask, self.illumination, power)
+        return self.illumination.integral(self.obscuration, power)
+
+    @property
+    def opening(self) -> Opening:
+        """The region where light passes, without regard to a mask."""
+        return Opening(self.obscuration, self.spider, self.vignetting)
+
+    def rule(self, degree: int) -> Rule:
+        """Return nodes and weights of ``(1/pi) int dx dy`` over the clear aperture; those of a mask are its samples.
+
+        See :meth:`lommel.optics.opening.Opening.rule`. Weights carry the amplitude of the mask, but no apodization.
+        """
+        return self.opening.rule(degree) if self.mask is None else _samples(self.opening, self.mask)
+
+    @property
+    def airy_radius(self) -> float:
+        """Radius of the first dark ring of the unobscured, unaberrated lens: 1.2197 lambda*N."""
+        return 3.8317059702075123 / math.pi * self.scale
+
+    @property
+    def cutoff(self) -> float:
+        """Spatial frequency from which no contrast passes, ``1 / (lambda N)``: cycles per metre, or 1."""
+        return 1.0 / self.scale
+
+    def v(self, radius: ArrayLike) -> NDArray[np.float64]:
+        """Return the optical coordinate ``v = pi radius / (lambda N)`` of radii on the sensor."""
+        at = validation.real_array("radius", radius)
+        with np.errstate(over="ignore"):
+            return validation.real_array("radius over lambda*N", math.pi / self.scale * at)
+
+    def coefficients(self) -> NDArray[np.float64]:
+        """Return the phase coefficients of t = rho^2 for the flattened stack, shape ``(n, terms)``."""
+        c = self.wavefront.coefficients
+        return c.reshape(-1, c.shape[-1])
+
+    def radial_terms(self) -> NDArray[np.float64]:
+        """Return the coefficients of R_2^0, R_4^0, ... for the flattened stack, shape ``(n, terms)``."""
+        terms = self.wavefront.radial_terms
+        return terms.reshape(-1, terms.shape[-1])
+
+    def radial_phase(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the radially symmetric part of the phase at ``rho^2 = t``, 0 at t = 0, shape ``(n, ...)``."""
+        return zernike.legendre_sum(self.radial_terms(), 2.0 * t - 1.0)
+
+    def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
+        """Return the pupil function at pupil coordinates, ``A exp(i phase)`` where light passes, else 0.
+
+        Times the amplitude of the cell of the mask, if there is one, that a point lies in.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Over the radius of the aperture; x rises with the columns of the image, y with the rows.
+
+        Returns
+        -------
+        ndarray, shape ``(n, ...)``
+            The flattened stack, at the points that x and y broadcast to.
+        """
+        across, down = np.broadcast_arrays(validation.real_array("x", x), validation.real_array("y", y))
+        rho = np.hypot(across, down)
+        clear = self.opening.margin(across, down) >= 0.0
+        out = np.zeros((math.prod(self.shape), *rho.shape), dtype=np.complex128)
+        inside = rho[clear]
+        phase = self.wavefront.phase(inside, np.arctan2(down[clear], across[clear])).reshape(len(out), -1)
+        out[:, clear] = self.illumination.at(inside**2) * np.exp(1j * phase)
+        if self.mask is not None:
+            out *= self.mask.at(across, down)
+        return out
+
+    def geometric_radius(self) -> NDArray[np.float64]:
+        """Return how far from the axis rays meet the sensor at most, ``max |grad Phi|`` as a length there.
+
+        Rays that vanes, vignetting or a mask stop do not count.
+        """
+        rho = np.linspace(self.obscuration, 1.0, 2049)
+        if self.radial:
+            blur = np.abs(ray_height(self.radial_terms(), rho)).max(axis=1)
+        elif self.circular:
+            theta = np.linspace(0.0, 2.0 * math.pi, 128, endpoint=False)
+            ring = rho[:: 2048 // 64]
+            blur = self._longest_gradient(np.outer(ring, np.cos(theta)), np.outer(ring, np.sin(theta)))
+        else:
+            blur = self._longest_gradient(*self._raster())
+        return np.asarray(blur.reshape(self.shape) * (self.scale / math.pi))
+
+    def _raster(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return points all over the clear aperture."""
+        x, y = self.opening.raster()
+        if self.mask is not None:
+            clear = self.mask.at(x, y) > 0.0
+            # Light may pass between all points of the raster.
+            x, y = (x[clear], y[clear]) if clear.any() else self.rule(0)[:2]
+        return x, y
+
+    def _longest_gradient(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return ``max |grad Phi|`` over points, shape (n,), by differences of the phase."""
+        h = 1e-6
+
+        def phase(dx: float, dy: float) -> NDArray[np.float64]:
+            return self.wavefront.phase(np.hypot(x + dx, y + dy), np.arctan2(y + dy, x + dx)).reshape(-1, x.size)
+
+        slopes = np.hypot(phase(h, 0.0) - phase(-h, 0.0), phase(0.0, h) - phase(0.0, -h)) / (2.0 * h)
+        return np.asarray(slopes.max(axis=1))
+
+    def carrying(self, wavefront: Wavefront, geometry: Geometry | None) -> Pupil:
+        """Return the same aperture with another wavefront; nothing is checked that was checked before."""
+        made = object.__new__(Pupil)
+        vars(made).update(vars(self))
+        vars(made).update(wavefront=wavefront, geometry=geometry, radial=self.circular and wavefront.radial)
+        return made
+
+    def unaberrated(self) -> Pupil:
+        """Return the same aperture, in focus and without aberration."""
+        return self.carrying(Wavefront(), self.geometry and self.geometry.focused())
+
+    def __getitem__(self, index: Any) -> Pupil:
+        """Return part of a stack, as NumPy indexes arrays of its shape."""
+        part = self.wavefront[index]
+        geometry = self.geometry
+        if geometry is not None:
+            distances = np.reshape(geometry.object_distance, self.shape)[index]
+            geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
+        return self.carrying(part, geometry)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types; :meth:`from_dict` is the inverse."""
+        plain = {
+            "wavefront": self.wavefront.to_dict(),
+            "obscuration": self.obscuration,
+            "wavelength": self.wavelength,
+            "f_number": self.f_number,
+            "apodization": light.to_dict() if isinstance(light := self.apodization, Apodization) else light,
+            "geometry": None if self.geometry is None else self.geometry.to_dict(),
+        }
+        shapes = {"spider": self.spider, "vignetting": self.vignetting, "mask": self.mask}
+        return plain | {name: shape.to_dict() for name, shape in shapes.items() if shape is not None}
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> Pupil:
+        """Rebuild a pupil from :meth:`to_dict`."""
+        parts = dict(description)
+        geometry = parts.pop("geometry")
+        for name, build in _SHAPES.items():
+            if name in parts:
+                parts[name] = build(parts[name])
+        if isinstance(parts.get("apodization"), dict):
+            parts["apodization"] = Apodization.from_dict(parts["apodization"])
+        return cls(
+            Wavefront.from_dict(parts.pop("wavefront")),
+            geometry=None if geometry is None else Geometry.from_dict(geometry),
+            **parts,
+        )
+
+
+_SHAPES: dict[str, Any] = {
+    "spider": Spider.from_dict,
+    "vignetting": vignetting_from_dict,
+    "mask": Mask.from_dict,
+}
+
+
+@lru_cache(maxsize=8)
+def _samples(opening: Opening, mask: Mask) -> Rule:
+    """Return the cells of a mask that the aperture covers; weights are amplitude times covered area over pi."""
+    at = cell_centers(mask.side)
+    part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
+    weight = mask.values * np.where(part > 1e-9, part, 0.0)  # less is rounding
+    rows, columns = np.nonzero(weight)
+    return Rule(at[columns], at[rows], weight[rows, columns] * (4.0 / (math.pi * mask.side**2)))
+
+
+@lru_cache(maxsize=64)
+def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: float) -> float:
+    """Return ``(1/pi) int (T A)^power dx dy``, amplitudes T of a mask and A of the light; at power 0 that of T."""
+    if mask is None:
+        x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
+    else:
+        x, y, weight = _samples(opening, mask)
+        weight = weight * mask.at(x, y) ** (max(power, 1.0) - 1.0)
+    return float(weight @ light.at(x * x + y * y, power))
+
+
+def ray_height(terms: NDArray[np.float64], rho: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return ``dPhi/drho``, where the ray through `rho` meets the sensor (in v, signed), shape ``(n, rho)``.
+
+    Of the coefficients of R_2^0, R_4^0, ..., shape ``(n, terms)``.
+    """
+    return 4.0 * rho * zernike.legendre_slope(terms, 2.0 * rho * rho - 1.0)
+
+
+def checked(pupil: Any) -> Pupil:
+    """Return `pupil` if it is one; of what makes or has one the TypeError says how."""
+    if isinstance(pupil, Pupil):
+        return pupil
+    ways = {
+        "Lens": "a Lens; lens.pupil(object_distance) is its pupil",
+        "Instrument": "an Instrument; instrument.pupil() is its pupil",
+        "Wavefront": "a Wavefront; Pupil(wavefront) has a round aperture",
+        "PSF": "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image",
+        "FieldMap": "a FieldMap; field.pupil(x, y) is that of a position",
+    }
+    raise TypeError(f"pupil must be a Pupil, got {ways.get(type(pupil).__name__) or validation.shown(pupil)}")

@@ -1,0 +1,335 @@
+"""What the command line's tables show, as plain data."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from lommel.field.maps import PSFGrid
+from lommel.lensfiles.instrument import Instrument, wide_enough
+from lommel.measures import aperture_means, errors, spot, transfer
+from lommel.methods import Hankel, HuygensFresnel, Method, NijboerZernike, NonuniformFFT
+from lommel.optics.apodization import Apodization
+from lommel.optics.lens import Lens
+from lommel.optics.pupil import Pupil
+from lommel.psf import PSF, psf
+from lommel.reports.encircled import MAX_RADIUS, encircled
+from lommel.special import zernike
+
+
+def describe_lens(instrument: Instrument) -> dict[str, Any]:
+    """Return what there is to say about a lens and its object without computing an image.
+
+    Lengths in metres (None for infinity), phases in radians, energies as fractions of all light, frequencies in
+    cycles per metre along x. Each encircled energy stands beside that of the same aperture in focus and without
+    aberration; see :func:`lommel.reports.encircled.encircled`, which refuses wide circles where the pupil is not
+    radially symmetric: these are None. "encircled_energy_error" bounds the error of all, None where the method has no
+    bound or the pupil is radial, whose energies are within 1e-6. The "fwhm" is the mean of those along x and y.
+    "mtf_at_nyquist" is that of the lens, "mtf_at_nyquist_with_pixel" that of the lens and of pixels that average;
+    they and "mtf50" are None for an aperture that is not round. "field" is None, or what the wavefront is at some
+    places between the axis and the corner of the sensor; all else is then that of the axis. "other_model" is what
+    :func:`other_model` says. What cannot be computed is None, too, for the reasons in "refused".
+    """
+    lens, pupil = instrument.lens, instrument.pupil()
+    radii = dict(instrument.radii)
+    airy, blur = pupil.airy_radius, float(pupil.geometric_radius())
+    radii.setdefault("Airy radius", airy)
+    if blur > 0:
+        radii.setdefault("geometric blur radius", blur)
+    way = NijboerZernike()
+    refused: dict[str, None] = {}
+    at = list(radii.values())
+
+    def known(work: Callable[[], Any]) -> Any:
+        try:
+            return work()
+        except (ValueError, ArithmeticError) as reason:
+            refused[str(reason)] = None
+            return None
+
+    nothing: list[None] = [None] * len(at)
+    seen, error, image = known(lambda: _energies(pupil, at)) or (nothing, None, None)
+    ideal, other_error, _ = known(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None, None)
+    nyquist, round_ = 0.5 / instrument.pixel, pupil.circular
+    return {
+        "name": instrument.name,
+        "source": instrument.source,
+        "focal_length": lens.focal_length,
+        "aperture_diameter": lens.aperture_diameter,
+        "f_number": lens.f_number,
+        "working_f_number": lens.working_f_number,
+        "obscuration": lens.obscuration,
+        "wavelength": lens.wavelength,
+        "model": lens.model,
+        "corrected_for": lens.corrected_for,
+        "apodization": light.to_dict() if isinstance(light := lens.apodization, Apodization) else light,
+        "rim_amplitude": float(np.divide(*lens.illumination.value([1.0, 0.0]))),
+        "other_model": other_model(instrument),
+        "focus_distance": _finite(lens.focus_distance),
+        "sensor_distance": lens.sensor_distance,
+        "object_distance": _finite(instrument.object_distance),
+        "pixel": instrument.pixel,
+        "defocus": float(pupil.wavefront.defocus),
+        "spherical": float(pupil.wavefront.spherical),
+        "higher": [float(c) for c in pupil.wavefront.higher],
+        "waves": {name: float(value) for name, value in pupil.wavefront.waves.items()},
+        "zernike": _terms(pupil.wavefront.to_zernike(unit="waves")),
+        "airy_radius": airy,
+        "geometric_radius": blur,
+        "strehl": known(lambda: float(aperture_means.strehl(pupil))),
+        "marechal": float(aperture_means.marechal(pupil)),
+        "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
+        "fwhm": known(lambda: float(spot.radial_fwhm(way, pupil) if image is None else image.fwhm())),
+        "cutoff": pupil.cutoff,
+        "mtf50": known(lambda: float(transfer.mtf_frequency(pupil))) if round_ else None,
+        "nyquist": nyquist,
+        "mtf_at_nyquist": known(lambda: float(transfer.mtf(pupil, nyquist))) if round_ else None,
+        "mtf_at_nyquist_with_pixel": (
+            known(lambda: float(transfer.mtf(pupil, nyquist, pixel=instrument.pixel))) if round_ else None
+        ),
+        "aperture": {
+            "spider": None if lens.spider is None else lens.spider.to_dict(),
+            "vignetting": None if lens.vignetting is None else lens.vignetting.to_dict(),
+            "mask": None if lens.mask is None else {"side": lens.mask.side},
+        },
+        "clear_area": pupil.area,
+        "field": None if instrument.aberrations_of_field is None else _field(instrument),
+        "encircled_energy": [
+            {"within": name, "radius": radius, "fraction": a, "unaberrated": b}
+            for (name, radius), a, b in zip(radii.items(), seen, ideal, strict=True)
+        ],
+        "encircled_energy_error": max((e for e in (error, other_error) if e is not None), default=None),
+        "refused": list(refused),
+    }
+
+
+def _field(instrument: Instrument) -> dict[str, Any]:
+    """Return what there is to say of the field, from the axis to a corner of the sensor."""
+    assert instrument.sensor is not None  # as long as there is a map
+    field, (height, width) = instrument.field(), instrument.sensor
+    places = []
+    for part in (0.0, 0.5, 0.7, 1.0):
+        x, y = 0.5 * part * width, 0.5 * part * height
+        try:
+            pupil = field.pupil(x, y)
+        except ValueError:  # beyond the map
+            continue
+        terms = pupil.wavefront.to_zernike(unit="waves")
+        places.append(
+            {
+                "part": part,
+                "distance": math.hypot(x, y),
+                "strehl": float(aperture_means.strehl(pupil)),
+                "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
+                "zernike": _terms({term: c for term, c in terms.items() if term[0] > 1}),
+            }
+        )
+    seidel = {name: waves for name, waves in field.seidel.items() if waves}
+    return {"sensor": [height, width], "reach": field.reach, "seidel": seidel, "places": places}
+
+
+def _terms(terms: dict[tuple[int, int], Any]) -> list[dict[str, Any]]:
+    return [
+        {"n": n, "m": m, "name": zernike.name(n, m), "waves_rms": float(c)}
+        for (n, m), c in sorted(terms.items(), key=_noll)
+    ]
+
+
+def other_model(instrument: Instrument) -> dict[str, Any]:
+    """Return what the other model of the lens would change: what paraxial costs, or aplanatic gains.
+
+    "model" and "corrected_for" of it (for the focus where the lens magnifies, as of an objective: its sensor is in
+    place and its object is not), its "geometric_radius" in metres, and "peak_error", the largest difference of the
+    two PSFs in the window over the peak of the aplanatic one. Or None, and the "reason".
+    """
+    lens = instrument.lens
+    model = "aplanatic" if lens.model == "paraxial" else "paraxial"
+    side = "focus" if model == "aplanatic" and _magnifies(lens) else lens.corrected_for
+    found = {"model": model, "corrected_for": side, "geometric_radius": None, "peak_error": None, "reason": None}
+    try:
+        # The amplitude stays, also where it is made of angles that a paraxial lens does not have.
+        changed = replace(lens, model=model, corrected_for=side, apodization=lens.illumination)
+        other = changed.pupil(instrument.object_distance)
+        pupils = {lens.model: instrument.pupil(), model: other}
+        seen = {
+            name: psf(p, instrument.window, instrument.pixel, dtype="float64", integrate=instrument.integrate)
+            for name, p in pupils.items()
+        }
+    except (ValueError, ArithmeticError, ImportError) as error:
+        return found | {"reason": str(error)}
+    blur, difference = other.geometric_radius(), errors.peak_error(seen["paraxial"], seen["aplanatic"])
+    return found | {"geometric_radius": float(blur), "peak_error": difference}
+
+
+def _magnifies(lens: Lens) -> bool:
+    return 0.0 < lens.focus_distance < lens.sensor_distance
+
+
+def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None, PSF | None]:
+    """Return encircled energies, None for circles that are too wide, the bound on their error, and their image."""
+    most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
+    found = encircled(pupil, [r for r in radii if r <= most])
+    within = iter(found.fraction.tolist())
+    return [next(within) if r <= most else None for r in radii], found.error, found.image
+
+
+def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
+    """Return what there is to say about a computed PSF.
+
+    "sum" is that of all values where these are fractions of the light and sample pixels too wide for it to be the
+    light in the window, else None. "wide_enough" is the side of a window that holds some 98 % of the light, where
+    this one does not hold 95 % and is smaller, else None.
+    """
+    energy, side = float(answer.energy), wide_enough(answer.pupil, answer.pixel)
+    return {
+        "method": answer.method.to_dict(),
+        "sampling": answer.sampling,
+        "pixel_over_lambda_N": answer.pixel / answer.pupil.scale,
+        "sum": float(answer.values.sum(dtype=float)) if _sums_to_nothing(answer) else None,
+        "wide_enough": side if energy < 0.95 and min(answer.shape) < side else None,
+        "shape": list(answer.shape),
+        "pixel": answer.pixel,
+        "dtype": str(answer.values.dtype),
+        "normalize": answer.normalize,
+        "peak": float(answer.values.max()),
+        "energy": energy,
+        "error_bound": answer.error_bound,
+        "seconds": seconds,
+    }
+
+
+def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dict[str, Any]:
+    """Return what there is to say about PSFs over the field: lengths in metres, one entry for each of the grid."""
+    psf = grid.psf
+    largest = grid.values.max(axis=(-2, -1))
+    return {
+        "name": instrument.name,
+        "source": instrument.source,
+        "sensor": list(grid.sensor),
+        "x": grid.x.tolist(),
+        "y": grid.y.tolist(),
+        "peak": largest.astype(float).tolist(),
+        "method": psf.method.to_dict(),
+        "sampling": psf.sampling,
+        "pixel_over_lambda_N": psf.pixel / psf.pupil.scale,
+        "sum": psf.values.sum(axis=(-2, -1), dtype=float).tolist() if _sums_to_nothing(psf) else None,
+        "shape": list(psf.shape),
+        "pixel": psf.pixel,
+        "dtype": str(psf.values.dtype),
+        "normalize": psf.normalize,
+        "error_bound": psf.error_bound,
+        "seconds": seconds,
+    }
+
+
+def _sums_to_nothing(answer: PSF) -> bool:
+    """Return whether values that are to be fractions of the light are samples too far apart for that."""
+    return answer.normalize == "energy" and answer.undersampled
+
+
+def compare(
+    instrument: Instrument, methods: Iterable[Method], started: Callable[[str], object] = str
+) -> tuple[list[dict[str, Any]], dict[str, PSF]]:
+    """Compute one lens by several methods and judge each by the `reference` for its pupil.
+
+    Returns
+    -------
+    rows : list of dict
+        For each method: name, options, seconds, mse and peak_error (:mod:`lommel.measures.errors`), error_bound,
+        sampling, and reason, which is None or says why the method does not apply.
+    answers : dict of str to PSF
+        Those that could be computed on the pixels of the instrument, in float64, by the method's name; the reference
+        first, by its `reference_name`. Wavelets are summed at the centres of pixels only, since averages of
+        `HuygensFresnel` would take minutes, and judged by samples of the reference: they are not among these.
+    """
+    pupil = instrument.pupil()
+    judge = reference(pupil)
+
+    def answer(method: Method, integrate: bool | None = instrument.integrate) -> PSF:
+        return psf(
+            pupil,
+            instrument.window,
+            instrument.pixel,
+            method=method,
+            dtype="float64",
+            integrate=integrate,
+        )
+
+    started(reference_name(pupil))
+    truth, seconds = timed(lambda: answer(judge))
+    answers = {reference_name(pupil): truth}
+    rows = []
+    for method in methods:
+        name = type(method).__name__
+        row: dict[str, Any] = {"method": name, "options": method.to_dict(), "reason": None}
+        row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound", "sampling"))
+        rows.append(row)
+        if method == judge:
+            row |= {"seconds": seconds, "mse": 0.0, "peak_error": 0.0, "error_bound": truth.error_bound}
+            row["sampling"] = truth.sampling
+            continue
+        if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and _magnifies(instrument.lens):
+            row["reason"] = (
+                'needs model = "aplanatic" here: it takes a paraxial lens for a flat one, as no objective is'
+            )
+            continue
+        started(name)
+        integrate = False if isinstance(method, HuygensFresnel) else instrument.integrate
+        try:
+            found, row["seconds"] = timed(
+                lambda method=method, integrate=integrate: answer(method, integrate)  # type: ignore[misc]
+            )
+        except (ValueError, ArithmeticError, ImportError) as error:
+            row["reason"] = str(error)
+            continue
+        row["sampling"], row["error_bound"] = found.sampling, found.error_bound
+        against = truth
+        if found.sampling == truth.sampling:
+            answers[name] = found
+        elif found.sampling == "center":
+            against = answer(judge, False)
+        row["mse"], row["peak_error"] = errors.mse(found, against), errors.peak_error(found, against)
+    return rows, answers
+
+
+def reference(pupil: Pupil) -> Method:
+    """Return what other methods are judged by: plain quadrature, or the certified series where that does not apply.
+
+    Apertures that are not round are judged by `NonuniformFFT` at its finest.
+    """
+    if pupil.radial:
+        return Hankel()
+    return NijboerZernike(tol=1e-9) if pupil.circular else NonuniformFFT(tol=1e-11)
+
+
+def reference_name(pupil: Pupil) -> str:
+    """Return "Hankel", or the name and tolerance of another reference."""
+    judge = reference(pupil)
+    return type(judge).__name__ if pupil.radial else repr(judge)
+
+
+def timed(work: Callable[[], PSF]) -> tuple[PSF, float]:
+    """Return the second of two runs and its seconds: the first loads libraries and fills caches.
+
+    Of what takes longer than a second there is no second.
+    """
+    for _ in range(2):
+        start = time.perf_counter()
+        answer = work()
+        seconds = time.perf_counter() - start
+        if seconds > 1.0:
+            break
+    return answer, seconds
+
+
+def _noll(item: tuple[tuple[int, int], Any]) -> int:
+    return int(zernike.index_of(*item[0], "noll"))
+
+
+def _finite(value: float) -> float | None:
+    return None if math.isinf(value) else value

@@ -1,0 +1,232 @@
+"""Bad input on the command line: exit code 2, one line that says what is wrong, and nothing written."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+NOLL = """\
+name = "a"
+[lens]
+focal_length = "100 mm"
+f_number = 4
+wavelength = "500 nm"
+[sensor]
+pixel = "1 um"
+shape = 16
+[aberrations.zernike]
+order = "noll"
+unit = "waves"
+normalization = "rms"
+[aberrations.zernike.terms]
+8 = 0.1
+"""
+LENS_FILES = {
+    "garbage.toml": "this is no lens",
+    "faulty.toml": 'name = "a"\nsource = "b"\n[lens]\nfocal_lenght = 1\nwavelength = 550\n[sensor]\npixel = "1 kg"\n',
+    "nothing.toml": NOLL.replace("8 = 0.1", ""),
+    "twice.toml": NOLL.replace("8 = 0.1", "8 = 0.1\n08 = 0.2"),
+    "unit.toml": NOLL.replace('unit = "waves"\n', ""),
+    "index.toml": NOLL.replace("8 = 0.1", "0 = 0.1"),
+    "infinite.toml": NOLL.replace("8 = 0.1", "8 = inf"),
+    "absent.toml": NOLL.partition("order")[0] + 'file = "nowhere.csv"\n',
+    "coma.toml": NOLL,
+}
+NAME = "50mm [fast] f/1.8 [red] [/b] :smile: \\\\"
+
+# Arguments, {phone} and {hubble} standing for lens files, and a part of the error.
+BAD = [
+    ("paint {phone}", "No such command 'paint'"),
+    ("psf", "Missing argument 'LENS'"),
+    ("psf {phone} {phone}", "unexpected extra argument"),
+    ("psf {phone} --sharp", "No such option '--sharp'"),
+    ("psf nowhere.toml", "nowhere.toml: No such file or directory"),
+    ("info folder.tif", "'folder.tif' is a directory"),
+    ("info garbage.toml", "garbage.toml: not valid TOML: Expected '='"),
+    ("info nothing.toml", "aberrations.zernike.terms (line 13): is missing or empty"),
+    ("info twice.toml", "terms.08 (line 15): the term 08 was given before, aberrations.zernike.terms.8 (line 14)"),
+    ("psf unit.toml", "aberrations.zernike.unit (line 9): is missing; it is one of radians, waves"),
+    ("psf index.toml", "aberrations.zernike.terms.0 (line 14): a Zernike index in the order 'noll' must be from 1"),
+    ("psf infinite.toml", "aberrations.zernike.terms.8 (line 14): the coefficient must be finite, got inf"),
+    ("info absent.toml", "nowhere.csv: No such file or directory"),
+    ("psf coma.toml -m hankel -o a.tif", "Hankel supports radially symmetric pupils only"),
+    ("psf {phone} --shape 0", "shape must be from 1 to 16384, got 0"),
+    ("psf {phone} --shape 64by64", "'64by64' is not a size; write 65 or 64x128"),
+    ("psf {phone} --shape 5x5x5", "'5x5x5' is not a size; write 65 or 64x128"),
+    ("psf {phone} --shape=", "shape"),
+    ("psf {phone} --pixel 3.45", "'3.45' is a length without a unit; write for example '550 nm'"),
+    ("psf {phone} --pixel 3.45m", 'for 3.45 um write "3.45 um"'),
+    ("psf {phone} --pixel 3.45kg", "unknown unit 'kg'"),
+    ("psf {phone} --pixel inf", "pixel must be finite, got inf"),
+    ("psf {phone} --pixel 0um", "pixel must be > 0 metres, got 0"),
+    ("info {phone} --object-distance=-1m", "--object-distance must be > 0 metres, got -1"),
+    ("info {phone} --object-distance far", "'far' is not a length; write for example"),
+    ("compare {phone} --object-distance 0", "--object-distance must be > 0 metres, got 0"),
+    ("psf {phone} --tol small", "'small' is not a valid float"),
+    ("psf {phone} --tol nan", "tol must be finite, got nan"),
+    ("psf {phone} --tol 1e-20", "tol must be >= 1e-12 and < 0.1, got 1e-20"),
+    ("psf {phone} -m geometric --tol 1e-3", "geometric has no option 'tol'; its options are rings"),
+    ("psf {phone} -m fft", "'fft' is not one of 'auto', 'nijboer-zernike', 'hankel'"),
+    ("psf {phone} --set tangent=200", "--set needs --method, whose option it is, got --set tangent=200"),
+    ("psf {phone} -m nijboer-zernike --set tangent=200", "nijboer-zernike has no option 'tangent'; its options"),
+    ("psf {phone} -m hankel --set tol", "--set takes NAME=VALUE, got 'tol'"),
+    ("psf {phone} -m closed-form --set erf=exact", "erf must be one of abramowitz, table, fresnel"),
+    ("psf {phone} -m closed-form --set erf=abramowitz:x", "terms must be an integer, got 'x'"),
+    ("psf {phone} -m closed-form --set erf=fresnel:3", "erf"),
+    ("psf {phone} -m closed-form --set tangent=", "tangent must be a real number, got ''"),
+    ("psf {phone} -m closed-form --set variant=new", "variant must be one of 'corrected', 'printed', got 'new'"),
+    ("psf {phone} -m huygens-fresnel --set nodes=64", "nodes must be (radial, azimuthal), got 64"),
+    ("psf {phone} --normalize area", "'area' is not one of 'energy', 'strehl', 'peak'"),
+    ("psf {phone} --dtype float16", "'float16' is not one of 'float32', 'float64'"),
+    ("psf {phone} --dtype float32 --tol 1e-9", "dtype float32 cannot hold --tol 1e-09"),
+    ("psf {hubble} -m lommel-series -o a.tif", "LommelSeries supports defocus only"),
+    ("psf {phone} -o a.jpg", "must end in .tif, .tiff, .npy, .npz, .png, got 'a.jpg'"),
+    ("psf {phone} -o a.tif -o a.jpg", "got 'a.jpg'"),
+    ("psf {phone} -o nowhere/a.tif", "nowhere/a.tif"),
+    ("psf {phone} -o folder.tif", "'folder.tif' is a directory"),
+    ("psf {phone} --plot a.xyz", "must end in .png, .pdf or .svg, got 'a.xyz'"),
+    ("psf {phone} -o a.tif --plot a.xyz", "must end in .png, .pdf or .svg, got 'a.xyz'"),
+    ("psf {phone} --plot nowhere/a.png", "nowhere/a.png"),
+    ("compare {phone} --shape 5 --figure a.xyz", "must end in .png, .pdf or .svg, got 'a.xyz'"),
+    ("compare {phone} --shape 5 --figure nowhere/a.png", "nowhere/a.png"),
+]  # fmt: skip
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for name, text in LENS_FILES.items():
+        (tmp_path / name).write_text(text)
+    (tmp_path / "folder.tif").mkdir()
+    return tmp_path
+
+
+def fill(arguments: str, lenses) -> list[str]:
+    places = {"{phone}": str(lenses["phone"]), "{hubble}": str(lenses["hubble-1990"])}
+    return [places.get(part, part) for part in arguments.split()]
+
+
+def refused(result: subprocess.CompletedProcess[str], error: str) -> None:
+    assert result.stdout == ""
+    *usage, last = [line for line in result.stderr.splitlines() if line]
+    assert last.startswith("Error: ")
+    assert error in last
+    assert all(line.startswith(("Usage: lommel", "Try 'lommel")) for line in usage)
+
+
+@pytest.mark.parametrize(("arguments", "error"), BAD, ids=[arguments for arguments, _ in BAD])
+def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(call_lommel, lenses, folder, arguments, error):
+    before = sorted(folder.rglob("*"))
+    refused(call_lommel(*fill(arguments, lenses), folder=folder), error)
+    assert sorted(folder.rglob("*")) == before
+
+
+@pytest.mark.parametrize(("arguments", "error"), BAD[1:5] + BAD[-1:], ids=str)
+def test_a_shell_sees_the_same(run_lommel, lenses, folder, arguments, error):
+    before = sorted(folder.rglob("*"))
+    refused(run_lommel(*fill(arguments, lenses), folder=folder), error)
+    assert sorted(folder.rglob("*")) == before
+
+
+def test_every_fault_of_a_lens_file_is_told_at_once(call_lommel, folder):
+    result = call_lommel("compare", "faulty.toml", folder=folder)
+    assert result.returncode == 2
+    assert result.stdout == ""
+    first, *faults = result.stderr.splitlines()
+    assert first.rstrip() == "Error: faulty.toml:"
+    assert [fault.split(":")[0].strip() for fault in faults] == [
+        "lens.focal_length",
+        "lens.wavelength (line 5)",
+        "lens.focal_lenght (line 4)",
+        "sensor.pixel (line 7)",
+    ]
+
+
+def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_python(call_lommel, lenses, folder):
+    y, x = np.mgrid[:20, :20]
+    Image.fromarray(np.full((20, 20), 90, np.uint8)).save(folder / "photo.png")
+    np.save(folder / "gaps.npy", np.where(x + y, 2.0, np.nan))
+    np.save(folder / "near.npy", np.full((20, 20), 0.3))
+    photo = ("blur", "photo.png", "gaps.npy", lenses["nifty-fifty"], "-o", "a.png")
+    refused(call_lommel(*photo, folder=folder), "say what is there by --missing")
+    photo = (*photo[:2], "near.npy", *photo[3:])
+    refused(call_lommel(*photo, folder=folder), "allow larger windows (--largest")
+    refused(call_lommel(*photo, "--focus", "10 mm", folder=folder), "--focus must exceed the focal length")
+    field = ("psf", lenses["camera-field"], "--tol", "1e-9", "--set", "tol=1e-3")
+    refused(call_lommel(*field, folder=folder), "got --set tol=1e-3")
+
+
+@pytest.mark.parametrize("arguments", ["psf {phone}", "compare {phone} --shape 3", "psf {hubble} -m lommel-series"])
+def test_no_trace_of_the_progress_bar_is_left_in_a_pipe(call_lommel, lenses, tmp_path, arguments):
+    result = call_lommel(*fill(arguments, lenses), folder=tmp_path)
+    if result.returncode == 0:
+        assert result.stderr == ""
+    else:
+        assert result.stderr == "Error: LommelSeries supports defocus only; this pupil has spherical aberration\n"
+
+
+@pytest.mark.parametrize("command", ["info", "psf", "compare"])
+def test_a_name_is_shown_as_it_is_written(call_lommel, lenses, tmp_path, command):
+    lines = lenses["phone"].read_text(encoding="utf-8").splitlines()
+    text = "\n".join(f'name = "{NAME}"' if line.startswith("name") else line for line in lines)
+    (tmp_path / "lens.toml").write_text(text, encoding="utf-8")
+    result = call_lommel(command, "lens.toml", "--shape", 3, folder=tmp_path)
+    assert result.returncode == 0
+    assert result.stdout.splitlines()[0] == NAME.replace("\\\\", "\\")
+
+
+def test_a_window_of_one_pixel_is_compared_without_a_warning(call_lommel, lenses, tmp_path):
+    result = call_lommel("compare", lenses["phone"], "--shape", 1, "--figure", "a.png", folder=tmp_path)
+    assert result.returncode == 0
+
+
+def test_without_a_command_the_usage_is_shown(run_lommel, tmp_path):
+    result = run_lommel(folder=tmp_path)
+    assert result.returncode == 2
+    assert result.stdout == ""
+    assert "Usage: lommel" in result.stderr
+    for command in ("psf", "info", "compare"):
+        assert f"\n  {command} " in result.stderr
+
+
+@pytest.mark.parametrize("traced", [False, True])
+def test_a_fault_of_the_program_is_one_line_that_asks_for_a_report(
+    traced, call_lommel, lenses, tmp_path, monkeypatch
+):
+    from lommel.reports import report
+
+    def broken(*_):
+        raise AttributeError("'int' object\nhas no attribute")
+
+    monkeypatch.setattr(report, "describe_lens", broken)
+    monkeypatch.delenv("LOMMEL_TRACEBACK", raising=False)
+    if traced:
+        monkeypatch.setenv("LOMMEL_TRACEBACK", "1")
+        with pytest.raises(AttributeError):
+            call_lommel("info", lenses["phone"], folder=tmp_path)
+        return
+    result = call_lommel("info", lenses["phone"], folder=tmp_path)
+    assert result.returncode == 1
+    (line,) = result.stderr.splitlines()
+    assert "a fault of lommel, not yours: AttributeError: 'int' object\\nhas no attribute; please report it" in line
+    assert "LOMMEL_TRACEBACK=1" in line
+
+
+@pytest.mark.parametrize(("target", "code"), [(">&-", 0), (">/dev/full", 2), ("| true", 0)])
+def test_output_that_cannot_be_written_is_no_traceback(target, code, lenses, tmp_path):
+    command = f"{Path(sys.executable).with_name('lommel')} info {lenses['phone']} {target}"
+    result = subprocess.run(["/bin/sh", "-c", command], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert result.returncode == code
+    assert len(result.stderr.splitlines()) == (code > 0)
+    assert "Traceback" not in result.stderr
+
+
+@pytest.mark.parametrize("size", ["1_0", "٣٣", "1x2x3", "", "-5", "5.0", "9" * 12])
+def test_a_size_is_written_in_plain_digits(size, call_lommel, lenses, tmp_path):
+    result = call_lommel("psf", lenses["phone"], f"--shape={size}", folder=tmp_path)
+    assert result.returncode == 2
+    assert "is not a size; write 65 or 64x128" in result.stderr

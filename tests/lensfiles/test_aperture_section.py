@@ -1,0 +1,114 @@
+"""The section [aperture] of lens files: what it describes, and how its faults are told."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import lommel as lm
+from lommel.lensfiles.lens_files import LensFileError
+
+PLAIN = """\
+name = "a"
+[lens]
+focal_length = "800 mm"
+f_number = 4.0
+wavelength = "550 nm"
+[sensor]
+pixel = "1 um"
+shape = 9
+"""
+
+
+@pytest.fixture
+def load(tmp_path):
+    def load(section: str) -> lm.Instrument:
+        (tmp_path / "lens.toml").write_text(PLAIN + section, encoding="utf-8")
+        return lm.load_instrument(tmp_path / "lens.toml")
+
+    return load
+
+
+def test_vanes_have_a_width_in_metres_and_equal_angles(load):
+    pupil = load('[aperture.spider]\nvanes = 3\nwidth = "2 mm"\nfirst = "90 deg"\n').pupil()
+    assert pupil.spider == lm.Spider.equal(3, 0.02, math.pi / 2)
+
+
+def test_vanes_may_lie_at_any_angles(load):
+    pupil = load('[aperture.spider]\nangles = ["0 deg", "45 deg"]\nwidth = "2 mm"\n').pupil()
+    assert pupil.spider.angles == pytest.approx((0.0, math.pi / 4))
+
+
+def test_vignetting_is_an_ellipse_or_a_cats_eye(load):
+    assert load('[aperture.ellipse]\na = 1\nb = 0.8\nangle = "30 deg"\n').pupil().vignetting == lm.Ellipse(
+        1.0, 0.8, math.pi / 6
+    )
+    assert load("[aperture.cat_eye]\nshift = [0.4, 0.2]\n").pupil().vignetting == lm.CatEye((0.4, 0.2))
+
+
+def test_the_pupil_of_every_object_has_the_aperture(load):
+    lens = load('[aperture.spider]\nvanes = 3\nwidth = "2 mm"\n').lens
+    assert lens.pupil([1e3, 1e4]).spider == lens.spider is not None
+
+
+@pytest.mark.parametrize("suffix", [".npy", ".png", ".tif"])
+@pytest.mark.parametrize("holds", ["amplitude", "intensity"])
+def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_path, suffix, holds):
+    levels = np.zeros((8, 8), np.uint8)
+    levels[5:, :], levels[5, 2] = 255, 51
+    if suffix == ".npy":
+        np.save(tmp_path / "mask.npy", levels / 255)
+    else:
+        Image.fromarray(levels).save(tmp_path / f"mask{suffix}")
+    pupil = load(f'[aperture.mask]\nfile = "mask{suffix}"\nholds = "{holds}"\n').pupil()
+    expected = levels / 255 if holds == "amplitude" else np.sqrt(levels / 255)
+    np.testing.assert_allclose(pupil.mask.values, expected)
+    # y rises with the rows: light passes where it is positive.
+    assert abs(pupil.values(0.1, 0.6)[0]) == 1.0
+    assert pupil.values(0.1, -0.6)[0] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("section", "what"),
+    [
+        (
+            "[aperture]\nvanes = 3\n",
+            "aperture.vanes (line 10): unknown key; known are spider, ellipse, cat_eye, mask",
+        ),
+        ('[aperture.spider]\nwidth = "2 mm"\n', "aperture.spider (line 9): needs vanes"),
+        ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nangles = [0.0]\n', "exactly one of the two"),
+        ('[aperture.spider]\nwidth = "2 mm"\nfirst = 0.1\nangles = [0.0]\n', "first has no meaning with angles"),
+        ('[aperture.spider]\nwidth = "2 mm"\nvanes = 0\n', "aperture.spider.vanes (line 11): Input should be"),
+        ('[aperture.spider]\nwidth = "2 mm"\nvanes = 3\nfirst = "1 mm"\n', "aperture.spider.first (line 12)"),
+        ('[aperture.spider]\nwidth = "0 mm"\nvanes = 3\n', "aperture.spider.width (line 10): must be positive"),
+        ('[aperture.spider]\nwidth = "2 m"\nvanes = 3\n', "aperture.spider.width: must be below the diameter"),
+        ('[aperture.spider]\nwidth = "190 mm"\nvanes = 8\n', "must leave part of the aperture clear"),
+        ("[aperture.ellipse]\na = 1\nb = 1.2\n", "aperture.ellipse.b (line 11): Input should be less than"),
+        ("[aperture.cat_eye]\nshift = [2.0, 0.0]\n", "aperture.cat_eye (line 9): shift must be shorter than"),
+        ("[aperture.cat_eye]\nshift = [0, 0]\n[aperture.ellipse]\na = 1\nb = 1\n", "one of ellipse and cat_eye"),
+        ('[aperture.mask]\nfile = "nowhere.npy"\n', "aperture.mask.file (line 10): 'nowhere.npy' cannot be read"),
+        ('[aperture.mask]\nfile = "lens.toml"\n', "must end in .npy, .png, .tif, .tiff, got 'lens.toml'"),
+        ('[aperture.mask]\nfile = "junk.npy"\n', "'junk.npy' is no array"),
+        ('[aperture.mask]\nfile = "junk.png"\n', "'junk.png' is no picture"),
+        ('[aperture.mask]\nfile = "colour.png"\n', "must be a grey picture, got one in colour"),
+        ('[aperture.mask]\nfile = "oblong.npy"\n', "values must be a square array"),
+        ('[aperture.mask]\nfile = "nan.npy"\n', "values"),
+        ("[aperture.mask]\nfile = 3\n", "must be the name of a file"),
+        (
+            '[aperture.ellipse]\na = 1\nb = 0.5\n[field]\nsensor = ["24 mm", "36 mm"]\nW131 = 1\n',
+            "aperture: must be left out where there is a section [field], got vignetting",
+        ),
+    ],
+)
+def test_a_fault_is_told_where_it_is(load, tmp_path, section, what):
+    for name in ("junk.npy", "junk.png"):
+        (tmp_path / name).write_bytes(b"junk")
+    Image.new("RGB", (4, 4)).save(tmp_path / "colour.png")
+    np.save(tmp_path / "oblong.npy", np.ones((3, 4)))
+    np.save(tmp_path / "nan.npy", np.full((4, 4), np.nan))
+    with pytest.raises(LensFileError) as caught:
+        load(section)
+    assert what in str(caught.value)

@@ -1,0 +1,437 @@
+"""Lens files: what they may say, and how every fault in them is told with its key and line."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.lensfiles.lens_files import LensFileError
+
+PLAIN = """\
+name = "camera"
+source = "nobody"
+
+[lens]
+focal_length = "50 mm"
+f_number = 2.0
+focus_distance = "2 m"
+wavelength = "550 nm"
+
+[object]
+distance = "1.5 m"
+
+[sensor]
+pixel = "3.45 um"
+shape = 33
+"""
+
+
+@pytest.fixture
+def load(tmp_path: Path):
+    """Write a lens file and load it; a change replaces the line of its key, or is added as the last of [lens]."""
+
+    def write_and_load(*changes: str, text: str = PLAIN) -> lm.Instrument:
+        for change in changes:
+            key = change.partition(" =")[0]
+            old = next((line for line in text.splitlines() if line.startswith(f"{key} =")), None)
+            text = (
+                text.replace("\n\n[object]", f"\n{change}\n\n[object]") if old is None else text.replace(old, change)
+            )
+        file = tmp_path / "lens.toml"
+        file.write_text(text, encoding="utf-8")
+        return lm.load_instrument(file)
+
+    return write_and_load
+
+
+def test_every_example_loads_and_says_where_its_figures_come_from(lens_file):
+    instrument = lm.load_instrument(lens_file)
+    assert len(instrument.name) > 10
+    assert len(instrument.source) > 40
+    assert instrument.pupil() == instrument.lens.pupil(instrument.object_distance)
+    assert lm.load_instrument(str(lens_file)).lens == instrument.lens
+
+
+def test_a_file_says_what_the_python_would(load):
+    instrument = load()
+    assert instrument.lens == lm.Lens(focal_length=0.05, f_number=2.0, focus_distance=2.0, wavelength=550e-9)
+    assert instrument.object_distance == 1.5
+    assert instrument.pixel == pytest.approx(3.45e-6)
+    assert instrument.shape == (33, 33)
+    assert (instrument.name, instrument.source, instrument.radii) == ("camera", "nobody", {})
+
+
+@pytest.mark.parametrize(
+    "change", ["focal_length = 0.05", 'focus_distance = "2"', "pixel = 3.45e-6", 'distance = "1"']
+)
+def test_a_length_without_a_unit_is_a_fault(load, change):
+    assert "is a length without a unit; write for example '550 nm'" in fault(load, change)
+
+
+def test_a_lens_has_a_model(load):
+    lens = load('model = "aplanatic"', 'corrected_for = "focus"').lens
+    assert (lens.model, lens.corrected_for) == ("aplanatic", "focus")
+    with pytest.raises(LensFileError, match=r"lens.model \(line 9\): .*'paraxial' or 'aplanatic'"):
+        load('model = "thick"')
+    with pytest.raises(LensFileError, match="the sine of the angle of its rim would be"):
+        load('model = "aplanatic"', "f_number = 0.4")
+
+
+def test_a_lens_has_an_amplitude(load):
+    assert load().lens.apodization == 0.0
+    assert load("apodization = 0.5").lens.apodization == load("apodization = 0.5").pupil().apodization == 0.5
+    lens = load('apodization = "aplanatic"', 'model = "aplanatic"').lens
+    assert lens.apodization == "aplanatic"
+    assert not lens.pupil().illumination.uniform
+    edge = '\n[field]\nsensor = ["24 mm", "36 mm"]\nW131 = 1.0\n'
+    lit = load(text=PLAIN.replace("[lens]", "[lens]\napodization = 0.5") + edge)
+    assert lit.field().pupil(1e-3, 2e-3).apodization == 0.5
+    for wrong in ('"sine"', "-1", "101", "true", "nan", "[1.0]"):
+        with pytest.raises(
+            LensFileError, match=r"lens.apodization \(line \d+\): .*number from 0 to 100, or \"aplanatic\""
+        ):
+            load(f"apodization = {wrong}")
+    with pytest.raises(LensFileError, match="apodization 'aplanatic' needs model='aplanatic'"):
+        load('apodization = "aplanatic"')
+
+
+def test_an_object_is_in_focus_unless_told_otherwise(load):
+    without = PLAIN.replace('[object]\ndistance = "1.5 m"\n', "")
+    assert load(text=without).object_distance == load().lens.focus_distance == pytest.approx(2.0)
+    assert load('distance = "inf"').object_distance == math.inf
+    inside = without.replace('focus_distance = "2 m"', 'sensor_distance = "10 mm"')
+    with pytest.raises(LensFileError, match=r"object.distance: must be given where the sensor lies inside"):
+        load(text=inside)
+
+
+def test_a_sensor_has_a_side_or_a_height_and_a_width(load):
+    assert load("shape = [48, 64]").shape == (48, 64)
+
+
+def test_the_sensor_distance_and_the_aperture_may_be_given_instead(load):
+    text = PLAIN.replace("f_number = 2.0", 'aperture_diameter = "20 mm"').replace("focus_distance", "sensor_distance")
+    lens = load(text=text.replace('"2 m"', '"51 mm"')).lens
+    assert lens.aperture_diameter == pytest.approx(0.02)
+    assert lens.sensor_distance == pytest.approx(0.051)
+
+
+def test_all_aberrations_of_a_file_add(load):
+    everything = (
+        "[aberrations]\ndefocus = 1.0\nspherical = 2\nW020 = 0.5\nW040 = -0.25\nW060 = 0.125\nW080 = 1\n"
+        'spherical_rms = "-55 nm"\n'
+    )
+    text = PLAIN.replace("f_number = 2.0", "f_number = 2.0\nobscuration = 0.3") + everything
+    expected = (
+        lm.Wavefront(1.0, 2.0)
+        + lm.Wavefront.from_seidel(0.5, -0.25, 0.125, 1.0)
+        + lm.Wavefront.balanced_spherical(-2 * math.pi * 0.1, 0.3)
+    )
+    found = load(text=text).lens.aberrations
+    np.testing.assert_allclose(found.coefficients, expected.coefficients)
+
+
+def test_radii_are_lengths_on_the_sensor_or_angles_on_the_sky(load):
+    text = PLAIN + '[report]\nencircled_energy = ["5 um", "10 arcsec"]\n'
+    radii = load(text=text).radii
+    assert radii["5 um"] == pytest.approx(5e-6)
+    assert radii["10 arcsec"] == pytest.approx(0.05 * 10 * math.pi / 648000)
+
+
+def fault(load, *changes: str, text: str = PLAIN) -> str:
+    """The message about a faulty file, which begins with its path, after that path."""
+    with pytest.raises(LensFileError) as caught:
+        load(*changes, text=text)
+    path, message = str(caught.value).split("lens.toml: ", 1)
+    assert Path(path).is_dir()
+    return message
+
+
+@pytest.mark.parametrize(
+    ("change", "where", "what"),
+    [
+        ('focal_length = "50 kg"', "lens.focal_length (line 5)", "unknown unit 'kg'; a length is in m, km, cm"),
+        ('focal_length = "50 deg"', "lens.focal_length (line 5)", "unknown unit 'deg'"),
+        ('focal_length = "-50 mm"', "lens.focal_length (line 5)", "must be positive, got -0.05 m"),
+        ('focal_length = "inf"', "lens.focal_length (line 5)", "must be finite"),
+        ("focal_length = nan", "lens.focal_length (line 5)", "nan"),
+        ("focal_length = true", "lens.focal_length (line 5)", "got True"),
+        ("focal_length = [50]", "lens.focal_length (line 5)", "got [50]"),
+        ("focal_length = 2020-01-01", "lens.focal_length (line 5)", "2020"),
+        ('f_number = "2.0"', "lens.f_number (line 6)", "number"),
+        ("f_number = true", "lens.f_number (line 6)", "number"),
+        ("f_number = 0", "lens.f_number (line 6)", "greater than 0"),
+        ("f_number = inf", "lens.f_number (line 6)", "finite"),
+        ("obscuration = 1.0", "lens.obscuration (line 9)", "less than 1"),
+        ("obscuration = -0.1", "lens.obscuration (line 9)", "greater than or equal to 0"),
+        ("fnumber = 2.0", "lens.fnumber (line 9)", "unknown key; did you mean f_number?"),
+        ("zoom = 3", "lens.zoom (line 9)", "unknown key; known are focal_length, f_number, aperture_diameter"),
+        ('focus_distance = "0 m"', "lens.focus_distance (line 7)", "must be positive"),
+        ('wavelength = "550"', "lens.wavelength (line 8)", "'550' is a length without a unit"),
+        ("wavelength = 550", "lens.wavelength (line 8)", "'550' is a length without a unit"),
+        ("wavelength = 0.55", "lens.wavelength (line 8)", "'0.55' is a length without a unit"),
+        ('distance = "-1 m"', "object.distance (line 11)", "must be positive"),
+        ('pixel = "-1 um"', "sensor.pixel (line 14)", "must be positive"),
+        ("pixel = 3.45", "sensor.pixel (line 14)", "'3.45' is a length without a unit"),
+        ('wavelength = "550 m"', "lens.wavelength (line 8)", 'for 550 nm write "550 nm"'),
+        ('pixel = "3.45 m"', "sensor.pixel (line 14)", 'for 3.45 um write "3.45 um"'),
+        ("shape = 0", "sensor.shape (line 15)", "must be from 1 to 16384, got 0"),
+        ("shape = [1, 2, 3]", "sensor.shape (line 15)", "(height, width)"),
+        ("shape = 2.5", "sensor.shape (line 15)", "integer, got 2.5"),
+        ('shape = "33"', "sensor.shape (line 15)", "integer, got '33'"),
+        ("shape = [33, true]", "sensor.shape (line 15)", "integer, got True"),
+        ("shape = 33\nintegrate = 1", "sensor.integrate (line 16)", "valid boolean"),
+        ("name = 5", "name (line 1)", "string"),
+        ('source = ["a"]', "source (line 2)", "string"),
+    ],
+    ids=lambda text: text if " = " in text else "",
+)
+def test_a_bad_entry_is_told_with_its_key_and_line(load, change, where, what):
+    message = fault(load, change)
+    assert message.startswith(where + ": ")
+    assert what in message
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize(
+    ("line", "integrate"), [("", None), ("integrate = true", True), ("integrate = false", False)]
+)
+def test_a_file_may_say_whether_its_pixels_average(load, line, integrate):
+    assert load(text=PLAIN.replace("shape = 33", f"shape = 33\n{line}")).integrate is integrate
+
+
+def test_a_file_without_a_name_has_that_of_the_file(load):
+    assert load(text=PLAIN.replace('name = "camera"', "")).name == "lens"
+
+
+@pytest.mark.parametrize("distance", ["1.5 m", "1.9 m", "2 m"])
+def test_a_file_without_a_shape_has_a_window_for_about_98_per_cent_of_the_light(load, distance):
+    found = load(text=PLAIN.replace("shape = 33", "").replace("1.5 m", distance))
+    assert found.shape is None
+    assert found.window[0] == found.window[1] >= 33
+    assert 0.975 < lm.psf(found.pupil(), found.window, found.pixel, integrate=True).energy < 0.999
+    assert load().window == (33, 33)
+
+
+@pytest.mark.parametrize("key", ["focal_length", "wavelength", "pixel"])
+def test_a_missing_entry_is_named(load, key):
+    message = fault(load, text=PLAIN.replace(f"{key} =", "# "))
+    section = {"focal_length": "lens.", "wavelength": "lens.", "pixel": "sensor."}[key]
+    assert message == f"{section}{key}: is missing"
+
+
+@pytest.mark.parametrize(
+    ("change", "what"),
+    [
+        ('aperture_diameter = "25 mm"', "exactly one of f_number and aperture_diameter"),
+        ('sensor_distance = "51 mm"', "at most one of focus_distance and sensor_distance"),
+        ('focus_distance = "49 mm"', "focus_distance must exceed the focal length"),
+    ],
+)
+def test_entries_that_contradict_each_other_are_named(load, change, what):
+    assert what in fault(load, change)
+
+
+def test_a_lens_without_an_aperture_is_told_both_ways_to_give_it(load):
+    message = fault(load, text=PLAIN.replace("f_number = 2.0", ""))
+    assert "exactly one of f_number and aperture_diameter" in message
+
+
+def test_an_unknown_section_is_told_with_what_it_may_have_been(load):
+    message = fault(load, text=PLAIN + "[aberations]\nW040 = 1\n")
+    assert message == "aberations (line 16): unknown key; did you mean aberrations?"
+    message = fault(load, text=PLAIN + "[zoom]\n")
+    assert message == (
+        "zoom (line 16): unknown key; known are name, source, lens, aperture, aberrations, object, sensor, field, "
+        "report"
+    )
+
+
+def test_every_fault_is_told_at_once(load):
+    changes = ('focal_length = "50 kg"', "wavelength = 550", 'distance = "-1 m"', "pixels = 3")
+    text = PLAIN.replace("pixel =", "pixels =") + '[aberrations]\nW040 = "a"\n'
+    message = fault(load, *changes, text=text)
+    told = [line.strip().split(":")[0] for line in message.strip("\n").split("\n")]
+    assert sorted(told) == [
+        "aberrations.W040 (line 17)",
+        "lens.focal_length (line 5)",
+        "lens.wavelength (line 8)",
+        "object.distance (line 11)",
+        "sensor.pixel",
+        "sensor.pixels (line 14)",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("value", "what"),
+    [
+        ('["junk"]', "'junk'"),
+        ('["1 kg"]', "'1 kg'"),
+        ('["5 um", "-1 um"]', "'-1 um'"),
+        ("[0]", "0"),
+        ('["inf"]', "inf"),
+        ("[true]", "True"),
+        ("[[1]]", "[1]"),
+        ('"5 um"', "list"),
+    ],
+)
+def test_a_bad_radius_is_told_with_its_key_and_line(load, value, what):
+    message = fault(load, text=f"{PLAIN}[report]\nencircled_energy = {value}\n")
+    assert message.startswith("report.encircled_energy (line 17)")
+    assert what in message
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize(
+    "text", ["lens = 5\n" + PLAIN[:33], PLAIN.replace("[lens]", "[[lens]]")], ids=["5", "[[lens]]"]
+)
+def test_what_is_no_section_is_told_without_names_from_inside_the_package(load, text):
+    message = fault(load, text=text)
+    assert "lens" in message
+    assert "_Lens" not in message
+
+
+@pytest.mark.parametrize("text", ["[lens", "a = ", PLAIN + "[lens]\n", PLAIN + "\x00", "a = " + "[" * 5000])
+def test_what_is_no_toml_is_told(load, text):
+    assert fault(load, text=text).startswith("not valid TOML: ")
+
+
+@pytest.mark.parametrize("data", [PLAIN.encode() + b"# caf\xe9\n", PLAIN.encode("utf-16"), bytes(range(256))])
+def test_what_is_not_utf_8_is_told(tmp_path, data):
+    (tmp_path / "lens.toml").write_bytes(data)
+    with pytest.raises(LensFileError, match=r"lens.toml: not valid TOML: .*utf-8"):
+        lm.load_instrument(tmp_path / "lens.toml")
+
+
+@pytest.mark.parametrize(
+    "data", [PLAIN.replace("\n", "\r\n").encode(), b"\xef\xbb\xbf" + PLAIN.encode()], ids=["CRLF", "BOM"]
+)
+def test_files_from_windows_load(tmp_path, data):
+    (tmp_path / "lens.toml").write_bytes(data)
+    assert lm.load_instrument(tmp_path / "lens.toml").name == "camera"
+
+
+def test_what_cannot_be_read_is_an_os_error_with_its_name(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"nowhere\.toml"):
+        lm.load_instrument(tmp_path / "nowhere.toml")
+    with pytest.raises(IsADirectoryError):
+        lm.load_instrument(tmp_path)
+
+
+def test_an_empty_file_lacks_everything_which_is_a_value_error(load):
+    assert issubclass(LensFileError, ValueError)
+    missing = fault(load, text="").split("\n  ")[1:]
+    assert missing == ["lens: is missing", "sensor: is missing"]
+
+
+ZERNIKE = """\
+[aberrations.zernike]
+order = "noll"
+unit = "nm"
+normalization = "rms"
+
+[aberrations.zernike.terms]
+7 = 55.0
+11 = -11.0
+"""
+TABLE = "# order: noll\n# unit: waves\n# normalization: rms\n# wavelength: 1100 nm\nindex,value\n7,0.05\n11,-0.01\n"
+
+
+def same(one: lm.Wavefront, two: lm.Wavefront) -> bool:
+    return all(np.all(np.abs(c) < 1e-12) for c in (one - two).to_zernike().values())
+
+
+def test_zernike_terms_are_those_of_the_wavelength_of_the_lens(load):
+    expected = lm.Wavefront.zernike({7: 0.1, 11: -0.02}, order="noll", unit="waves")
+    assert same(load(text=PLAIN + ZERNIKE).lens.aberrations, expected)
+    in_waves = ZERNIKE.replace('"nm"', '"waves"').replace("55.0", "0.1").replace("-11.0", "-0.02")
+    assert same(load(text=PLAIN + in_waves).lens.aberrations, expected)
+    elsewhere = in_waves.replace("\n\n", '\nwavelength = "1100 nm"\n\n')
+    assert same(load(text=PLAIN + elsewhere).lens.aberrations, 2.0 * expected)
+
+
+def test_zernike_terms_may_stand_in_a_table_beside_the_lens_file(load, tmp_path):
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "a.csv").write_text(TABLE, encoding="utf-8")
+    text = PLAIN + '[aberrations]\nW040 = 0.5\n[aberrations.zernike]\nfile = "tables/a.csv"\n'
+    expected = lm.Wavefront.zernike({7: 0.1, 11: -0.02}, order="noll", unit="waves")
+    assert same(load(text=text).lens.aberrations, expected + lm.Wavefront.from_seidel(W040=0.5))
+
+
+def test_seidel_terms_have_a_field(load):
+    text = PLAIN + "[aberrations]\nW131 = 0.5\nW222 = 0.25\nW220 = 1\nW311 = -2.0\nfield = [0.6, -0.3]\n"
+    expected = lm.Wavefront.from_seidel(W131=0.5, W222=0.25, W220=1, W311=-2.0, field=(0.6, -0.3))
+    assert same(load(text=text).lens.aberrations, expected)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('order = "noll"\n', "", "aberrations.zernike.order (line 16): is missing; it is one of nm, noll"),
+        ('unit = "nm"\n', "", "aberrations.zernike.unit (line 16): is missing; it is one of radians, waves"),
+        ('"nm"', '"kg"', "aberrations.zernike.unit (line 18): must be one of radians, waves"),
+        ("unit", "units", "aberrations.zernike.units (line 18): unknown key; did you mean unit?"),
+        ("7 = 55.0", "0 = 1.0", "aberrations.zernike.terms.0 (line 22): a Zernike index in the order 'noll'"),
+        ("11 = -11.0", "07 = 1.0", "aberrations.zernike.terms.07 (line 23): the term 07 was given before"),
+        ("7 = 55.0", "7 = nan", "aberrations.zernike.terms.7 (line 22): the coefficient must be finite, got nan"),
+        (ZERNIKE, "[aberrations]\nzernike = 5\n", "aberrations.zernike (line 17): must be a section"),
+        (
+            ZERNIKE,
+            '[aberrations.zernike]\nfile = "a.csv"\nunit = "nm"\n',
+            "aberrations.zernike.file (line 17): the file states everything; leave out unit",
+        ),
+        (
+            ZERNIKE,
+            "[aberrations.zernike]\nfile = 5\n",
+            "aberrations.zernike.file (line 17): must be the path of a table, got 5",
+        ),
+    ],
+)
+def test_a_fault_among_zernike_terms_is_told_with_its_key_and_line(load, old, new, told):
+    text = PLAIN + ZERNIKE
+    assert old in text
+    message = fault(load, text=text.replace(old, new))
+    assert any(line.strip().startswith(told) for line in message.split("\n")), message
+
+
+@pytest.mark.parametrize(
+    ("change", "where"),
+    [
+        ("W131 = nan", "aberrations.W131 (line 17)"),
+        ('W222 = "1"', "aberrations.W222 (line 17)"),
+        ("field = [1.0]", "aberrations.field (line 17)"),
+        ("field = 0.5", "aberrations.field (line 17)"),
+        ("field = [0.0, inf]", "aberrations.field (line 17)"),
+        ("W313 = 1.0", "aberrations.W313 (line 17): unknown key; did you mean W311?"),
+    ],
+)
+def test_a_bad_seidel_term_is_told_with_its_key_and_line(load, change, where):
+    message = fault(load, text=f"{PLAIN}[aberrations]\n{change}\n")
+    assert message.startswith(where)
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize(
+    ("table", "told"),
+    [
+        (None, "No such file or directory"),
+        (TABLE.replace("7,0.05", "7,x"), "a.csv: line 6: the coefficient must be a real number, got 'x'"),
+        (TABLE.replace("# wavelength: 1100 nm\n", ""), "a.csv: must state the wavelength of its waves"),
+    ],
+)
+def test_a_fault_of_a_table_is_told_with_its_name_and_that_of_the_lens_file(load, tmp_path, table, told):
+    if table is not None:
+        (tmp_path / "a.csv").write_text(table, encoding="utf-8")
+    message = fault(load, text=PLAIN + '[aberrations.zernike]\nfile = "a.csv"\n')
+    assert message.startswith("aberrations.zernike.file (line 17): ")
+    assert "a.csv" in message
+    assert told in message
+
+
+def test_faults_among_zernike_terms_are_told_with_all_others(load):
+    text = PLAIN.replace("wavelength = ", "wave = ") + ZERNIKE.replace('"nm"', '"kg"')
+    told = [line.strip().split(":")[0] for line in fault(load, text=text).strip("\n").split("\n")]
+    assert sorted(told) == ["aberrations.zernike.unit (line 18)", "lens.wave (line 8)", "lens.wavelength"]

@@ -184,7 +184,8 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	touch $@
 
 docs: build .venv/docs.stamp ## write the documentation to docs/_build/html, running the gallery
-	@MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
+	@rm -rf docs/api # may hold pages of names that are gone
+	MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
 	echo "docs/_build/html/index.html"
 
 lint: env ## check the style and the format
@@ -230,7 +231,7 @@ wheel: env ## build a wheel in dist
 
 clean: ## remove all that make made
 	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new
-	rm -rf docs/_build docs/api docs/gallery docs/sg_execution_times.rst
+	rm -rf docs/_build docs/_generated docs/api docs/gallery docs/sg_execution_times.rst
 	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png
 	rm -f out/motorcycle.png out/motorcycle-depth.tif out/motorcycle-near.png out/motorcycle-far.png out/motorcycle-pull.webp

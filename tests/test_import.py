@@ -3,41 +3,32 @@
 from __future__ import annotations
 
 import ast
+import importlib.util
 import subprocess
 import sys
 from graphlib import TopologicalSorter
 from importlib.metadata import version
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 
 import lommel as lm
 
-PACKAGE = Path(lm.__file__).parent
-MODULES = sorted(PACKAGE.rglob("*.py"))
+ROOT = Path(__file__).resolve().parents[1]
 
-# Each room imports only from those before it, and from itself; rooms of one line know nothing of each other.
-ORDER = [
-    {"base"},
-    {"core"},
-    {"special"},
-    {"optics"},
-    {"methods"},
-    {"measures"},
-    {"io"},
-    {"show"},
-    {"psf"},
-    {"field", "imaging"},
-    {"lensfiles"},
-    {"reports"},
-    {"adapters", "paper"},
-    {"cli"},
-    {"the package"},
-]
-RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms}
 
-# Files that stand in no room of the name.
-ROOM = {"_core": "core", "__main__": "cli", "__init__": "the package"}
+def load(path: Path):
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+rooms = load(ROOT / "docs" / "rooms.py")
+TREES = rooms.modules()
+HEADERS = rooms.headers()
 
 
 def python(code: str) -> str:
@@ -99,55 +90,17 @@ def test_the_version_is_that_of_the_metadata():
     assert "__version__" in dir(lm)
 
 
-def room(module: str) -> str:
-    """The room of a module, given as its path from the package without suffix, such as methods/method."""
-    first = module.split("/", maxsplit=1)[0]
-    return ROOM.get(first, first)
-
-
-def imported(tree: ast.AST) -> list[tuple[int, str]]:
-    """The modules of the package that are imported anywhere, inside of functions too, each with the line."""
-    found = []
-    for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom):
-            assert node.level == 0
-            names = [f"{node.module}.{alias.name}" for alias in node.names]
-        elif isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        else:
-            continue
-        found += [(node.lineno, module(name)) for name in names if name.split(".")[0] == "lommel"]
-    return found
-
-
-def module(name: str) -> str:
-    """The path of the module that a dotted name is, or is in."""
-    path = PACKAGE.joinpath(*name.split(".")[1:])
-    while not any(path.with_suffix(suffix).is_file() for suffix in (".py", ".pyi")):
-        if (path / "__init__.py").is_file():
-            path = path / "__init__"
-            break
-        path = path.parent
-    return path.relative_to(PACKAGE).as_posix()
-
-
 def upward(here: str, tree: ast.AST) -> list[str]:
-    """What a module imports from rooms that do not stand before its own."""
-    return [
-        f"{here} imports {other} (line {line})"
-        for line, other in imported(tree)
-        if RANK[room(other)] >= RANK[room(here)] and room(other) != room(here)
-    ]
+    return rooms.upward(rooms.ORDER, here, [other for _, other in rooms.imported(tree)])
 
 
-TREES = {
-    path.relative_to(PACKAGE).with_suffix("").as_posix(): ast.parse(path.read_text(encoding="utf-8"))
-    for path in MODULES
-}
+def test_the_files_that_are_read_are_those_that_are_imported():
+    assert Path(lm.__file__).parent == rooms.PACKAGE
 
 
-def test_every_module_has_a_place_in_the_order():
-    assert {room(name) for name in TREES} == set(RANK)
+def test_every_file_has_a_place_in_the_order():
+    assert {rooms.room(name) for name in TREES} == set().union(*rooms.ORDER)
+    assert {rooms.room(name) for name in HEADERS} == set().union(*rooms.CORE_ORDER)
 
 
 @pytest.mark.parametrize("name", TREES)
@@ -155,9 +108,27 @@ def test_data_flows_one_way(name):
     assert upward(name, TREES[name]) == []
 
 
-def test_no_module_needs_itself_by_way_of_others():
-    needs = {name: {other for _, other in imported(tree)} for name, tree in TREES.items()}
+@pytest.mark.parametrize("name", HEADERS)
+def test_headers_include_one_way(name):
+    assert rooms.upward(rooms.CORE_ORDER, name, HEADERS[name]) == []
+
+
+def test_no_file_needs_itself_by_way_of_others():
+    needs = {name: {other for _, other in rooms.imported(tree)} for name, tree in TREES.items()}
     assert set(TopologicalSorter(needs).static_order()) == {*TREES, "_core"}
+    assert set(TopologicalSorter(HEADERS).static_order()) == set(HEADERS)
+
+
+@pytest.mark.parametrize("house", [rooms.package(), rooms.core()], ids=["package", "core"])
+def test_the_picture_of_the_rooms_shows_every_room_every_file_and_every_arrow(house):
+    drawn = ET.fromstring(rooms.picture(house, "title"))
+    svg = "{http://www.w3.org/2000/svg}"
+    found = {group.find(f"{svg}text").text: group for group in drawn.iter(f"{svg}g")}
+    assert list(found) == house.rooms[::-1]
+    assert sum(len(group.findall(f"{svg}path")) for group in found.values()) == len(house.needs)
+    for name, group in found.items():
+        said = " ".join(text.text for text in group.findall(f"{svg}text"))
+        assert all(file in said for file in house.files[name])
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import importlib.util
 import subprocess
 import sys
 from graphlib import TopologicalSorter
@@ -14,19 +13,8 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import lommel as lm
+import rooms
 
-ROOT = Path(__file__).resolve().parents[1]
-
-
-def load(path: Path):
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
-
-
-rooms = load(ROOT / "docs" / "rooms.py")
 TREES = rooms.modules()
 HEADERS = rooms.headers()
 

@@ -10,7 +10,8 @@ from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
     from lommel import imaging as imaging
-    from lommel.field.maps import FieldMap, PSFGrid
+    from lommel.field.maps import FieldMap
+    from lommel.field.psf_grid import PSFGrid
     from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.lens_files import load_instrument
     from lommel.lensfiles.zernike_tables import ZernikeTable, load_zernike, save_zernike
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
 
 _HOME = {
     "FieldMap": "field.maps",
-    "PSFGrid": "field.maps",
+    "PSFGrid": "field.psf_grid",
     "Apodization": "optics.apodization",
     "CatEye": "optics.aperture",
     "Ellipse": "optics.aperture",

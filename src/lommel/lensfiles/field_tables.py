@@ -15,7 +15,7 @@ import numpy as np
 from lommel.base import reading, validation
 from lommel.base.units import parse_length
 from lommel.field.maps import FieldMap
-from lommel.lensfiles.faults import TOLD
+from lommel.lensfiles.messages import TOLD
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
@@ -56,7 +56,7 @@ class FieldTable:
             raise ValueError(f"positions and terms must be equally long, got shapes {[c.shape for c in columns]}")
 
     def field_map(self, pupil: Pupil, *, unit: str, normalization: str, direction: str) -> FieldMap:
-        """Return the map, with the obscuration and the scale of `pupil`.
+        """Return the map, with the aperture and the scale of `pupil`.
 
         Parameters
         ----------
@@ -72,16 +72,12 @@ class FieldTable:
         wavefront = Wavefront.zernike(
             self.terms, order=self.order, unit=unit, normalization=normalization, wavelength=pupil.wavelength
         )
-        options: dict[str, Any] = {
-            "wavelength": pupil.wavelength,
-            "f_number": pupil.f_number,
-            "obscuration": pupil.obscuration,
-        }
+        aperture = pupil.unaberrated()
         if "height" in self.positions:
             azimuth = 0.0 if direction == "x" else 0.5 * math.pi
-            return FieldMap.radial(self.positions["height"], wavefront, azimuth=azimuth, **options)
+            return FieldMap.radial(self.positions["height"], wavefront, azimuth=azimuth, aperture=aperture)
         x, y = (np.array(self.positions[name]) for name in ("x", "y"))
-        return FieldMap.scattered(x, y, wavefront, **options)
+        return FieldMap.scattered(x, y, wavefront, aperture=aperture)
 
 
 def read_csv(path: str | PathLike[str], order: str) -> FieldTable:

@@ -9,6 +9,7 @@ from lommel.base import validation
 from lommel.field.maps import FieldMap
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,7 @@ class Instrument:
     def field(self) -> FieldMap:
         """Return the map of the field for the object of the file: the aberrations of the field and of the lens.
 
-        The amplitude of the lens is that of all positions.
+        The aperture of the lens is that of all positions.
 
         Raises
         ------
@@ -66,9 +67,9 @@ class Instrument:
         """
         if self.aberrations_of_field is None:
             raise ValueError(f"the lens file of {self.name!r} must have a section [field] for PSFs over the field")
-        pupil, made = self.pupil(), self.aberrations_of_field
-        lit = replace(made.pupil_without_wavefront, apodization=pupil.apodization)
-        return replace(made, pupil_without_wavefront=lit) + pupil.wavefront
+        pupil = self.pupil()
+        aperture = pupil.carrying(Wavefront(), None)
+        return replace(self.aberrations_of_field, pupil_without_wavefront=aperture) + pupil.wavefront
 
 
 def wide_enough(pupil: Pupil, pixel: float) -> int:

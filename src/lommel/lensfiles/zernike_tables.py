@@ -15,7 +15,7 @@ from typing import Any
 
 from lommel.base import atomic, reading, validation
 from lommel.base.units import _LENGTHS, parse_length
-from lommel.lensfiles import faults
+from lommel.lensfiles import messages
 from lommel.optics.descriptions import NORMALIZATIONS
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
@@ -166,7 +166,7 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     except ValueError as error:
         raise ZernikeFileError(f"{validation.line(source)}: {reading.reason(error)}") from None
     if table is None:
-        raise ZernikeFileError(faults.together(source, found))
+        raise ZernikeFileError(messages.together(source, found))
     return table
 
 
@@ -224,8 +224,8 @@ def build(
         From the name of a setting to where it stands.
     """
     stray = [key for key in settings if key not in SETTINGS]
-    found = [f"{where(key)}: {faults.unknown_key(key, (*SETTINGS, 'terms'))}" for key in stray[: faults.TOLD]]
-    found += ["unknown keys"] * len(stray[faults.TOLD :])
+    found = [f"{where(key)}: {messages.unknown_key(key, (*SETTINGS, 'terms'))}" for key in stray[: messages.TOLD]]
+    found += ["unknown keys"] * len(stray[messages.TOLD :])
     allowed = {"order": zernike.ORDERS, "unit": _UNITS, "normalization": NORMALIZATIONS}
     for key, options in allowed.items():
         if key not in settings:
@@ -289,7 +289,7 @@ def _read_toml(text: str) -> tuple[ZernikeTable | None, list[str]]:
         raw = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         return None, [f"not valid TOML: {reading.reason(error)}"]
-    return build_section(raw, lambda keys: faults.place(text, keys))
+    return build_section(raw, lambda keys: messages.place(text, keys))
 
 
 def _read_json(text: str) -> tuple[ZernikeTable | None, list[str]]:

@@ -25,8 +25,8 @@ _STRIP = 2**20  # points whose depths are looked at together
 class TileBlur:
     """:func:`lommel.imaging.depth_of_field` of any part of a scene, with windows that are made once for all parts.
 
-    Can be sent to other processes. Points do not hide one another, and `missing` is "raise" or "infinity": what hides a
-    point, or is the nearest to it, may lie in another part.
+    Can be sent to other processes. Points do not hide one another, and `missing` is "raise" or "infinity": what hides
+    a point, or is the nearest to it, may lie in another part.
 
     Parameters
     ----------

@@ -72,16 +72,13 @@ def _amplitude(value: Any) -> float | Apodization | str:
     """Return a number, powers of rho^2, or the name of the only amplitude that has one."""
     if value == "aplanatic":
         return "aplanatic"
-    if isinstance(value, list):
-        try:
-            return Apodization(tuple(value))
-        except TypeError as error:
-            raise ValueError(str(error)) from None
-    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 <= value <= 100.0:
-        raise ValueError(
-            f'must be a number from 0 to 100, a list of them, or "aplanatic", got {validation.shown(value)}'
-        )
-    return float(value)
+    powers = value if isinstance(value, list) else [value]
+    numbers = not any(isinstance(g, bool) or not isinstance(g, int | float) for g in powers)
+    if numbers and isinstance(value, list):
+        return Apodization(tuple(value))
+    if numbers and 0.0 <= value <= 100.0:
+        return float(value)
+    raise ValueError(f'must be a number from 0 to 100, a list, or "aplanatic", got {validation.shown(value)}')
 
 
 class _Lens(Section):

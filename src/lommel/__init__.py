@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from lommel.field.psf_grid import PSFGrid
     from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.lens_files import load_instrument
-    from lommel.lensfiles.zernike_tables import ZernikeTable, load_zernike, save_zernike
+    from lommel.lensfiles.zernike_files import load_zernike, save_zernike
+    from lommel.lensfiles.zernike_tables import ZernikeTable
     from lommel.measures.aperture_means import centroid, marechal, rms, spot_radius, strehl
     from lommel.measures.errors import mse, peak_error
     from lommel.measures.focus import best_focus
@@ -92,8 +93,8 @@ _HOME = {
     "fit_radial": "optics.fitting",
     "opd_map": "optics.fitting",
     "ZernikeTable": "lensfiles.zernike_tables",
-    "load_zernike": "lensfiles.zernike_tables",
-    "save_zernike": "lensfiles.zernike_tables",
+    "load_zernike": "lensfiles.zernike_files",
+    "save_zernike": "lensfiles.zernike_files",
 }
 
 # Whose modules are given in full in the reference, such as lommel.show.plot.field.

@@ -223,6 +223,16 @@ class FieldMap:
     def pupil(self, x: ArrayLike, y: ArrayLike) -> Pupil:
         """Return the pupil that the position (x, y) of the sensor sees; arrays give a stack.
 
+        Parameters
+        ----------
+        x, y : array_like
+            Positions, in :attr:`unit`; they broadcast.
+
+        Returns
+        -------
+        Pupil
+            A stack of their shape.
+
         Raises
         ------
         TypeError, ValueError
@@ -262,6 +272,15 @@ class FieldMap:
             As of :func:`lommel.psf`; the middle of the window is at the position.
         method : Method, optional
             By default what :func:`lommel.psf` takes by default.
+
+        Returns
+        -------
+        PSF
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`pupil` and :func:`lommel.psf`.
         """
         return psf(self.pupil(x, y), shape, pixel, method=method, **options)
 
@@ -287,10 +306,14 @@ class FieldMap:
         shape, pixel, method, options
             As of :meth:`psf`.
 
+        Returns
+        -------
+        PSFGrid
+
         Raises
         ------
         TypeError, ValueError
-            Also if a centre lies outside of the map.
+            As :meth:`psf`; also if a centre lies outside of the map.
         """
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
         height_width = sides(sensor, self.unit)

@@ -102,7 +102,18 @@ class DepthBlur:
         self.banks = tuple(known[spectrum] for spectrum in colours)
 
     def place(self, depth: ArrayLike) -> None:
-        """Put the points at other depths, shape (height, width), metres, within the range of those given first."""
+        """Put the points at other depths, within the range of those given first.
+
+        Parameters
+        ----------
+        depth : array_like, shape (height, width)
+            Metres.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a distance is not a number above 0.
+        """
         distances = _depth(depth)
         self.shape = distances.shape
         self.defocus = self.lens.defocus(distances)
@@ -122,6 +133,16 @@ class DepthBlur:
             Light; the last axis holds the channels if there are several.
         weight : ndarray of bool, shape (height, width), optional
             Which points take part: the others spread nothing.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `image`, and of the type of the sums.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `image` is not finite light of the shape of the depth, or `weight` does not fit.
         """
         planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
@@ -138,7 +159,22 @@ class DepthBlur:
     def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
 
-        With the same `weight` in both; points that take no part receive 0.
+        Parameters
+        ----------
+        image : ndarray of float
+            Of the shape that :meth:`forward` takes.
+        weight : ndarray of bool, shape (height, width), optional
+            As of :meth:`forward`: points that take no part receive 0.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `image`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`forward`.
         """
         planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
@@ -151,7 +187,17 @@ class DepthBlur:
         return self._shaped(out, image)
 
     def require(self, image: NDArray[Any]) -> None:
-        """Raise TypeError or ValueError, naming `image`, unless it is finite light of the shape of the depth."""
+        """Refuse what is no finite light of the shape of the depth.
+
+        Parameters
+        ----------
+        image : ndarray
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it has another shape, or holds anything but finite floats.
+        """
         array = validation.array("image", image)
         count = len(self.banks)
         wanted = (*self.shape, count) if array.ndim == 3 or count > 1 else self.shape

@@ -86,12 +86,41 @@ class FocusPlan:
         """Return the lens at another focus (metres) or f-number (as engraved); None leaves that of `lens`.
 
         See :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
+
+        Parameters
+        ----------
+        focus_distance, f_number : float, optional
+            Metres, and as engraved.
+
+        Returns
+        -------
+        Lens
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
         """
         lens = self.lens if f_number is None else self.lens.stopped(f_number)
         return lens if focus_distance is None else lens.focused(focus_distance)
 
     def blur(self, *, focus_distance: float | None = None, f_number: float | None = None) -> DepthBlur:
-        """Return the linear operator at a focus and f-number; the last ones are remembered."""
+        """Return the linear operator at a focus and f-number; the last ones are remembered.
+
+        Parameters
+        ----------
+        focus_distance, f_number : float, optional
+            Metres, and as engraved.
+
+        Returns
+        -------
+        DepthBlur
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`lens_at`, and if the blur exceeds the largest window allowed.
+        """
         lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
         key = (lens.sensor_distance, lens.aperture_diameter)
         if key in self._known:
@@ -121,6 +150,10 @@ class FocusPlan:
             Focal length over the diameter of the aperture; by default that of the lens.
         out : ndarray, optional
             Where to write the values: of the shape and type of the image.
+
+        Returns
+        -------
+        Photograph
 
         Raises
         ------

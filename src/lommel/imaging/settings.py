@@ -104,7 +104,26 @@ class Settings:
 
     @classmethod
     def of(cls, door: Callable[..., Any], given: Mapping[str, Any], keywords: type) -> Self:
-        """Return what `door`, which takes these keywords, was given; TypeError for an option that it lacks."""
+        """Return what `door`, which takes these keywords, was given; TypeError for an option that it lacks.
+
+        Parameters
+        ----------
+        door : callable
+            What shows the keywords in its signature.
+        given : dict
+            Of names to values.
+        keywords : type
+            A TypedDict of the names that `door` takes.
+
+        Returns
+        -------
+        Settings
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an option is none of these, or as :class:`Settings`.
+        """
         options.require_known(door, given, keywords)
         return cls(**given)
 
@@ -115,6 +134,17 @@ class Settings:
 
     def channels(self, shape: tuple[int, ...], lens: Lens) -> Sequence[Spectrum]:
         """Return the spectrum of each channel of an image of this shape.
+
+        Parameters
+        ----------
+        shape : tuple of int
+            (height, width) or (height, width, channels).
+        lens : Lens
+
+        Returns
+        -------
+        sequence
+            A wavelength (metres), or pairs of wavelength and weight, for each.
 
         Raises
         ------

@@ -66,6 +66,16 @@ class FieldTable:
         direction : {"x", "y"}
             Along which heights are given: rising columns, or rising rows (downwards). Coefficients are in the axes
             of the sensor all the same: the coma of heights along y is a sine.
+
+        Returns
+        -------
+        FieldMap
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a unit or a direction does not exist, or as :meth:`lommel.FieldMap.radial` and
+            :meth:`lommel.FieldMap.scattered`.
         """
         validation.choice("direction", direction, ("x", "y"))
         checked(pupil)
@@ -84,6 +94,16 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     """Read a table from a CSV file: a line of column names, then a line for each position.
 
     Lines that are empty or begin with ``#`` are skipped. Columns and cells are those of :func:`read_rows`.
+
+    Parameters
+    ----------
+    path : path
+    order : {"noll", "ansi", "fringe"}
+        Of the indices.
+
+    Returns
+    -------
+    FieldTable
 
     Raises
     ------
@@ -117,8 +137,21 @@ def read_rows(columns: Sequence[str], rows: Sequence[Sequence[Any]], order: str)
     The first column is ``height``, or the first two are ``x`` and ``y``: lengths, texts with a unit, or 0. The
     others are Zernike indices such as ``Z4``, with numbers.
 
+    Parameters
+    ----------
+    columns : list of str
+    rows : list of lists
+    order : {"noll", "ansi", "fringe"}
+        Of the indices.
+
+    Returns
+    -------
+    FieldTable
+
     Raises
     ------
+    TypeError
+        If these are no lists, or a name of a column is no text.
     ValueError
         For every fault at once, each with its row.
     """

@@ -52,13 +52,27 @@ class Instrument:
         return self.shape or (max(33, min(wide_enough(self.pupil(), self.pixel), 1025)),) * 2
 
     def pupil(self) -> Pupil:
-        """Return the pupil for the object of the file."""
+        """Return the pupil for the object of the file.
+
+        Returns
+        -------
+        Pupil
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`lommel.Lens.pupil`.
+        """
         return self.lens.pupil(self.object_distance)
 
     def field(self) -> FieldMap:
         """Return the map of the field for the object of the file: the aberrations of the field and of the lens.
 
         The aperture of the lens is that of all positions.
+
+        Returns
+        -------
+        FieldMap
 
         Raises
         ------

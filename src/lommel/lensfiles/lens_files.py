@@ -23,7 +23,7 @@ from pydantic import (
 from lommel.base import reading, validation
 from lommel.base.units import parse_radius, with_units
 from lommel.field.maps import FieldMap
-from lommel.lensfiles import field_tables, messages, zernike_tables
+from lommel.lensfiles import field_tables, messages, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.sections import Distance, Length, Number, Section, SignedLength, beside
@@ -107,7 +107,7 @@ class _Aberrations(Section):
     W220: Number = 0.0
     W311: Number = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
-    zernike: dict[str, Any] | None = None  # told by zernike_tables what it may hold
+    zernike: dict[str, Any] | None = None  # told by zernike_files what it may hold
 
 
 class _Object(Section):
@@ -254,6 +254,10 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
         what is wrong with these is told with some of their contents: a service that takes lens files from strangers
         should refuse.
 
+    Returns
+    -------
+    Instrument
+
     Raises
     ------
     LensFileError
@@ -299,7 +303,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
         return messages.place(text, ["aberrations", "zernike", *keys])
 
     if "file" not in section:
-        return zernike_tables.build_section(section, where)
+        return zernike_files.build_section(section, where)
     name, others = section["file"], [key for key in section if key != "file"]
     if others:
         return None, [f"{where(['file'])}: the file states everything; leave out {', '.join(others)}"]
@@ -307,7 +311,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
         return None, [f"{where(['file'])}: must be the path of a table, got {validation.shown(name)}"]
     try:
         path = beside(context, name)
-        table = zernike_tables.load_zernike(path)
+        table = zernike_files.load_zernike(path)
     except OSError as error:
         return None, [f"{where(['file'])}: {validation.line(path)}: {error.strerror or error}"]
     except ValueError as error:

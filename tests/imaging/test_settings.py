@@ -66,7 +66,7 @@ def doors(**given):
     ("given", "error", "message"),
     [
         ({"engery": 0.9}, TypeError, r"\(\) has no option 'engery'; did you mean energy\?"),
-        ({"strength": 0.9}, TypeError, r"\(\) has no option 'strength'; its options are .*energy, tol, largest"),
+        ({"strength": 0.9}, TypeError, r"\(\) has no option 'strength'; known are .*energy, tol, largest"),
         ({"border": "wrap"}, ValueError, "border must be one of 'reflect', 'extend', 'zero', got 'wrap'"),
         ({"energy": 0.4}, ValueError, "energy must be >= 0.5"),
         ({"energy": 1.0}, ValueError, "energy must be"),

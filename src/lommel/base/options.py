@@ -69,9 +69,10 @@ def require_known(door: Callable[..., Any], given: Mapping[str, Any], keywords: 
     """Raise TypeError if an option is none of these keywords; it names all that `door` takes by keyword."""
     if stray := [name for name in given if name not in keywords.__annotations__]:
         known = [p.name for p in inspect.signature(door).parameters.values() if p.kind is p.KEYWORD_ONLY]
-        raise TypeError(f"{door.__qualname__}() has no option {stray[0]!r}{_near(stray[0], known)}")
+        raise TypeError(f"{door.__qualname__}() has no option {stray[0]!r}; {near(stray[0], known)}")
 
 
-def _near(name: str, known: Iterable[str]) -> str:
-    near = difflib.get_close_matches(name[:60], known := list(known), n=1)
-    return f"; did you mean {near[0]}?" if near else f"; its options are {', '.join(known)}"
+def near(name: str, known: Iterable[str]) -> str:
+    """Return what a name that is not known may have been meant to be, or all that are."""
+    found = difflib.get_close_matches(name[:60], known := list(known), n=1)
+    return f"did you mean {found[0]}?" if found else f"known are {', '.join(known)}"

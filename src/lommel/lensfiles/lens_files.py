@@ -21,6 +21,7 @@ from pydantic import (
 )
 
 from lommel.base import reading, validation
+from lommel.base.options import near
 from lommel.base.units import parse_radius, with_units
 from lommel.field.maps import FieldMap
 from lommel.lensfiles import field_tables, messages, zernike_files
@@ -368,7 +369,7 @@ def _describe(fault: Any, text: str) -> str:
         for part in keys[:-1]:
             model = model.model_fields[part].annotation
             model = next((kind for kind in get_args(model) if kind is not type(None)), model)
-        message = messages.unknown_key(keys[-1], model.model_fields)
+        message = f"unknown key; {near(keys[-1], model.model_fields)}"
     elif fault["type"] == "missing":
         message = "is missing"
     elif fault["type"] in ("model_type", "dict_type"):

@@ -13,6 +13,7 @@ from os import PathLike
 from typing import Any
 
 from lommel.base import atomic, reading, validation
+from lommel.base.options import near
 from lommel.base.units import parse_length
 from lommel.lensfiles import messages
 from lommel.lensfiles.zernike_tables import UNITS, ZernikeTable
@@ -151,7 +152,7 @@ def build(
         From the name of a setting to where it stands.
     """
     stray = [key for key in settings if key not in SETTINGS]
-    found = [f"{where(key)}: {messages.unknown_key(key, (*SETTINGS, 'terms'))}" for key in stray[: messages.TOLD]]
+    found = [f"{where(key)}: unknown key; {near(key, (*SETTINGS, 'terms'))}" for key in stray[: messages.TOLD]]
     found += ["unknown keys"] * len(stray[messages.TOLD :])
     allowed = {"order": zernike.ORDERS, "unit": UNITS, "normalization": NORMALIZATIONS}
     for key, options in allowed.items():

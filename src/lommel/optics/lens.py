@@ -330,7 +330,6 @@ class Lens:
         Returns
         -------
         Pupil
-            With the working f-number, and the distances that ``HuygensFresnel`` needs.
 
         Raises
         ------

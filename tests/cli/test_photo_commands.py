@@ -70,6 +70,10 @@ BAD = [
         "--focal-length 35 mm contradicts the EXIF of camera.png, 50 mm",
     ),
     (
+        "blur camera.png depth.npy --focus 2m --pixel 40um --focal-length 51.5mm -o out.png",
+        "--focal-length 51.5 mm contradicts the EXIF of camera.png, 50 mm",
+    ),
+    (
         "blur camera.png depth.npy --focus 2m --pixel 40um --no-exif -o out.png",
         "give a lens file or --focal-length",
     ),

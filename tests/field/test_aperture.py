@@ -101,6 +101,7 @@ def test_the_pupil_of_a_lens_is_an_aperture_without_the_distances_of_the_axis():
         ({"aperture": lm.Pupil(**SCALE), "f_number": 2.0}, ValueError, "f_number must be that of the aperture, 2.8"),
         ({"aperture": lm.Pupil(obscuration=0.2), "obscuration": 0.0}, ValueError,
          "obscuration must be that of the aperture, 0.2, or be left out, got 0.0"),
+        ({"aperture": lm.Pupil(), "obscuration": 0.2}, ValueError, "obscuration must be that of the aperture, 0, or"),
         ({"aperture": lm.Pupil(), "f_number": 2.0}, ValueError, "wavelength and f_number must be given together"),
         ({"obscuration": 1.0}, ValueError, "obscuration must be"),
         ({"apperture": lm.Pupil()}, TypeError, r"FieldMap\.\w+\(\) has no option 'apperture'; did you mean aperture"),

@@ -71,6 +71,7 @@ def doors(**given):
         ({"energy": 0.4}, ValueError, "energy must be >= 0.5"),
         ({"energy": 1.0}, ValueError, "energy must be"),
         ({"tol": 1e-8}, ValueError, "tol must be >= 1e-07"),
+        ({"tol": 0.15}, ValueError, "tol must be"),
         ({"tol": "fine"}, TypeError, "tol must be a real number"),
         ({"largest": 2049}, ValueError, "largest must be from 1 to 2048, got 2049"),
         ({"threads": 0}, ValueError, "threads must be from 1 to 1024, got 0"),
@@ -91,6 +92,19 @@ def test_every_door_takes_what_settings_takes():
     given = {"border": "zero", "energy": 0.9, "tol": 1e-3, "largest": 9, "dtype": np.float64, "threads": 1}
     assert sum(make() is not None for make in doors(**given)) == 6
     assert sum(make() is not None for make in doors(**given, occlusion=False, wavelengths=[5e-7])) == 5
+
+
+def test_chunks_are_computed_by_one_thread_each_unless_told_otherwise(monkeypatch):
+    da, seen = pytest.importorskip("dask.array"), []
+
+    def tile(*arguments, **options):
+        seen.append(options["threads"])
+        return TileBlur(*arguments, **options)
+
+    monkeypatch.setattr("lommel.imaging.chunks.TileBlur", tile)
+    for given in ({}, {"threads": 2}):
+        depth_of_field_of_chunks(da.from_array(IMAGE), da.from_array(DEPTH), LENS, 8e-6, encoding="linear", **given)
+    assert seen == [1, 2]
 
 
 @pytest.mark.parametrize("door", [2, 3, 4])

@@ -109,6 +109,7 @@ print(json.dumps(tracemalloc.get_traced_memory()[1] / 2**20))
         ({"depth": np.full((70, 90), "a")}, TypeError, "depth must hold metres"),
         ({"image": np.full((70, 90, 3), np.nan)}, ValueError, "image must be finite, got nan"),
         ({"encoding": "gamma"}, ValueError, "encoding must be one of"),
+        ({"depth": np.full((70, 90), 0.5)}, ValueError, "windows of more than 71 pixels a side"),
     ],
 )
 def test_what_cannot_be_tiled_is_refused_by_name(change, error, message):

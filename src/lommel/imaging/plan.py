@@ -25,7 +25,8 @@ class FocusPlan:
 
     Everything is checked and the image decoded once. A frame computes the windows of its focus, unless that focus is
     among the last ones; then it spreads the light and encodes it. The answer is that of
-    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
+    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit. Without `occlusion` a frame takes a
+    fraction of the time; see :func:`lommel.imaging.layers.occlude`.
 
     Parameters
     ----------

@@ -122,7 +122,7 @@ class Settings:
         Raises
         ------
         TypeError, ValueError
-            If an option is none of these, or as :class:`Settings`.
+            If an option is none of these, or as :class:`lommel.imaging.settings.Settings`.
         """
         options.require_known(door, given, keywords)
         return cls(**given)

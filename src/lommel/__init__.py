@@ -10,10 +10,12 @@ from lommel.psf import PSF, Plan, psf
 
 if TYPE_CHECKING:
     from lommel import imaging as imaging
-    from lommel.field.maps import FieldMap, PSFGrid
+    from lommel.field.maps import FieldMap
+    from lommel.field.psf_grid import PSFGrid
     from lommel.lensfiles.instrument import Instrument
     from lommel.lensfiles.lens_files import load_instrument
-    from lommel.lensfiles.zernike_tables import ZernikeTable, load_zernike, save_zernike
+    from lommel.lensfiles.zernike_files import load_zernike, save_zernike
+    from lommel.lensfiles.zernike_tables import ZernikeTable
     from lommel.measures.aperture_means import centroid, marechal, rms, spot_radius, strehl
     from lommel.measures.errors import mse, peak_error
     from lommel.measures.focus import best_focus
@@ -45,7 +47,7 @@ if TYPE_CHECKING:
 
 _HOME = {
     "FieldMap": "field.maps",
-    "PSFGrid": "field.maps",
+    "PSFGrid": "field.psf_grid",
     "Apodization": "optics.apodization",
     "CatEye": "optics.aperture",
     "Ellipse": "optics.aperture",
@@ -91,8 +93,8 @@ _HOME = {
     "fit_radial": "optics.fitting",
     "opd_map": "optics.fitting",
     "ZernikeTable": "lensfiles.zernike_tables",
-    "load_zernike": "lensfiles.zernike_tables",
-    "save_zernike": "lensfiles.zernike_tables",
+    "load_zernike": "lensfiles.zernike_files",
+    "save_zernike": "lensfiles.zernike_files",
 }
 
 # Whose modules are given in full in the reference, such as lommel.show.plot.field.

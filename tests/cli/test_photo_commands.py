@@ -70,6 +70,10 @@ BAD = [
         "--focal-length 35 mm contradicts the EXIF of camera.png, 50 mm",
     ),
     (
+        "blur camera.png depth.npy --focus 2m --pixel 40um --focal-length 51.5mm -o out.png",
+        "--focal-length 51.5 mm contradicts the EXIF of camera.png, 50 mm",
+    ),
+    (
         "blur camera.png depth.npy --focus 2m --pixel 40um --no-exif -o out.png",
         "give a lens file or --focal-length",
     ),
@@ -81,7 +85,7 @@ BAD = [
     ("focus-pull photo.png depth.npy vanes.toml --from 2m --to 3m -o f.gif", "lens must have a round aperture"),
     (f"{FULL} --f-number nan", "--f-number must be finite, got nan"),
     (f"{FULL} --focus 10mm", "--focus must exceed the focal length 0.05 m"),
-    (f"{FULL} --wavelengths 550nm", "--wavelengths must be three, got 1"),
+    (f"{FULL} --wavelengths 550nm", "wavelengths must be one for each of the 3 channels, got 1"),
     (f"{FULL} --wavelengths 550m,540m,530m", "wavelength is in metres and must be from 1e-12 to 1e-2"),
     (f"{FULL} --wavelengths red", "'red' is not a length"),
     (f"{FULL} --energy 2", "energy must be"),

@@ -61,17 +61,47 @@ class Bank:
         return int(self.energies.shape[1]) - 1
 
     def positions(self, defocus: ArrayLike) -> NDArray[np.float64]:
-        """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second."""
+        """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second.
+
+        Parameters
+        ----------
+        defocus : array_like
+            Radians at the wavelength of the lens.
+
+        Returns
+        -------
+        ndarray
+        """
         return (np.asarray(defocus, dtype=np.float64) - self.start) / self.spacing
 
     def used(self, defocus: float) -> NDArray[np.float64]:
-        """Return how much of each pixel is used for one defocus, 0 to 1, shape (side, side)."""
+        """Return how much of each pixel is used for one defocus, 0 to 1, shape (side, side).
+
+        Parameters
+        ----------
+        defocus : float
+            C_d, radians at the wavelength of the lens.
+
+        Returns
+        -------
+        ndarray
+        """
         half = np.interp(self.positions(defocus), np.arange(self.count), self.halves)
         away = np.abs(np.arange(-self.half, self.half + 1))
         return np.asarray(np.clip(half + 1.0 - np.maximum(away[:, None], away), 0.0, 1.0))
 
     def window(self, defocus: float) -> NDArray[np.float64]:
-        """Return the window that the compiled core makes of the bank for one defocus, shape (side, side)."""
+        """Return the window that the compiled core makes of the bank for one defocus, shape (side, side).
+
+        Parameters
+        ----------
+        defocus : float
+            C_d, radians at the wavelength of the lens.
+
+        Returns
+        -------
+        ndarray
+        """
         position = float(np.clip(self.positions(defocus), 0.0, self.count - 1))
         interval = min(int(position), self.count - 2)
         first = min(max(interval - 1, 0), self.count - 4)
@@ -120,6 +150,10 @@ def build_bank(
     dtype : float32 or float64
     threads : int
         At most so many, 0 for as many as there are processors. The result does not depend on it.
+
+    Returns
+    -------
+    Bank
 
     Raises
     ------

@@ -45,7 +45,7 @@ def write_photo(
     quality: int = 95,
     profile: bytes | None = None,
 ) -> float:
-    """Write light as a photograph; the suffix chooses PNG, JPEG or TIFF. Return the share of values clipped.
+    """Write light as a photograph; the suffix chooses PNG, JPEG or TIFF.
 
     Integers end at black and white, as sensors do; what lies beyond by half a level or more is counted. Floats keep
     all. The file is written under a temporary name and moved into place.
@@ -63,6 +63,11 @@ def write_photo(
         Of a JPEG, 1 to 100; colours have the full resolution.
     profile : bytes, optional
         An ICC profile to store.
+
+    Returns
+    -------
+    float
+        Share of the values that were clipped.
 
     Raises
     ------

@@ -63,10 +63,21 @@ class Exif:
 
         EXIF rounds the film equivalent to whole millimetres, which makes an error of a few per cent.
 
+        Parameters
+        ----------
+        shape : tuple of int
+            Height and width first.
+
+        Returns
+        -------
+        float
+
         Raises
         ------
+        TypeError
+            If `shape` is no shape of an image.
         ValueError
-            If either focal length is unknown.
+            If either focal length is unknown, or a side is out of range.
         """
         if not isinstance(shape, tuple | list) or len(shape) < 2:
             raise TypeError(f"shape must be (height, width), got {validation.shown(shape)}")
@@ -96,7 +107,22 @@ class Picture:
     profile: bytes | None = None
 
     def light(self, dtype: DTypeLike = np.float32) -> NDArray[Any]:
-        """Return values in proportion to light, 1 being white."""
+        """Return values in proportion to light, 1 being white.
+
+        Parameters
+        ----------
+        dtype : float32 or float64, default float32
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `values`.
+
+        Raises
+        ------
+        TypeError
+            If `dtype` is another.
+        """
         return to_light("the photograph", self.values, self.encoding, dtype)
 
 

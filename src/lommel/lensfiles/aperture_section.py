@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from lommel.base import reading, validation
-from lommel.lensfiles.entries import Angle, Length, Number, Section, beside
+from lommel.lensfiles.sections import Angle, Length, Number, Section, beside
 from lommel.optics.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
 
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff")

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from lommel.field.maps import PSFGrid
+from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.methods import Hankel, HuygensFresnel, Method, NijboerZernike, NonuniformFFT

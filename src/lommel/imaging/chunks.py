@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, Unpack
 
 from lommel.base import validation
 from lommel.base.optional import library
+from lommel.base.options import shares
 from lommel.imaging.blur import require_lens
-from lommel.imaging.tiles import TileBlur
+from lommel.imaging.settings import Keywords, Settings
+from lommel.imaging.tiles import TileBlur, of_parts
 from lommel.optics.lens import Lens
 
 
+@shares(Keywords, Settings, occlusion=False, threads=1)
 def depth_of_field_of_chunks(
     image: Any,
     depth: Any,
@@ -21,13 +24,12 @@ def depth_of_field_of_chunks(
     encoding: str,
     depths: tuple[float, float] | None = None,
     side: int | None = None,
-    missing: str = "raise",
-    **options: Any,
+    **options: Unpack[Keywords],
 ) -> Any:
-    """Do as :func:`lommel.imaging.depth_of_field` for dask arrays; the same but for rounding.
+    """Do as :func:`lommel.imaging.depth_of_field_by_tiles` for dask arrays; the same but for rounding.
 
     The windows are made at once, for all chunks; all else when the result is computed. Needs dask,
-    ``pip install "dask[array]"``.
+    ``pip install "dask[array]"``. One thread for each chunk by default, since chunks are computed side by side.
 
     Parameters
     ----------
@@ -41,11 +43,7 @@ def depth_of_field_of_chunks(
     side : int, optional
         Of the chunks that the image is cut into, pixels, at least 16; by default they stay as they are. Chunks grow
         by half a window on every side; those of 1024 by 1024 pixels take some tenths of a second.
-    missing : {"raise", "infinity"}, default "raise"
-        What a NaN in `depth` means.
-    **options
-        wavelengths, border, energy, tol, largest, dtype, threads, as of :func:`lommel.imaging.depth_of_field`; but
-        `threads` is 1 by default, since chunks are computed side by side.
+    {options}
 
     Returns
     -------
@@ -62,6 +60,7 @@ def depth_of_field_of_chunks(
     # Typed in part only.
     dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
 
+    settings = of_parts(depth_of_field_of_chunks, options)
     require_lens(lens, "image, depth, lens, pixel")
     for name, array in (("image", image), ("depth", depth)):
         if not isinstance(array, da.Array):
@@ -76,14 +75,13 @@ def depth_of_field_of_chunks(
     if image.ndim == 3:
         image = image.rechunk({2: -1})
     if depths is None:
-        known = da.where(da.isnan(depth), float("inf"), depth) if missing == "infinity" else depth
+        known = da.where(da.isnan(depth), float("inf"), depth) if settings.missing == "infinity" else depth
         low, high = dask.compute(known.min(), known.max())
         depths = (float(low), float(high))
         if math.isnan(depths[0]):
             raise ValueError("depth is NaN at some points; say what is there by `missing`")
-    blur = TileBlur(
-        image.shape, depths, lens, pixel, encoding=encoding, missing=missing, **({"threads": 1} | options)
-    )
+    given: Keywords = {"threads": 1, **options}
+    blur = TileBlur(image.shape, depths, lens, pixel, encoding=encoding, **given)
     distances = depth.rechunk(image.chunks[:2])
     around = dict.fromkeys((0, 1), blur.overlap)
     if image.ndim == 3:

@@ -1,4 +1,4 @@
-"""Wavefronts between the positions of the sensor that they are known at."""
+"""Wavefronts all over a part of the sensor: between positions that they are known at, or by Seidel's polynomials."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _ROUNDING = 1e-9  # of the size of the map: positions this far outside count as 
 _AXIS = 1e-6  # radians that a wavefront on the axis may depend on the direction, from rounding in what made it
 
 
-class Known(ABC):
+class WavefrontsOnSensor(ABC):
     """Wavefronts at any position of a part of the sensor."""
 
     reach: float
@@ -39,7 +39,7 @@ class Known(ABC):
         """Return the wavefronts at positions of the part, of their shape."""
 
 
-class OnGrid(Known):
+class OnGrid(WavefrontsOnSensor):
     """Bicubic splines through a rectangular grid (FITPACK, not-a-knot)."""
 
     def __init__(self, x: ArrayLike, y: ArrayLike, wavefront: Wavefront) -> None:
@@ -77,7 +77,7 @@ class OnGrid(Known):
         return Wavefront.trusted(self.terms, np.stack([s.ev(down, across) for s in self.splines], axis=-1))
 
 
-class Scattered(Known):
+class Scattered(WavefrontsOnSensor):
     """Cubic radial basis functions with a quadratic (or linear) polynomial, within the convex hull."""
 
     def __init__(self, x: ArrayLike, y: ArrayLike, wavefront: Wavefront) -> None:
@@ -126,7 +126,7 @@ class Scattered(Known):
         return Wavefront.trusted(self.terms, values.reshape(*x.shape, -1))
 
 
-class Radial(Known):
+class Radial(WavefrontsOnSensor):
     """Cubic splines along the height, and rotation: the field of a rotationally symmetric lens."""
 
     def __init__(self, height: ArrayLike, wavefront: Wavefront, azimuth: float) -> None:
@@ -166,7 +166,7 @@ class Radial(Known):
         return Wavefront.from_edge(turned)
 
 
-class Seidel(Known):
+class Seidel(WavefrontsOnSensor):
     """Seidel's polynomials of the field and the pupil."""
 
     def __init__(self, edge: float, waves: Mapping[str, float]) -> None:

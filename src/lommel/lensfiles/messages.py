@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import difflib
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
 
@@ -37,12 +36,6 @@ def place(text: str, keys: Sequence[str]) -> str:
     lines = (line_of(text, keys[:count]) for count in range(len(keys), 0, -1))
     line = next((number for number in lines if number), None)
     return f"{'.'.join(keys)}{f' (line {line})' if line else ''}"
-
-
-def unknown_key(key: str, known: Iterable[str]) -> str:
-    """Return what to say about a key that is not among those known."""
-    near = difflib.get_close_matches(key[:60], known := list(known), n=1)
-    return "unknown key" + (f"; did you mean {near[0]}?" if near else f"; known are {', '.join(known)}")
 
 
 def together(path: Path, faults: Sequence[str], count: int | None = None) -> str:

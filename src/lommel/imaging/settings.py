@@ -82,7 +82,7 @@ class Settings:
     energy: float = 0.98
     tol: float = 1e-4
     largest: int | None = None
-    dtype: DTypeLike = np.float32
+    dtype: DTypeLike = "float32"
     threads: int | None = None
 
     def __post_init__(self) -> None:

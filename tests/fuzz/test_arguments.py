@@ -17,10 +17,9 @@ from lommel.base import units, validation
 from lommel.imaging import frames
 from lommel.io.psf_files import FileError
 from lommel.lensfiles import field_tables
-from lommel.measures import aperture_means, energy, image_transfer, spot
+from lommel.measures import aperture_means, encircled, energy, image_transfer, spot
 from lommel.methods import METHODS
 from lommel.optics.opening import Opening, degree_needed
-from lommel.reports import encircled
 
 SQUARE = np.linspace(0.1, 1.0, 24 * 24).reshape(24, 24)
 DEPTH = 1.8 + 0.3 * SQUARE

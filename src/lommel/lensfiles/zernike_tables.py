@@ -17,6 +17,7 @@ from lommel.base import atomic, reading, validation
 from lommel.base.units import _LENGTHS, parse_length
 from lommel.lensfiles import faults
 from lommel.optics.descriptions import NORMALIZATIONS
+from lommel.optics.spectrum import same_path
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
 
@@ -118,7 +119,7 @@ class ZernikeTable:
         )
         if plain == "metres" or at is None or self.wavelength is None or at == self.wavelength:
             return made
-        return made * (self.wavelength / at)
+        return same_path(made, self.wavelength, at)
 
 
 def load_zernike(path: str | PathLike[str]) -> ZernikeTable:

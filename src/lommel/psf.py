@@ -13,11 +13,12 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Numbers
+from lommel.core.answers import Images
 from lommel.io import psf_files
 from lommel.measures import energy, image_transfer, spot
 from lommel.measures.answer import Answer
-from lommel.methods.choice import candidates, images
-from lommel.methods.method import Method
+from lommel.methods.choice import candidates, first_proven
+from lommel.methods.method import Method, widened
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.show import plot
@@ -202,16 +203,13 @@ class Plan:
         per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
         scale = per_pixel if normalize == "energy" else 1.0 / method.unaberrated_peak(pupil)
         place = None if out is None else self._checked(out, stack)
-        method, made = images(
-            ways,
-            pupil,
-            grid,
-            None if normalize == "peak" else scale,
-            self.dtype,
-            out=place,
-            powers=powers,
-            threads=self.threads,
-        )
+        fixed = None if normalize == "peak" else scale
+
+        def ask(way: Method) -> Images:
+            made = way.images(pupil, grid, fixed, self.dtype, out=place, powers=powers, threads=self.threads)
+            return widened(made, pupil, way, normalized=fixed is None)
+
+        method, made = first_proven(ways, ask)
         slopes, slope_bounds = {}, {}
         if made.slopes is not None:
             for name, values, bound in zip(derivatives, *made.slopes, strict=True):

@@ -16,10 +16,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.core.answers import Images
 from lommel.measures.answer import Answer
 from lommel.measures.energy import energy_per_pixel, radial_energy
-from lommel.methods.choice import candidates, images, of_profiles
-from lommel.methods.method import Method
+from lommel.methods.choice import candidates, first_proven, of_profiles
+from lommel.methods.method import Method, widened
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
 from lommel.special.legendre import gauss_legendre
@@ -112,7 +113,11 @@ def _image(pupil: Pupil, grid: Grid, method: Method | None) -> Answer:
     if method is not None:
         method.require(pupil)
     ways = candidates(pupil, grid) if method is None else (method,)
-    way, (values, scale, error, *_) = images(ways, pupil, grid, 1.0, np.float64)
+
+    def ask(way: Method) -> Images:
+        return widened(way.images(pupil, grid, 1.0, np.float64), pupil, way, normalized=False)
+
+    way, (values, scale, error, *_) = first_proven(ways, ask)
     bound = None if error is None else float(error.max())
     return Answer(values[0], grid, pupil, way, "strehl", bound, scale.reshape(()))
 

@@ -8,13 +8,11 @@ from functools import lru_cache
 from importlib.util import find_spec
 from typing import Any, NamedTuple, TypeVar
 
-from numpy.typing import DTypeLike, NDArray
-
-from lommel.core.answers import Images, ToleranceError
+from lommel.core.answers import ToleranceError
 from lommel.methods.averaging import samples_across
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.hankel import Hankel
-from lommel.methods.method import Method, widened
+from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.optics.grid import Grid
@@ -25,17 +23,7 @@ _Answer = TypeVar("_Answer")
 
 
 class Rule(NamedTuple):
-    """What answers for some pupils and windows.
-
-    Attributes
-    ----------
-    pupils, costs : str
-        Which, and what an image costs, in words.
-    applies : callable
-        Whether it is for a pupil and a window that no rule before was for.
-    methods : tuple of type
-        In the order in which they are tried.
-    """
+    """What answers for some pupils and windows, in words and in code; methods as they are tried, one by one."""
 
     pupils: str
     applies: Callable[[Pupil, Grid], bool]
@@ -146,29 +134,6 @@ def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> 
         except (ToleranceError, ValueError):
             continue
     return last, ask(last)
-
-
-def images(
-    ways: tuple[Method, ...],
-    pupil: Pupil,
-    grid: Grid,
-    scale: float | None,
-    dtype: DTypeLike,
-    *,
-    out: NDArray[Any] | None = None,
-    powers: tuple[int, ...] = (),
-    threads: int = 0,
-) -> tuple[Method, Images]:
-    """Return the first of some methods that proves its tolerance, and its images: see :meth:`Method.images`.
-
-    Their bounds count what the pupil itself leaves out.
-    """
-
-    def ask(way: Method) -> Images:
-        made = way.images(pupil, grid, scale, dtype, out=out, powers=powers, threads=threads)
-        return widened(made, pupil, way, normalized=scale is None)
-
-    return first_proven(ways, ask)
 
 
 def of_profiles(tol: float = Method.tol) -> NijboerZernike:

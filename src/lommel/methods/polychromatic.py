@@ -99,10 +99,6 @@ class Polychromatic(Spectrum, RadialMethod):
             return f"sums {name}, which {reason}"
         return None
 
-    def components(self, pupil: Pupil) -> list[Component]:
-        """Return the pupil in the light of each wavelength."""
-        return Spectrum.components(self, pupil)
-
     def unaberrated_peak(self, pupil: Pupil) -> float:
         """Return the peak of the same spectrum without aberration."""
         return pupil.amplitude**2 * sum(part.weight for part in self.components(pupil))
@@ -130,7 +126,7 @@ class Polychromatic(Spectrum, RadialMethod):
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
-        return self._summed(pupil, self._on(grid, threads), self.tol)
+        return self._recorded(pupil, grid, threads, self.tol)
 
     def images(
         self,
@@ -151,19 +147,16 @@ class Polychromatic(Spectrum, RadialMethod):
             )
         aim = self.tol - 1.1 * storing(dtype)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
-        made = self._summed(
-            pupil, self._on(grid, threads), aim if scale is not None else 0.48 * aim, window=scale is None
-        )
+        aim = aim if scale is not None else 0.48 * aim
+        made = self._recorded(pupil, grid, threads, aim, window=scale is None)
         return painted(made, grid, scale, dtype, out)
 
-    def _on(self, grid: Grid, threads: int) -> Callable[[Component, float], Intensities]:
-        """Return what asks for one wavelength on the pixels, to a tolerance over its peak."""
-
+    def _recorded(self, pupil: Pupil, grid: Grid, threads: int, tol: float, *, window: bool = False) -> Intensities:
         def ask(part: Component, tol: float) -> Intensities:
             ways = candidates(part.pupil, grid, tol) if self.method is None else (self.method.tightened(tol),)
             return first_proven(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
 
-        return ask
+        return self._summed(pupil, ask, tol, window=window)
 
     def _summed(
         self, pupil: Pupil, ask: Callable[[Component, float], Intensities], tol: float, *, window: bool = False
@@ -172,22 +165,19 @@ class Polychromatic(Spectrum, RadialMethod):
         parts, asked = self.components(pupil), tol
         least = (self.method or Method).least_tol
         while True:
-            made = _sum(parts, [self._asked(ask, part, asked) for part in parts], window=window)
+            try:
+                made = _sum(parts, [ask(part, asked) for part in parts], window=window)
+            except ToleranceError as fault:
+                raise ToleranceError(
+                    f"tol={self.tol:g} cannot be met by a sum over wavelengths each of which must be exact to "
+                    f"{asked:.2g} of its peak: {fault}"
+                ) from None
             if made.error is None or not self.keeps_tol or (worst := float(made.error.max())) <= tol:
                 return made
             # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
             if asked <= least:
                 raise not_met(self.tol, worst, "the largest value in the window" if window else "the peak")
             asked = max(least, asked * max(1e-3, min(0.5, 0.5 * tol / worst)))
-
-    def _asked(self, ask: Callable[[Component, float], Intensities], part: Component, tol: float) -> Intensities:
-        try:
-            return ask(part, tol)
-        except ToleranceError as fault:
-            raise ToleranceError(
-                f"tol={self.tol:g} cannot be met by a sum over a spectrum, for which light of "
-                f"{part.pupil.wavelength:.4g} m must be exact to {tol:.2g} of its peak: {fault}"
-            ) from None
 
 
 def _sum(parts: list[Component], found: list[Intensities], *, window: bool) -> Intensities:

@@ -92,7 +92,7 @@ class Method(ABC):
 
     @property
     def _has_tol(self) -> bool:
-        return any(option.name == "tol" for option in fields(self))  # type: ignore[arg-type]
+        return "tol" in getattr(self, "__dataclass_fields__", ())
 
     def components(self, pupil: Pupil) -> list[Component]:
         """Return the parts whose intensities add up to that of `pupil`: one, unless the method sums several."""

@@ -122,6 +122,12 @@ def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> 
     ask : callable
         What is asked of a method; raises where it does not prove its tolerance.
 
+    Returns
+    -------
+    method : Method
+    answer : object
+        What `ask` returned for it.
+
     Raises
     ------
     ToleranceError, ValueError
@@ -137,14 +143,31 @@ def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> 
 
 
 def of_profiles(tol: float = Method.tol) -> NijboerZernike:
-    """Return the method for profiles along the radius of radial pupils, and for what is integrated from these."""
+    """Return the method for profiles along the radius of radial pupils, and for what is integrated from these.
+
+    Parameters
+    ----------
+    tol : float, default 1e-6
+        Tolerance over the peak.
+
+    Returns
+    -------
+    NijboerZernike
+    """
     return NijboerZernike(tol)
 
 
 def reference(pupil: Pupil) -> Method:
     """Return what other methods are judged by: plain quadrature, or the certified series where that does not apply.
 
-    Apertures that are not round are judged by `NonuniformFFT` at its finest.
+    Parameters
+    ----------
+    pupil : Pupil
+
+    Returns
+    -------
+    Method
+        For apertures that are not round, `NonuniformFFT` at its finest.
     """
     if pupil.radial:
         return Hankel()

@@ -69,6 +69,15 @@ class Method(ABC):
     def with_tol(self, tol: float) -> Self:
         """Return the same method with another tolerance.
 
+        Parameters
+        ----------
+        tol : float
+            As the method itself takes it.
+
+        Returns
+        -------
+        Method
+
         Raises
         ------
         TypeError, ValueError
@@ -82,9 +91,17 @@ class Method(ABC):
         return changed
 
     def tightened(self, tol: float | None = None) -> Self:
-        """Return the same method with half the tolerance, with `tol`, or with the least there is.
+        """Return the same method with half the tolerance, or with another.
 
-        The method itself where no tolerance is kept.
+        Parameters
+        ----------
+        tol : float, optional
+            The least there is where it is below that.
+
+        Returns
+        -------
+        Method
+            The method itself where no tolerance is kept.
         """
         if not (self._has_tol and self.keeps_tol):
             return self
@@ -95,7 +112,16 @@ class Method(ABC):
         return "tol" in getattr(self, "__dataclass_fields__", ())
 
     def components(self, pupil: Pupil) -> list[Component]:
-        """Return the parts whose intensities add up to that of `pupil`: one, unless the method sums several."""
+        """Return the parts whose intensities add up to that of `pupil`: one, unless the method sums several.
+
+        Parameters
+        ----------
+        pupil : Pupil
+
+        Returns
+        -------
+        list of Component
+        """
         return [Component(1.0, 1.0, pupil)]
 
     def along_radius(self, pupil: Pupil) -> RadialMethod | None:

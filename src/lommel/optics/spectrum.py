@@ -68,7 +68,16 @@ class Spectrum:
         object.__setattr__(self, "weights", tuple((shares / shares.sum()).tolist()))
 
     def components(self, pupil: Pupil) -> list[Component]:
-        """Return what light of each wavelength makes of a pupil, whose own wavelength is the reference.
+        """Return what light of each wavelength makes of a pupil.
+
+        Parameters
+        ----------
+        pupil : Pupil
+            Its wavelength is the reference.
+
+        Returns
+        -------
+        list of Component
 
         Raises
         ------
@@ -84,16 +93,39 @@ class Spectrum:
 
 
 def in_light(pupil: Pupil, wavelength: float) -> Pupil:
-    """Return a pupil that has a wavelength in light of another one, in metres; its f-number stays."""
+    """Return a pupil in light of another wavelength.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        With a wavelength.
+    wavelength : float
+        Metres.
+
+    Returns
+    -------
+    Pupil
+        Its aperture, distances and f-number stay, and so do the paths of light: see :func:`same_path`.
+    """
     assert pupil.wavelength is not None
     wavefront = same_path(pupil.wavefront, pupil.wavelength, wavelength)
     return pupil.carrying(wavefront, pupil.geometry, wavelength)
 
 
 def same_path(wavefront: Wavefront, known: float, wavelength: float) -> Wavefront:
-    """Return a wavefront known at one wavelength as it is at another, both in metres.
+    """Return a wavefront known at one wavelength as it is at another.
 
     Phases are optical path differences, which stay: in radians they grow as the wavelength falls. Dispersion is left
     out.
+
+    Parameters
+    ----------
+    wavefront : Wavefront
+    known, wavelength : float
+        Metres.
+
+    Returns
+    -------
+    Wavefront
     """
     return known / wavelength * wavefront

@@ -15,7 +15,7 @@ from lommel.base.validation import shown
 try:
     import click
 
-    from lommel.cli.methods import METHOD_NAMES, build_method, chosen, methods
+    from lommel.cli.methods import METHOD_NAMES, build_method, methods
     from lommel.cli.parts import Length, Shape, one_line_errors, print_json, progress
     from lommel.cli.photo_commands import blur, focus_pull
 except ImportError as missing:  # pragma: no cover
@@ -130,9 +130,12 @@ def psf(
     if figure is not None:
         _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape, integrate)
-    method = chosen(instrument, settings, tol) if method_name == "auto" else build_method(method_name, settings, tol)
+    method = build_method(method_name, settings)
+    if tol is not None and any(setting.startswith("tol=") for setting in settings):
+        raise ValueError("tol is given twice, by --tol and by --set")
     if field is not None:
-        options = {"method": method, "normalize": normalize, "dtype": dtype, "integrate": instrument.integrate}
+        options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
+        options["integrate"] = instrument.integrate
         _psf_over_field(instrument, field, options, outputs, figure, as_json)
         return
     with progress(f"{instrument.window[0]} x {instrument.window[1]} pixels"):
@@ -142,6 +145,7 @@ def psf(
             instrument.window,
             instrument.pixel,
             method=method,
+            tol=tol,
             normalize=normalize,
             dtype=dtype,
             integrate=instrument.integrate,

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.imaging.pixel_rule import PixelRule, pixel_rule
-from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.choice import of_profiles
 from lommel.optics.pupil import Pupil
+from lommel.optics.spectrum import in_light
 from lommel.optics.wavefront import Wavefront
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
-_METHOD = NijboerZernike(1e-7)
+_METHOD = of_profiles(1e-7)
 
 
 @dataclass(frozen=True)
@@ -256,7 +257,7 @@ def _enough(
 ) -> int:
     """Return half of a window that holds `energy` of the light at both ends of the range and in its middle."""
     ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
-    blur = replace(pupil, wavefront=phase(ends) + pupil.wavefront, geometry=None).geometric_radius().max()
+    blur = pupil.carrying(phase(ends) + pupil.wavefront, None).geometric_radius().max()
     half = math.ceil(float(blur) / pixel) + 1
     while True:
         if half > largest:
@@ -288,9 +289,7 @@ def _means(
         rule = pixel_rule(half, step)
         if defocus.size == 0:
             break
-        # Phases are path differences.
-        wavefront = (pupil.wavelength / wavelength) * (phase(defocus) + pupil.wavefront)
-        there = replace(pupil, wavefront=wavefront, wavelength=wavelength, geometry=None)
+        there = in_light(pupil.carrying(phase(defocus) + pupil.wavefront, None), wavelength)
         share = weight * step**2 / (4.0 * math.pi * there.transmission)
         total += share * _METHOD.means(there, step * rule.radii, rule.matrix, threads)
     return rule, total

@@ -9,6 +9,7 @@ from typing import Any
 from lommel.base import validation
 from lommel.base.units import _LENGTHS
 from lommel.optics.descriptions import NORMALIZATIONS
+from lommel.optics.spectrum import same_path
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
 
@@ -125,7 +126,7 @@ class ZernikeTable:
         )
         if plain == "metres" or at is None or self.wavelength is None or at == self.wavelength:
             return made
-        return made * (self.wavelength / at)
+        return same_path(made, self.wavelength, at)
 
 
 def _unit(unit: str) -> tuple[str, float]:

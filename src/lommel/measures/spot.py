@@ -11,7 +11,6 @@ from lommel.base import validation
 from lommel.base.arrays import Numbers
 from lommel.measures import aperture_means
 from lommel.measures.answer import Answer, checked
-from lommel.measures.colours import colours
 from lommel.measures.energy import encircled_energy, radial_energy
 from lommel.methods.method import RadialMethod
 from lommel.optics.pupil import Pupil
@@ -71,9 +70,9 @@ def axis_strehl(answer: Answer) -> Numbers:
         v = np.array([0.0, *np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 64)[1:]])
         center = radial.profile(pupil, v).values[:, 0].reshape(pupil.shape)
     elif method.sampling == "center":
-        shares = [(share / colour**2, part) for colour, share, part in colours(method, pupil)]
-        total = sum(share * np.asarray(aperture_means.strehl(part)) for share, part in shares)
-        mean: Numbers = np.asarray(total / sum(share for share, _ in shares))[()]
+        parts = method.components(pupil)
+        total = sum(part.weight * np.asarray(aperture_means.strehl(part.pupil)) for part in parts)
+        mean: Numbers = np.asarray(total / sum(part.weight for part in parts))[()]
         return mean
     else:
         row, column = (round(c) for c in answer.grid.center)

@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Numbers
-from lommel.measures.colours import colours
 from lommel.measures.overlap import autocorrelation
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.pupil import Pupil, checked
+from lommel.optics.spectrum import Component
 
 Complexes = np.complex128 | NDArray[np.complex128]
 
@@ -77,9 +77,9 @@ def otf(
     total = np.zeros((math.prod(pupil.shape), across.size), dtype=np.complex128)
     if spectrum is not None and not isinstance(spectrum, Polychromatic):
         raise TypeError(f"spectrum must be a Polychromatic, got {validation.shown(spectrum)}")
-    for _, weight, part in colours(spectrum, pupil):
+    for share, _, part in [Component(1.0, 1.0, pupil)] if spectrum is None else spectrum.components(pupil):
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
-        total += weight * autocorrelation(part, f, goal)
+        total += share * autocorrelation(part, f, goal)
     result: Complexes = (total.reshape(pupil.shape + across.shape) * blur)[()]
     return result
 

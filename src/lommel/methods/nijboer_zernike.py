@@ -24,8 +24,6 @@ from lommel.methods.terms import disk_stack, radial_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-_LEAST_TOL = 1e-12
-
 
 @dataclass(frozen=True)
 class NijboerZernike(FieldMethod):
@@ -66,7 +64,7 @@ class NijboerZernike(FieldMethod):
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=_LEAST_TOL, below=1e-1))
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return None: every pupil is supported."""
@@ -85,10 +83,6 @@ class NijboerZernike(FieldMethod):
     ) -> NDArray[np.float64]:
         """Return ``I(v) @ matrix`` for the flattened stack, shape ``(n, sums)`` from a matrix ``(len(v), sums)``."""
         return radial_means(radial_stack(pupil), v, self.tol, matrix, threads)
-
-    def tightened(self) -> NijboerZernike:
-        """Return the same method with half the tolerance, or with the least that there is."""
-        return NijboerZernike(max(0.5 * self.tol, _LEAST_TOL))
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -59,18 +59,15 @@ class NonuniformFFT(Method):
     nonradial: ClassVar[bool] = True
     apodized: ClassVar[bool] = True
     any_aperture: ClassVar[bool] = True
+    least_tol: ClassVar[float] = 1e-11
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-11, below=1e-1))
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return None: every pupil is supported."""
         return None
-
-    def tightened(self) -> NonuniformFFT:
-        """Return the same method with half the tolerance."""
-        return replace(self, tol=max(0.5 * self.tol, 1e-11))
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.

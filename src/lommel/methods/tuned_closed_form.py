@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,18 +48,15 @@ class TunedClosedForm(FieldMethod):
     Roundings and the Fresnel polynomial (1e-10) are estimated, not proven.
     """
 
+    least_tol: ClassVar[float] = 1e-6
     tol: float = 1e-4
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-6, below=1e-1))
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return the reason where powers of rho do not hold the phase."""
         return powers_cancel(pupil)
-
-    def tightened(self) -> TunedClosedForm:
-        """Return the same method with half the tolerance."""
-        return TunedClosedForm(max(1e-6, 0.5 * self.tol))
 
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v with the bound on its error."""

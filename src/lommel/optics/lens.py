@@ -14,7 +14,8 @@ from lommel.base import validation
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
 from lommel.optics.aplanatic import expansion
 from lommel.optics.apodization import Apodization, illumination
-from lommel.optics.pupil import Geometry, Pupil
+from lommel.optics.geometry import Geometry
+from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
 
 MODELS = ("paraxial", "aplanatic")

@@ -16,11 +16,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.core.answers import Images
+from lommel.measures.answer import Answer
 from lommel.measures.energy import energy_per_pixel, radial_energy
-from lommel.methods import NijboerZernike
-from lommel.methods.method import Method
+from lommel.methods.choice import candidates, first_proven, of_profiles
+from lommel.methods.method import Method, widened
+from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
-from lommel.psf import PSF, psf
 from lommel.special.legendre import gauss_legendre
 
 _PITCH = 0.25
@@ -43,13 +45,13 @@ class Encircled(NamedTuple):
         One for each radius.
     error : float or None
         Bound on their error; None where the method of the image has none.
-    image : PSF or None
+    image : Answer or None
         What they were drawn from, pixels of a quarter of lambda*N; None where the profile tells.
     """
 
     fraction: NDArray[np.float64]
     error: float | None
-    image: PSF | None
+    image: Answer | None
 
 
 def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) -> Encircled:
@@ -81,9 +83,8 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     if pupil.radial:
-        way = NijboerZernike()
         # The profile is within the tolerance of the peak, which is at most the transmission.
-        return Encircled(np.atleast_1d(radial_energy(way, pupil, at)), None, None)
+        return Encircled(np.atleast_1d(radial_energy(of_profiles(), pupil, at)), None, None)
     reach = at / pupil.scale
     if reach.size and reach.max() > MAX_RADIUS:
         raise ValueError(
@@ -91,7 +92,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
             f"got {reach.max():.6g} lambda*N"
         )
     side = 2 * math.ceil((float(reach.max(initial=0.0)) + _SEAM) / _PITCH) + 1
-    image = psf(pupil, side, _PITCH * pupil.scale, method=method, dtype="float64", integrate=False)
+    image = _image(pupil, Grid(side, _PITCH * pupil.scale), method)
     share = energy_per_pixel(image)
     places = _PITCH * (np.arange(side) - side // 2)
     squares, where = np.unique(np.add.outer(places**2, places**2).ravel(), return_inverse=True)
@@ -106,6 +107,19 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
     if image.error_bound is None:
         return Encircled(fraction, None, image)
     return Encircled(fraction, _OWN_ERROR + error * image.error_bound * float(share.max()), image)
+
+
+def _image(pupil: Pupil, grid: Grid, method: Method | None) -> Answer:
+    if method is not None:
+        method.require(pupil)
+    ways = candidates(pupil, grid) if method is None else (method,)
+
+    def ask(way: Method) -> Images:
+        return widened(way.images(pupil, grid, 1.0, np.float64), pupil, way, normalized=False)
+
+    way, (values, scale, error, *_) = first_proven(ways, ask)
+    bound = None if error is None else float(error.max())
+    return Answer(values[0], grid, pupil, way, "strehl", bound, scale.reshape(()))
 
 
 def _weights(radius: float, distance: NDArray[np.float64]) -> NDArray[np.float64]:

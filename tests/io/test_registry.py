@@ -9,6 +9,7 @@ import types
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import lommel as lm
 from lommel.base.checksums import sealed
@@ -29,6 +30,10 @@ def read(data):
     return {"values": np.array(values, said["dtype"]).reshape(said["shape"])}, text
 
 
+def read_raw(data):
+    return np.frombuffer(data[3:], np.uint8).reshape(2, -1), Image.Exif(), None
+
+
 @pytest.fixture
 def other(monkeypatch):
     """A package of somebody else, with formats; and the names of those that were loaded."""
@@ -37,6 +42,7 @@ def other(monkeypatch):
     module.JSON = Format("psf", (".json",), write, read)
     module.NEEDY = Format("psf", (".needy",), write, library="no_such_library")
     module.CLASH = Format("psf", (".tif",), write)
+    module.RAW = Format("photo", (".raw",), read=read_raw, starts=(b"RAW",))
     module.TEXT = "no format"
 
     class Entry(importlib.metadata.EntryPoint):
@@ -86,18 +92,33 @@ def test_a_format_of_another_package_is_loaded_when_its_suffix_is_met_and_not_be
 )
 def test_a_format_of_another_package_that_cannot_be_is_left_out_with_a_warning(other, tmp_path, name, why):
     other(name, "JSON")
-    with pytest.warns(RuntimeWarning, match=rf"the format {name} \(somebody:{name}\) of lommel.formats is .* {why}"):
+    with pytest.warns(RuntimeWarning, match=rf"the format {name} \(somebody:{name}\) is left out: .*{why}"):
         PSF.save(tmp_path / "a.json")
     assert lm.PSF.load(tmp_path / "a.json").shape == (9, 9)
 
 
 def test_the_library_of_a_format_is_asked_for_before_anything_is_written(other, tmp_path):
     other("NEEDY")
-    with pytest.raises(ImportError, match=r"the format \.needy needs no_such_library: pip install no_such_library$"):
+    with pytest.raises(ImportError, match=r"the format NEEDY needs no_such_library: pip install no_such_library$"):
         PSF.save(tmp_path / "a.needy")
     assert not list(tmp_path.iterdir())
     with pytest.raises(ValueError, match=r"path must end in \.tif, .* for a PSF, got '\.needy'"):
         lm.PSF.load(tmp_path / "a.needy")  # which it does not read
+
+
+def test_a_photograph_of_another_package_is_told_by_how_it_starts(other, tmp_path):
+    loaded = other("RAW")
+    (tmp_path / "photo").write_bytes(b"RAW" + bytes(range(6)))
+    Image.fromarray(np.zeros((2, 3), np.uint8)).save(tmp_path / "a.png")
+    assert lm.imaging.read_photo(tmp_path / "a.png").values.shape == (2, 3)
+    assert loaded == []
+    assert lm.imaging.read_photo(tmp_path / "photo").values.tolist() == [[0, 1, 2], [3, 4, 5]]
+    assert loaded == ["RAW"]
+    (tmp_path / "photo").write_bytes(b"WAR")
+    with pytest.raises(lm.imaging.PhotoError, match="photo is not a PNG, JPEG, TIFF or RAW file"):
+        lm.imaging.read_photo(tmp_path / "photo")
+    with pytest.raises(ValueError, match=r"\.tif, \.tiff for a photograph, got '\.raw'"):
+        lm.imaging.write_photo(tmp_path / "a.raw", np.zeros((2, 3)))  # which it does not write
 
 
 def test_a_kind_of_files_that_there_is_not_is_refused():

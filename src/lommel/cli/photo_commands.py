@@ -97,12 +97,12 @@ def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> No
       lommel blur photo.jpg depth.tif --focus "1.2 m" --pixel 4um -o out.jpg
       lommel blur photo.png depth.png lens.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
     """  # noqa: D301 (\b is meant)
-    from lommel.imaging.photo_output import check_dtype, check_suffix, write_photo
+    from lommel.imaging.photos import find, write_photo
 
-    check_suffix(output, "--output")
+    find(output, "--output")
     with _terminated_as_interrupted(), progress("reading"):
         job = _prepare(output, options)
-        check_dtype(output, job.dtype)
+        find(output, "--output", holding=f"of {job.dtype}")
         lens = job.lens(focus, "--focus")
     with _terminated_as_interrupted(), progress("blurring"):
         start = time.perf_counter()
@@ -145,7 +145,7 @@ def focus_pull(
       lommel focus-pull photo.png depth.tif lens.toml --from "0.8 m" --to inf --fps 24 -o pull.webp
     """  # noqa: D301 (\b is meant)
     from lommel.imaging.frames import check_pattern, is_animation, write_frames
-    from lommel.imaging.photo_output import check_dtype, stored
+    from lommel.imaging.photos import find, stored
 
     check_pattern(output, "--output")
     for name, distance in (("--from", first), ("--to", last)):
@@ -158,7 +158,8 @@ def focus_pull(
         job = _prepare(output, options)
         if is_animation(output) and job.dtype.itemsize > 1:
             raise ValueError(f"{output.suffix} holds 8 bits; give --bits 8, a .tif, or a number such as %03d")
-        check_dtype(output, job.dtype)
+        if "%" in output.name:
+            find(output, "--output", holding=f"of {job.dtype}")
         lenses = [job.lens(1.0 / step if step else math.inf, "--from and --to") for step in steps]
         start = time.perf_counter()
 

@@ -4,8 +4,7 @@ from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur
 from lommel.imaging.depth_of_field import depth_of_field
 from lommel.imaging.depthmaps import read_depth
 from lommel.imaging.lazy import depth_of_field_of_chunks
-from lommel.imaging.photo_output import write_photo
-from lommel.imaging.photos import Exif, PhotoError, Picture, read_photo
+from lommel.imaging.photos import Exif, PhotoError, Picture, read_photo, write_photo
 from lommel.imaging.plan import FocusPlan
 from lommel.imaging.scene import Photograph
 from lommel.imaging.tiles import depth_of_field_by_tiles

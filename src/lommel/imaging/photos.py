@@ -1,28 +1,38 @@
-"""Photographs from files: PNG, JPEG and TIFF, as light, with what EXIF knows of the lens."""
+"""Photographs from files and to them: PNG, JPEG and TIFF, as light, with what EXIF knows of the lens."""
 
 from __future__ import annotations
 
-import io
 import math
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel.base import optional, reading, validation
-from lommel.base.encoding import ENCODINGS, to_light
+from lommel.base import atomic, reading, validation
+from lommel.base.encoding import ENCODINGS, from_light, to_light
+from lommel.io import photo_formats as formats
+from lommel.io import registry
+from lommel.io.registry import Format
 
-_SIGNATURES = {
-    b"\x89PNG\r\n\x1a\n": "PNG",
-    b"\xff\xd8\xff": "JPEG",
-    b"II*\0": "TIFF",
-    b"MM\0*": "TIFF",
-    b"II+\0": "TIFF",
-    b"MM\0+": "TIFF",
-}
+_pillow, _tifffile = (partial(Format, library=name, extra="images") for name in ("PIL.Image", "tifffile"))
+PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
+"""What files begin with."""
+
+_8, _16, _FLOAT = "of uint8", "of uint16", "of float32"
+registry.register(
+    _pillow("photo", (".png",), formats.write_png, formats.read_png, PNG, (_8, _16)),
+    _pillow("photo", (".jpg", ".jpeg"), formats.write_jpeg, formats.read_jpeg, JPEG, (_8,)),
+    _tifffile("photo", (".tif", ".tiff"), formats.write_tiff, formats.read_tiff, TIFF, (_8, _16, _FLOAT)),
+)
+find = partial(registry.find, "photo")
+
 _FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
 # What EXIF's Orientation asks for, from stored rows and columns to those of the scene.
 _TURNS = {
@@ -131,90 +141,39 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
 
 
 def read_raster(path: str | PathLike[str]) -> tuple[NDArray[Any], Exif, bytes | None]:
-    """Return the upright values of a PNG, JPEG or TIFF file, its EXIF and its ICC profile; see :func:`read_photo`."""
+    """Return the upright values of a photograph, its EXIF and its ICC profile; see :func:`read_photo`."""
     source = validation.path("path", path)
     data = reading.contents(source)
-    kind = next((name for start, name in _SIGNATURES.items() if data.startswith(start)), None)
-    if kind is None:
-        raise PhotoError(f"{validation.line(source)} is {'not a PNG, JPEG or TIFF file' if data else 'empty'}")
+    with told(source, "photo", data) as form:
+        return upright(form, data)
+
+
+@contextmanager
+def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
+    """Yield the format of the contents of a file; PhotoError if there is none, or if what reads it fails."""
     try:
-        # What Pillow warns of are damaged parts that it leaves out.
-        with warnings.catch_warnings(), reading.quietly():
-            warnings.simplefilter("error")
-            values, tags, profile = _read_tiff(data) if kind == "TIFF" else _read_png_or_jpeg(data, kind)
-            orientation = tags.get(0x0112, 1)
-            if orientation not in _TURNS:
-                raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
-            exif = _exif(tags.get_ifd(0x8769))
+        form = registry.identify(kind, data)
+    except ValueError as error:
+        raise PhotoError(f"{validation.line(source)} {error}") from None
+    what = f"{form.name} photograph" if kind == "photo" else kind
+    try:
+        yield form
     except ImportError:
         raise
     except Exception as error:
-        raise PhotoError(
-            f"{validation.line(source)} cannot be read as a {kind} photograph: {reading.reason(error)}"
-        ) from error
+        raise PhotoError(f"{validation.line(source)} cannot be read as a {what}: {reading.reason(error)}") from error
+
+
+def upright(form: Format, data: bytes) -> tuple[NDArray[Any], Exif, bytes | None]:
+    """Return what a file holds, turned as its EXIF says; what Pillow warns of, parts it leaves out, is an error."""
+    with warnings.catch_warnings(), reading.quietly():
+        warnings.simplefilter("error")
+        values, tags, profile = form.read(data)
+        orientation = tags.get(0x0112, 1)
+        if orientation not in _TURNS:
+            raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
+        exif = _exif(tags.get_ifd(0x8769))
     return np.ascontiguousarray(_TURNS[orientation](values)), exif, profile
-
-
-def _read_png_or_jpeg(data: bytes, kind: str) -> tuple[NDArray[Any], Any, bytes | None]:
-    # Opened as what it is: Pillow's limit on the size of pictures from strangers is not for one's own.
-    module = library("PIL.PngImagePlugin" if kind == "PNG" else "PIL.JpegImagePlugin")
-    opener = module.PngImageFile if kind == "PNG" else module.JpegImageFile
-
-    def load(rawmode: str | None = None) -> NDArray[Any]:
-        with opener(io.BytesIO(data)) as again:
-            if rawmode is not None:
-                again.tile = [(*again.tile[0][:3], rawmode)]
-            again.load()
-            return np.asarray(again.convert(plain) if (plain := {"P": "RGB", "1": "L"}.get(again.mode)) else again)
-
-    with opener(io.BytesIO(data)) as file:
-        reading.pixels(*file.size)
-        if getattr(file, "is_animated", False):
-            raise ValueError(f"it is an animation of {file.n_frames} frames")
-        if "A" in file.mode or "transparency" in file.info:
-            raise ValueError("it has alpha; flatten it first")
-        if file.mode not in ("1", "L", "P", "RGB", "I", "I;16"):
-            raise ValueError(f"its colours are {file.mode}, neither grey nor RGB")
-        deep, grey, mode = kind == "PNG" and data[24] == 16, file.mode != "RGB", file.tile[0][3]
-        # That of a PNG may stand behind the image, and is looked for there.
-        tags, profile = file.getexif(), file.info.get("icc_profile")
-    if not deep:
-        return load(), tags, profile
-    if grey:
-        return load().astype(np.uint16), tags, profile
-    if mode != "RGB;16B":
-        raise ValueError(f"this Pillow reads 16-bit colour as {mode}; save it as TIFF")
-    # Pillow keeps the high bytes of 16-bit colour; read as if bytes were swapped, the low ones.
-    return load().astype(np.uint16) << 8 | load("RGB;16L"), tags, profile
-
-
-def _read_tiff(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
-    tifffile = library("tifffile")
-    reading.tiff(data)
-    with tifffile.TiffFile(io.BytesIO(data)) as file:
-        pages = [page for page in file.pages if not page.is_reduced]
-        if len(pages) != 1:
-            raise ValueError(f"it has {len(pages)} pages; give a file of one")
-        page = pages[0]
-        if page.extrasamples:
-            raise ValueError("it has alpha or other further channels; flatten it first")
-        if page.photometric not in (tifffile.PHOTOMETRIC.MINISBLACK, tifffile.PHOTOMETRIC.RGB):
-            raise ValueError(f"its colours are {page.photometric.name}, neither grey nor RGB")
-        values, axes, profile = page.asarray(), page.axes, page.iccprofile
-    if values.shape != page.shape:
-        raise ValueError(
-            f"its values are of an unknown kind, {page.bitspersample} bits of the format {page.sampleformat}"
-        )
-    if axes == "SYX":
-        values = np.moveaxis(values, 0, 2)
-    elif axes not in ("YX", "YXS"):
-        raise ValueError(f"its axes are {axes}, neither YX nor YXS")
-    if values.dtype not in (np.uint8, np.uint16) and values.dtype.kind != "f":
-        raise ValueError(f"it holds {values.dtype}, neither uint8, uint16 nor floats")
-    tags = library("PIL.Image").Exif()
-    if data[2:4] in (b"*\0", b"\0*"):  # Pillow knows those of at most 4 GB
-        tags.load(data)
-    return values.astype(values.dtype.newbyteorder("="), copy=False), tags, profile
 
 
 def _exif(tags: dict[int, Any]) -> Exif:
@@ -227,6 +186,72 @@ def _exif(tags: dict[int, Any]) -> Exif:
     return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film)
 
 
-def library(name: str) -> Any:
-    """Return an optional library for images."""
-    return optional.library(name, "photographs need", "images")
+def write_photo(
+    path: str | PathLike[str],
+    light: NDArray[Any],
+    *,
+    encoding: str = "srgb",
+    dtype: DTypeLike = np.uint8,
+    quality: int = 95,
+    profile: bytes | None = None,
+) -> float:
+    """Write light as a photograph; the suffix chooses PNG, JPEG or TIFF. Return the share of values clipped.
+
+    Integers end at black and white, as sensors do; what lies beyond by half a level or more is counted. Floats keep
+    all. The file is written under a temporary name and moved into place.
+
+    Parameters
+    ----------
+    path : path
+        .png (uint8, uint16), .jpg (uint8) or .tif (uint8, uint16, float32).
+    light : ndarray of float, shape (height, width) or (height, width, 3)
+        1 is white.
+    encoding : {"srgb", "linear"}, default "srgb"
+        Of the values stored.
+    dtype : uint8, uint16 or float32, default uint8
+    quality : int, default 95
+        Of a JPEG, 1 to 100; colours have the full resolution.
+    profile : bytes, optional
+        An ICC profile to store.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or the format has no such values.
+    OSError
+        If the file cannot be written.
+    """
+    find(path)
+    if profile is not None:
+        validation.instance("profile", profile, bytes)
+    values, clipped = stored(light, encoding, dtype)
+    validation.integer("quality", quality, least=1, most=100)
+    atomic.write(Path(path), encoded(path, values, quality, profile))
+    return clipped
+
+
+def stored(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> tuple[NDArray[Any], float]:
+    """Return light as values of uint8, uint16 or float32 in an encoding, and the share that integers clip."""
+    validation.choice("encoding", encoding, ENCODINGS)
+    kind = validation.kind("dtype", dtype, np.uint8, np.uint16, np.float32)
+    light = validation.array("light", light)
+    if light.dtype.kind != "f":
+        raise TypeError(f"light must hold floats, got {light.dtype}")
+    if light.ndim not in (2, 3) or light.shape[2:] not in ((), (3,)) or 0 in light.shape:
+        raise ValueError(f"light must have the shape (height, width) or (height, width, 3), got {light.shape}")
+    if not np.all(np.isfinite(light)):
+        raise ValueError(f"light must be finite, got {light[~np.isfinite(light)].flat[0]}")
+    if kind.kind == "f":
+        return from_light(light, encoding, kind), 0.0
+    half = 0.5 / np.iinfo(kind).max
+    within = np.clip(light, 0.0, 1.0)
+    # Half a level of sRGB is less light than of linear values at black, and more at white.
+    low, high = (half / 12.92, half * 2.4 / 1.055) if encoding == "srgb" else (half, half)
+    clipped = float(np.mean((light < -low) | (light > 1.0 + high)))
+    return from_light(within, encoding, kind), clipped
+
+
+def encoded(path: str | PathLike[str], values: NDArray[Any], quality: int, profile: bytes | None = None) -> bytes:
+    """Return the bytes of a photograph in the format of the suffix of `path`."""
+    written: bytes = find(path, holding=f"of {values.dtype.name}").write(values, quality, profile)
+    return written

@@ -11,7 +11,7 @@ kind          write                                          read
 "field"       (PSFGrid, description, path), writes itself    (path, class of PSF) -> (PSF, description)
 "photo"       (values, quality, ICC profile or None)         bytes -> (values, tags of EXIF, ICC profile or None)
 "frames"      (list of values, milliseconds each, quality)   none
-"depth map"   none                                           (bytes, metres a level or None) -> values, rows downwards
+"depth map"   none                                           (bytes, metres a level or None) -> values
 ============= ============================================== =======================================================
 
 A description is a dictionary of plain types, written as JSON after :func:`lommel.base.checksums.sealed` has added to
@@ -28,15 +28,7 @@ from typing import Any
 
 from lommel.base import optional, reading, validation
 
-GROUP = "lommel.formats"
-
-KINDS = {
-    "psf": "a PSF",
-    "field": "a grid of PSFs",
-    "photo": "a photograph",
-    "frames": "frames",
-    "depth map": "a depth map",
-}
+KINDS = {"psf": "a PSF", "field": "a grid of PSFs", "photo": "a photograph", "frames": "frames", "depth map": "depth"}
 """What files hold, and what messages call it."""
 
 _FORMATS: list[Format] = []
@@ -53,13 +45,18 @@ class Format:
     suffixes : tuple of str
         Of its files, in small letters, each with its dot.
     write, read : callable, optional
-        What the table of this module says; None where it does not.
+        What the table of :mod:`lommel.io.registry` says; None where it does not.
     starts : tuple of bytes, default ()
         What files begin with, where they are told by their content.
     holds : tuple of str, default ()
-        What it holds that others of its kind do not, in words that follow those of the kind: "with derivatives".
+        What not all of its kind hold, in words that follow those of the kind: "with derivatives", "of uint16".
     library, extra : str, default ""
         The library that it needs, as it is imported, and the extra of this package that brings it.
+
+    Raises
+    ------
+    ValueError
+        If there is no such kind.
     """
 
     kind: str
@@ -73,6 +70,17 @@ class Format:
 
     def __post_init__(self) -> None:
         validation.choice("kind", self.kind, KINDS)
+
+    @property
+    def name(self) -> str:
+        """What messages call it: the longest of its suffixes, such as JPEG."""
+        return max(self.suffixes, key=len).lstrip(".").upper()
+
+    def ready(self) -> Format:
+        """Return this format; ImportError if its library is missing."""
+        if self.library:
+            optional.library(self.library, f"the format {self.name} needs", self.extra)
+        return self
 
 
 def register(*formats: Format) -> None:
@@ -98,75 +106,37 @@ def register(*formats: Format) -> None:
 def find(
     kind: str, path: str | PathLike[str], name: str = "path", *, verb: str = "write", holding: str = ""
 ) -> Format:
-    """Return the format of a path, told by its suffix.
+    """Return the format of a path by its suffix, ready to write or read; ValueError with all suffixes if none is.
 
-    Parameters
-    ----------
-    kind : str
-        One of :data:`KINDS`.
-    path : path
-    name : str, default "path"
-        What messages call the path.
-    verb : {"write", "read"}, default "write"
-    holding : str, default ""
-        What the format is to hold, one of :attr:`Format.holds`.
-
-    Raises
-    ------
-    ValueError
-        If there is none; the message has all suffixes that would do.
-    ImportError
-        If the format needs a library that is missing.
+    `name` is what messages call the path, `holding` one of :attr:`Format.holds`.
     """
     suffix = validation.path(name, path).suffix.lower()
-
-    def able() -> list[Format]:
-        return [form for form in _FORMATS if form.kind == kind and getattr(form, verb)]
-
-    if not any(suffix in form.suffixes for form in able()):
+    if not any(suffix in form.suffixes for form in _able(kind, verb)):
         _load_others()
-    fit = [form for form in able() if not holding or holding in form.holds]
+    fit = [form for form in _able(kind, verb) if not holding or holding in form.holds]
     for form in fit:
         if suffix in form.suffixes:
-            return _with_library(form)
-    allowed = ", ".join(suffix for form in fit for suffix in form.suffixes)
-    what = f"{KINDS[kind]} {holding}".rstrip()
+            return form.ready()
     raise ValueError(
-        f"{name} must end in {allowed or 'nothing known'} for {what}, "
-        f"got {validation.shown(suffix)} in {validation.shown(str(path))}"
+        f"{name} must end in {', '.join(suffix for form in fit for suffix in form.suffixes) or 'nothing known'} for "
+        f"{f'{KINDS[kind]} {holding}'.rstrip()}, got {validation.shown(suffix)} in {validation.shown(str(path))}"
     )
 
 
-def identify(kind: str, data: bytes) -> Format | None:
-    """Return the format that reads the contents of a file, told by how they start; None if there is none.
-
-    Parameters
-    ----------
-    kind : str
-        One of :data:`KINDS`.
-    data : bytes
-
-    Raises
-    ------
-    ImportError
-        If the format needs a library that is missing.
-    """
-
-    def told() -> Format | None:
-        able = (form for form in _FORMATS if form.kind == kind and form.read)
-        return next((form for form in able if data.startswith(form.starts)), None)
-
-    form = told()
-    if form is None:
-        _load_others()
-        form = told()
-    return form and _with_library(form)
+def identify(kind: str, data: bytes) -> Format:
+    """Return the format of the contents of a file by how they start, ready to read; ValueError if there is none."""
+    for load in (None, _load_others) if data else ():
+        if load:
+            load()
+        for form in _able(kind, "read"):
+            if data.startswith(form.starts):
+                return form.ready()
+    *most, last = dict.fromkeys(form.name for form in _able(kind, "read") if form.starts)
+    raise ValueError(f"is not a {', '.join(most)} or {last} file" if data else "is empty")
 
 
-def _with_library(form: Format) -> Format:
-    if form.library:
-        optional.library(form.library, f"the format {form.suffixes[0]} needs", form.extra)
-    return form
+def _able(kind: str, verb: str) -> list[Format]:
+    return [form for form in _FORMATS if form.kind == kind and getattr(form, verb)]
 
 
 @cache
@@ -174,9 +144,9 @@ def _load_others() -> None:
     """Register what other packages bring, once; a warning tells of what fails, for the file may be of another."""
     from importlib.metadata import entry_points  # takes long
 
-    for entry in entry_points(group=GROUP):
+    for entry in entry_points(group="lommel.formats"):
         try:
             register(entry.load())
         except Exception as error:
-            said = f"the format {entry.name} ({entry.value}) of {GROUP} is left out: {reading.reason(error)}"
+            said = f"the format {entry.name} ({entry.value}) is left out: {reading.reason(error)}"
             warnings.warn(said, RuntimeWarning, stacklevel=4)

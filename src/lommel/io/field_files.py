@@ -35,6 +35,11 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
     added, so that :meth:`lommel.PSF.load` reads the stack from ``.tif`` and ``.npz``. All is written under a
     temporary name and moved into place; a ``.zarr`` folder that was there is replaced if it is a Zarr store.
 
+    Parameters
+    ----------
+    grid : PSFGrid
+    path : path
+
     Raises
     ------
     ValueError

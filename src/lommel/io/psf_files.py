@@ -50,6 +50,11 @@ def save(psf: Answer, path: str | PathLike[str]) -> None:
     under a temporary name and moved into place, so that a failure leaves what was there before; links are followed
     and permissions kept.
 
+    Parameters
+    ----------
+    psf : PSF
+    path : path
+
     Raises
     ------
     ValueError
@@ -93,7 +98,17 @@ def load_described(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, d
 
 
 def describe(psf: Answer) -> dict[str, Any]:
-    """Return how a PSF was made, in plain types."""
+    """Return how a PSF was made, in plain types.
+
+    Parameters
+    ----------
+    psf : PSF
+
+    Returns
+    -------
+    dict
+        All but the values; :func:`lommel.base.checksums.sealed` adds the checksum of these.
+    """
     return {
         "software": f"lommel {version()}",
         "pupil": psf.pupil.to_dict(),

@@ -62,6 +62,10 @@ class Descriptions(Terms):
         error : float, default 0
             Bound on what the terms leave out of the phase, radians; see :class:`lommel.Wavefront`.
 
+        Returns
+        -------
+        Wavefront
+
         Raises
         ------
         TypeError, ValueError
@@ -99,6 +103,15 @@ class Descriptions(Terms):
 
         Every coefficient has the shape of the stack. Exact but for rounding. Without the constant term (piston),
         which a wavefront does not hold. Terms that are zero throughout a stack are left out.
+
+        Parameters
+        ----------
+        order, unit, normalization, wavelength
+            As of :meth:`zernike`.
+
+        Returns
+        -------
+        dict of index to ndarray
 
         Raises
         ------
@@ -142,6 +155,15 @@ class Descriptions(Terms):
             Coma, astigmatism, field curvature and distortion, waves at the edge of the field (H = 1).
         field : (array_like, array_like), default (1, 0)
             Position in the field as (x, y), columns and rows, over that of the edge. Arrays describe a stack.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a coefficient is not real and finite, or they do not broadcast.
 
         References
         ----------
@@ -192,6 +214,15 @@ class Descriptions(Terms):
             Root mean square phase over the annulus, radians; its sign is that of C_s.
         obscuration : float
             eps, 0 to below 1.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range, or the coefficient overflows.
 
         References
         ----------

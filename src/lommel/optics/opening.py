@@ -33,7 +33,14 @@ MAX_DEGREE = 2**12
 
 
 class Rule(NamedTuple):
-    """Nodes and weights of ``(1/pi) int dx dy`` over a clear aperture; the weights sum to its area over pi."""
+    """Nodes and weights of ``(1/pi) int dx dy`` over a clear aperture; the weights sum to its area over pi.
+
+    Parameters
+    ----------
+    x, y : ndarray, shape (n,)
+        In units of the radius of the pupil.
+    weight : ndarray, shape (n,)
+    """
 
     x: Array
     y: Array
@@ -67,6 +74,15 @@ def degree_needed(
         Of U, relative to U(0) = 1 of the unaberrated disc.
     power : float, default 1
         To which the amplitude is taken.
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or if no degree that is allowed will do.
     """
     v, light = validation.real("v", v, least=0.0), validation.instance("light", light, Apodization)
     error = validation.real("error", error, above=0.0)
@@ -100,7 +116,20 @@ def degree_needed(
 
 @dataclass(frozen=True)
 class Opening:
-    """The region where light passes: the unit disc less obscuration, vanes and vignetting."""
+    """The region where light passes: the unit disc less obscuration, vanes and vignetting.
+
+    Parameters
+    ----------
+    obscuration : float, default 0
+        Its radius over that of the pupil, 0 to below 1.
+    spider : Spider, optional
+    vignetting : Ellipse or CatEye, optional
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a part is of another type or out of range.
+    """
 
     obscuration: float = 0.0
     spider: Spider | None = None
@@ -122,7 +151,10 @@ class Opening:
         return self.spider is None and self.vignetting is None
 
     def margin(self, x: Array, y: Array) -> Array:
-        """Return a function that is positive where light passes and changes by at most the distance of points."""
+        """Return at (`x`, `y`) what is positive where light passes and changes by at most the distance of points.
+
+        TypeError or ValueError if these are not real and finite.
+        """
         return self._margin(validation.real_array("x", x), validation.real_array("y", y))
 
     def _margin(self, x: Array, y: Array) -> Array:
@@ -134,7 +166,9 @@ class Opening:
         return np.asarray(least)
 
     def coverage(self, x: Array, y: Array, half: float) -> Array:
-        """Return the part of each square cell, with the centre (x, y) and the side ``2 half``, where light passes.
+        """Return the part of each square cell, with centre (`x`, `y`) and side twice `half`, where light passes.
+
+        TypeError or ValueError if these are not real, finite, and `half` above 0.
 
         Exact for discs and annuli; else counted on 16 x 16 points of each cell that an edge may cross, those next to
         an edge by their distance from it.
@@ -166,7 +200,7 @@ class Opening:
         return part
 
     def rule(self, degree: int) -> Rule:
-        """Return nodes and weights for polynomials in x and y of a total degree.
+        """Return nodes and weights for polynomials in x and y of a total `degree`; ValueError if that is too large.
 
         Exact to rounding for discs, annuli, and ellipses without obscuration or vanes. For the others the radial sums
         are exact or, on short intervals, converged to about 1e-13, as those over the angle are: no proof is claimed.

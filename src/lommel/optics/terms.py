@@ -54,14 +54,21 @@ class Terms:
         error: float = 0.0,
         powers: Array | None = None,
     ) -> Self:
-        """Return the wavefront of what was checked before, and takes the arrays: nobody else may write into them."""
+        """Return the wavefront of what was checked before: its `terms`, `edge` and `error`.
+
+        `powers` are the coefficients of rho^2, rho^4, ... where the radial terms were given so; these are then
+        written into `edge`. The arrays are taken: nobody else may write into them.
+        """
         made = cls.__new__(cls)
         made._set(terms, edge, error, powers)
         return made
 
     @classmethod
     def from_edge(cls, given: Mapping[tuple[int, int], Array], error: float = 0.0) -> Self:
-        """Build a wavefront from coefficients in radians at the edge, radial terms and the constant among them."""
+        """Build a wavefront from coefficients in radians at the edge, radial terms and the constant among them.
+
+        `given` has them by (n, m), `error` is that of a wavefront. ValueError if the coefficients do not broadcast.
+        """
         try:
             # With the constant, lest a stack whose terms are all constant lose its axes.
             shape = np.broadcast_shapes(*(c.shape for c in given.values()))
@@ -78,7 +85,10 @@ class Terms:
 
     @classmethod
     def radial_sum(cls, edge: Array, error: float = 0.0) -> Self:
-        """Build a wavefront from checked coefficients of R_2^0, R_4^0, ..., two or more, along the last axis."""
+        """Build a wavefront from checked coefficients of R_2^0, R_4^0, ..., two or more: the last axis of `edge`.
+
+        `error` is that of a wavefront.
+        """
         return cls.trusted(symmetric_terms(edge.shape[-1]), edge, error)
 
     @cached_property

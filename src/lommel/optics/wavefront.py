@@ -110,7 +110,7 @@ class Wavefront(Descriptions):
 
     @classmethod
     def of_defocus(cls, defocus: Array) -> Self:
-        """Build a wavefront from a checked C_d, radians."""
+        """Build a wavefront from a checked C_d, `defocus`, radians."""
         powers = np.zeros((*defocus.shape, 2))
         powers[..., 0] = 2.0 * defocus
         return cls.trusted(symmetric_terms(2), np.empty_like(powers), 0.0, powers)
@@ -150,9 +150,24 @@ class Wavefront(Descriptions):
         return {name: self.coefficients[..., k] / (2 * math.pi) for k, name in enumerate(names)}
 
     def phase(self, rho: ArrayLike, theta: ArrayLike = 0.0) -> Array:
-        """Return the phase in radians at pupil radii `rho` (0 to 1) and angles `theta`.
+        """Return the phase at points of the pupil.
 
-        Shape ``shape + s``, with s what `rho` and `theta` broadcast to.
+        Parameters
+        ----------
+        rho : array_like
+            Pupil radius, 0 to 1.
+        theta : array_like, default 0
+            Angle, radians from x towards y.
+
+        Returns
+        -------
+        ndarray, shape ``shape + s``
+            Radians; s is what `rho` and `theta` broadcast to.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If they are not real and finite, do not broadcast, or a radius is negative or above 1000.
         """
         r, angle = validation.real_array("rho", rho, least=0.0), validation.real_array("theta", theta)
         try:
@@ -168,11 +183,25 @@ class Wavefront(Descriptions):
         return total
 
     def rotated(self, angle: ArrayLike) -> Self:
-        """Return the wavefront turned by `angle`, radians from x towards y: clockwise in a picture.
+        """Return the wavefront turned from x towards y: clockwise in a picture.
 
         ``phase'(rho, theta) = phase(rho, theta - angle)``, and the image turns by the same angle. Exact but for
         rounding: each pair of terms (n, m) and (n, -m) turns in its plane by m times the angle. Arrays of angles
         broadcast with the stack.
+
+        Parameters
+        ----------
+        angle : array_like
+            Radians.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an angle is not real and finite, or they do not broadcast.
         """
         turn = validation.real_array("angle", angle)
         try:
@@ -187,7 +216,22 @@ class Wavefront(Descriptions):
         return self.trusted(terms, edge, self.error, powers)
 
     def flipped(self, axis: str) -> Self:
-        """Return the mirror image: x changes its sign for "x" (left and right), y for "y" (up and down). Exact."""
+        """Return the mirror image. Exact.
+
+        Parameters
+        ----------
+        axis : {"x", "y"}
+            What changes its sign: left and right, or up and down.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        ValueError
+            If it is neither.
+        """
         validation.choice("axis", axis, ("x", "y"))
 
         def sign(m: int) -> float:
@@ -206,6 +250,15 @@ class Wavefront(Descriptions):
         ----------
         radius : array_like
             Radius of the smaller pupil over that of this one, above 0 and at most 1.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a radius is out of range, or they do not broadcast.
 
         References
         ----------
@@ -261,7 +314,7 @@ class Wavefront(Descriptions):
 
     @classmethod
     def from_dict(cls, description: Mapping[str, Any]) -> Self:
-        """Rebuild a wavefront from :meth:`to_dict`."""
+        """Rebuild a wavefront from a `description` by :meth:`to_dict`; TypeError or ValueError if it is none."""
         parts = dict(description)
         if "terms" in parts:
             found = {zernike.check_term(n, m): c for (n, m), c in _once("terms", parts.pop("terms")).items()}

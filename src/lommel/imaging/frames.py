@@ -70,6 +70,10 @@ def write_frames(
     quality : int, default 95
         Of JPEG and WebP, 1 to 100.
 
+    Returns
+    -------
+    list of path
+
     Raises
     ------
     TypeError, ValueError

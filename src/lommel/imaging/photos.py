@@ -73,6 +73,15 @@ class Exif:
 
         EXIF rounds the film equivalent to whole millimetres, which makes an error of a few per cent.
 
+        Parameters
+        ----------
+        shape : tuple of int
+            Height and width first.
+
+        Returns
+        -------
+        float
+
         Raises
         ------
         ValueError
@@ -106,7 +115,22 @@ class Picture:
     profile: bytes | None = None
 
     def light(self, dtype: DTypeLike = np.float32) -> NDArray[Any]:
-        """Return values in proportion to light, 1 being white."""
+        """Return values in proportion to light, 1 being white.
+
+        Parameters
+        ----------
+        dtype : float32 or float64, default float32
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `values`.
+
+        Raises
+        ------
+        TypeError
+            If `dtype` is another.
+        """
         return to_light("the photograph", self.values, self.encoding, dtype)
 
 
@@ -195,7 +219,7 @@ def write_photo(
     quality: int = 95,
     profile: bytes | None = None,
 ) -> float:
-    """Write light as a photograph; the suffix chooses PNG, JPEG or TIFF. Return the share of values clipped.
+    """Write light as a photograph; the suffix chooses PNG, JPEG or TIFF.
 
     Integers end at black and white, as sensors do; what lies beyond by half a level or more is counted. Floats keep
     all. The file is written under a temporary name and moved into place.
@@ -213,6 +237,11 @@ def write_photo(
         Of a JPEG, 1 to 100; colours have the full resolution.
     profile : bytes, optional
         An ICC profile to store.
+
+    Returns
+    -------
+    float
+        Share of the values that were clipped.
 
     Raises
     ------

@@ -65,8 +65,8 @@ def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, Array, Arra
     OSError
         If it cannot be read.
     """
-    source = Path(path)
-    psf, description = find(path, verb="read").read(source, kind)
+    form, source = find(path, verb="read"), Path(path)
+    psf, description = form.read(source, kind)
     try:
         field = description[_KEY]
         x, y = validation.real_array("x", field["x"]), validation.real_array("y", field["y"])

@@ -107,7 +107,7 @@ def describe(psf: Answer) -> dict[str, Any]:
     Returns
     -------
     dict
-        All but the values; :func:`lommel.base.checksums.sealed` adds the checksum of these.
+        All but the values; ``lommel.base.checksums.sealed`` adds the checksum of all.
     """
     return {
         "software": f"lommel {version()}",

@@ -1,22 +1,4 @@
-"""The formats of files: each says what it holds, how its files are known, and what writes and reads them.
-
-Other packages add theirs by an entry point of the group ``lommel.formats`` that names a :class:`Format`; it is loaded
-when a file is in none of the formats known so far. All but "field" write bytes, which are moved into place whole, and
-raise ValueError for what they cannot hold or what is damaged:
-
-============= ============================================== =======================================================
-kind          write                                          read
-============= ============================================== =======================================================
-"psf"         (PSF, description) -> bytes                    bytes -> ({"values": array, ...}, text of description)
-"field"       (PSFGrid, description, path), writes itself    (path, class of PSF) -> (PSF, description)
-"photo"       (values, quality, ICC profile or None)         bytes -> (values, tags of EXIF, ICC profile or None)
-"frames"      (list of values, milliseconds each, quality)   none
-"depth map"   none                                           (bytes, metres a level or None) -> values
-============= ============================================== =======================================================
-
-A description is a dictionary of plain types, written as JSON after :func:`lommel.base.checksums.sealed` has added to
-it the checksum of the arrays.
-"""
+"""The formats of files: each says what it holds, how its files are known, and what writes and reads them."""
 
 from __future__ import annotations
 
@@ -38,14 +20,16 @@ _FORMATS: list[Format] = []
 class Format:
     """One way to have one kind of thing in files.
 
+    A package adds one by an entry point of the group ``lommel.formats`` that names it. It is loaded when a file is in
+    none of the formats known so far.
+
     Parameters
     ----------
-    kind : str
-        One of :data:`KINDS`.
+    kind : {"psf", "field", "photo", "frames", "depth map"}
     suffixes : tuple of str
         Of its files, in small letters, each with its dot.
     write, read : callable, optional
-        What the table of :mod:`lommel.io.registry` says; None where it does not.
+        See the notes; None where it does not.
     starts : tuple of bytes, default ()
         What files begin with, where they are told by their content.
     holds : tuple of str, default ()
@@ -57,6 +41,20 @@ class Format:
     ------
     ValueError
         If there is no such kind.
+
+    Notes
+    -----
+    ``write`` and ``read`` are, for each kind:
+
+    - "psf": (PSF, description) to bytes; bytes to (``{"values": array}`` and derivatives, text of a description)
+    - "field": (PSFGrid, description, path), which writes by itself; (path, class of PSF) to (PSF, description)
+    - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
+    - "frames": (list of values, milliseconds each, quality) to bytes
+    - "depth map": read only, (bytes, metres a level or None) to values
+
+    What is written as bytes is moved into place whole. What cannot be held, or is damaged, is a ValueError. A
+    description is a dictionary of plain types, written as JSON after ``lommel.base.checksums.sealed`` has added the
+    checksum of the arrays.
     """
 
     kind: str

@@ -28,6 +28,16 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
         Metres if the pupil has a wavelength, else units of lambda*N.
     method : RadialMethod, default NijboerZernike(tol=1e-6)
 
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, the pupil is a stack or not radially symmetric, or the method does not support
+        it.
+
     Notes
     -----
     The defocus is scanned in steps of half a radian over the range that brings any zone of the pupil to focus,

@@ -34,6 +34,11 @@ class Polychromatic(RadialMethod):
         By default what :func:`lommel.psf` would take for the pupil at each wavelength, so that every pupil is
         supported. Its tolerance is that of the sum.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     Each wavelength is sampled or averaged over the pixels on its own. ``normalize="strehl"`` is relative to the same
@@ -110,6 +115,8 @@ class Polychromatic(RadialMethod):
 
     def parts(self, pupil: Pupil) -> list[tuple[float, float, Pupil]]:
         """Return the share of each wavelength, the reference over it, and the pupil there.
+
+        ValueError if `pupil` has no wavelength.
 
         Phases are path differences: in radians they grow as the wavelength falls.
         """

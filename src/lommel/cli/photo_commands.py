@@ -97,7 +97,7 @@ def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> No
       lommel blur photo.jpg depth.tif --focus "1.2 m" --pixel 4um -o out.jpg
       lommel blur photo.png depth.png lens.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
     """  # noqa: D301 (\b is meant)
-    from lommel.imaging.photos import find, write_photo
+    from lommel.io.photos import find, write_photo
 
     find(output, "--output")
     with _terminated_as_interrupted(), progress("reading"):
@@ -144,8 +144,8 @@ def focus_pull(
       lommel focus-pull photo.png depth.tif lens.toml --from "0.8 m" --to "4 m" --frames 48 -o pull-%03d.png
       lommel focus-pull photo.png depth.tif lens.toml --from "0.8 m" --to inf --fps 24 -o pull.webp
     """  # noqa: D301 (\b is meant)
-    from lommel.imaging.frames import check_pattern, is_animation, write_frames
-    from lommel.imaging.photos import find, stored
+    from lommel.io.frames import check_pattern, is_animation, write_frames
+    from lommel.io.photos import find, stored
 
     check_pattern(output, "--output")
     for name, distance in (("--from", first), ("--to", last)):

@@ -2,12 +2,12 @@
 
 from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur
 from lommel.imaging.depth_of_field import depth_of_field
-from lommel.imaging.depthmaps import read_depth
 from lommel.imaging.lazy import depth_of_field_of_chunks
-from lommel.imaging.photos import Exif, PhotoError, Picture, read_photo, write_photo
 from lommel.imaging.plan import FocusPlan
 from lommel.imaging.scene import Photograph
 from lommel.imaging.tiles import depth_of_field_by_tiles
+from lommel.io.depthmaps import read_depth
+from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
 
 __all__ = [
     "RED_GREEN_BLUE",

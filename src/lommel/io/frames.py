@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import atomic, validation
-from lommel.imaging.photos import encoded, find
 from lommel.io import registry
+from lommel.io.photos import encoded, find
 from lommel.io.registry import Format
 
 _NUMBER = re.compile(r"%0?\d?d")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from lommel.imaging import frames, photos
+from lommel.io import frames, photos
 
 
 def jpeg(path, exif: bytes) -> None:

@@ -15,7 +15,7 @@ from PIL import Image, ImageOps
 
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import Exif, PhotoError, read_depth, read_photo, write_photo
-from lommel.imaging.photos import stored
+from lommel.io.photos import stored
 
 RNG = np.random.default_rng(4)
 GREY, COLOUR = (7, 5), (7, 5, 3)

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from lommel.base import reading, validation
 from lommel.base.arrays import Array
-from lommel.imaging.photos import JPEG, PNG, TIFF, PhotoError, told, upright
 from lommel.io import registry
+from lommel.io.photos import JPEG, PNG, TIFF, PhotoError, told, upright
 from lommel.io.registry import Format
 
 _PFM = re.compile(rb"(P[fF])\s+(\d{1,9})\s+(\d{1,9})\s+([+-]?[0-9.]+(?:[eE][+-]?\d+)?)\s")

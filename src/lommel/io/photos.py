@@ -84,8 +84,10 @@ class Exif:
 
         Raises
         ------
+        TypeError
+            If `shape` is no shape of an image.
         ValueError
-            If either focal length is unknown.
+            If either focal length is unknown, or a side is out of range.
         """
         if not isinstance(shape, tuple | list) or len(shape) < 2:
             raise TypeError(f"shape must be (height, width), got {validation.shown(shape)}")

@@ -80,6 +80,7 @@ METHODS = {name: (THINGS[name.rpartition(".")[0]], function) for function, name 
 def sections(doc: str | None) -> dict[str, str]:
     """The sections of a docstring by their names; what stands before them has none."""
     cut = re.split(r"^(\w[\w ]*)\n-{3,}$", inspect.cleandoc(doc or ""), flags=re.MULTILINE)
+    assert len({*cut[1::2]}) == len(cut[1::2]), f"a section comes twice: {cut[1::2]}"
     return {"": cut[0], **dict(zip(cut[1::2], cut[2::2], strict=True))}
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import pickle
 import subprocess
 import sys
 from graphlib import TopologicalSorter
@@ -57,9 +58,31 @@ def test_every_public_name_resolves_to_a_thing_of_that_name(name):
     assert getattr(lm, name).__doc__
 
 
-def test_a_star_import_brings_every_public_name():
+def test_a_star_import_brings_the_public_names_and_nothing_else():
     names = set(python("from lommel import *; print(*dir())").split())
-    assert set(lm.__all__) <= names
+    assert {name for name in names if not name.startswith("__")} == set(lm.__all__)
+
+
+def test_type_checkers_see_every_name_and_no_other(tmp_path):
+    asked = [*lm.__all__, "imaging.depth_of_field", "show.plot.field", "__version__", "fft"]
+    script = tmp_path / "script.py"
+    script.write_text("import lommel as lm\n" + "\n".join(f"reveal_type(lm.{name})" for name in asked) + "\n")
+    command = [sys.executable, "-m", "mypy", "--no-error-summary", str(script)]
+    result = subprocess.run(
+        command, capture_output=True, text=True, timeout=600, check=False, cwd=Path(lm.__file__).parents[2]
+    )
+    *told, error, unknown = result.stdout.splitlines()
+    assert 'error: Module has no attribute "fft"' in error
+    assert unknown.endswith('is "Any"')
+    assert len(told) == len(asked) - 1
+    for name, line in zip(asked, told, strict=False):
+        kind = "str" if name == "__version__" else "def "
+        assert f'note: Revealed type is "{kind}' in line, (name, line)
+
+
+@pytest.mark.parametrize("name", ["psf", "Pupil", "PSF", "strehl"])
+def test_what_is_pickled_is_the_thing_itself(name):
+    assert pickle.loads(pickle.dumps(getattr(lm, name))) is getattr(lm, name)
 
 
 def test_an_unknown_name_is_an_attribute_error():

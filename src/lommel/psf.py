@@ -132,6 +132,11 @@ class Plan:
     shape, pixel, method, tol, normalize, dtype, center, integrate, threads
         As of :func:`psf`.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Examples
     --------
     >>> import lommel as lm
@@ -298,6 +303,11 @@ class PSF(Answer):
         Derivatives of the values that were asked for, by name, each of the shape of the values.
     derivative_bounds : dict of str to float
         Bounds on their errors over the peak of the values, the largest of the stack.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a part is of another type, or the values are not of its shape.
     """
 
     @property
@@ -307,7 +317,7 @@ class PSF(Answer):
 
     @property
     def strehl(self) -> Numbers:
-        """Intensity on the axis over that of the same aperture without aberration."""
+        """Intensity on the axis over that without aberration; :func:`lommel.strehl` is that of a pupil."""
         return spot.axis_strehl(self)
 
     @property
@@ -360,7 +370,7 @@ class PSF(Answer):
         return image_transfer.image_otf(self, fx, fy)
 
     def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> Numbers:
-        """Return the modulus of :meth:`otf`; its value at frequency 0 is the light in the window."""
+        """Return the modulus of :meth:`otf` at `fx`, `fy`; its value at frequency 0 is the light in the window."""
         return np.abs(self.otf(fx, fy))
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
@@ -377,5 +387,5 @@ class PSF(Answer):
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSF:
-        """Read a file that :meth:`save` wrote."""
+        """Read a file, `path`, that :meth:`save` wrote; ValueError if it is damaged or another."""
         return psf_files.load(path, cls)

@@ -20,7 +20,7 @@ import tifffile
 import lommel as lm
 from lommel import imaging
 from lommel.base import reading
-from lommel.imaging.photos import PhotoError
+from lommel.io.photos import PhotoError
 from lommel.io.psf_files import FileError
 from lommel.lensfiles.lens_files import LensFileError
 from lommel.lensfiles.zernike_files import ZernikeFileError

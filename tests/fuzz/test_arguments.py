@@ -14,7 +14,7 @@ import pytest
 import lommel as lm
 from lommel import imaging
 from lommel.base import units, validation
-from lommel.imaging import frames
+from lommel.io import frames
 from lommel.io.psf_files import FileError
 from lommel.lensfiles import field_tables
 from lommel.measures import aperture_means, encircled, energy, image_transfer, spot

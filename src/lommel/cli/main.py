@@ -123,10 +123,7 @@ def psf(
     from lommel.reports import report
 
     for path in outputs:
-        if field is not None:
-            field_files.check_suffix(path, "--output")
-        elif path.suffix.lower() not in psf_files.SUFFIXES:
-            raise ValueError(f"--output must end in {', '.join(psf_files.SUFFIXES)}, got {shown(str(path))}")
+        (psf_files if field is None else field_files).find(path, "--output")
     if figure is not None:
         _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape, integrate)
@@ -171,9 +168,9 @@ def psf(
 
 
 def _of_picture(answer: PSF) -> str:
-    from lommel.io.psf_files import png_scale
+    from lommel.io import psf_png
 
-    scale = png_scale(answer)
+    scale = psf_png.scale(answer)
     height, width = (scale * side for side in answer.shape)
     each = f"{scale} x {scale} for each of the PSF, " if scale > 1 else ""
     return f": {width} x {height} pixels, {each}square root of the values, 16 bit"

@@ -18,9 +18,9 @@ from lommel.base.units import format_length, parse_length
 from lommel.cli.parts import Length, one_line_errors, print_json, progress
 from lommel.cli.photo_job import KINDS, Request
 from lommel.imaging import Photograph
-from lommel.imaging.frames import check_pattern, is_animation, write_frames
-from lommel.imaging.photo_output import check_dtype, check_suffix, stored, write_photo
 from lommel.imaging.settings import BORDERS, MISSING, Settings
+from lommel.io.frames import check_pattern, is_animation, write_frames
+from lommel.io.photos import find, stored, write_photo
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -101,10 +101,10 @@ def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> No
       lommel blur photo.png depth.png lens.toml --depth-scale 0.001 --zero-unknown --missing nearest -o out.tif
     """  # noqa: D301 (\b is meant)
     request = Request.of(options)
-    check_suffix(output, "--output")
+    find(output, "--output")
     with _terminated_as_interrupted(), progress("reading"):
         job = request.job(output)
-        check_dtype(output, job.dtype)
+        find(output, "--output", holding=f"of {job.dtype}")
         lens = job.lens(focus, "--focus")
     with _terminated_as_interrupted(), progress("blurring"):
         start = time.perf_counter()
@@ -158,7 +158,8 @@ def focus_pull(
         job = request.job(output)
         if is_animation(output) and job.dtype.itemsize > 1:
             raise ValueError(f"{output.suffix} holds 8 bits; give --bits 8, a .tif, or a number such as %03d")
-        check_dtype(output, job.dtype)
+        if "%" in output.name:
+            find(output, "--output", holding=f"of {job.dtype}")
         lenses = [job.lens(1.0 / step if step else math.inf, "--from and --to") for step in steps]
         start = time.perf_counter()
 

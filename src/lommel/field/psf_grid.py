@@ -28,6 +28,11 @@ class PSFGrid(AnswerGrid):
         Where each is, from the optical axis, in :attr:`unit`.
     sensor : (float, float)
         Height and width.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If these do not fit each other.
     """
 
     psf: PSF

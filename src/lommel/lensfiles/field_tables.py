@@ -33,6 +33,11 @@ class FieldTable:
         Coefficients by index, each as long as the positions.
     order : str
         Of the indices: "noll", "ansi" or "fringe".
+
+    Raises
+    ------
+    TypeError, ValueError
+        If these are none such, or differ in length.
     """
 
     positions: dict[str, tuple[float, ...]]

@@ -54,6 +54,11 @@ class HuygensFresnel(FieldMethod):
         Radial Gauss-Legendre nodes in rho^2 and azimuthal points over the full circle. By default as many as
         carry the phase to about 1e-10 of the unaberrated field.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     Flat: ``U(r) = 1/(pi R_max^2) int exp(i Phi_lens) (d/rho)^2 exp(i k (rho - rho_0)) dA`` with

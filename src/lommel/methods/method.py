@@ -53,17 +53,17 @@ class Method(ABC):
 
     @abstractmethod
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I on `grid` for the flattened stack.
+        """Return I on `grid` for the flattened stack of `pupil`, by at most so many `threads`.
 
         Shape ``(n, len(grid.radii))``, at the distinct radii, or ``(n, height, width)``.
         """
 
     def unaberrated_peak(self, pupil: Pupil) -> float:
-        """Return the peak of the same aperture without aberration, to which "strehl" relates."""
+        """Return the peak of the aperture of `pupil` without aberration, to which "strehl" relates."""
         return pupil.amplitude**2
 
     def stretch(self, pupil: Pupil) -> float:
-        """Return the exponential type of U in v: how much faster than at the wavelength of the pupil it varies."""
+        """Return the exponential type of U in v: how much faster than at the wavelength of `pupil` it varies."""
         return 1.0
 
     def with_tol(self, tol: float) -> Self:
@@ -153,6 +153,17 @@ class Method(ABC):
             k of each derivative with respect to the coefficient of t^k that is wanted.
         threads : int
             At most so many, 0 for as many as there are processors. Methods that are not compiled use one.
+
+        Returns
+        -------
+        Images
+
+        Raises
+        ------
+        ValueError
+            If derivatives are wanted of a method, or of a pupil, that has none.
+        ToleranceError
+            If the tolerance of the method cannot be met.
         """
         if powers:
             raise ValueError(f"derivatives are not available from {type(self).__name__}; use NijboerZernike")
@@ -202,7 +213,10 @@ class RadialMethod(Method):
 
     @abstractmethod
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
-        """Return I at rising v for the flattened stack, shape ``(n, len(v))``."""
+        """Return I at rising `v` for the flattened stack of `pupil`, shape ``(n, len(v))``.
+
+        ValueError or ToleranceError where the method cannot answer as it promises.
+        """
 
     def along_radius(self, pupil: Pupil) -> RadialMethod | None:
         """Return the method itself for a radial pupil, else None."""
@@ -239,10 +253,16 @@ class FieldMethod(RadialMethod):
 
     @abstractmethod
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
-        """Return U at rising v for the flattened stack, shape ``(n, len(v))``, with a bound on its error."""
+        """Return U at rising `v` for the flattened `pupil`, shape ``(n, len(v))``, with a bound on its error.
+
+        ValueError or ToleranceError where the method cannot answer as it promises.
+        """
 
     def field(self, pupil: Pupil, v: ArrayLike) -> NDArray[np.complex128]:
-        """Return the complex field U at optical coordinates `v`, shape ``pupil.shape + v.shape``."""
+        """Return the complex field U of a `pupil` at optical coordinates `v`, shape ``pupil.shape + v.shape``.
+
+        TypeError or ValueError unless these are numbers, finite and >= 0.
+        """
         self.require(pupil)
         at = validation.real_array("v", v, least=0.0) + 0.0  # no -0
         values, where = np.unique(_radii(at.ravel()), return_inverse=True)

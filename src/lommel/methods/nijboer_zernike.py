@@ -39,6 +39,11 @@ class NijboerZernike(FieldMethod):
         a contract: truncation, quadrature, interpolation and rounding are bounded, the bound is checked against
         the peak that was found, and :class:`ToleranceError` is raised where it cannot be brought below `tol`.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     With ``E(t) = exp(i Phi)`` and t = rho^2, ``beta_n = (2n+1) int_0^1 E(t) P_n(2t-1) dt`` and
@@ -81,7 +86,10 @@ class NijboerZernike(FieldMethod):
     def means(
         self, pupil: Pupil, v: NDArray[np.float64], matrix: NDArray[np.float64], threads: int = 0
     ) -> NDArray[np.float64]:
-        """Return ``I(v) @ matrix`` for the flattened stack, shape ``(n, sums)`` from a matrix ``(len(v), sums)``."""
+        """Return ``I(v) @ matrix`` for the flattened stack of a `pupil`, shape ``(n, sums)``.
+
+        `v` rises, `matrix` has the shape ``(len(v), sums)``; by at most so many `threads`.
+        """
         return radial_means(radial_stack(pupil), v, self.tol, matrix, threads)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:

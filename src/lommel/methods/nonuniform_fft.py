@@ -38,6 +38,11 @@ class NonuniformFFT(Method):
         What the error of the intensity is to be below, relative to the peak of the PSF, 1e-11 to below 0.1. A
         target that tests sweep, not a bound: see the notes. `PSF.error_bound` is None.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     The nodes (:meth:`lommel.optics.opening.Opening.rule`) are exact to a total degree for which the error of U is

@@ -35,6 +35,11 @@ class TunedClosedForm(FieldMethod):
         Bound on ``max|I - I_exact| / max I`` over the window, 1e-6 to 1e-1. :class:`ToleranceError` is raised where
         it is not met: near 1e-6, and for phases of hundreds of radians.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     Eq. (8) with the transition at a = 10 and ten terms of Hankel's expansion (DLMF 10.17.3) instead of one; Eq. (9)

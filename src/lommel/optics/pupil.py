@@ -125,7 +125,7 @@ class Pupil:
 
     @property
     def scale(self) -> float:
-        """One unit of lambda*N in the unit of lengths on the sensor: metres, or 1."""
+        """One lambda*N, in metres or 1; ``PSF.scale`` is something else, a factor of its values."""
         if self.wavelength is None or self.f_number is None:
             return 1.0
         return self.wavelength * self.f_number
@@ -182,7 +182,10 @@ class Pupil:
         return 1.0 / self.scale
 
     def v(self, radius: ArrayLike) -> NDArray[np.float64]:
-        """Return the optical coordinate ``v = pi radius / (lambda N)`` of radii on the sensor."""
+        """Return the optical coordinate ``v = pi radius / (lambda N)`` of each `radius` on the sensor.
+
+        TypeError or ValueError if these are not real and finite.
+        """
         at = validation.real_array("radius", radius)
         with np.errstate(over="ignore"):
             return validation.real_array("radius over lambda*N", math.pi / self.scale * at)
@@ -198,7 +201,7 @@ class Pupil:
         return terms.reshape(-1, terms.shape[-1])
 
     def radial_phase(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the radially symmetric part of the phase at ``rho^2 = t``, 0 at t = 0, shape ``(n, ...)``."""
+        """Return the radially symmetric part of the phase at `t`, rho^2, 0 at t = 0, shape ``(n, ...)``."""
         return zernike.legendre_sum(self.radial_terms(), 2.0 * t - 1.0)
 
     def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
@@ -215,6 +218,11 @@ class Pupil:
         -------
         ndarray, shape ``(n, ...)``
             The flattened stack, at the points that x and y broadcast to.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If they are not real and finite.
         """
         across, down = np.broadcast_arrays(validation.real_array("x", x), validation.real_array("y", y))
         rho = np.hypot(across, down)
@@ -263,7 +271,7 @@ class Pupil:
         return np.asarray(slopes.max(axis=1))
 
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
-        """Return the same aperture with another wavefront, in light of another wavelength (metres) if one is named.
+        """Return the aperture with another `wavefront` and `geometry`, in light of another `wavelength` if one is named.
 
         Nothing is checked that was checked before.
         """
@@ -301,7 +309,7 @@ class Pupil:
 
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> Pupil:
-        """Rebuild a pupil from :meth:`to_dict`."""
+        """Rebuild a pupil from a `description` by :meth:`to_dict`."""
         parts = dict(description)
         geometry = parts.pop("geometry")
         for name, build in _SHAPES.items():

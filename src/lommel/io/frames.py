@@ -7,6 +7,7 @@ import io
 import os
 import re
 from collections.abc import Iterable
+from functools import partial
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -15,12 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import atomic, validation
-from lommel.imaging import photo_output
-from lommel.imaging.photos import library
+from lommel.io import registry
+from lommel.io.photos import encoded, find
+from lommel.io.registry import Format
 
 _NUMBER = re.compile(r"%0?\d?d")
-_ANIMATIONS = {".gif": "gif", ".png": "png", ".apng": "png", ".webp": "webp"}
-SUFFIXES = (*_ANIMATIONS, ".tif", ".tiff")
 
 
 def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
@@ -33,19 +33,19 @@ def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
             f"got {validation.shown(str(path))}"
         )
     if numbers:
-        return photo_output.check_suffix(target, name)
-    if target.suffix.lower() not in SUFFIXES:
-        raise ValueError(
-            f"{name} must have a number such as %03d, or end in {', '.join(SUFFIXES)} for one file, "
-            f"got {validation.shown(str(path))}"
-        )
+        find(target, name)
+        return target
+    try:
+        registry.find("frames", target, name)
+    except ValueError as error:
+        raise ValueError(f"{error}; a number such as %03d makes a photograph of each") from None
     return target
 
 
 def is_animation(path: str | PathLike[str]) -> bool:
     """Return whether frames would be written to one file of 8 bits."""
     target = validation.path("path", path)
-    return not _NUMBER.search(target.name) and target.suffix.lower() in _ANIMATIONS
+    return not _NUMBER.search(target.name) and registry.find("frames", target).holds == (_8,)
 
 
 def write_frames(
@@ -87,10 +87,8 @@ def write_frames(
     if _NUMBER.search(target.name):
         return _numbered(target, _alike(frames), quality)
     kept = list(_alike(frames))
-    if target.suffix.lower() in (".tif", ".tiff"):
-        atomic.write(target, _stack(kept))
-    else:
-        atomic.write(target, _animation(target, kept, duration, quality))
+    form = registry.find("frames", target, holding=f"of {kept[0].dtype.name}")
+    atomic.write(target, form.write(kept, duration, quality))
     return [target]
 
 
@@ -119,36 +117,37 @@ def _numbered(target: Path, frames: Iterable[NDArray[Any]], quality: int) -> lis
     with atomic.together() as put:
         for number, frame in enumerate(frames, 1):
             made.append(target.with_name(target.name % number))
-            put(made[-1], photo_output.encoded(target, frame, quality))
+            put(made[-1], encoded(target, frame, quality))
     return made
 
 
-def _stack(frames: list[NDArray[Any]]) -> bytes:
+def _stack(frames: list[NDArray[Any]], _duration: float, _quality: int) -> bytes:
+    import tifffile
+
     buffer = io.BytesIO()
     photometric = "rgb" if frames[0].ndim == 3 else "minisblack"
-    library("tifffile").imwrite(buffer, np.stack(frames), photometric=photometric, metadata=None)
+    tifffile.imwrite(buffer, np.stack(frames), photometric=photometric, metadata=None)
     return buffer.getvalue()
 
 
-def _animation(target: Path, frames: list[NDArray[Any]], duration: float, quality: int) -> bytes:
-    if frames[0].dtype != np.uint8:
-        raise ValueError(
-            f"{target.name} holds 8 bits, not {frames[0].dtype}; frames of more go to .tif or are numbered"
-        )
-    form = _ANIMATIONS[target.suffix.lower()]
-    if form == "webp" and not library("PIL.features").check("webp"):
+def _animation(form: str, frames: list[NDArray[Any]], duration: float, quality: int) -> bytes:
+    from PIL import Image, features
+
+    if form == "webp" and not features.check("webp"):
         raise ImportError("this Pillow has no WebP; write .png, .gif or .tif")
-    image = library("PIL.Image")
-    pictures = [image.fromarray(frame) for frame in frames]
-    buffer = io.BytesIO()
+    first, *others = map(Image.fromarray, frames)
     options: dict[str, Any] = {"quality": quality} if form == "webp" else {}
-    pictures[0].save(
-        buffer,
-        format=form,
-        save_all=True,
-        append_images=pictures[1:],
-        duration=duration if form == "png" else round(duration),
-        loop=0,
-        **options,
-    )
+    options["duration"] = duration if form == "png" else round(duration)
+    buffer = io.BytesIO()
+    first.save(buffer, form, save_all=True, append_images=others, loop=0, **options)
     return buffer.getvalue()
+
+
+_8, _DEEP = "of uint8", ("of uint16", "of float32", "of float64")
+_pillow, _tifffile = (partial(Format, library=name, extra="images") for name in ("PIL.Image", "tifffile"))
+registry.register(
+    _pillow("frames", (".gif",), partial(_animation, "gif"), holds=(_8,)),
+    _pillow("frames", (".png", ".apng"), partial(_animation, "png"), holds=(_8,)),
+    _pillow("frames", (".webp",), partial(_animation, "webp"), holds=(_8,)),
+    _tifffile("frames", (".tif", ".tiff"), _stack, holds=(_8, *_DEEP)),
+)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from lommel.imaging import frames, photo_output, photos
+from lommel.io import frames, photos
 
 
 def jpeg(path, exif: bytes) -> None:
@@ -54,7 +54,7 @@ def test_what_is_clipped_by_half_a_level_or_more_is_counted(kind, encoding):
     # The slope of sRGB: 12.92 at black, 1.055 / 2.4 at white.
     low, high = (half / 12.92, half * 2.4 / 1.055) if encoding == "srgb" else (half, half)
     light = np.array([[-0.99 * low, -1.01 * low, 1.0 + 0.99 * high, 1.0 + 1.01 * high, 0.5]])
-    values, share = photo_output.stored(light, encoding, kind)
+    values, share = photos.stored(light, encoding, kind)
     assert math.isclose(share, 0.4)
     assert values.min() == 0
     assert values.max() == np.iinfo(kind).max

@@ -15,7 +15,7 @@ from PIL import Image, ImageOps
 
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import Exif, PhotoError, read_depth, read_photo, write_photo
-from lommel.imaging.photo_output import stored
+from lommel.io.photos import stored
 
 RNG = np.random.default_rng(4)
 GREY, COLOUR = (7, 5), (7, 5, 3)
@@ -217,8 +217,18 @@ def test_cmyk_is_refused(tmp_path):
     ("name", "light", "options", "message"),
     [
         ("a.gif", np.zeros(GREY), {}, "path must end in .png, .jpg, .jpeg, .tif, .tiff"),
-        ("a.jpg", np.zeros(GREY), {"dtype": np.uint16}, "a.jpg holds 8 bits, not uint16"),
-        ("a.png", np.zeros(GREY), {"dtype": np.float32}, "a.png holds 8 or 16 bits, not float32"),
+        (
+            "a.jpg",
+            np.zeros(GREY),
+            {"dtype": np.uint16},
+            "path must end in .png, .tif, .tiff for a photograph of uint16, got '.jpg'",
+        ),
+        (
+            "a.png",
+            np.zeros(GREY),
+            {"dtype": np.float32},
+            "path must end in .tif, .tiff for a photograph of float32, got '.png'",
+        ),
         ("a.png", np.zeros(GREY), {"dtype": np.int16}, "dtype must be uint8, uint16 or float32"),
         ("a.png", np.zeros((7, 5, 4)), {}, "light must have the shape"),
         ("a.png", np.full(GREY, np.nan), {}, "light must be finite, got nan"),

@@ -10,14 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import reading, validation
-from lommel.imaging.photos import PhotoError, read_raster
+from lommel.base.arrays import Array
+from lommel.io import registry
+from lommel.io.photos import JPEG, PNG, TIFF, PhotoError, told, upright
+from lommel.io.registry import Format
 
 _PFM = re.compile(rb"(P[fF])\s+(\d{1,9})\s+(\d{1,9})\s+([+-]?[0-9.]+(?:[eE][+-]?\d+)?)\s")
 
 
-def read_depth(
-    path: str | PathLike[str], *, scale: float | None = None, zero_is_unknown: bool = False
-) -> NDArray[np.float64]:
+def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is_unknown: bool = False) -> Array:
     """Read the distance of every point from the lens; NaN where it is unknown.
 
     Parameters
@@ -47,30 +48,14 @@ def read_depth(
     source = validation.path("path", path)
     factor = 1.0 if scale is None else validation.real("scale", scale, above=0.0, unit="metres per level")
     data = reading.contents(source)
-    start = data[:6]
-    if start.startswith(b"\xff\xd8\xff"):
+    if data.startswith(JPEG):
         raise PhotoError(f"{validation.line(source)} is a JPEG, whose losses no depth map survives")
-    try:
-        if start == b"\x93NUMPY":
-            values = reading.npy(data, reading.MAX_PIXELS)[0]
-        elif start[:2] in (b"Pf", b"PF"):
-            values = _pfm(data, scale)
-        else:
-            values = read_raster(source)[0]
-    except PhotoError as error:
-        if str(error).endswith("is not a PNG, JPEG or TIFF file"):
-            raise PhotoError(f"{validation.line(source)} is not a NPY, PFM, TIFF or PNG file") from None
-        raise
-    except ValueError as error:
-        raise PhotoError(
-            f"{validation.line(source)} cannot be read as a depth map: {reading.reason(error)}"
-        ) from None
+    with told(source, "depth map", data) as form:
+        values = form.read(data, scale)
     return _metres(validation.line(source), values, scale is not None, factor, zero_is_unknown)
 
 
-def _metres(
-    source: str, values: NDArray[Any], scaled: bool, factor: float, zero_is_unknown: bool
-) -> NDArray[np.float64]:
+def _metres(source: str, values: NDArray[Any], scaled: bool, factor: float, zero_is_unknown: bool) -> Array:
     if values.ndim != 2 or 0 in values.shape:
         raise PhotoError(f"{source} has the shape {values.shape}; a depth map has (height, width)")
     if values.dtype.kind not in "iuf":
@@ -104,3 +89,19 @@ def _pfm(data: bytes, scale: float | None) -> NDArray[Any]:
     if len(body) != 4 * width * height:
         raise ValueError(f"{width} x {height} values take {4 * width * height} bytes, got {len(body)}")
     return np.frombuffer(body, dtype="<f4" if unit < 0.0 else ">f4").reshape(height, width)[::-1]
+
+
+def _npy(data: bytes, _scale: float | None) -> NDArray[Any]:
+    return reading.npy(data, reading.MAX_PIXELS)[0]
+
+
+def _raster(data: bytes, _scale: float | None) -> NDArray[Any]:
+    return upright(registry.identify("photo", data), data)[0]
+
+
+registry.register(
+    Format("depth map", (".npy",), read=_npy, starts=(b"\x93NUMPY",)),
+    Format("depth map", (".pfm",), read=_pfm, starts=(b"Pf", b"PF")),
+    Format("depth map", (".tif", ".tiff"), read=_raster, starts=TIFF),
+    Format("depth map", (".png",), read=_raster, starts=PNG),
+)

@@ -271,7 +271,7 @@ class Pupil:
         return np.asarray(slopes.max(axis=1))
 
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
-        """Return the aperture with another `wavefront` and `geometry`, in light of another `wavelength` if one is named.
+        """Return the aperture with another `wavefront` and `geometry`, and in another `wavelength` if one is named.
 
         Nothing is checked that was checked before.
         """

@@ -59,10 +59,9 @@ class Lens:
     apodization : float, Apodization or "aplanatic", default 0
         The amplitude across the pupil, as of :class:`lommel.Pupil`: over rho the light is even by default.
         "aplanatic", of an aplanatic lens only, is ``cos(theta)^(-1/2)``, theta being the angle whose sine the model
-        states. An evenly lit entrance pupil has the amplitude ``cos(theta)^(1/2)`` on the reference sphere, and
-        ``1 / cos(theta)`` is from the solid angle (Richards and Wolf 1959, doi:10.1098/rspa.1959.0200, of whom this
-        is the scalar part). Light that a point sends out evenly in all directions of that angle has the same. It
-        rises towards the rim.
+        states, and rises towards the rim. An evenly lit entrance pupil has the amplitude ``cos(theta)^(1/2)`` on the
+        reference sphere, and ``1 / cos(theta)`` is from the solid angle (Richards and Wolf 1959, the scalar part,
+        doi:10.1098/rspa.1959.0200). Light that a point sends out evenly in all directions has the same.
 
     Raises
     ------

@@ -111,7 +111,7 @@ gone_files := $(filter-out $(all_files),$(shell cat .venv/build.stamp 2>/dev/nul
 
 build: .venv/build.stamp ## compile the core and install the package, editable, in .venv
 
-.venv/build.stamp: .venv/env.stamp pyproject.toml CMakeLists.txt $(cpp_files) $(if $(gone_files),FORCE)
+.venv/build.stamp: .venv/env.stamp pyproject.toml CMakeLists.txt $(wildcard cmake/*) $(cpp_files) $(if $(gone_files),FORCE)
 	@rm -f $@
 	echo "$(all_files)" >$@.new
 	if ! .venv/bin/python -c '$(print_python)' Python.h >/dev/null 2>&1; then

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <random>
-#include <thread>
 #include <vector>
 
 #include "lommel/special/bessel.hpp"
@@ -332,15 +331,13 @@ int main() {
         every_path_of_the_chordal_rule(1);
         every_path_of_the_spreader(1);
     }
-    std::vector<std::thread> callers;
+    std::vector<std::function<void()>> callers;
     for (unsigned seed = 2; seed < 6; ++seed) {
-        callers.emplace_back(seed % 2 == 0 ? every_path_of_the_engine : every_path_of_the_chordal_rule, seed);
-        callers.emplace_back(every_path_of_the_spreader, seed);
-        callers.emplace_back(every_kind_of_pixel, seed);
+        callers.emplace_back([seed] { (seed % 2 == 0 ? every_path_of_the_engine : every_path_of_the_chordal_rule)(seed); });
+        callers.emplace_back([seed] { every_path_of_the_spreader(seed); });
+        callers.emplace_back([seed] { every_kind_of_pixel(seed); });
     }
-    for (std::thread& caller : callers) {
-        caller.join();
-    }
+    run(callers);
     std::printf(failures == 0 ? "all good\n" : "%d failures\n", failures.load());
     return failures == 0 ? 0 : 1;
 }

@@ -31,8 +31,8 @@ double render_pixels(In<double, 2> coefficients, double obscuration, In<double, 
 
 void bindings::define_averages(nb::module_& m) {
     for_both([&](auto pixel) {
-        m.def("render_pixels", &render_pixels<decltype(pixel)>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a,
-              "step"_a, "integrate"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+        m.def("render_pixels", &render_pixels<decltype(pixel)>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
+              "center_x"_a, "step"_a, "integrate"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
               "bounds"_a.noconvert(), "peaks"_a.noconvert(), "powers"_a, "derivative_images"_a.noconvert(),
               "derivative_bounds"_a.noconvert(), "differentiate() of pixels that average, or around an axis anywhere.");
     });

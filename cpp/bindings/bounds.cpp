@@ -70,9 +70,9 @@ Named series_bounds(Doubles1 coefficients, Doubles1 amplitude, std::size_t power
 Named ellipse_bounds(In<double, 2> pupils, Doubles1 amplitude, std::size_t power, std::size_t terms, std::size_t nodes) {
     require(pupils.shape(0) >= 1 && pupils.shape(0) <= 2 && pupils.shape(1) > 0, "pupils must have one row or two");
     const double *low = pupils.data(), *high = low + pupils.shape(1);
-    const lommel::Ellipses ellipses = pupils.shape(0) == 1
-                                          ? lommel::Ellipses(low, pupils.shape(1), powers_of_amplitude(amplitude), power)
-                                          : lommel::Ellipses({low, high}, {high, high + pupils.shape(1)}, powers_of_amplitude(amplitude));
+    const lommel::Ellipses ellipses =
+        pupils.shape(0) == 1 ? lommel::Ellipses(low, pupils.shape(1), powers_of_amplitude(amplitude), power)
+                             : lommel::Ellipses({low, high}, {high, high + pupils.shape(1)}, powers_of_amplitude(amplitude));
     return named(entry("tail", ellipses.tail(terms)), entry("quadrature", ellipses.quadrature(nodes, terms)));
 }
 
@@ -90,15 +90,16 @@ Named piece_bounds(std::size_t width, std::size_t piece, std::size_t terms, std:
                  entry("largest_magnitude", table->magnitude), entry("largest_azimuthal", table->azimuthal));
 }
 
-double field_bound(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, double reach, double error) {
+double field_bound(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, double reach,
+                   double error) {
     require(error > 0.0 && reach >= 0.0, "reach and error must be positive");
     const lommel::Amplitude light = powers_of_amplitude(amplitude);
     return lommel::Field().prepare(phase_of(coefficients, light), power, obscuration, reach, error);
 }
 
 // At these radii, rising, of which few leave pieces out; with U itself, whose largest values enter the bounds on I.
-double field_values(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, Doubles1 radii, double error,
-                    Out<double, 1> re, Out<double, 1> im) {
+double field_values(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, Doubles1 radii,
+                    double error, Out<double, 1> re, Out<double, 1> im) {
     const std::size_t count = radii.shape(0);
     require(error > 0.0 && count > 0, "error must be positive, radii not empty");
     require(re.shape(0) == count && im.shape(0) == count, "one value a radius");
@@ -136,7 +137,8 @@ Named peaks(Doubles1 coefficients, Doubles1 amplitude, double obscuration, doubl
                  entry("scanned", lommel::scanned_peak(phase, obscuration, first)));
 }
 
-lommel::ZernikePhase zernike_phase(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c, const lommel::Amplitude& amplitude) {
+lommel::ZernikePhase zernike_phase(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c,
+                                   const lommel::Amplitude& amplitude) {
     require(n.shape(0) > 0 && m.shape(0) == n.shape(0) && c.shape(0) == n.shape(0), "n, m and coefficients must match");
     return {n.data(), m.data(), c.data(), n.shape(0), amplitude};
 }
@@ -148,7 +150,7 @@ Named disk_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coeffic
 }
 
 Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, double reach,
-                        double error) {
+                     double error) {
     const lommel::ZernikePhase phase = zernike_phase(n, m, coefficients, powers_of_amplitude(amplitude));
     const lommel::DiskExpansion plan(phase.bounds(), reach, error);
     return named(entry("degrees", plan.degrees), entry("orders", plan.orders), entry("exact", plan.rule->degree),
@@ -158,8 +160,8 @@ Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coef
 
 // Of one piece, for `wanted` in U, as an image asks for it.
 Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 outer, Doubles1 inner, double obscuration,
-                              Doubles1 amplitude, double reach, double error, double wanted, std::size_t piece,
-                              std::size_t groups) {
+                           Doubles1 amplitude, double reach, double error, double wanted, std::size_t piece,
+                           std::size_t groups) {
     const lommel::Amplitude light = powers_of_amplitude(amplitude);
     lommel::ZernikeField field;
     field.expand(zernike_phase(n, m, outer, light), zernike_phase(n, m, inner, light.scaled(obscuration * obscuration)),
@@ -193,7 +195,8 @@ double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 co
 }
 
 // One pupil as the engines of the whole disk take it: its terms, what they are on both disks, and what that loses.
-Named disk_stack(In<std::int64_t, 2> terms, Doubles1 edge, double obscuration, double row, double column, double step, bool moved) {
+Named disk_stack(In<std::int64_t, 2> terms, Doubles1 edge, double obscuration, double row, double column, double step,
+                 bool moved) {
     lommel::DiskStack stack(terms_of(terms, edge.size()), edge.data(), 1, obscuration, {});
     if (moved) {
         stack.move_axes({1, 1, row, column, step});
@@ -204,14 +207,14 @@ Named disk_stack(In<std::int64_t, 2> terms, Doubles1 edge, double obscuration, d
         n.push_back(term.n);
         m.push_back(term.m);
     }
-    return named(entry("n", n), entry("m", m), entry("outer", stack.outer), entry("inner", stack.inner), entry("lost", stack.lost),
-                 entry("row", moved ? static_cast<double>(stack.rows[0]) : row),
+    return named(entry("n", n), entry("m", m), entry("outer", stack.outer), entry("inner", stack.inner),
+                 entry("lost", stack.lost), entry("row", moved ? static_cast<double>(stack.rows[0]) : row),
                  entry("column", moved ? static_cast<double>(stack.columns[0]) : column));
 }
 
 // Over a window of v from `low` to `high` in x and on the axis in y.
 Named chordal_bounds(In<std::int64_t, 2> terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high,
-                        std::size_t chords) {
+                     std::size_t chords) {
     require(low <= high && chords >= 1, "low must be below high, chords positive");
     const lommel::ChordCurves curves(terms_of(terms, coefficients.size()));
     lommel::ChordBound bound;

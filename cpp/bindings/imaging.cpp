@@ -12,8 +12,8 @@ using namespace bindings;
 namespace {
 
 // Bounds are negative where the tolerance cannot be met.
-std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, In<double, 1> v,
-                                                 double tol, In<double, 2> matrix, int threads) {
+std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude,
+                                                 In<double, 1> v, double tol, In<double, 2> matrix, int threads) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
     require(matrix.shape(0) == v.shape(0) && v.shape(0) > 0 && threads >= 0, "the matrix must have a row for each v");
     auto out = new_array<double, 2>({stack.count, matrix.shape(1)});
@@ -50,12 +50,9 @@ void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<d
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
     const std::size_t height = image.shape(0), width = image.shape(1);
     require(positions.shape(0) == height && positions.shape(1) == width && threads >= 0, "positions must match the image");
-    require(out.shape(0) == height + 2 * bank.widest &&
-                out.shape(1) == width + 2 * bank.widest + lommel::Spreader<T>::beyond,
+    require(out.shape(0) == height + 2 * bank.widest && out.shape(1) == width + 2 * bank.widest + lommel::Spreader<T>::beyond,
             "out must be larger than the image by a window, and have 16 columns more");
-    released([&] {
-        lommel::Spreader<T>(bank, positions.data(), height, width, threads).forward(image.data(), out.data());
-    });
+    released([&] { lommel::Spreader<T>(bank, positions.data(), height, width, threads).forward(image.data(), out.data()); });
 }
 
 // The transpose of spread().
@@ -81,8 +78,9 @@ void bindings::define_imaging(nb::module_& m) {
           "Weighted sums of I at rising v, and bounds on the error of I over its peak.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);
-        m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "image"_a.noconvert(), "threads"_a,
-              "out"_a.noconvert(), "Adds each pixel times the window at its position in the bank to an image larger by a window.");
+        m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "image"_a.noconvert(),
+              "threads"_a, "out"_a.noconvert(),
+              "Adds each pixel times the window at its position in the bank to an image larger by a window.");
         m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "image"_a.noconvert(),
               "threads"_a, "out"_a.noconvert(), "The transpose of spread().");
     });

@@ -10,8 +10,8 @@ using namespace bindings;
 
 namespace {
 
-Out<complex, 1> huygens_sum(In<double, 1> x, In<double, 1> y, In<complex, 1> amplitude, In<double, 1> sx,
-                            In<double, 1> sy, double distance, double wavenumber) {
+Out<complex, 1> huygens_sum(In<double, 1> x, In<double, 1> y, In<complex, 1> amplitude, In<double, 1> sx, In<double, 1> sy,
+                            double distance, double wavenumber) {
     require(x.shape(0) == y.shape(0) && x.shape(0) == amplitude.shape(0), "x, y and amplitude must match");
     require(sx.shape(0) == sy.shape(0), "sx and sy must match");
     auto out = new_array<complex, 1>({sx.shape(0)});
@@ -50,9 +50,7 @@ Out<double, 1> chebyshev_intensity(In<complex, 2> pieces, double width, In<doubl
         require(v.data()[i] >= 0.0 && std::isfinite(v.data()[i]), "v must be at least 0 and finite");
     }
     auto out = new_array<double, 1>({v.shape(0)});
-    released([&] {
-        lommel::chebyshev_intensity(pieces.data(), pieces.shape(0), width, v.data(), v.shape(0), out.data());
-    });
+    released([&] { lommel::chebyshev_intensity(pieces.data(), pieces.shape(0), width, v.data(), v.shape(0), out.data()); });
     return out;
 }
 

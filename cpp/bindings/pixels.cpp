@@ -50,8 +50,8 @@ int level_of(int level, int threads) {
 
 // The radii where I is wanted, and what becomes of its errors.
 std::tuple<Out<double, 1>, double, double, double, double> pixel_radii(std::size_t height, std::size_t width, double center_y,
-                                                                       double center_x, double step, bool integrate,
-                                                                       int level, int threads) {
+                                                                       double center_x, double step, bool integrate, int level,
+                                                                       int threads) {
     const lommel::PixelWindow window = window_of(height, width, center_y, center_x, step, integrate);
     const auto table = released([&] { return lommel::PixelTable::get(window, level_of(level, threads), threads); });
     auto radii = new_array<double, 1>({table->count});

@@ -68,7 +68,8 @@ inline std::vector<std::size_t> powers_of(const In<std::int64_t, 1>& powers) {
 }
 
 template <class T>
-void require_derivatives(std::size_t powers, std::size_t pupils, const Out<T, 3>& of, const Out<T, 4>& images, const Out<double, 2>& bounds) {
+void require_derivatives(std::size_t powers, std::size_t pupils, const Out<T, 3>& of, const Out<T, 4>& images,
+                         const Out<double, 2>& bounds) {
     require(images.shape(0) == powers && bounds.shape(0) == powers, "one derivative a power");
     require(images.shape(1) == pupils && images.shape(2) == of.shape(1) && images.shape(3) == of.shape(2) &&
                 bounds.shape(1) == pupils,

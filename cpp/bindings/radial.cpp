@@ -15,9 +15,9 @@ double rendered(const lommel::Stack& stack, double step, double tol, int threads
     require_answers(stack.count, images, scales, bounds);
     require_request(step, tol, threads);
     return judged([&] {
-        lommel::Renderer<T>(stack, images.shape(1), images.shape(2), step, tol, threads,
-                            {images.data(), scales.data(), bounds.data(), powers.data(), powers.size(), derivative_images,
-                             derivative_bounds})
+        lommel::Renderer<T>(
+            stack, images.shape(1), images.shape(2), step, tol, threads,
+            {images.data(), scales.data(), bounds.data(), powers.data(), powers.size(), derivative_images, derivative_bounds})
             .run();
     });
 }
@@ -40,8 +40,8 @@ double differentiate(In<double, 2> coefficients, double obscuration, In<double, 
                        derivative_bounds.data());
 }
 
-std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration,
-                                                 In<double, 1> amplitude, In<double, 1> v, double tol) {
+std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude,
+                                                 In<double, 1> v, double tol) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
     auto out = new_array<complex, 2>({stack.count, v.shape(0)});
     auto bounds = new_array<double, 1>({stack.count});
@@ -68,12 +68,13 @@ void bindings::define_radial(nb::module_& m) {
         m.def("render", &render<T>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "step"_a, "tol"_a, "threads"_a,
               "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(),
               "Images of a stack of pupils by the spectral engine; returns 0, or the bound where tol cannot be met.");
-        m.def("differentiate", &differentiate<T>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "step"_a, "tol"_a, "threads"_a,
-              "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
+        m.def("differentiate", &differentiate<T>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "step"_a, "tol"_a,
+              "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(), "bounds"_a.noconvert(), "powers"_a,
               "derivative_images"_a.noconvert(), "derivative_bounds"_a.noconvert(),
               "render(), and the derivatives by the coefficients of t^power.");
     });
-    m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
+    m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
+          "U at rising v, and bounds on its error.");
     m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
           "I at rising v, bounds on its error over the peak, negative where tol cannot be met, and the peaks.");
 }

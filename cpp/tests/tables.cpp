@@ -104,7 +104,8 @@ void zernike_terms(std::size_t chords) {
         for (std::int32_t m = -n; m <= n; m += 2) {
             for (std::size_t i = 0; i < chords / 2; i += 3) {
                 const double angle = std::acos(-1.0) * static_cast<double>(i + 1) / static_cast<double>(chords + 1);
-                const extended turn = std::acos(extended(-1)) * static_cast<extended>(i + 1) / static_cast<extended>(chords + 1);
+                const extended turn =
+                    std::acos(extended(-1)) * static_cast<extended>(i + 1) / static_cast<extended>(chords + 1);
                 for (std::size_t k = chords / 2; k < chords; k += 3) {
                     const double x = std::cos(angle), y = std::sin(angle) * eta[k];
                     const extended exact_x = std::cos(turn), exact_y = std::sin(turn) * exact_eta[k];

@@ -115,8 +115,8 @@ def compiled(faults: list[Fault]) -> Path:
     """Build the core with every fault in it; return the folder that it is in."""
     source, build = PLACE / "cpp", PLACE / "cmake"
     by_file = {file: [f for f in faults if f.file == file] for file in {f.file for f in faults}}
-    built = [ROOT / "CMakeLists.txt", ROOT / "pyproject.toml", *(ROOT / "cmake").iterdir(), *(ROOT / "cpp").rglob("*.[ch]pp")]
-    for path in built:
+    needed = ("CMakeLists.txt", "pyproject.toml", "cmake/*", "cpp/**/*.[ch]pp")
+    for path in itertools.chain.from_iterable(ROOT.glob(pattern) for pattern in needed):
         name = path.relative_to(ROOT).as_posix()
         text = path.read_text(encoding="utf-8")
         write(source / name, switched(text, by_file.get(name, [])).encode())

@@ -3,10 +3,12 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "lommel/base/wide.hpp"
 #include "lommel/chordal/sharp.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/radial/average_images.hpp"
@@ -76,8 +78,10 @@ Named ellipse_bounds(In<double, 2> pupils, Doubles1 amplitude, std::size_t power
     return named(entry("tail", ellipses.tail(terms)), entry("quadrature", ellipses.quadrature(nodes, terms)));
 }
 
+// With the spacing at 1 of the numbers that tables are made with.
 Named window_bounds(std::size_t count, double reach) {
-    return named(entry("legendre", lommel::window_tail(count, reach)), entry("disk", lommel::disk_window_tail(count, reach)));
+    return named(entry("legendre", lommel::window_tail(count, reach)), entry("disk", lommel::disk_window_tail(count, reach)),
+                 entry("spacing", static_cast<double>(std::numeric_limits<lommel::wide>::epsilon())));
 }
 
 Named piece_bounds(std::size_t width, std::size_t piece, std::size_t terms, std::size_t parity) {

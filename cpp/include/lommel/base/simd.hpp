@@ -1,6 +1,12 @@
 // Vectors of doubles, compiled for the widest instructions that the processor turns out to have.
 #pragma once
 
+#if defined(__FAST_MATH__)
+#error "the error bounds assume IEEE arithmetic: leave -ffast-math out"
+#endif
+
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -150,8 +156,8 @@ constexpr std::size_t widest_step = 32;  // most values a kernel handles, and so
 enum class Level { portable, avx2, avx512 };
 
 // Lowers what is used, for tests and comparisons.
-inline Level& level_limit() {
-    static Level limit = Level::avx512;
+inline std::atomic<Level>& level_limit() {
+    static std::atomic<Level> limit{Level::avx512};
     return limit;
 }
 
@@ -165,7 +171,7 @@ inline Level processor_level() {
         }
         return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? Level::avx2 : Level::portable;
     }();
-    return found < level_limit() ? found : level_limit();
+    return std::min(found, level_limit().load(std::memory_order_relaxed));
 #else
     return Level::portable;
 #endif

@@ -90,10 +90,12 @@ class ChordBound {
         amplitude_.assign(curves.degrees(), 0.0);
         double tilt_x = 0.0, tilt_y = 0.0;
         size_ = 0.0;
+        bent_ = 0.0;
         variance_ = 0.0;
         for (std::size_t j = 0; j < terms.size(); ++j) {
             const double c = coefficients[j];
             size_ += std::abs(c);
+            bent_ += std::abs(c) * static_cast<double>(terms[j].n * terms[j].n);
             if (terms[j].n == 1) {
                 // A tilt moves the image: it is taken together with v.
                 (terms[j].m > 0 ? tilt_x : tilt_y) += c;
@@ -189,10 +191,11 @@ class ChordBound {
         return sum * std::exp(std::min(least, 600.0));
     }
 
-    // The rounding of the phase, of the kernel and of two sums.
+    // The rounding of the phase, of the kernel and of two sums; and of nodes and terms, where their tables are made in double.
     double rounding(std::size_t chords) const {
         const double terms = static_cast<double>(curves_->terms().size() + curves_->degrees());
-        return unit_roundoff * (3.0 * (static_cast<double>(chords) + 12.0) + (terms + 6.0) * size_ + 3.0 * reach_);
+        return unit_roundoff * (3.0 * (static_cast<double>(chords) + 12.0) + (terms + 6.0) * size_ + 3.0 * reach_ +
+                                (wider ? 0.0 : 3.0 * bent_ + 6.0 * reach_));
     }
 
    private:
@@ -205,7 +208,7 @@ class ChordBound {
     const ChordCurves* curves_ = nullptr;
     std::vector<double> amplitude_;
     double base_[ChordCurves::count] = {}, log_size_[ChordCurves::count] = {};  // without and with the phase
-    double size_ = 0.0, reach_ = 0.0, variance_ = 0.0;
+    double size_ = 0.0, bent_ = 0.0, reach_ = 0.0, variance_ = 0.0;
 };
 
 }  // namespace lommel

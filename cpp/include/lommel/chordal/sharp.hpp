@@ -44,16 +44,16 @@ struct SharpTable {
         const std::size_t across = samples(degree), half = (samples(degree) + 1) / 2, turns = half;
         points = across * half;
         directions = turns + 1;
-        const long double pi = std::acos(-1.0L);
+        const wide pi = std::acos(wide(-1));
         values.resize(points * pairs.size() * 2);
         double* to = values.data();
         for (std::size_t p = 0; p < across; ++p) {
-            const std::complex<long double> angle(pi * static_cast<long double>(p) / static_cast<long double>(across), b);
+            const std::complex<wide> angle(pi * static_cast<wide>(p) / static_cast<wide>(across), b);
             for (std::size_t q = 0; q < half; ++q) {
                 look();
-                const long double eta =
-                    std::cos(pi * static_cast<long double>(2 * q + 1) / static_cast<long double>(4 * half));
-                const std::complex<long double> x = std::cos(angle), y = eta * std::sin(angle);
+                const wide eta =
+                    std::cos(pi * static_cast<wide>(2 * q + 1) / static_cast<wide>(4 * half));
+                const std::complex<wide> x = std::cos(angle), y = eta * std::sin(angle);
                 for (const Pair& pair : pairs) {
                     const ZernikeTerm& term = terms[pair.cosine != none ? pair.cosine : pair.sine];
                     const std::int32_t m = std::abs(term.m);
@@ -65,7 +65,7 @@ struct SharpTable {
         waves.resize(directions * harmonics * 2);
         for (std::size_t d = 0; d < directions; ++d) {
             for (std::size_t m = 0; m < harmonics; ++m) {
-                const long double angle = pi * static_cast<long double>(d * m) / static_cast<long double>(2 * turns);
+                const wide angle = pi * static_cast<wide>(d * m) / static_cast<wide>(2 * turns);
                 waves[2 * (d * harmonics + m)] = static_cast<double>(std::cos(angle));
                 waves[2 * (d * harmonics + m) + 1] = static_cast<double>(std::sin(angle));
             }

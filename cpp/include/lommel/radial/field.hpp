@@ -103,7 +103,7 @@ struct Expansion {
     // the nodes, in two chains, come with the square root of the number of terms.
     double error(const Phase& phase) const {
         const double rounding = phase.sensitivity() + 8.0 +
-                                std::sqrt(static_cast<double>(terms)) * (0.5 * static_cast<double>(rule->half) + 16.0);
+                                std::sqrt(static_cast<double>(terms)) * (0.5 * static_cast<double>(rule->half) + 16.0 + rule_rounding(2 * rule->half));
         return truncation + quadrature + unit_roundoff * rounding;
     }
 };

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "lommel/base/wide.hpp"
+
 namespace lommel {
 
 // R_n^|m|(rho) times cos(m theta), or sin(|m| theta) for m < 0.
@@ -30,12 +32,12 @@ void radial_step(std::size_t k, Real m, Real& slope, Real& shift, Real& back) {
     back = 2 * i * (i + m) * (s + 2) / scale;
 }
 
-inline long double radial_polynomial(std::size_t n, std::size_t m, long double rho) {
-    const long double x = 2 * rho * rho - 1;
-    long double before = 0, here = std::pow(rho, static_cast<long double>(m)), slope, shift, back;
+inline wide radial_polynomial(std::size_t n, std::size_t m, wide rho) {
+    const wide x = 2 * rho * rho - 1;
+    wide before = 0, here = std::pow(rho, static_cast<wide>(m)), slope, shift, back;
     for (std::size_t k = 0; k < (n - m) / 2; ++k) {
-        radial_step(k, static_cast<long double>(m), slope, shift, back);
-        const long double next = (slope * x + shift) * here - back * before;
+        radial_step(k, static_cast<wide>(m), slope, shift, back);
+        const wide next = (slope * x + shift) * here - back * before;
         before = here;
         here = next;
     }
@@ -45,8 +47,8 @@ inline long double radial_polynomial(std::size_t n, std::size_t m, long double r
 // What R_n^m(a rho) has of R_k^m(rho), for k = n, n - 2, ..., m; whatever m is (Janssen and Dirksen, J. Microlith. Microfab.
 // Microsyst. 5, 030501 (2006)): a function of n and k alone.
 inline double shrunk(std::size_t n, std::size_t k, double a) {
-    const long double rho = a;
-    const long double next = k < n ? radial_polynomial(n, k + 2, rho) : 0.0L;
+    const wide rho = a;
+    const wide next = k < n ? radial_polynomial(n, k + 2, rho) : wide(0);
     return static_cast<double>(radial_polynomial(n, k, rho) - next);
 }
 
@@ -54,7 +56,7 @@ inline double shrunk(std::size_t n, std::size_t k, double a) {
 // each: n^2 roundings in each of n / 2 + 1 at most.
 inline double shrinking(std::size_t n) {
     const double degree = static_cast<double>(n);
-    return static_cast<double>(std::numeric_limits<long double>::epsilon()) * degree * degree * (degree + 2.0);
+    return static_cast<double>(std::numeric_limits<wide>::epsilon()) * degree * degree * (degree + 2.0);
 }
 
 }  // namespace lommel

@@ -29,10 +29,13 @@ struct RingMatrix {
     double at[ring_degree][ring_degree];
 
     RingMatrix() {
-        const ChebyshevToMonomials<ring_degree> exact;
-        for (std::size_t k = 0; k < ring_degree; ++k) {
-            for (std::size_t j = 0; j < ring_degree; ++j) {
-                at[k][j] = static_cast<double>(exact[k][j]);
+        const ChebyshevToMonomials<ring_degree> convert;
+        for (std::size_t j = 0; j < ring_degree; ++j) {
+            double one[ring_degree] = {}, column[ring_degree];
+            one[j] = 1.0;
+            convert(one, 1, column);
+            for (std::size_t k = 0; k < ring_degree; ++k) {
+                at[k][j] = column[k];
             }
         }
     }

@@ -1,39 +1,28 @@
 // What the compiled core takes its error for, term by term: no answer is made from these, tests hold them against the
 // formulas of docs/certificate.md. A bound that cannot be read cannot be tested.
-#include <nanobind/nanobind.h>
-#include <nanobind/ndarray.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <limits>
 #include <numeric>
-#include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "lommel/base/wide.hpp"
 #include "lommel/chordal/sharp.hpp"
+#include "lommel/pixels/table.hpp"
+#include "lommel/radial/average_images.hpp"
 #include "lommel/radial/field.hpp"
 #include "lommel/special/bessel_table.hpp"
-#include "lommel/radial/average_images.hpp"
-#include "lommel/pixels/table.hpp"
 #include "lommel/zernike/images.hpp"
 
-namespace nb = nanobind;
-using namespace nb::literals;
+#include "pupils.hpp"
+
+using namespace bindings;
 
 namespace {
 
-template <class T, std::size_t N>
-using In = nb::ndarray<const T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
-template <class T, std::size_t N>
-using Out = nb::ndarray<T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
 using Doubles1 = In<double, 1>;
-
-void require(bool condition, const char* message) {
-    if (!condition) {
-        throw std::invalid_argument(message);
-    }
-}
-
 using Named = nb::typed<nb::dict, nb::str, nb::object>;
 
 template <class... Values>
@@ -46,16 +35,12 @@ template <class T>
 std::pair<const char*, T> entry(const char* name, T value) {
     return {name, value};
 }
-
-lommel::Amplitude amplitude_of(const Doubles1& powers) {
-    require(powers.shape(0) <= 1 + lommel::Amplitude::most, "amplitude must have at most 11 powers");
-    return {powers.data(), powers.shape(0)};
-}
+std::vector<double> listed(const lommel::Doubles& values) { return {values.begin(), values.end()}; }
 
 // The growth of the exponent on the ellipses of some cosh, roundings, the integral over an annulus, and values at t, of an
 // amplitude raised to a power on an inner disk of that area.
 Named amplitude_bounds(Doubles1 powers, Doubles1 cosh, Doubles1 t, double obscuration, double raised, double area) {
-    const lommel::Amplitude amplitude = amplitude_of(powers).raised(raised).scaled(area);
+    const lommel::Amplitude amplitude = powers_of_amplitude(powers).raised(raised).scaled(area);
     nb::list growth, values;
     for (std::size_t i = 0; i < cosh.shape(0); ++i) {
         growth.append(amplitude.growth(cosh.data()[i]));
@@ -76,7 +61,7 @@ lommel::Phase phase_of(const Doubles1& coefficients, const lommel::Amplitude& am
 
 Named series_bounds(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double reach, double error) {
     require(error > 0.0 && reach >= 0.0, "reach and error must be positive");
-    const lommel::Amplitude light = amplitude_of(amplitude);
+    const lommel::Amplitude light = powers_of_amplitude(amplitude);
     const lommel::Phase phase = phase_of(coefficients, light);
     const lommel::Expansion plan({phase.coefficients, phase.terms, light, power}, reach, error);
     return named(entry("terms", plan.terms), entry("truncation", plan.truncation), entry("nodes", 2 * plan.rule->half),
@@ -87,45 +72,44 @@ Named series_bounds(Doubles1 coefficients, Doubles1 amplitude, std::size_t power
 Named ellipse_bounds(In<double, 2> pupils, Doubles1 amplitude, std::size_t power, std::size_t terms, std::size_t nodes) {
     require(pupils.shape(0) >= 1 && pupils.shape(0) <= 2 && pupils.shape(1) > 0, "pupils must have one row or two");
     const double *low = pupils.data(), *high = low + pupils.shape(1);
-    const lommel::Ellipses ellipses = pupils.shape(0) == 1
-                                          ? lommel::Ellipses(low, pupils.shape(1), amplitude_of(amplitude), power)
-                                          : lommel::Ellipses({low, high}, {high, high + pupils.shape(1)}, amplitude_of(amplitude));
+    const lommel::Ellipses ellipses =
+        pupils.shape(0) == 1 ? lommel::Ellipses(low, pupils.shape(1), powers_of_amplitude(amplitude), power)
+                             : lommel::Ellipses({low, high}, {high, high + pupils.shape(1)}, powers_of_amplitude(amplitude));
     return named(entry("tail", ellipses.tail(terms)), entry("quadrature", ellipses.quadrature(nodes, terms)));
 }
 
+// With the spacing at 1 of the numbers that tables are made with.
 Named window_bounds(std::size_t count, double reach) {
-    return named(entry("legendre", lommel::window_tail(count, reach)), entry("disk", lommel::disk_window_tail(count, reach)));
+    return named(entry("legendre", lommel::window_tail(count, reach)), entry("disk", lommel::disk_window_tail(count, reach)),
+                 entry("spacing", static_cast<double>(std::numeric_limits<lommel::wide>::epsilon())));
 }
 
 Named piece_bounds(std::size_t width, std::size_t piece, std::size_t terms, std::size_t parity) {
     require(width < lommel::widths.size() && parity < 2 && piece < 1000 && terms < 1000, "no such piece");
     const auto table = (parity == 0 ? lommel::even_pieces : lommel::odd_pieces).get(width, {piece + 1, {}}, terms);
     const lommel::Piece& one = *table->pieces[piece];
-    nb::list rows;
-    for (const double c : one.rows) {
-        rows.append(c);
-    }
     return named(entry("width", table->width), entry("error", lommel::piece_error(table->width)),
-                 entry("ring_error", lommel::ring_error(table->width)), entry("rows", rows),
+                 entry("ring_error", lommel::ring_error(table->width)), entry("rows", listed(one.rows)),
                  entry("magnitude", one.magnitude), entry("azimuthal", one.azimuthal),
                  entry("largest_magnitude", table->magnitude), entry("largest_azimuthal", table->azimuthal));
 }
 
-double field_bound(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, double reach, double error) {
+double field_bound(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, double reach,
+                   double error) {
     require(error > 0.0 && reach >= 0.0, "reach and error must be positive");
-    const lommel::Amplitude light = amplitude_of(amplitude);
+    const lommel::Amplitude light = powers_of_amplitude(amplitude);
     return lommel::Field().prepare(phase_of(coefficients, light), power, obscuration, reach, error);
 }
 
 // At these radii, rising, of which few leave pieces out; with U itself, whose largest values enter the bounds on I.
-double field_values(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, Doubles1 radii, double error,
-                    Out<double, 1> re, Out<double, 1> im) {
+double field_values(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, Doubles1 radii,
+                    double error, Out<double, 1> re, Out<double, 1> im) {
     const std::size_t count = radii.shape(0);
     require(error > 0.0 && count > 0, "error must be positive, radii not empty");
     require(re.shape(0) == count && im.shape(0) == count, "one value a radius");
     lommel::Doubles at(radii.data(), radii.data() + count), u(count + lommel::widest_step), w(u.size());
     at.resize(u.size(), at.back());
-    const lommel::Amplitude light = amplitude_of(amplitude);
+    const lommel::Amplitude light = powers_of_amplitude(amplitude);
     lommel::Field field;
     const double bound = field.prepare(phase_of(coefficients, light), power, obscuration, {at.data(), count, 1.0}, error);
     lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -150,27 +134,28 @@ double stored_bound(double relative, bool single, bool twice) {
 }
 
 Named peaks(Doubles1 coefficients, Doubles1 amplitude, double obscuration, double tol) {
-    const lommel::Amplitude light = amplitude_of(amplitude);
+    const lommel::Amplitude light = powers_of_amplitude(amplitude);
     const lommel::Phase phase = phase_of(coefficients, light);
     const double first = lommel::first_error(phase, obscuration, tol);
     return named(entry("likely", lommel::likely_peak(phase, obscuration)), entry("first_error", first),
                  entry("scanned", lommel::scanned_peak(phase, obscuration, first)));
 }
 
-lommel::ZernikePhase zernike_phase(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c, const lommel::Amplitude& amplitude) {
+lommel::ZernikePhase zernike_phase(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c,
+                                   const lommel::Amplitude& amplitude) {
     require(n.shape(0) > 0 && m.shape(0) == n.shape(0) && c.shape(0) == n.shape(0), "n, m and coefficients must match");
     return {n.data(), m.data(), c.data(), n.shape(0), amplitude};
 }
 
 Named disk_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, std::size_t count) {
-    const lommel::DiskBounds bounds = zernike_phase(n, m, coefficients, amplitude_of(amplitude)).bounds();
+    const lommel::DiskBounds bounds = zernike_phase(n, m, coefficients, powers_of_amplitude(amplitude)).bounds();
     return named(entry("tail", bounds.tail(count)), entry("orders_tail", bounds.orders_tail(count)),
                  entry("distance", bounds.distance(count)));
 }
 
 Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, double reach,
-                        double error) {
-    const lommel::ZernikePhase phase = zernike_phase(n, m, coefficients, amplitude_of(amplitude));
+                     double error) {
+    const lommel::ZernikePhase phase = zernike_phase(n, m, coefficients, powers_of_amplitude(amplitude));
     const lommel::DiskExpansion plan(phase.bounds(), reach, error);
     return named(entry("degrees", plan.degrees), entry("orders", plan.orders), entry("exact", plan.rule->degree),
                  entry("rings", plan.rule->rings), entry("quarter", plan.rule->quarter), entry("truncation", plan.truncation),
@@ -179,9 +164,9 @@ Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coef
 
 // Of one piece, for `wanted` in U, as an image asks for it.
 Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 outer, Doubles1 inner, double obscuration,
-                              Doubles1 amplitude, double reach, double error, double wanted, std::size_t piece,
-                              std::size_t groups) {
-    const lommel::Amplitude light = amplitude_of(amplitude);
+                           Doubles1 amplitude, double reach, double error, double wanted, std::size_t piece,
+                           std::size_t groups) {
+    const lommel::Amplitude light = powers_of_amplitude(amplitude);
     lommel::ZernikeField field;
     field.expand(zernike_phase(n, m, outer, light), zernike_phase(n, m, inner, light.scaled(obscuration * obscuration)),
                  obscuration, reach, error);
@@ -213,18 +198,10 @@ double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 co
     return lommel::single_rounding(plan, {coefficients.data(), coefficients.data() + coefficients.shape(0)});
 }
 
-std::vector<lommel::ZernikeTerm> chordal_terms(const In<std::int64_t, 2>& given, const Doubles1& coefficients) {
-    require(given.shape(1) == 2 && given.shape(0) == coefficients.shape(0), "one coefficient a term (n, m)");
-    std::vector<lommel::ZernikeTerm> terms;
-    for (std::size_t j = 0; j < given.shape(0); ++j) {
-        terms.push_back({static_cast<std::int32_t>(given.data()[2 * j]), static_cast<std::int32_t>(given.data()[2 * j + 1])});
-    }
-    return terms;
-}
-
 // One pupil as the engines of the whole disk take it: its terms, what they are on both disks, and what that loses.
-Named disk_stack(In<std::int64_t, 2> terms, Doubles1 edge, double obscuration, double row, double column, double step, bool moved) {
-    lommel::DiskStack stack(chordal_terms(terms, edge), edge.data(), 1, obscuration, {});
+Named disk_stack(In<std::int64_t, 2> terms, Doubles1 edge, double obscuration, double row, double column, double step,
+                 bool moved) {
+    lommel::DiskStack stack(terms_of(terms, edge.size()), edge.data(), 1, obscuration, {});
     if (moved) {
         stack.move_axes({1, 1, row, column, step});
     }
@@ -234,25 +211,25 @@ Named disk_stack(In<std::int64_t, 2> terms, Doubles1 edge, double obscuration, d
         n.push_back(term.n);
         m.push_back(term.m);
     }
-    return named(entry("n", n), entry("m", m), entry("outer", stack.outer), entry("inner", stack.inner), entry("lost", stack.lost),
-                 entry("row", moved ? static_cast<double>(stack.rows[0]) : row),
+    return named(entry("n", n), entry("m", m), entry("outer", stack.outer), entry("inner", stack.inner),
+                 entry("lost", stack.lost), entry("row", moved ? static_cast<double>(stack.rows[0]) : row),
                  entry("column", moved ? static_cast<double>(stack.columns[0]) : column));
 }
 
 // Over a window of v from `low` to `high` in x and on the axis in y.
 Named chordal_bounds(In<std::int64_t, 2> terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high,
-                        std::size_t chords) {
+                     std::size_t chords) {
     require(low <= high && chords >= 1, "low must be below high, chords positive");
-    const lommel::ChordCurves curves(chordal_terms(terms, coefficients));
+    const lommel::ChordCurves curves(terms_of(terms, coefficients.size()));
     lommel::ChordBound bound;
-    bound.prepare(curves, coefficients.data(), amplitude_of(amplitude), {low, high, 0.0, 0.0});
+    bound.prepare(curves, coefficients.data(), powers_of_amplitude(amplitude), {low, high, 0.0, 0.0});
     return named(entry("quadrature", bound.bound(chords)), entry("rounding", bound.rounding(chords)),
                  entry("variance", bound.variance()));
 }
 
 double chordal_growth(In<std::int64_t, 2> terms, Doubles1 coefficients, double b) {
     require(b > 0.0 && b < 5.0, "b must be above 0 and below 5");
-    const lommel::SharpTable table(chordal_terms(terms, coefficients), b);
+    const lommel::SharpTable table(terms_of(terms, coefficients.size()), b);
     double found[lommel::row_lanes];
     lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t lanes = decltype(isa)::lanes;
@@ -271,22 +248,19 @@ Named pixel_bounds(std::size_t height, std::size_t width, double center_y, doubl
     require(height > 0 && height <= 1000 && width > 0 && width <= 1000, "windows must have 1 to 1000 pixels a side");
     require(step > 0.0 && level >= 1 && level <= 15, "step must be positive, level from 1 to 15");
     const auto table = lommel::PixelTable::get({height, width, center_y, center_x, step, integrate}, level, 1);
-    nb::list rings, penalty;
+    nb::list rings;
     for (const auto& ring : table->rings) {
         rings.append(nb::make_tuple(ring.middle - ring.half, ring.middle + ring.half, ring.nodes.low, ring.nodes.high,
                                     ring.nodes.count, ring.nodes.even, ring.direct));
     }
-    for (const double one : table->penalty) {
-        penalty.append(one);
-    }
     return named(entry("gauss", table->gauss), entry("harmonics", table->harmonics), entry("rings", rings),
                  entry("error", table->error), entry("of_nodes", table->of_nodes), entry("of_grid", table->of_grid),
-                 entry("rounding", table->rounding), entry("penalty", penalty));
+                 entry("rounding", table->rounding), entry("penalty", listed(table->penalty)));
 }
 
 }  // namespace
 
-void define_bounds(nb::module_& m) {
+void bindings::define_bounds(nb::module_& m) {
     m.def("amplitude_bounds", &amplitude_bounds, "powers"_a, "cosh"_a, "t"_a, "obscuration"_a, "raised"_a, "area"_a,
           "Of the amplitude exp(-(g_0 + g_1 t + ...)), to a power and on an inner disk.");
     m.def("series_bounds", &series_bounds, "coefficients"_a, "amplitude"_a, "power"_a, "reach"_a, "error"_a,

@@ -20,7 +20,7 @@
 #include "lommel/paper/huygens.hpp"
 #include "lommel/radial/images.hpp"
 #include "lommel/special/legendre.hpp"
-#include "lommel/imaging/means.hpp"
+#include "lommel/imaging/profile_sums.hpp"
 #include "lommel/radial/average_images.hpp"
 #include "lommel/radial/profiles.hpp"
 #include "lommel/pixels/render.hpp"
@@ -168,7 +168,7 @@ void scatter(In<double, 2> profiles, In<double, 1> scales, In<std::int32_t, 2> i
     }
     std::vector<T> profile(count);
     for (std::size_t s = 0; s < out.shape(0); ++s) {
-        lommel::scaled(profiles.data() + s * count, scales.data()[s], count, profile.data());
+        lommel::store_scaled(profiles.data() + s * count, scales.data()[s], count, profile.data());
         lommel::scatter_rows(profile.data(), index.data(), height, width, 0, height / 2 + 1,
                              out.data() + s * height * width);
     }
@@ -398,7 +398,7 @@ std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, dou
     auto bounds = new_array<double, 1>({stack.count});
     {
         Released nogil;
-        lommel::means(stack, v.data(), v.shape(0), tol, matrix.data(), matrix.shape(1), threads, out.data(), bounds.data());
+        lommel::profile_sums(stack, v.data(), v.shape(0), tol, matrix.data(), matrix.shape(1), threads, out.data(), bounds.data());
     }
     return {out, bounds};
 }

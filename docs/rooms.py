@@ -34,6 +34,7 @@ ORDER = [
 ]
 # Those of the compiled core, by what they include.
 CORE_ORDER = [
+    {"question"},
     {"base"},
     {"bounds"},
     {"special"},

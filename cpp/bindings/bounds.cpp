@@ -141,21 +141,26 @@ Named peaks(Doubles1 coefficients, Doubles1 amplitude, double obscuration, doubl
                  entry("scanned", lommel::scanned_peak(phase, obscuration, first)));
 }
 
-lommel::ZernikePhase zernike_phase(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c,
-                                   const lommel::Amplitude& amplitude) {
+lommel::TermPairs pairs_of(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c) {
     require(n.shape(0) > 0 && m.shape(0) == n.shape(0) && c.shape(0) == n.shape(0), "n, m and coefficients must match");
-    return {n.data(), m.data(), c.data(), n.shape(0), amplitude};
+    std::vector<lommel::ZernikeTerm> terms;
+    for (std::size_t j = 0; j < n.shape(0); ++j) {
+        terms.push_back({n.data()[j], m.data()[j]});
+    }
+    return lommel::TermPairs(terms);
 }
 
 Named disk_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, std::size_t count) {
-    const lommel::DiskBounds bounds = zernike_phase(n, m, coefficients, powers_of_amplitude(amplitude)).bounds();
+    const lommel::TermPairs pairs = pairs_of(n, m, coefficients);
+    const lommel::DiskBounds bounds = lommel::ZernikePhase{pairs, coefficients.data(), powers_of_amplitude(amplitude)}.bounds();
     return named(entry("tail", bounds.tail(count)), entry("orders_tail", bounds.orders_tail(count)),
                  entry("distance", bounds.distance(count)));
 }
 
 Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, double reach,
-                     double error) {
-    const lommel::ZernikePhase phase = zernike_phase(n, m, coefficients, powers_of_amplitude(amplitude));
+                        double error) {
+    const lommel::TermPairs pairs = pairs_of(n, m, coefficients);
+    const lommel::ZernikePhase phase{pairs, coefficients.data(), powers_of_amplitude(amplitude)};
     const lommel::DiskExpansion plan(phase.bounds(), reach, error);
     return named(entry("degrees", plan.degrees), entry("orders", plan.orders), entry("exact", plan.rule->degree),
                  entry("rings", plan.rule->rings), entry("quarter", plan.rule->quarter), entry("truncation", plan.truncation),
@@ -168,8 +173,10 @@ Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles
                            std::size_t groups) {
     const lommel::Amplitude light = powers_of_amplitude(amplitude);
     lommel::ZernikeField field;
-    field.expand(zernike_phase(n, m, outer, light), zernike_phase(n, m, inner, light.scaled(obscuration * obscuration)),
-                 obscuration, reach, error);
+    const lommel::TermPairs pairs = pairs_of(n, m, outer);
+    require(inner.shape(0) == outer.shape(0), "both disks must have all terms");
+    field.expand({pairs, outer.data(), light}, {pairs, inner.data(), light.scaled(obscuration * obscuration)}, obscuration, reach,
+                 error);
     const double expanded = field.base();
     std::size_t pieces = 0;
     field.prepare(wanted, 1, [&](std::size_t count) {
@@ -220,9 +227,9 @@ Named disk_stack(In<std::int64_t, 2> terms, Doubles1 edge, double obscuration, d
 Named chordal_bounds(In<std::int64_t, 2> terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high,
                      std::size_t chords) {
     require(low <= high && chords >= 1, "low must be below high, chords positive");
-    const lommel::ChordCurves curves(terms_of(terms, coefficients.size()));
+    const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
     lommel::ChordBound bound;
-    bound.prepare(curves, coefficients.data(), powers_of_amplitude(amplitude), {low, high, 0.0, 0.0});
+    bound.prepare(pairs, coefficients.data(), powers_of_amplitude(amplitude), {low, high, 0.0, 0.0});
     return named(entry("quadrature", bound.bound(chords)), entry("rounding", bound.rounding(chords)),
                  entry("variance", bound.variance()));
 }

@@ -16,7 +16,7 @@ UNIT = mp.mpf(2) ** -53
 # At 1, of the numbers that tables are made with; where these are doubles, that is counted.
 SPACING = mp.mpf(_core.window_bounds(1, 1.0)["spacing"])
 WIDER = SPACING < 2 * UNIT
-CURVES = [mp.mpf("0.05") * mp.mpf("1.14") ** k for k in range(32)]
+CURVES = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(k) / 63) for k in range(64)]
 LIST = [(1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (4, 0), (5, -3)]
 TERMS = np.array(LIST, np.int64)
 
@@ -81,14 +81,13 @@ def sizes(c: list[float], light: list[float], low: float, high: float, terms=LIS
 
 
 def quadrature(logs: list[mp.mpf], chords: int) -> mp.mpf:
-    """Return the bound on the curve where the exponent is least, of those on which the series converges."""
+    """Return the least bound of the curves on which the series converges."""
     first, found = mp.mpf(2 * chords + 1), []
     for log_m, b in zip(logs, CURVES, strict=True):
         q = mp.exp(-b) * ((first + 1) / first) ** mp.mpf(1.5)
         if q < 1:
-            found.append((log_m - 2 * chords * b, first ** mp.mpf(1.5) / (1 - q)))
-    exponent, sums = min(found)
-    return mp.exp(exponent) * sums
+            found.append(mp.exp(log_m - 2 * chords * b) * first ** mp.mpf(1.5) / (1 - q))
+    return min(found)
 
 
 def rounding(c: list[float], low: float, high: float, chords: int, terms=LIST) -> mp.mpf:

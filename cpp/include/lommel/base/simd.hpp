@@ -139,6 +139,14 @@ template <class V, class Real>
 LOMMEL_INLINE void store(Real* to, V p) {
     std::memcpy(to, &p, sizeof p);
 }
+template <class V>
+LOMMEL_INLINE double lane_sum(V v) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(double); ++i) {
+        sum += v[i];
+    }
+    return sum;
+}
 
 // What a kernel is compiled for: its vectors, and how many of them its registers hold in each of three arrays.
 template <std::size_t Lanes, std::size_t Unroll>

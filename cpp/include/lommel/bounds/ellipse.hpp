@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lommel/bounds/amplitude.hpp"
+#include "lommel/bounds/settle.hpp"
 
 namespace lommel {
 
@@ -197,9 +198,6 @@ class Ellipses {
     std::array<double, count> g_;
 };
 
-// How far from the axis, in v: beyond, light is less than 1e-17 of that of an aperture in focus, and roundings of v show.
-constexpr double max_reach = 1e6;
-
 // log of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and the rate at which it falls with m.
 inline double kapteyn(double m, double v, double& rate) {
     const double x = v / m, root = std::sqrt(std::max(0.0, 1.0 - x * x));
@@ -207,40 +205,41 @@ inline double kapteyn(double m, double v, double& rate) {
     return m * (root - rate);
 }
 
-// Bound on sum_{n >= terms} sqrt(2n+1) |2 J_{2n+1}(v) / v| for all v <= reach: what the terms beyond can add whatever
-// the pupil (|beta_n| <= sqrt(2n+1) by Parseval), because high orders vanish near the axis.
-inline double window_tail(std::size_t terms, double reach) {
-    const double m = 2.0 * static_cast<double>(terms) + 1.0;
+// Bound on the sum over m, m + step, m + 2 step, ... of m^power 2 |J_m(v) / v| for all v <= reach: high orders vanish near the
+// axis.
+inline double beyond_window(double m, double step, double power, double reach) {
     if (reach < 1e-100) {
-        return terms > 0 ? 0.0 : 1.0;
+        return m > 1.0 ? 0.0 : 1.0;
     }
     if (m <= reach) {
         return 1e300;
     }
     double rate = 0.0;
     const double top = kapteyn(m, reach, rate);
-    const double ratio = std::exp(-2.0 * rate) * std::sqrt((m + 2.0) / m);
+    const double ratio = std::exp(-step * rate) * std::pow((m + step) / m, power);
     // Near m = v the bound is not yet rising with v.
     if (ratio >= 1.0 || rate * m < 1.2) {
         return 1e300;
     }
     // 2/v |J_m(v)| grows with v up to the reach, for m > v.
-    return 2.0 / reach * std::sqrt(m) * std::exp(top) / (1.0 - ratio);
+    return 2.0 / reach * std::pow(m, power) * std::exp(top) / (1.0 - ratio);
 }
 
-// Fewest terms for which window_tail() is at most `error`; the reach is at most max_reach.
+// What the terms of a Legendre series from so many on, J_{2n+1}, can add to U whatever the pupil: |beta_n| <= sqrt(2n+1) by
+// Parseval. And the fewest terms for which that is at most `error`.
+inline double window_tail(std::size_t terms, double reach) {
+    return beyond_window(2.0 * static_cast<double>(terms) + 1.0, 2.0, 0.5, reach);
+}
 inline std::size_t window_terms(double reach, double error) {
-    std::size_t n = static_cast<std::size_t>(0.5 * reach) + 1;
-    std::size_t step = 1;
-    while (window_tail(n + step, reach) > error) {
-        step *= 2;
-    }
-    for (std::size_t half = step; half > 0; half /= 2) {
-        if (window_tail(n + half, reach) > error) {
-            n += half;
-        }
-    }
-    return n + 1;
+    return fewest(static_cast<std::size_t>(0.5 * reach) + 2, [&](std::size_t n) { return window_tail(n, reach) <= error; });
+}
+
+// What the degrees of a Zernike series from so many on, (n+1) J_{n+1}, can add, and the fewest of them.
+inline double disk_window_tail(std::size_t degrees, double reach) {
+    return beyond_window(static_cast<double>(degrees) + 1.0, 1.0, 1.0, reach);
+}
+inline std::size_t disk_window_degrees(double reach, double error) {
+    return fewest(static_cast<std::size_t>(reach) + 2, [&](std::size_t n) { return disk_window_tail(n, reach) <= error; });
 }
 
 }  // namespace lommel

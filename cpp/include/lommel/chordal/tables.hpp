@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/bounds/chords.hpp"
-#include "lommel/special/legendre.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/bounds/amplitude.hpp"
+#include "lommel/special/legendre.hpp"
+#include "lommel/special/radial_polynomials.hpp"
 
 namespace lommel {
 
@@ -27,37 +28,6 @@ LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
 }
 
 constexpr std::size_t node_tile = 4, row_tile = 3, column_tile = 6;
-
-// R_n^|m|(rho) cos(m theta) or sin(|m| theta), as a polynomial in x and y: Jacobi's recurrence for alpha = 0,
-// beta = |m| (DLMF 18.9.1-2).
-template <class Number>
-Number zernike_value(const ZernikeTerm& term, Number x, Number y) {
-    using real = wide;
-    const std::int64_t a = std::abs(term.m);
-    const real order = static_cast<real>(a);
-    const Number z = real(2) * (x * x + y * y) - real(1);
-    Number before = real(0), here = real(1);
-    for (std::int64_t j = 0; j < (term.n - a) / 2; ++j) {
-        const real k = static_cast<real>(j), s = 2 * k + order;
-        if (j == 0) {
-            before = here;
-            here = ((order + 2) * z - order) / real(2);
-            continue;
-        }
-        const Number next = (((s + 1) * (s + 2) * s * z - (s + 1) * order * order) * here -
-                             2 * k * (k + order) * (s + 2) * before) /
-                            (2 * (k + 1) * (k + 1 + order) * s);
-        before = here;
-        here = next;
-    }
-    Number re = real(1), im = real(0);  // the parts of (x + i y)^|m|
-    for (std::int64_t j = 0; j < a; ++j) {
-        const Number next = re * x - im * y;
-        im = re * y + im * x;
-        re = next;
-    }
-    return here * (term.m < 0 ? im : re);
-}
 
 // Nodes x_i = cos(i pi / (N+1)), y = s_i eta_k with s_i = sqrt(1 - x_i^2), of the quadrant x, y > 0; N is even.
 struct ChordRule {

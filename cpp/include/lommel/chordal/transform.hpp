@@ -15,11 +15,6 @@ template <std::size_t R, std::size_t C, class I>
 LOMMEL_INLINE void multiply(I, const double* table, const double* data, std::size_t count,
                             typename I::pack (&sum)[R][C]) {
     using V = typename I::pack;
-    for (std::size_t r = 0; r < R; ++r) {
-        for (std::size_t c = 0; c < C; ++c) {
-            sum[r][c] = splat<V>(0.0);
-        }
-    }
     for (std::size_t k = 0; k < count; ++k, table += R, data += C * I::lanes) {
         V d[C];
         for (std::size_t c = 0; c < C; ++c) {
@@ -74,7 +69,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
     for_fixed_tiles<node_tile>(half, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
         const double* values = table.values.data() + (chord * half + first) * terms;
-        V parts[4][R][1];
+        V parts[4][R][1] = {};
         for (std::size_t parity = 0, from = 0; parity < 4; from = table.ends[parity], ++parity) {
             multiply<R, 1>(isa, values + from * R, coefficients + from * lanes, table.ends[parity] - from, parts[parity]);
         }
@@ -119,7 +114,7 @@ LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTab
         for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;
             const std::size_t at = (i * rows + first) * half;
-            V a[R][4], b[R][4];
+            V a[R][4] = {}, b[R][4] = {};
             multiply<R, 4>(isa, kernel.row_cos.data() + at, nodes, half, a);
             multiply<R, 4>(isa, kernel.row_sin.data() + at, nodes + half * 4 * lanes, half, b);
             for (std::size_t r = 0; r < R; ++r) {
@@ -143,7 +138,7 @@ LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTab
         const double* from = chords + y * 2 * line;
         for_fixed_tiles<column_tile>(columns, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;
-            V a[R][2], b[R][2];
+            V a[R][2] = {}, b[R][2] = {};
             multiply<R, 2>(isa, kernel.column_cos.data() + first * half, from, half, a);
             multiply<R, 2>(isa, kernel.column_sin.data() + first * half, from + line, half, b);
             for (std::size_t r = 0; r < R; ++r) {

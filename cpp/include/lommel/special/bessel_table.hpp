@@ -233,12 +233,7 @@ LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const doubl
     terms = std::min(terms, piece.terms() - std::min(first, piece.terms()));
     for (std::size_t k = 0; k < degree_count; k += at_once) {
         const double* column = piece.rows.data() + first * degree_count + k;
-        V a[2][packs], b[2][packs];  // two rows at once, for their chains of multiply-adds to overlap
-        for (std::size_t j = 0; j < 2; ++j) {
-            for (std::size_t p = 0; p < packs; ++p) {
-                a[j][p] = b[j][p] = splat<V>(0.0);
-            }
-        }
+        V a[2][packs] = {}, b[2][packs] = {};  // two rows at once, for their chains of multiply-adds to overlap
         const auto add = [&](std::size_t j, std::size_t n) LOMMEL_INLINE_LAMBDA {
             for (std::size_t p = 0; p < packs; ++p) {
                 const V c = load<V>(column + n * degree_count + p * I::lanes);

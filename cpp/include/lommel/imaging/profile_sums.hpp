@@ -5,15 +5,15 @@
 #include <cstddef>
 
 #include "lommel/base/parallel.hpp"
-#include "lommel/radial/profiles.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/radial/profiles.hpp"
 
 namespace lommel {
 
 // out[pupil * sums + j] = sum over i of I(v[i]) matrix[i * sums + j], bounds as those of profiles(). A product of matrices,
 // here because those of libraries start threads of their own, which outnumber the processors where callers are many.
-inline void means(const Stack& stack, const double* v, std::size_t count, double tol, const double* matrix, std::size_t sums,
-                  int threads, double* out, double* bounds) {
+inline void profile_sums(const Stack& stack, const double* v, std::size_t count, double tol, const double* matrix, std::size_t sums,
+                         int threads, double* out, double* bounds) {
     constexpr std::size_t together = 4, step = 16;
     const std::size_t stride = (sums + step - 1) / step * step;
     Doubles table(count * stride);
@@ -33,10 +33,7 @@ inline void means(const Stack& stack, const double* v, std::size_t count, double
             constexpr std::size_t lanes = decltype(isa)::lanes;
             // Eight chains of multiply-adds hide their latency.
             for (std::size_t j = 0; j < stride; j += 2 * lanes) {
-                V sum[together][2];
-                for (auto& pair : sum) {
-                    pair[0] = pair[1] = splat<V>(0.0);
-                }
+                V sum[together][2] = {};
                 for (std::size_t i = 0; i < count; ++i) {
                     const V a = load<V>(table.data() + i * stride + j), b = load<V>(table.data() + i * stride + j + lanes);
                     for (std::size_t p = 0; p < together; ++p) {

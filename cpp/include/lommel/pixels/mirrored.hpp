@@ -11,7 +11,7 @@
 
 namespace lommel {
 
-struct Octants {
+struct MirroredPixels {
     std::int64_t height, width, row, column;  // of the image, and of the axis (which may be outside)
     struct Group {
         std::int32_t a, b;  // a >= b >= 0, in pixels
@@ -19,7 +19,7 @@ struct Octants {
     };
     std::vector<Group> groups;  // by rising distance
 
-    Octants(std::int64_t h, std::int64_t w, std::int64_t r, std::int64_t c) : height(h), width(w), row(r), column(c) {
+    MirroredPixels(std::int64_t h, std::int64_t w, std::int64_t r, std::int64_t c) : height(h), width(w), row(r), column(c) {
         const std::int64_t far_y = std::max(std::abs(r), std::abs(h - 1 - r));
         const std::int64_t far_x = std::max(std::abs(c), std::abs(w - 1 - c));
         const std::int64_t near_y = r < 0 ? -r : std::max<std::int64_t>(0, r - h + 1);

@@ -142,6 +142,11 @@ def window_tail(n: int, v: float) -> mp.mpf:
     return 2 / mp.mpf(v) * mp.sqrt(m) * top / (1 - mp.exp(-2 * rate) * mp.sqrt(mp.mpf(m + 2) / m))
 
 
+def of_rule(nodes: int) -> mp.mpf:
+    """Return the roundings of sums over so many nodes, and of their table."""
+    return mp.mpf(nodes) / 4 + 16 + (0 if WIDER else 1.5 * mp.sqrt(nodes))
+
+
 def expansion(phase: list[float], light: list[float], power: int, reach: float, error: float) -> tuple[int, mp.mpf]:
     """Return the terms of a disk and the bound on its error, each term of it from the choice that the core made."""
     made = _core.series_bounds(np.array(phase), np.array(light), power, reach, error)
@@ -152,9 +157,7 @@ def expansion(phase: list[float], light: list[float], power: int, reach: float, 
     assert made["truncation"] <= 0.5 * error
     assert same(made["quadrature"], quadrature(growths, nodes, n))
     assert made["quadrature"] <= 0.1 * error
-    rounding = U * (
-        sensitivity(phase, light) + 8 + mp.sqrt(n) * (mp.mpf(nodes) / 4 + 16 + (0 if WIDER else 1.5 * mp.sqrt(nodes)))
-    )
+    rounding = U * (sensitivity(phase, light) + 8 + mp.sqrt(n) * of_rule(nodes))
     total = made["truncation"] + made["quadrature"] + rounding
     assert same(made["error"], total)
     return n, total
@@ -337,7 +340,11 @@ def test_the_whole_of_a_stack(rows, tol, divided):
         for terms, nodes, left in plans:
             used = np.count_nonzero(row)
             rounding = (
-                (used + 6) * abs(row[0]) + (used + 7) * abs(row[1]) + 1.2 + 8 + math.sqrt(terms) * (nodes / 4 + 16)
+                (used + 6) * abs(row[0])
+                + (used + 7) * abs(row[1])
+                + 1.2
+                + 8
+                + math.sqrt(terms) * float(of_rule(nodes))
             )
             whole = _core.intensity_bounds(
                 peak, left + float(U) * (rounding + terms + 16) + float(radius_rounding(reach))

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.cached import cached_property
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
 from lommel.optics.aplanatic import expansion
 from lommel.optics.apodization import Apodization, illumination

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from types import MappingProxyType
 from typing import Any, Self
 
@@ -14,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
 from lommel.optics.descriptions import Descriptions
 from lommel.optics.terms import symmetric_terms
 from lommel.special import zernike

@@ -20,7 +20,7 @@ namespace lommel {
 // The ellipses that are tried, and angles around them.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
-    std::array<double, count> eta, sinh, cosh, decay, perimeter, quadrature;
+    std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
     std::array<double, steps + 1> sin, cos;
 
     EllipseGrid() {
@@ -29,10 +29,11 @@ struct EllipseGrid {
             sinh[i] = std::sinh(eta[i]);
             cosh[i] = std::cosh(eta[i]);
             decay[i] = std::exp(-eta[i]);
-            const double closed = std::log(-std::expm1(-2.0 * eta[i]));
+            closed[i] = -std::log(1.0 - decay[i]);
+            const double both = std::log(-std::expm1(-2.0 * eta[i]));
             // log(l / pi) <= log sqrt(2 cosh 2 eta)
-            perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - closed;
-            quadrature[i] = std::log(32.0 / 15.0) - closed - std::log(std::expm1(eta[i]));
+            perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - both;
+            quadrature[i] = std::log(32.0 / 15.0) - both - std::log(std::expm1(eta[i]));
         }
         for (std::size_t j = 0; j <= steps; ++j) {
             sin[j] = std::sin(pi() * static_cast<double>(j) / steps);
@@ -105,9 +106,11 @@ class Ellipses {
         double best = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
             const double q = grid.decay[i];
-            const double sums = 1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q));
-            best = std::min(best, g_[i] + grid.perimeter[i] + std::log(sums) -
-                                      (static_cast<double>(terms) + 1.0) * grid.eta[i]);
+            const double exponent = g_[i] + grid.perimeter[i] - (static_cast<double>(terms) + 1.0) * grid.eta[i];
+            // The sum is more than 1; its logarithm only where it may matter.
+            if (exponent < best) {
+                best = std::min(best, exponent + std::log(1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q))));
+            }
         }
         return std::sqrt(order) * std::exp(std::min(best, 700.0));
     }
@@ -115,11 +118,11 @@ class Ellipses {
     // Fewest terms for which tail() is at most `error`.
     std::size_t terms(double error) const {
         const EllipseGrid& grid = the_grid;
+        const double target = std::log(error);
         double needed = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
             // From below: sums >= 1 / (1 - q), order >= 1.
-            needed = std::min(needed, (g_[i] + grid.perimeter[i] - std::log(1.0 - grid.decay[i]) - std::log(error)) /
-                                              grid.eta[i] - 1.0);
+            needed = std::min(needed, (g_[i] + grid.perimeter[i] + grid.closed[i] - target) / grid.eta[i] - 1.0);
         }
         std::size_t n = static_cast<std::size_t>(std::max(1.0, std::min(needed, 1e9)));
         while (tail(n) > error && n < 1000000) {

@@ -158,7 +158,7 @@ Named disk_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coeffic
 }
 
 Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, double reach,
-                        double error) {
+                     double error) {
     const lommel::TermPairs pairs = pairs_of(n, m, coefficients);
     const lommel::ZernikePhase phase{pairs, coefficients.data(), powers_of_amplitude(amplitude)};
     const lommel::DiskExpansion plan(phase.bounds(), reach, error);
@@ -175,8 +175,8 @@ Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles
     lommel::ZernikeField field;
     const lommel::TermPairs pairs = pairs_of(n, m, outer);
     require(inner.shape(0) == outer.shape(0), "both disks must have all terms");
-    field.expand({pairs, outer.data(), light}, {pairs, inner.data(), light.scaled(obscuration * obscuration)}, obscuration, reach,
-                 error);
+    field.expand({pairs, outer.data(), light}, {pairs, inner.data(), light.scaled(obscuration * obscuration)}, obscuration,
+                 reach, error);
     const double expanded = field.base();
     std::size_t pieces = 0;
     field.prepare(wanted, 1, [&](std::size_t count) {

@@ -19,7 +19,8 @@ std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, dou
     auto out = new_array<double, 2>({stack.count, matrix.shape(1)});
     auto bounds = new_array<double, 1>({stack.count});
     released([&] {
-        lommel::profile_sums(stack, v.data(), v.shape(0), tol, matrix.data(), matrix.shape(1), threads, out.data(), bounds.data());
+        lommel::profile_sums(stack, v.data(), v.shape(0), tol, matrix.data(), matrix.shape(1), threads, out.data(),
+                             bounds.data());
     });
     return {out, bounds};
 }

@@ -24,9 +24,19 @@ class ForkAware {
     ForkAware() {
 #if defined(LOMMEL_FORKS)
         if (all().empty()) {
-            pthread_atfork([] { for (ForkAware* one : all()) one->before_fork(); },
-                           [] { for (ForkAware* one : all()) one->after_fork(false); },
-                           [] { for (ForkAware* one : all()) one->after_fork(true); });
+            pthread_atfork(
+                [] {
+                    for (ForkAware* one : all())
+                        one->before_fork();
+                },
+                [] {
+                    for (ForkAware* one : all())
+                        one->after_fork(false);
+                },
+                [] {
+                    for (ForkAware* one : all())
+                        one->after_fork(true);
+                });
         }
 #endif
         all().push_back(this);

@@ -79,9 +79,15 @@ LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
 template <class Real, std::size_t Lanes>
 struct Pack {
     Real v[Lanes];
-    friend Pack operator+(Pack a, Pack b) { return each(a, b, [](Real x, Real y) { return x + y; }); }
-    friend Pack operator-(Pack a, Pack b) { return each(a, b, [](Real x, Real y) { return x - y; }); }
-    friend Pack operator*(Pack a, Pack b) { return each(a, b, [](Real x, Real y) { return x * y; }); }
+    friend Pack operator+(Pack a, Pack b) {
+        return each(a, b, [](Real x, Real y) { return x + y; });
+    }
+    friend Pack operator-(Pack a, Pack b) {
+        return each(a, b, [](Real x, Real y) { return x - y; });
+    }
+    friend Pack operator*(Pack a, Pack b) {
+        return each(a, b, [](Real x, Real y) { return x * y; });
+    }
     Real operator[](std::size_t i) const { return v[i]; }
     template <class F>
     static Pack each(Pack a, Pack b, F f) {
@@ -173,8 +179,8 @@ inline Level processor_level() {
 #ifdef LOMMEL_X86
     static const Level found = [] {
         __builtin_cpu_init();
-        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-            __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
+        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+            __builtin_cpu_supports("avx512bw")) {
             return Level::avx512;
         }
         return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? Level::avx2 : Level::portable;
@@ -223,9 +229,13 @@ struct AlignedAllocator {
     T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
     void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
     template <class U>
-    bool operator==(const AlignedAllocator<U>&) const { return true; }
+    bool operator==(const AlignedAllocator<U>&) const {
+        return true;
+    }
     template <class U>
-    bool operator!=(const AlignedAllocator<U>&) const { return false; }
+    bool operator!=(const AlignedAllocator<U>&) const {
+        return false;
+    }
 };
 using Doubles = std::vector<double, AlignedAllocator<double>>;
 using Floats = std::vector<float, AlignedAllocator<float>>;

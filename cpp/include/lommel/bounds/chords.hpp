@@ -28,8 +28,7 @@ struct VBox {
     VBox scaled(double by) const { return {by * left, by * right, by * top, by * bottom}; }
     // Largest distance from (x, y).
     double reach(double x, double y) const {
-        return std::hypot(std::max(std::abs(left - x), std::abs(right - x)),
-                          std::max(std::abs(top - y), std::abs(bottom - y)));
+        return std::hypot(std::max(std::abs(left - x), std::abs(right - x)), std::max(std::abs(top - y), std::abs(bottom - y)));
     }
 };
 
@@ -70,7 +69,8 @@ class ChordBound {
 
     // Chords that such a bound would lead to, roughly, at most the limit.
     std::size_t estimate(std::size_t curve, double error, double share) const {
-        return static_cast<std::size_t>(std::min(static_cast<double>(max_chords), chords_on(curve, std::log(error) - usual, share)));
+        return static_cast<std::size_t>(
+            std::min(static_cast<double>(max_chords), chords_on(curve, std::log(error) - usual, share)));
     }
 
     // Takes a bound on the phase on one curve in place of the sum over terms.

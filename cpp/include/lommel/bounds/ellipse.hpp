@@ -149,8 +149,8 @@ class Ellipses {
         const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
         double needed = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
-            needed = std::min(needed, 0.5 * (static_cast<double>(terms) +
-                                             (g_[i] + grid.quadrature[i] - log_error) / grid.eta[i]));
+            needed =
+                std::min(needed, 0.5 * (static_cast<double>(terms) + (g_[i] + grid.quadrature[i] - log_error) / grid.eta[i]));
         }
         return static_cast<std::size_t>(std::ceil(std::max(1.0, std::min(needed, 1e9))));
     }
@@ -181,7 +181,8 @@ class Ellipses {
                 top = std::max(top, std::abs(sum));
             }
             // A trigonometric polynomial of this degree between grid points (Ehlich and Zeller, 1964).
-            g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
+            g_[i] =
+                top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
         }
     }
 

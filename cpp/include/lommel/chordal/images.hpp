@@ -38,11 +38,10 @@ template <class T>
 class ChordalRenderer {
    public:
     ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
-        : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column),
-          step_(window.step), tol_(tol), threads_(threads), answer_(answer), terms_(stack.terms),
+        : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column), step_(window.step), tol_(tol),
+          threads_(threads), answer_(answer), terms_(stack.terms),
           box_{step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
-          area_(stack.obscuration * stack.obscuration), inner_amplitude_(stack.amplitude.scaled(area_)),
-          states_(stack.count) {}
+          area_(stack.obscuration * stack.obscuration), inner_amplitude_(stack.amplitude.scaled(area_)), states_(stack.count) {}
 
     void run() {
         sharpen(stack_.outer.data(), 1.0, &State::far);
@@ -217,9 +216,8 @@ class ChordalRenderer {
         parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch scratch;
             const std::size_t first = b * lanes, here = std::min(lanes, pending.size() - first);
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                batch(isa, pending.data() + first, here, outer[b], inner[b], scratch);
-            });
+            dispatch([&](auto isa)
+                         LOMMEL_INLINE_LAMBDA { batch(isa, pending.data() + first, here, outer[b], inner[b], scratch); });
         });
     }
 
@@ -247,8 +245,7 @@ class ChordalRenderer {
             scratch.inner.resize(pixels * 2 * lanes);
             double* kept = scratch.inner.data();
             gather(isa, stack_.inner.data(), pupils, here, *inner.terms, scratch);
-            chordal_fields(isa, *inner.terms, *inner.kernel, scratch, [&](std::size_t y, const double* u)
-                                                                          LOMMEL_INLINE_LAMBDA {
+            chordal_fields(isa, *inner.terms, *inner.kernel, scratch, [&](std::size_t y, const double* u) LOMMEL_INLINE_LAMBDA {
                 for (std::size_t j = 0; j < 2 * width * lanes; j += lanes) {
                     store(kept + 2 * y * width * lanes + j, load<V>(u + j) * splat<V>(area_));
                 }
@@ -263,8 +260,7 @@ class ChordalRenderer {
         double* intensity = scratch.intensity.data();
         V top = splat<V>(0.0);
         gather(isa, stack_.outer.data(), pupils, here, *outer.terms, scratch);
-        chordal_fields(isa, *outer.terms, *outer.kernel, scratch, [&](std::size_t y, const double* u)
-                                                                      LOMMEL_INLINE_LAMBDA {
+        chordal_fields(isa, *outer.terms, *outer.kernel, scratch, [&](std::size_t y, const double* u) LOMMEL_INLINE_LAMBDA {
             const double* less = area_ > 0.0 ? scratch.inner.data() + 2 * y * width * lanes : nullptr;
             for (std::size_t x = 0; x < width; ++x) {
                 V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);

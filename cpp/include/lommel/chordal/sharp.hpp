@@ -40,8 +40,7 @@ struct SharpTable {
             const std::complex<wide> angle(pi * static_cast<wide>(p) / static_cast<wide>(across), b);
             for (std::size_t q = 0; q < half; ++q) {
                 look();
-                const wide eta =
-                    std::cos(pi * static_cast<wide>(2 * q + 1) / static_cast<wide>(4 * half));
+                const wide eta = std::cos(pi * static_cast<wide>(2 * q + 1) / static_cast<wide>(4 * half));
                 const std::complex<wide> x = std::cos(angle), y = eta * std::sin(angle);
                 for (const TermPairs::Pair& pair : pairs) {
                     const std::int32_t n = static_cast<std::int32_t>(pair.n), m = static_cast<std::int32_t>(pair.m);
@@ -60,9 +59,9 @@ struct SharpTable {
         }
         // Half a step from a sample, a polynomial of that degree has not fallen below this share of its largest value.
         const double d = static_cast<double>(degree), quarter = 0.5 * std::acos(-1.0) * d;
-        margin = (1.0 + 1e-9) / (std::cos(quarter / static_cast<double>(across)) *
-                                 std::cos(quarter / static_cast<double>(2 * half)) *
-                                 std::cos(quarter / static_cast<double>(2 * turns)));
+        margin = (1.0 + 1e-9) /
+                 (std::cos(quarter / static_cast<double>(across)) * std::cos(quarter / static_cast<double>(2 * half)) *
+                  std::cos(quarter / static_cast<double>(2 * turns)));
     }
 
     static std::size_t samples(std::size_t degree) { return (7 * degree + 1) / 2; }

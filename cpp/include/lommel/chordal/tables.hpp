@@ -47,9 +47,7 @@ struct ChordRule {
         }
     }
     // Weights sum to 1 over the disk.
-    wide weight(std::size_t i, std::size_t k) const {
-        return s[i] * s[i] * gauss[k] / static_cast<wide>(2 * half + 1);
-    }
+    wide weight(std::size_t i, std::size_t k) const { return s[i] * s[i] * gauss[k] / static_cast<wide>(2 * half + 1); }
 };
 
 // Terms at the nodes of a quadrant, sorted into four classes: even or odd in x (second bit), in y (first bit).
@@ -81,15 +79,14 @@ struct TermTable {
                 double* tile = values.data() + (i * half + first) * list.size();
                 for (std::size_t j = 0; j < list.size(); ++j) {
                     for (std::size_t r = 0; r < size; ++r) {
-                        tile[j * size + r] = static_cast<double>(
-                            zernike_value(list[order[j]], rule.x[i], rule.s[i] * rule.eta[first + r]));
+                        tile[j * size + r] =
+                            static_cast<double>(zernike_value(list[order[j]], rule.x[i], rule.s[i] * rule.eta[first + r]));
                     }
                 }
             });
             for (std::size_t k = 0; k < half; ++k) {
                 const wide y = rule.s[i] * rule.eta[k];
-                weights[i * half + k] = static_cast<double>(
-                    rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
+                weights[i * half + k] = static_cast<double>(rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
             }
         }
     }
@@ -154,8 +151,8 @@ struct KernelTable {
     }
 
    private:
-    void fill(const std::vector<double>& at, std::size_t tile, const std::vector<wide>& nodes, wide factor,
-              double* cosines, double* sines) const {
+    void fill(const std::vector<double>& at, std::size_t tile, const std::vector<wide>& nodes, wide factor, double* cosines,
+              double* sines) const {
         for_tiles(at.size(), tile, [&](std::size_t first, std::size_t size) {
             look();
             for (std::size_t k = 0; k < half; ++k) {

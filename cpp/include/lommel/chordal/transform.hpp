@@ -12,8 +12,7 @@ namespace lommel {
 
 // sum += table[k][r] * data[k][c] for every vector c of `data`: R * C chains of multiply-adds.
 template <std::size_t R, std::size_t C, class I>
-LOMMEL_INLINE void multiply(I, const double* table, const double* data, std::size_t count,
-                            typename I::pack (&sum)[R][C]) {
+LOMMEL_INLINE void multiply(I, const double* table, const double* data, std::size_t count, typename I::pack (&sum)[R][C]) {
     using V = typename I::pack;
     for (std::size_t k = 0; k < count; ++k, table += R, data += C * I::lanes) {
         V d[C];
@@ -42,12 +41,24 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
             return f(first, Size<Most>{});
         }
         switch (size) {
-            case 1: return f(first, Size<1>{});
-            case 2: return f(first, Size<2>{});
-            case 3: if constexpr (Most > 3) return f(first, Size<3>{}); break;
-            case 4: if constexpr (Most > 4) return f(first, Size<4>{}); break;
-            case 5: if constexpr (Most > 5) return f(first, Size<5>{}); break;
-            default: break;
+            case 1:
+                return f(first, Size<1>{});
+            case 2:
+                return f(first, Size<2>{});
+            case 3:
+                if constexpr (Most > 3)
+                    return f(first, Size<3>{});
+                break;
+            case 4:
+                if constexpr (Most > 4)
+                    return f(first, Size<4>{});
+                break;
+            case 5:
+                if constexpr (Most > 5)
+                    return f(first, Size<5>{});
+                break;
+            default:
+                break;
         }
     });
 }
@@ -60,8 +71,7 @@ struct ChordalScratch {
 // The pupil function of a pair of chords at +-x: nodes[even, odd in y][node][even, odd in x][re, im], weighted. Bound
 // by the sines.
 template <class I>
-LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients,
-                                  double* nodes) {
+LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, double* nodes) {
     using V = typename I::pack;
     constexpr std::size_t lanes = I::lanes;
     const std::size_t half = table.half, terms = table.order.size();

@@ -12,8 +12,8 @@ namespace lommel {
 
 // out[pupil * sums + j] = sum over i of I(v[i]) matrix[i * sums + j], bounds as those of profiles(). A product of matrices,
 // here because those of libraries start threads of their own, which outnumber the processors where callers are many.
-inline void profile_sums(const Stack& stack, const double* v, std::size_t count, double tol, const double* matrix, std::size_t sums,
-                         int threads, double* out, double* bounds) {
+inline void profile_sums(const Stack& stack, const double* v, std::size_t count, double tol, const double* matrix,
+                         std::size_t sums, int threads, double* out, double* bounds) {
     constexpr std::size_t together = 4, step = 16;
     const std::size_t stride = (sums + step - 1) / step * step;
     Doubles table(count * stride);

@@ -90,8 +90,8 @@ class ClosedFormField {
                 }
                 const bool last = piece + 1 == hankel_.coefficients.size();
                 // Rounding must not keep the same place from being left.
-                const double to = std::max(last ? high : std::min(high, hankel_.edges[piece + 1] / v),
-                                           std::nextafter(from, 2.0));
+                const double to =
+                    std::max(last ? high : std::min(high, hankel_.edges[piece + 1] / v), std::nextafter(from, 2.0));
                 sum += outer(v, i, piece, from, to);
                 from = to;
             }
@@ -212,8 +212,8 @@ class ClosedFormField {
 };
 
 // |U|^2 at v from 16 Chebyshev coefficients of U on each piece of the v axis, by Clenshaw's recurrence.
-inline void chebyshev_intensity(const std::complex<double>* pieces, std::size_t count, double width, const double* v, std::size_t n,
-                               double* intensity) {
+inline void chebyshev_intensity(const std::complex<double>* pieces, std::size_t count, double width, const double* v,
+                                std::size_t n, double* intensity) {
     constexpr std::size_t terms = 16;
     const double last = static_cast<double>(count - 1);
     Glance glance;

@@ -41,9 +41,8 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
                 above[u] = above[u] * (twice[u] - b);
             }
         };
-        const auto add = [&](std::size_t n, V value) LOMMEL_INLINE_LAMBDA {
-            store(sums + n * lanes, load<V>(sums + n * lanes) + value);
-        };
+        const auto add = [&](std::size_t n, V value)
+                             LOMMEL_INLINE_LAMBDA { store(sums + n * lanes, load<V>(sums + n * lanes) + value); };
         for (std::size_t n = 0; n < half; ++n) {
             const std::size_t other = count - 1 - n;
             for (std::size_t u = 0; u < 2; ++u) {
@@ -155,8 +154,8 @@ LOMMEL_INLINE void along_radius(const double* coefficients, const V (&x)[2], V (
 // Values of `count` pixels of a ring from coefficients [harmonic][radial_degree]: x from -1 to 1 across the ring, the
 // cosine of four times the angle. Bound by arithmetic.
 template <class I>
-LOMMEL_INLINE void sum_harmonics(I, const double* coefficients, std::size_t harmonics, const double* x,
-                                 const double* cosine, std::size_t count, double* out) {
+LOMMEL_INLINE void sum_harmonics(I, const double* coefficients, std::size_t harmonics, const double* x, const double* cosine,
+                                 std::size_t count, double* out) {
     using V = typename I::pack;
     for (std::size_t i = 0; i < count; i += 2 * I::lanes) {
         const V at[2] = {load<V>(x + i), load<V>(x + i + I::lanes)};

@@ -49,9 +49,8 @@ struct MirroredPixels {
 
     // The first group at a distance of at least `radius` pixels.
     std::size_t first_at(double radius) const {
-        const auto found = std::lower_bound(groups.begin(), groups.end(), radius * radius, [](const Group& g, double s) {
-            return static_cast<double>(g.square()) < s;
-        });
+        const auto found = std::lower_bound(groups.begin(), groups.end(), radius * radius,
+                                            [](const Group& g, double s) { return static_cast<double>(g.square()) < s; });
         return static_cast<std::size_t>(found - groups.begin());
     }
 

@@ -79,8 +79,9 @@ struct PixelTable : Radii {  // where I is wanted, in v
         const double ring_count = std::ceil((most - least) / (2.0 * half)) + 1.0;
         const double coefficients = static_cast<double>(radial_degree * harmonics), of_ring = values / ring_count;
         const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
-        const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
-                                (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
+        const double by_rings =
+            ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
+            (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
         const double by_one = static_cast<double>(whole.count) * (64.0 + values * sum);
         if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {
             at_pixels();
@@ -91,13 +92,12 @@ struct PixelTable : Radii {  // where I is wanted, in v
         const std::size_t entries = rings.back().first_weight + rings.back().nodes.count * rings.back().outputs;
         const std::size_t nodes = std::max(narrow.count, rings.front().nodes.count);
         if (entries > most_weights || nodes > most_nodes) {
-            throw std::invalid_argument("averages over pixels of " + std::to_string(w.step / 3.14159265358979324) +
-                                        " lambda*N take " +
-                                        (nodes > most_nodes ? std::to_string(nodes) + " radii a pixel, more than the limit of " +
-                                                                  std::to_string(most_nodes)
-                                                            : std::to_string(entries) + " weights, more than the limit of " +
-                                                                  std::to_string(most_weights)) +
-                                        "; take smaller pixels, and average blocks of them");
+            throw std::invalid_argument(
+                "averages over pixels of " + std::to_string(w.step / 3.14159265358979324) + " lambda*N take " +
+                (nodes > most_nodes
+                     ? std::to_string(nodes) + " radii a pixel, more than the limit of " + std::to_string(most_nodes)
+                     : std::to_string(entries) + " weights, more than the limit of " + std::to_string(most_weights)) +
+                "; take smaller pixels, and average blocks of them");
         }
         weights.resize(entries);
         const Square square(w.side(), gauss);
@@ -125,8 +125,8 @@ struct PixelTable : Radii {  // where I is wanted, in v
     // Values of `Together` windows from I at the radii, for rings [first, last); raises `penalties` to what evaluating
     // the harmonics may be off by, in units of roundoff.
     template <std::size_t Together, class I>
-    LOMMEL_INLINE void apply(I isa, std::size_t first, std::size_t last, const double* const* intensity,
-                             double* const* out, double* penalties, Doubles& scratch) const {
+    LOMMEL_INLINE void apply(I isa, std::size_t first, std::size_t last, const double* const* intensity, double* const* out,
+                             double* penalties, Doubles& scratch) const {
         for (std::size_t r = first; r < last; ++r) {
             const Ring& ring = rings[r];
             const std::size_t nodes = ring.nodes.count, room = ring.direct ? 0 : ring.outputs;
@@ -238,8 +238,7 @@ struct PixelTable : Radii {  // where I is wanted, in v
     }
 
     template <class I>
-    LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Square& square, const Doubles& radial,
-                             const Doubles& angular) {
+    LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Square& square, const Doubles& radial, const Doubles& angular) {
         const std::size_t count_here = ring.nodes.count;
         Doubles points(count_here), scale(count_here), scratch;
         for (std::size_t i = 0; i < count_here; ++i) {
@@ -280,8 +279,8 @@ struct PixelTable : Radii {  // where I is wanted, in v
         for (std::size_t k = 0; k < points; ++k) {
             for (std::size_t i = 0; i < points; ++i) {
                 const double angle = 3.14159265358979323846 * static_cast<double>(k) * (static_cast<double>(i) + 0.5);
-                matrix[k * points + i] = (k == 0 ? 1.0 : 2.0) / static_cast<double>(points) *
-                                         std::cos(angle / static_cast<double>(points));
+                matrix[k * points + i] =
+                    (k == 0 ? 1.0 : 2.0) / static_cast<double>(points) * std::cos(angle / static_cast<double>(points));
             }
         }
         return matrix;

@@ -42,7 +42,8 @@ struct Aperture {
         Field field;
         const double error = field.prepare({&flat, 1, &amplitude}, 0, eps, {axis, 1, 1.0}, 1e-12);
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            field.evaluate(isa, axis, 0, 1, 1.0, [&](std::size_t i, auto re, auto) LOMMEL_INLINE_LAMBDA { store(found + i, re); });
+            field.evaluate(isa, axis, 0, 1, 1.0,
+                           [&](std::size_t i, auto re, auto) LOMMEL_INLINE_LAMBDA { store(found + i, re); });
         });
         return std::min(1.0 - eps * eps, found[0] + error);
     }
@@ -53,14 +54,15 @@ class PixelRenderer {
    public:
     // `peaks` receives what the bounds are related to: what the largest value over the plane, or in the window where
     // values are divided by that, is at least.
-    PixelRenderer(const Stack& stack, const PixelWindow& window, double tol, int threads, const Answer<T>& answer, double* peaks)
-        : stack_(stack), aperture_(stack.obscuration, stack.amplitude), window_(window),
-          tol_(tol), allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads),
-          answer_(answer), peaks_(peaks) {}
+    PixelRenderer(const Stack& stack, const PixelWindow& window, double tol, int threads, const Answer<T>& answer,
+                  double* peaks)
+        : stack_(stack), aperture_(stack.obscuration, stack.amplitude), window_(window), tol_(tol),
+          allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer), peaks_(peaks) {}
 
     void run() {
         // Roughly what the stack takes, in microseconds: the same processor took 1.2 for each of 300 of 33^2, 40 for one of 128^2.
-        threads_ = worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + 2e-3 * static_cast<double>(pixels())));
+        threads_ =
+            worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + 2e-3 * static_cast<double>(pixels())));
         if (!(answer_.derivatives == 0 && Batch::fits(stack_) && render_batch())) {
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
         }
@@ -136,8 +138,8 @@ class PixelRenderer {
         const double blur = 4.0 + phase.blur();
         constexpr double most = 512.0;
         const double step = window_.integrate ? window_.step : blur / most;
-        const PixelWindow line{1, static_cast<std::size_t>(std::min(most, std::ceil(blur / step)) + 1.0), 0.0, 0.0, step,
-                               window_.integrate};
+        const PixelWindow line{
+            1, static_cast<std::size_t>(std::min(most, std::ceil(blur / step)) + 1.0), 0.0, 0.0, step, window_.integrate};
         Field field;
         Doubles at_radii;
         WindowValues made;

@@ -23,8 +23,7 @@ struct RadiusTable {
     Doubles rows;  // [n][radius], rows padded to two of the widest vectors
 
     RadiusTable(const std::shared_ptr<const Radii>& l, double pixel_step, std::size_t n)
-        : layout(l), step(pixel_step), terms(n), stride((l->count + 15) / 16 * 16),
-          rows(terms * stride) {
+        : layout(l), step(pixel_step), terms(n), stride((l->count + 15) / 16 * 16), rows(terms * stride) {
         std::vector<double> values(terms), scratch;
         for (std::size_t i = 0; i < l->count; ++i) {
             look();
@@ -42,8 +41,7 @@ struct RadiusTable {
 
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
     // With terms rounded up, so that a little more defocus does not mean a new table.
-    static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Radii>& layout, double step,
-                                                  std::size_t terms) {
+    static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Radii>& layout, double step, std::size_t terms) {
         return cache<RadiusTable>.get(layout, step, (terms + 7) / 8 * 8);
     }
 };

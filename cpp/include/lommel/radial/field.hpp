@@ -83,14 +83,12 @@ class Field {
         re_.resize(last - first + widest_step);
         im_.resize(re_.size());
         double *re = re_.data(), *im = im_.data();
-        evaluate_disk(isa, inner_, radii, first, last, obscuration_ * step,
-                      [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
-                          store(re + i, a * splat<V>(weight_));
-                          store(im + i, b * splat<V>(weight_));
-                      });
-        evaluate_disk(isa, outer_, radii, first, last, step, [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
-            sink(i, a - load<V>(re + i), b - load<V>(im + i));
+        evaluate_disk(isa, inner_, radii, first, last, obscuration_ * step, [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
+            store(re + i, a * splat<V>(weight_));
+            store(im + i, b * splat<V>(weight_));
         });
+        evaluate_disk(isa, outer_, radii, first, last, step,
+                      [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA { sink(i, a - load<V>(re + i), b - load<V>(im + i)); });
     }
 
    private:

@@ -25,9 +25,8 @@ double intensities(Field& field, const Places& places, int threads, const Take& 
         alignas(64) double buffer[chunk_radii + widest_step];
         const std::size_t first = task * chunk_radii, last = std::min(places.count, first + chunk_radii);
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            own.evaluate(isa, places.radii, first, last, places.step, [&](std::size_t i, auto re, auto im) LOMMEL_INLINE_LAMBDA {
-                store(buffer + i, re * re + im * im);
-            });
+            own.evaluate(isa, places.radii, first, last, places.step,
+                         [&](std::size_t i, auto re, auto im) LOMMEL_INLINE_LAMBDA { store(buffer + i, re * re + im * im); });
             tops[task] = largest(buffer, last - first);
             take(first, last - first, buffer);
         });

@@ -27,8 +27,8 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
     Field field;
     for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
         const Phase phase = stack[pupil];
-        bounds[pupil] = field.prepare(phase, 0, stack.obscuration, {radii.data(), count, 1.0},
-                                      first_error(phase, stack.obscuration, tol));
+        bounds[pupil] =
+            field.prepare(phase, 0, stack.obscuration, {radii.data(), count, 1.0}, first_error(phase, stack.obscuration, tol));
         for (std::size_t first = 0; first < count; first += chunk_radii) {
             look();
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -60,9 +60,8 @@ inline void profiles(const Stack& stack, const double* v, std::size_t count, dou
     const Places places(radii.data(), count, 1.0);
     Field field;
     for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
-        const auto take = [&](std::size_t first, std::size_t here, const double* values) LOMMEL_INLINE_LAMBDA {
-            std::copy_n(values, here, out + pupil * count + first);
-        };
+        const auto take = [&](std::size_t first, std::size_t here, const double* values)
+                              LOMMEL_INLINE_LAMBDA { std::copy_n(values, here, out + pupil * count + first); };
         try {
             const Settled s = settle_field<double>(field, stack[pupil], stack.obscuration, places, tol, false,
                                                    [&] { return intensities(field, places, 1, take); });

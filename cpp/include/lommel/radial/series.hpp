@@ -47,7 +47,9 @@ struct LegendreRule {
         }
     }
 
-    bool is(std::size_t nodes, std::size_t terms) const { return 2 * half == nodes && blocks == (terms + 2 * row_lanes - 1) / (2 * row_lanes); }
+    bool is(std::size_t nodes, std::size_t terms) const {
+        return 2 * half == nodes && blocks == (terms + 2 * row_lanes - 1) / (2 * row_lanes);
+    }
     std::size_t bytes() const { return sizeof(double) * (even.size() + odd.size() + polynomials.size() + 2 * half); }
 
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;

@@ -23,7 +23,8 @@ struct Phase {
     // most K + 1, K of the coefficients not being 0, and that of the node x, half a one at most, as much as the mean of |P_j'|:
     // by Cauchy at most sqrt(j (j + 1) / 2).
     double sensitivity() const {
-        const double used = static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
+        const double used =
+            static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
         return weighted(0.0, 1.0, used + 5.0) + amplitude->sensitivity();
     }
     // How far from the axis rays arrive, in v, at most: |dR_2j/drho| <= 2 j (j + 1).

@@ -225,8 +225,8 @@ inline PieceTables& odd_pieces = *new PieceTables(1);
 // The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Bound by reading the
 // table once.
 template <class I>
-LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im,
-                           double* re, double* im, std::size_t first = 0) {
+LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im, double* re,
+                           double* im, std::size_t first = 0) {
     using V = typename I::pack;
     constexpr std::size_t at_once = 2 * I::lanes < degree_count ? 2 * I::lanes : degree_count;
     constexpr std::size_t packs = at_once / I::lanes;

@@ -29,10 +29,10 @@ struct DiskAnswer {
 };
 
 struct DiskStack {
-    std::vector<ZernikeTerm> terms;     // those that are not zero throughout, and what the inner disk makes of them
-    std::vector<double> outer, inner;   // [pupil][term], radians at the edge; no `inner` without an obscuration
+    std::vector<ZernikeTerm> terms;  // those that are not zero throughout, and what the inner disk makes of them
+    std::vector<double> outer, inner;  // [pupil][term], radians at the edge; no `inner` without an obscuration
     std::vector<std::int64_t> rows, columns;  // the pixels that axes are moved to by move_axes()
-    std::vector<double> lost;           // of each pupil, what roundings on the way here do to U at most
+    std::vector<double> lost;  // of each pupil, what roundings on the way here do to U at most
     std::size_t count;
     double obscuration;
     Amplitude amplitude;

@@ -95,7 +95,8 @@ class ZernikeField {
     void prepare(double error, int threads, const Lit& lit) {
         orders_.measure(outer_, inner_, obscuration_);
         const double trimmed = ZernikeBudget::trimmed * error;
-        base_ += trim(outer_, 1.0, trimmed) + trim(inner_, weight_ - 1.0, trimmed) + orders_.keep(ZernikeBudget::dropped * error);
+        base_ +=
+            trim(outer_, 1.0, trimmed) + trim(inner_, weight_ - 1.0, trimmed) + orders_.keep(ZernikeBudget::dropped * error);
         std::size_t width = 0;
         // Interpolation at 8 points magnifies the errors of the piece by 2.3 at most (its Lebesgue constant).
         while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > ZernikeBudget::pieces * error) {
@@ -117,7 +118,8 @@ class ZernikeField {
             }
         }
         if (static_cast<double>(wanted.others.size() + within.others.size()) *
-                static_cast<double>(orders_.kept().size() * 4 * degree_count) > max_coefficients) {
+                static_cast<double>(orders_.kept().size() * 4 * degree_count) >
+            max_coefficients) {
             throw PhaseTooLarge("aberrations and a window that reaches to v = " + std::to_string(reach_) +
                                 " take more than 1 GiB of coefficients");
         }
@@ -192,12 +194,8 @@ class ZernikeField {
             return;
         }
         // The inner disk has its own pieces, in v times the obscuration; a ring may lie on two of them.
-        const auto at = [&](double x) {
-            return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings);
-        };
-        const auto piece_at = [&](double x) {
-            return inner_piece(static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings);
-        };
+        const auto at = [&](double x) { return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
+        const auto piece_at = [&](double x) { return inner_piece(static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         for (std::size_t p = piece_at(-1.0); p <= piece_at(1.0); ++p) {
             resample(onto, [&](double x, double* powers) {
                 if (piece_at(x) == p) {
@@ -221,7 +219,8 @@ class ZernikeField {
     double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
         check_phase(phase.size());
         const DiskExpansion plan(phase.bounds(), reach, error);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
+        dispatch([&](auto isa)
+                     LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
         return plan.error(phase);
     }
 

@@ -23,8 +23,8 @@ inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients
     for (const double c : coefficients) {
         sum += std::abs(c);
     }
-    const double steps = 4.0 * ring_degree + 4.0 * static_cast<double>(plan.orders.highest()) +
-                         static_cast<double>(plan.rows.size()) + 32.0;
+    const double steps =
+        4.0 * ring_degree + 4.0 * static_cast<double>(plan.orders.highest()) + static_cast<double>(plan.rows.size()) + 32.0;
     return 5.97e-8 * steps * sum;
 }
 
@@ -164,9 +164,9 @@ class ZernikeImage {
             constexpr std::size_t unroll = I::lanes == 8 ? 2 : 1;
             if (plan.rings == 0) {
                 field_.whole(plan, s, coefficients);
-                part.top = pixels<degree_count, unroll, typename I::pack>(
-                    plan, part.first, part.last, 2.0 * per_pixel, -(2.0 * static_cast<double>(s) + 1.0), coefficients.data(), scale,
-                    image);
+                part.top = pixels<degree_count, unroll, typename I::pack>(plan, part.first, part.last, 2.0 * per_pixel,
+                                                                          -(2.0 * static_cast<double>(s) + 1.0),
+                                                                          coefficients.data(), scale, image);
                 return;
             }
             std::size_t from = part.first;
@@ -183,10 +183,11 @@ class ZernikeImage {
                 if (plan.error + rounding <= part.allowed) {
                     part.error = std::max(part.error, plan.error + rounding);
                     singles.assign(coefficients.begin(), coefficients.end());
-                    top = pixels<ring_degree, unroll, typename I::floats>(plan, from, to, slope, offset, singles.data(), scale, image);
+                    top = pixels<ring_degree, unroll, typename I::floats>(plan, from, to, slope, offset, singles.data(), scale,
+                                                                          image);
                 } else {
-                    top = pixels<ring_degree, unroll, typename I::pack>(plan, from, to, slope, offset, coefficients.data(), scale,
-                                                                        image);
+                    top = pixels<ring_degree, unroll, typename I::pack>(plan, from, to, slope, offset, coefficients.data(),
+                                                                        scale, image);
                 }
                 part.top = std::max(part.top, top);
                 from = to;

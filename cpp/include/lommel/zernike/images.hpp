@@ -53,13 +53,15 @@ class ZernikeRenderer {
         image.begin(cache<MirroredPixels>.get(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_),
                                               stack_.rows[pupil], stack_.columns[pupil]),
                     step_, threads);
-        const double first = ZernikeBudget::field * tol * stack_.amplitude.integral(stack_.obscuration) / (phase(pupil).size() + 1.0);
+        const double first =
+            ZernikeBudget::field * tol * stack_.amplitude.integral(stack_.obscuration) / (phase(pupil).size() + 1.0);
         double error = first, peak = 0.0;
         bool anew = true;
         const auto attempt = [&] {
             if (anew) {
                 // Where all pixels are dim beside what lies between them, the first tolerance does not do.
-                image.prepare(phase(pupil), inner_phase(pupil), stack_.obscuration, error, tol * error / first, stack_.lost[pupil]);
+                image.prepare(phase(pupil), inner_phase(pupil), stack_.obscuration, error, tol * error / first,
+                              stack_.lost[pupil]);
             }
             image.paint(scale, values);
             peak = image.peak();
@@ -84,7 +86,8 @@ class ZernikeRenderer {
     // The window may miss the peak: looks for a larger one where rays go.
     void scan(std::size_t pupil, double error, double& peak, double& off) const {
         double blur = 4.0;
-        phase(pupil).amplitudes([&](double amplitude, std::size_t n, std::size_t) { blur += amplitude * static_cast<double>(n * n); });
+        phase(pupil).amplitudes(
+            [&](double amplitude, std::size_t n, std::size_t) { blur += amplitude * static_cast<double>(n * n); });
         constexpr std::int64_t side = 65;
         std::vector<double> values(static_cast<std::size_t>(side * side));
         ZernikeImage image;

@@ -51,9 +51,8 @@ class PupilOrders {
             left += size(rising[out]);
         }
         kept_.assign(rising.begin() + static_cast<std::ptrdiff_t>(out), rising.end());
-        std::sort(kept_.begin(), kept_.end(), [](std::size_t a, std::size_t b) {
-            return a % 4 != b % 4 ? a % 4 < b % 4 : a < b;
-        });
+        std::sort(kept_.begin(), kept_.end(),
+                  [](std::size_t a, std::size_t b) { return a % 4 != b % 4 ? a % 4 < b % 4 : a < b; });
         return left;
     }
 

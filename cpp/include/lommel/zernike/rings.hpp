@@ -61,7 +61,7 @@ void resample(double* onto, const Powers& powers_at) {
 // Adds to, or fills, out[row][part][power] with `weight` times the coefficients of some rows of a piece, resampled.
 template <bool Add, class I>
 LOMMEL_INLINE void resample_rows(I, const double* onto, const double* rows, const std::vector<std::size_t>& which,
-                                   std::size_t parts, double weight, double* out) {
+                                 std::size_t parts, double weight, double* out) {
     using V = typename I::pack;
     constexpr std::size_t packs = ring_degree / I::lanes;
     for (const std::size_t row : which) {

@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Numbers
 from lommel.core.answers import Images
-from lommel.io import psf_files
 from lommel.measures import energy, image_transfer, spot
 from lommel.measures.answer import Answer
 from lommel.methods.choice import candidates, first_proven
@@ -383,9 +382,13 @@ class PSF(Answer):
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write ``.tif`` (OME), ``.npy``, ``.npz`` or ``.png``; see :func:`lommel.io.psf_files.save`."""
+        from lommel.io import psf_files  # takes as long to import as all that computes
+
         psf_files.save(self, path)
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSF:
         """Read a file, `path`, that :meth:`save` wrote; ValueError if it is damaged or another."""
+        from lommel.io import psf_files
+
         return psf_files.load(path, cls)

@@ -21,8 +21,6 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.polynomial import Polynomial
-from numpy.polynomial.chebyshev import chebder, chebroots, chebtrim, chebval, poly2cheb
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
@@ -163,6 +161,8 @@ class Apodization:
         `cosh` is their longer axis over ``1 - low``, `low` from 0 to below 1. With the exponent as
         ``sum_k a_k T_k``, where T_k is at most ``T_k(cosh)``, that is ``sum_(k>0) |a_k| T_k(cosh) - a_0``.
         """
+        from numpy.polynomial.chebyshev import chebval
+
         series = _chebyshev(self.exponent, low)
         return np.asarray(chebval(cosh, np.concatenate(([-series[0]], np.abs(series[1:])))))
 
@@ -198,6 +198,8 @@ def _constant(powers: list[float]) -> float:
     """Return the g_0 with which the exponent is nowhere on [0, 1] negative, and hardly more."""
     if all(g >= 0.0 for g in powers):
         return 0.0
+    from numpy.polynomial.chebyshev import chebder, chebroots, chebtrim, chebval
+
     series = _chebyshev(np.array([0.0, *powers]), 0.0)
     slope = chebder(series)
     # What is trimmed is below rounding, and would drown the roots of the others.
@@ -208,6 +210,11 @@ def _constant(powers: list[float]) -> float:
 
 def _chebyshev(powers: Array, low: float) -> Array:
     """Return a polynomial of t in Chebyshev polynomials on ``[low, 1]``."""
+    if len(powers) < 2:
+        return powers
+    from numpy.polynomial import Polynomial  # the slowest part of NumPy to import
+    from numpy.polynomial.chebyshev import poly2cheb
+
     inside = Polynomial(powers)(Polynomial([0.5 * (1.0 + low), 0.5 * (1.0 - low)]))
     return np.asarray(poly2cheb(inside.coef))
 

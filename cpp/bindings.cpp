@@ -463,10 +463,9 @@ template <class T>
 lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halves, const In<double, 2>& energies,
                               const In<double, 2>& positions) {
     const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2);
-    // The last window is there for vectors to reach into only.
-    require(count >= 5 && rows >= 1 && stride >= 2 * rows - 1 && rows * stride >= lommel::Spreader<T>::padding,
-            "windows must be padded, 5 or more");
     const std::size_t widest = rows - 1;
+    // The last window is there to be loaded only.
+    require(count >= 5 && rows >= 1 && stride == lommel::Spreader<T>::margin(widest), "windows must be padded, 5 or more");
     require(halves.shape(0) == count - 1 && energies.shape(0) == count - 1 && energies.shape(1) == widest + 1,
             "one half width and one row of energies a window");
     for (std::size_t i = 0; i < halves.shape(0); ++i) {
@@ -478,16 +477,21 @@ lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halv
     return {windows.data(), halves.data(), energies.data(), count - 1, widest, stride};
 }
 
-// Adds each pixel, spread over its window, to an image larger by half a window on every side, and 16 columns beyond.
+// Whether an image is as much larger as what windows are spread over.
+template <class T>
+bool larger(const lommel::WindowBank<T>& bank, std::size_t height, std::size_t width, std::size_t rows, std::size_t columns) {
+    return rows == height + 2 * bank.widest && columns == width + 2 * lommel::Spreader<T>::margin(bank.widest);
+}
+
+// Adds each pixel, spread over its window, to an image larger by half a window above and below, and by the next multiple of
+// 16 on either side.
 template <class T>
 void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
             int threads, Out<T, 2> out) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
     const std::size_t height = image.shape(0), width = image.shape(1);
     require(positions.shape(0) == height && positions.shape(1) == width && threads >= 0, "positions must match the image");
-    require(out.shape(0) == height + 2 * bank.widest &&
-                out.shape(1) == width + 2 * bank.widest + lommel::Spreader<T>::beyond,
-            "out must be larger than the image by a window, and have 16 columns more");
+    require(larger(bank, height, width, out.shape(0), out.shape(1)), "out must be larger than the image by a window");
     Released nogil;
     lommel::Spreader<T>(bank, positions.data(), height, width, threads).forward(image.data(), out.data());
 }
@@ -498,13 +502,11 @@ void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<
              int threads, Out<T, 2> out) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
     const std::size_t height = positions.shape(0), width = positions.shape(1);
-    require(image.shape(0) == height + 2 * bank.widest && image.shape(1) == width + 2 * bank.widest && threads >= 0,
+    require(larger(bank, height, width, image.shape(0), image.shape(1)) && threads >= 0,
             "the image must be larger than the positions by a window");
     require(out.shape(0) == height && out.shape(1) == width, "out must match the positions");
     Released nogil;
-    std::vector<T> padded(image.data(), image.data() + image.size());
-    padded.resize(image.size() + lommel::Spreader<T>::padding, T(0));
-    lommel::Spreader<T>(bank, positions.data(), height, width, threads).adjoint(padded.data(), out.data());
+    lommel::Spreader<T>(bank, positions.data(), height, width, threads).adjoint(image.data(), out.data());
 }
 
 void limit_instructions(const std::string& level) {

@@ -26,34 +26,39 @@ def level(request: pytest.FixtureRequest) -> Iterator[str]:
 
 
 def bank(rng: np.random.Generator, half: int, count: int = 6, dtype: type = np.float64) -> Bank:
-    """A bank of noise, without symmetries that would hide a fault but the one that banks build on, of up and down."""
-    side = 2 * half + 1
-    stride = max(-(-side // 16) * 16, -(-64 // (half + 1)))
-    windows = np.zeros((count + 1, half + 1, stride), dtype)
-    windows[:-1, :, :side] = rng.uniform(0.5, 1.5, (count, half + 1, side))
+    """A bank of noise, without symmetries that would hide a fault but those that banks build on."""
+    windows = np.zeros((count + 1, half + 1, margin(half)), dtype)
+    windows[:-1, :, : half + 1] = rng.uniform(0.5, 1.5, (count, half + 1, half + 1))
     halves = np.minimum(rng.integers(0, half + 1, count) + rng.choice([0.0, 0.3, 0.9], count), half)
     away = np.abs(np.arange(-half, half + 1))
     ring = np.maximum(away[:, None], away)
-    whole = [np.concatenate([w[:0:-1, :side], w[:, :side]]) for w in windows[:-1]]
+    whole = windows[:-1, away[:, None], away]
     energies = np.stack([[w[ring <= h].sum(dtype=np.float64) for h in range(half + 1)] for w in whole])
     return Bank(0.0, 1.0, windows, halves, energies, 0.0, 0.0)
 
 
+def margin(half: int) -> int:
+    """Columns that the kernel may touch on either side of a pixel."""
+    return (half // 16 + 1) * 16
+
+
 def room(b: Bank, image: np.ndarray) -> np.ndarray:
-    """What the kernel writes to: larger by a window, and by 16 columns that it may touch."""
-    height, width = (side + 2 * b.half for side in image.shape)
-    return np.zeros((height, width + 16), image.dtype)
+    """What the kernel writes to: larger by a window, and by columns that it may touch."""
+    return np.zeros((image.shape[0] + 2 * b.half, image.shape[1] + 2 * margin(b.half)), image.dtype)
 
 
 def spread(b: Bank, positions: np.ndarray, image: np.ndarray, threads: int = 0) -> np.ndarray:
-    out = room(b, image)
+    out, beyond = room(b, image), margin(b.half) - b.half
     _core.spread(b.windows, b.halves, b.energies, positions, image, threads, out)
-    return out[:, :-16]
+    assert not out[:, :beyond].any()
+    assert not out[:, -beyond:].any()
+    return out[:, beyond:-beyond]
 
 
 def collect(b: Bank, positions: np.ndarray, image: np.ndarray, threads: int = 0) -> np.ndarray:
-    out = np.full(positions.shape, np.nan, image.dtype)
-    _core.collect(b.windows, b.halves, b.energies, positions, image, threads, out)
+    out, beyond = np.full(positions.shape, np.nan, image.dtype), margin(b.half) - b.half
+    larger = np.pad(image, ((0, 0), (beyond, beyond)), constant_values=1e3)
+    _core.collect(b.windows, b.halves, b.energies, positions, larger, threads, out)
     return out
 
 
@@ -125,12 +130,13 @@ def test_spreading_adds_to_what_is_there():
     b, positions, image = bank(rng, 2), rng.uniform(0.0, 5.0, (6, 7)), rng.random((6, 7))
     out = room(b, image) + 1.0
     _core.spread(b.windows, b.halves, b.energies, positions, image, 0, out)
-    assert out[:, :-16] == pytest.approx(1.0 + spread(b, positions, image), rel=1e-14)
+    beyond = margin(b.half) - b.half
+    assert out[:, beyond:-beyond] == pytest.approx(1.0 + spread(b, positions, image), rel=1e-14)
 
 
 def test_what_does_not_fit_is_refused():
     b = bank(np.random.default_rng(4), 2)
-    positions, image, large = np.ones((6, 7)), np.ones((6, 7)), np.ones((10, 11))
+    positions, image, large = np.ones((6, 7)), np.ones((6, 7)), np.ones((10, 39))
     wide = room(b, image)
     _core.spread(b.windows, b.halves, b.energies, positions, image, 0, wide)
     for bad in (np.nan, np.inf, -np.inf):

@@ -29,8 +29,8 @@ class Bank:
     start, spacing : float
         Defocus C_d (radians at the wavelength of the lens) of the first window, and from one to the next.
     windows : ndarray, shape (count + 1, half + 1, stride)
-        Share of the light of a point that each pixel receives, from the middle row down: the rows above mirror those
-        below. Columns beyond the window and the last window are room for the compiled core.
+        Share of the light of a point that each pixel receives, from the middle row down and the middle column on: the
+        other quadrants mirror this one. Columns beyond the window and the last window are room for the compiled core.
     halves : ndarray, shape (count,)
         How many pixels from the middle are used, a real number h, interpolated linearly between windows: of the
         ring at the Chebyshev distance k the share ``h + 1 - k``, from 0 to 1. So nothing jumps as a point moves.
@@ -77,11 +77,11 @@ class Bank:
         first = min(max(interval - 1, 0), self.count - 4)
         t = position - first
         weights = [math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)]
-        side = 2 * self.half + 1
-        lower = np.tensordot(weights, self.windows[first : first + 4, :, :side].astype(np.float64), axes=1)
+        away = np.abs(np.arange(-self.half, self.half + 1))
+        mixed = np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1)
         half = np.interp(position, np.arange(self.count), self.halves)
         energy = weights @ _held(self.energies[first : first + 4], np.full(4, half))
-        return np.asarray(np.concatenate([lower[:0:-1], lower]) * self.used(defocus) / energy)
+        return np.asarray(mixed[away[:, None], away] * self.used(defocus) / energy)
 
 
 def build_bank(
@@ -174,10 +174,8 @@ def _packed(
     # Those on either side count, so that what is interpolated holds enough as well.
     halves = np.maximum(np.maximum(enough[:-2], enough[2:]), enough[1:-1])
     used = math.ceil(halves.max())
-    side = 2 * used + 1
-    stride = max(-(-side // 16) * 16, -(-64 // (used + 1)))
-    windows = _at_cache_lines((len(exact) + 1, used + 1, stride), np.dtype(dtype))
-    windows[:-1, :, :side] = rule.unfold(exact.astype(dtype), used)[:, used:]
+    windows = _at_cache_lines((len(exact) + 1, used + 1, (used // 16 + 1) * 16), np.dtype(dtype))
+    windows[:-1, :, : used + 1] = rule.unfold(exact.astype(dtype), used)[:, used:, used:]
     kept = np.ascontiguousarray(sums[:, : used + 1])
     # Half-way between windows the sums and the half widths are what the core makes of them.
     between = (9.0 * (kept[1:-2] + kept[2:-1]) - kept[:-3] - kept[3:]) / 16.0

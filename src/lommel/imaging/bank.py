@@ -60,6 +60,11 @@ class Bank:
         """Pixels from the middle of the largest window to its edge."""
         return int(self.energies.shape[1]) - 1
 
+    @property
+    def beyond(self) -> tuple[int, int]:
+        """Rows and columns that the compiled core needs beyond the image, on either side."""
+        return self.half, self.windows.shape[2]
+
     def positions(self, defocus: ArrayLike) -> NDArray[np.float64]:
         """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second."""
         return (np.asarray(defocus, dtype=np.float64) - self.start) / self.spacing

@@ -17,8 +17,6 @@ from lommel.optics.pupil import Pupil
 
 BORDERS = ("reflect", "extend", "zero")
 
-_BEYOND = 16  # columns that the compiled core asks for beyond the image
-
 Spectrum = float | Sequence[tuple[float, float]]
 
 RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
@@ -161,11 +159,10 @@ class DepthBlur:
         for plane, bank, to in zip(planes, self.banks, out, strict=True):
             margin, positions = self._positions(bank, weight)
             source = np.ascontiguousarray(self._padded(plane, margin))
-            height, width = (side + 2 * bank.half for side in source.shape)
-            room = np.zeros((height, width + _BEYOND), dtype=self.dtype)
+            room = np.zeros([side + 2 * beyond for side, beyond in zip(source.shape, bank.beyond, strict=True)], self.dtype)
             engine.spread(bank.windows, bank.halves, bank.energies, positions, source, self.threads, room)
-            cut = margin + bank.half
-            to[:] = room[cut : cut + self.shape[0], cut : cut + self.shape[1]]
+            down, right = (margin + beyond for beyond in bank.beyond)
+            to[:] = room[down : down + self.shape[0], right : right + self.shape[1]]
         return self._shaped(out, image)
 
     def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -177,7 +174,7 @@ class DepthBlur:
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
         for plane, bank, to in zip(planes, self.banks, out, strict=True):
             margin, positions = self._positions(bank, weight)
-            room = np.pad(plane, margin + bank.half)
+            room = np.pad(plane, [(margin + beyond,) * 2 for beyond in bank.beyond])
             taken = np.empty(positions.shape, dtype=self.dtype)
             engine.collect(bank.windows, bank.halves, bank.energies, positions, room, self.threads, taken)
             to[:] = self._folded(taken, margin)

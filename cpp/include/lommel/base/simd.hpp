@@ -69,14 +69,14 @@ template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
     return (at & bit) != 0 ? a : b;
 }
-template <std::size_t First, class Real, class V, std::size_t... I>
-LOMMEL_INLINE V turned(V v, std::index_sequence<I...>) {
+template <class Order, class Real, class V, std::size_t... I>
+LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
 #ifdef __clang__
-    return __builtin_shufflevector(v, v, (First + sizeof...(I) - I) % sizeof...(I)...);
+    return __builtin_shufflevector(v, v, Order::at(I, sizeof...(I))...);
 #else
     using Lane = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
     typedef Lane Sequence __attribute__((vector_size(sizeof(V))));
-    constexpr Lane from[] = {static_cast<Lane>((First + sizeof...(I) - I) % sizeof...(I))...};
+    constexpr Lane from[] = {static_cast<Lane>(Order::at(I, sizeof...(I)))...};
 #ifdef LOMMEL_X86
     // By hand as in splat(), and of pairs of floats for doubles: nothing permutes four doubles by a register.
     if constexpr (sizeof(V) > 16) {
@@ -145,17 +145,17 @@ LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
     }
     return a;
 }
-template <std::size_t First, class Real, class V, std::size_t... I>
-LOMMEL_INLINE V turned(V v, std::index_sequence<I...>) {
-    return V{{v[(First + sizeof...(I) - I) % sizeof...(I)]...}};
+template <class Order, class Real, class V, std::size_t... I>
+LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
+    return V{{v[Order::at(I, sizeof...(I))]...}};
 }
 
 #endif
 
-// The lanes First, First - 1, ... and so round: one vector's worth.
-template <std::size_t First, class Real, class V>
-LOMMEL_INLINE V turned(V v) {
-    return turned<First, Real>(v, std::make_index_sequence<sizeof(V) / sizeof(Real)>());
+// Lane i of the result is lane Order::at(i, lanes).
+template <class Order, class Real, class V>
+LOMMEL_INLINE V permuted(V v) {
+    return permuted<Order, Real>(v, std::make_index_sequence<sizeof(V) / sizeof(Real)>());
 }
 
 template <class V, class Real>

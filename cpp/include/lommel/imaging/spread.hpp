@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <vector>
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
@@ -30,43 +31,63 @@ struct WindowBank {
 // to `half` pixels from the middle are used, of the last ring the share `rim`.
 template <class T>
 struct Mixture {
-    std::size_t first, half;
+    std::uint32_t first, half;
     T rim, weights[4];
-    bool none;  // nothing is spread
+    bool any;  // else nothing is spread
 };
 
+// Makes mixtures of a bank, whose energies it keeps in such a sequence that those of four windows are a vector.
 template <class T>
-LOMMEL_INLINE Mixture<T> mixture_at(const WindowBank<T>& bank, double position, double value) {
-    if (position < 0.0 || value == 0.0) {
-        return {0, 0, T(0), {}, true};
+class Mixer {
+   public:
+    explicit Mixer(const WindowBank<T>& bank)
+        : halves_(bank.halves), last_(static_cast<std::ptrdiff_t>(bank.count) - 1), energies_((bank.widest + 2) * bank.count) {
+        for (std::size_t half = 0; half <= bank.widest; ++half) {
+            for (std::size_t i = 0; i < bank.count; ++i) {
+                energies_[(half + 1) * bank.count + i] = static_cast<T>(bank.energies[i * (bank.widest + 1) + half]);
+            }
+        }
     }
-    const double inside = std::min(position, static_cast<double>(bank.count - 1));
-    const std::size_t interval = std::min(static_cast<std::size_t>(inside), bank.count - 2);
-    const std::size_t first = std::min(interval > 0 ? interval - 1 : 0, bank.count - 4);
-    const double t = inside - static_cast<double>(first), part = inside - static_cast<double>(interval);
-    const double wide = (1.0 - part) * bank.halves[interval] + part * bank.halves[interval + 1];
-    const std::size_t half = static_cast<std::size_t>(std::ceil(wide));
-    const double rim = wide + 1.0 - static_cast<double>(half), inner = t * (t - 3.0), outer = (t - 1.0) * (t - 2.0);
-    const double weights[] = {(-1.0 / 6.0) * outer * (t - 3.0), 0.5 * inner * (t - 2.0), -0.5 * inner * (t - 1.0),
-                              (1.0 / 6.0) * outer * t};
-    double sum = 0.0;
-    const double* energy = bank.energies + first * (bank.widest + 1) + half;
-    for (std::size_t j = 0; j < 4; ++j, energy += bank.widest + 1) {
-        sum += weights[j] * (rim * *energy + (half == 0 ? 0.0 : (1.0 - rim) * energy[-1]));
+
+    LOMMEL_INLINE void operator()(double position, T value, Mixture<T>& m) const {
+        m.any = !(position < 0.0) && value != T(0);
+        if (!m.any) {
+            return;
+        }
+        // Of whole numbers with a sign, which processors make of others faster.
+        const double inside = std::min(position, static_cast<double>(last_));
+        const std::ptrdiff_t interval = std::min(static_cast<std::ptrdiff_t>(inside), last_ - 1);
+        const std::ptrdiff_t first = std::min(std::max<std::ptrdiff_t>(interval - 1, 0), last_ - 3);
+        const double part = inside - static_cast<double>(interval);
+        const double wide = (1.0 - part) * halves_[interval] + part * halves_[interval + 1];
+        const std::ptrdiff_t half = static_cast<std::ptrdiff_t>(std::ceil(wide));
+        m.first = static_cast<std::uint32_t>(first), m.half = static_cast<std::uint32_t>(half);
+        m.rim = static_cast<T>(wide + 1.0 - static_cast<double>(half));
+        const V t = splat<V>(static_cast<T>(inside - static_cast<double>(first)));
+        const V weights = load<V>(powers[0]) + t * (load<V>(powers[1]) + t * (load<V>(powers[2]) + t * load<V>(powers[3])));
+        const T* energy = energies_.data() + half * (last_ + 1) + first;
+        const V held = weights * (splat<V>(m.rim) * load<V>(energy + last_ + 1) + splat<V>(T(1) - m.rim) * load<V>(energy));
+        store(m.weights, weights * splat<V>(value / ((held[0] + held[1]) + (held[2] + held[3]))));
     }
-    Mixture<T> m{first, half, static_cast<T>(rim), {}, false};
-    for (std::size_t j = 0; j < 4; ++j) {
-        m.weights[j] = static_cast<T>(value / sum * weights[j]);
-    }
-    return m;
-}
+
+   private:
+    using V = std::conditional_t<sizeof(T) == 4, typename Vector<2>::floats, typename Vector<4>::pack>;
+    static constexpr T powers[4][4] = {{T(1), T(0), T(0), T(0)},
+                                       {T(-11.0 / 6.0), T(3), T(-1.5), T(1.0 / 3.0)},
+                                       {T(1), T(-2.5), T(2), T(-0.5)},
+                                       {T(-1.0 / 6.0), T(0.5), T(-0.5), T(1.0 / 6.0)}};
+    const double* halves_;
+    std::ptrdiff_t last_;
+    std::vector<T, AlignedAllocator<T>> energies_;  // [half width, before the first one zeros][window]
+};
 
 template <class T>
 class Spreader {
    public:
     // Pixels at `positions` in the bank, [height][width]; those below 0 spread nothing (and take nothing in the adjoint).
     Spreader(const WindowBank<T>& bank, const double* positions, std::size_t height, std::size_t width, int threads)
-        : bank_(bank), positions_(positions), height_(height), width_(width), threads_(threads), margin_(margin(bank.widest)) {}
+        : bank_(bank), positions_(positions), height_(height), width_(width), threads_(threads),
+          margin_(margin(bank.widest)), mixture_(bank) {}
 
     // Values in the longest vector; columns that vectors reach to on either side of a pixel.
     static constexpr std::size_t reach = 16;
@@ -101,66 +122,65 @@ class Spreader {
     // Small enough for what a tile writes to to stay in the first cache, next to its windows.
     static constexpr std::size_t least_rows = 16, least_columns = 64;
 
-    std::size_t wide() const { return width_ + 2 * margin_; }
-
     void spread_tile(std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const T* image, T* out) const {
+        const std::size_t wide = width_ + 2 * margin_;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            Glance glance;
-            for (std::size_t x = left; x < right; ++x) {
-                glance((bottom - top) * (1 + bank_.widest * bank_.widest));
-                column(isa, top, bottom, x, [&](std::size_t y) { return static_cast<double>(image[y * width_ + x]); },
-                       [&](const auto& rows, std::size_t y) LOMMEL_INLINE_LAMBDA {
-                           T* middle = out + (y + bank_.widest) * wide() + margin_ + x;
-                           rows.each([&](std::ptrdiff_t row, const auto* mixed) LOMMEL_INLINE_LAMBDA {
-                               rows.add(middle + row * static_cast<std::ptrdiff_t>(wide()), mixed);
-                           });
-                       });
-            }
+            pixels(isa, top, bottom, left, right, [&](std::size_t at) { return image[at]; },
+                   [&](const auto& rows, std::size_t y, std::size_t x) LOMMEL_INLINE_LAMBDA {
+                       T* const middle = out + (y + bank_.widest) * wide + margin_ + x;
+                       rows.each([&, step = static_cast<std::ptrdiff_t>(wide)](std::ptrdiff_t row, const auto* mixed)
+                                     LOMMEL_INLINE_LAMBDA { rows.add(middle + row * step, mixed); });
+                   });
         });
     }
 
     void collect_strip(std::size_t top, std::size_t bottom, const T* image, T* out) const {
+        const std::size_t wide = width_ + 2 * margin_;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            Glance glance;
-            for (std::size_t x = 0; x < width_; ++x) {
-                glance((bottom - top) * (1 + bank_.widest * bank_.widest));
-                column(isa, top, bottom, x, [](std::size_t) { return 1.0; },
-                       [&](const auto& rows, std::size_t y) LOMMEL_INLINE_LAMBDA {
-                           const T* middle = image + (y + bank_.widest) * wide() + margin_ + x;
-                           using Here = std::decay_t<decltype(rows)>;
-                           typename Here::V total[Here::points] = {};
-                           rows.each([&](std::ptrdiff_t row, const auto* mixed) LOMMEL_INLINE_LAMBDA {
-                               rows.take(middle + row * static_cast<std::ptrdiff_t>(wide()), mixed, total);
-                           });
-                           rows.sum(total, out + y * width_ + x, width_);
-                       });
-            }
+            pixels(isa, top, bottom, 0, width_, [](std::size_t) { return T(1); },
+                   [&](const auto& rows, std::size_t y, std::size_t x) LOMMEL_INLINE_LAMBDA {
+                       using Here = std::decay_t<decltype(rows)>;
+                       typename Here::V total[Here::points] = {};
+                       const T* const middle = image + (y + bank_.widest) * wide + margin_ + x;
+                       rows.each([&, step = static_cast<std::ptrdiff_t>(wide)](std::ptrdiff_t row, const auto* mixed)
+                                     LOMMEL_INLINE_LAMBDA { rows.take(middle + row * step, mixed, total); });
+                       rows.sum(total, out + y * width_ + x, width_);
+                   });
         });
     }
 
-    // Calls visit(rows, y) for all blocks of columns of all pixels of a column of the image, of two that are next to each
-    // other at once where their windows are as wide and share three of four or more. Down, not across: a sum that has
-    // just been stored is loaded again from the same address, which a processor does at once, whereas it waits for one that
-    // was stored across.
+    // Calls visit(rows, y, x) for all blocks of columns of all pixels of a part of the image, of two below each other at once
+    // where their windows are as wide and share three of four or more. Down, not across: a sum that has just been stored is
+    // loaded again from the same address, which a processor does at once, whereas it waits for one that was stored across.
+    // Mixtures are made across, some beforehand: so their loads and divisions need not wait for one another.
     template <class I, class Value, class Visit>
-    LOMMEL_INLINE void column(I, std::size_t top, std::size_t bottom, std::size_t x, const Value& value, const Visit& visit) const {
-        const auto at = [&](std::size_t y) LOMMEL_INLINE_LAMBDA {
-            return y < bottom ? mixture_at(bank_, positions_[y * width_ + x], value(y)) : Mixture<T>{0, 0, T(0), {}, true};
-        };
-        Mixture<T> pair[2] = {at(top), at(top + 1)};
-        for (std::size_t y = top; y < bottom;) {
-            const bool both = !pair[0].none && !pair[1].none && pair[0].half == pair[1].half &&
-                              pair[0].first <= pair[1].first + 1 && pair[1].first <= pair[0].first + 1;
-            if (both) {
-                blocks<I, 2>(pair, [&](const auto& rows) LOMMEL_INLINE_LAMBDA { visit(rows, y); });
-                pair[0] = at(y + 2), pair[1] = at(y + 3);
-                y += 2;
-            } else {
-                if (!pair[0].none) {
-                    blocks<I, 1>(pair, [&](const auto& rows) LOMMEL_INLINE_LAMBDA { visit(rows, y); });
+    LOMMEL_INLINE void pixels(I, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const Value& value,
+                              const Visit& visit) const {
+        constexpr std::size_t tall = 32, broad = 64;
+        Mixture<T> mixtures[broad][tall + 1];
+        Glance glance;
+        for (std::size_t y = top; y < bottom; y += tall) {
+            for (std::size_t x = left; x < right; x += broad) {
+                const std::size_t height = std::min(tall, bottom - y), width = std::min(broad, right - x);
+                glance(height * width * (1 + bank_.widest * bank_.widest));
+                for (std::size_t i = 0; i < height; ++i) {
+                    for (std::size_t j = 0, at = (y + i) * width_ + x; j < width; ++j, ++at) {
+                        mixture_(positions_[at], value(at), mixtures[j][i]);
+                    }
                 }
-                pair[0] = pair[1], pair[1] = at(y + 2);
-                y += 1;
+                for (std::size_t j = 0; j < width; ++j) {
+                    mixtures[j][height].any = false;
+                    for (std::size_t i = 0; i < height; ++i) {
+                        const Mixture<T>*const one = mixtures[j] + i, *const next = one + 1;
+                        if (one->any && next->any && one->half == next->half && one->first <= next->first + 1 &&
+                            next->first <= one->first + 1) {
+                            blocks<I, 2>(one, [&](const auto& rows) LOMMEL_INLINE_LAMBDA { visit(rows, y + i, x + j); });
+                            ++i;
+                        } else if (one->any) {
+                            blocks<I, 1>(one, [&](const auto& rows) LOMMEL_INLINE_LAMBDA { visit(rows, y + i, x + j); });
+                        }
+                    }
+                }
             }
         }
     }
@@ -169,24 +189,33 @@ class Spreader {
     LOMMEL_INLINE void blocks(const Mixture<T>* points, const Visit& visit) const {
         using V = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
         constexpr std::size_t lanes = sizeof(V) / sizeof(T);
-        if constexpr (I::lanes > 2) {
-            using Half = Vector<I::lanes / 2>;
-            if (points->half < lanes / 2) {
-                using Narrow = std::conditional_t<sizeof(T) == 4, typename Half::floats, typename Half::pack>;
-                return visit(Rows<Narrow, Points, true>(bank_, points, 0));
-            }
+        if (points->half < lanes / 2) {
+            return visit(Rows<V, Points, Whole>(bank_, points, 0));
         }
-        visit(Rows<V, Points, true>(bank_, points, 0));
+        visit(Rows<V, Points, Beside>(bank_, points, 0));
         for (std::size_t from = lanes; from <= points->half; from += lanes) {
-            visit(Rows<V, Points, false>(bank_, points, from));
+            visit(Rows<V, Points, Beyond>(bank_, points, from));
         }
     }
 
+    // Which column of a window, counted from the middle one on, is where in a vector: in one across the middle, in the one to
+    // the left of it, and farther to the left.
+    struct Whole {
+        static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return i < lanes / 2 ? lanes / 2 - i : i - lanes / 2; }
+    };
+    struct Beside {
+        static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return (lanes - i) % lanes; }
+    };
+    struct Beyond {
+        static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
+    };
+
     // Rows of the windows of one pixel, or of two below each other, a vector of columns on either side of the middle: all of
     // what the rows above and below, left and right share is loaded and mixed once. Bound by loads and stores.
-    template <class Vec, std::size_t Points, bool Middle>
+    template <class Vec, std::size_t Points, class Left>
     struct Rows {
         using V = Vec;
+        static constexpr bool whole = std::is_same_v<Left, Whole>;
         static constexpr std::size_t points = Points, lanes = sizeof(V) / sizeof(T), windows = Points + 3;
         static_assert(lanes <= reach, "room for a vector");
         const T* windows_at[windows];
@@ -196,13 +225,10 @@ class Spreader {
 
         LOMMEL_INLINE Rows(const WindowBank<T>& bank, const Mixture<T>* pixels, std::size_t from)
             : stride(bank.stride), half(pixels->half), right(static_cast<std::ptrdiff_t>(from)),
-              left(-right - static_cast<std::ptrdiff_t>(Middle ? lanes : lanes - 1)) {
+              left(-right - static_cast<std::ptrdiff_t>(whole ? lanes / 2 : lanes - (from > 0 ? 1 : 0))) {
             const std::size_t inner = std::min(half - from, lanes), used = std::min(half + 1 - from, lanes);
             const V within = load<V>(mask(inner)), rim = load<V>(mask(used)) - within;
-            std::size_t first = pixels[0].first;
-            if (Points == 2) {
-                first = std::min(first, pixels[1].first);
-            }
+            const std::size_t first = std::min(pixels[0].first, pixels[Points - 1].first);
             for (std::size_t j = 0; j < windows; ++j) {
                 windows_at[j] = bank.windows + (first + j) * bank.room() + from;
             }
@@ -218,7 +244,7 @@ class Spreader {
                 }
             }
             // The column in the middle is not on both sides.
-            beside = load<V>(mask(lanes)) - load<V>(mask(Middle ? 1 : 0));
+            beside = load<V>(mask(lanes)) - load<V>(mask(from > 0 ? 0 : 1));
         }
 
         // Calls f(row, mixed) with what the pixels give to each row, from the first pixel's on.
@@ -257,19 +283,21 @@ class Spreader {
         }
 
         LOMMEL_INLINE void mix(std::size_t row, V* mixed) const {
-            V value[windows];
+            V odd[Points];
             for (std::size_t j = 0; j < windows; ++j) {
-                value[j] = load<V>(windows_at[j] + row * stride);
+                const V value = load<V>(windows_at[j] + row * stride);
+                for (std::size_t p = 0; p < Points; ++p) {
+                    V& sum = j % 2 ? odd[p] : mixed[p];
+                    sum = j < 2 ? weight[p][j] * value : sum + weight[p][j] * value;
+                }
             }
             for (std::size_t p = 0; p < Points; ++p) {
-                V odd = weight[p][1] * value[1], even = weight[p][0] * value[0];
-                for (std::size_t j = 2; j < windows; ++j) {
-                    V& sum = j % 2 ? odd : even;
-                    sum = sum + weight[p][j] * value[j];
-                }
-                mixed[p] = even + odd;
+                mixed[p] = mixed[p] + odd[p];
                 if (row == half) {
                     mixed[p] = mixed[p] * last[p];
+                }
+                if (whole) {
+                    mixed[p] = permuted<Left, T>(mixed[p]);
                 }
             }
         }
@@ -279,13 +307,19 @@ class Spreader {
             if (Points == 2) {
                 sum = sum + mixed[Points - 1];
             }
-            const V here = load<V>(to + right) + sum, there = load<V>(to + left) + turned<turn, T>(sum) * beside;
+            if (whole) {
+                return store(to + left, load<V>(to + left) + sum);
+            }
+            const V here = load<V>(to + right) + sum, there = load<V>(to + left) + permuted<Left, T>(sum) * beside;
             store(to + left, there);
             store(to + right, here);
         }
 
         LOMMEL_INLINE void take(const T* from, const V* mixed, V* total) const {
-            const V both = load<V>(from + right) + turned<turn, T>(load<V>(from + left)) * beside;
+            V both = load<V>(from + left);
+            if (!whole) {
+                both = load<V>(from + right) + permuted<Left, T>(both) * beside;
+            }
             for (std::size_t p = 0; p < Points; ++p) {
                 total[p] = total[p] + mixed[p] * both;
             }
@@ -299,7 +333,6 @@ class Spreader {
             }
         }
 
-        static constexpr std::size_t turn = Middle ? 0 : lanes - 1;
         // So many ones, then zeros.
         static const T* mask(std::size_t ones) {
             static const T masks[2 * reach] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
@@ -312,6 +345,7 @@ class Spreader {
     std::size_t height_, width_;
     int threads_;
     std::size_t margin_;
+    Mixer<T> mixture_;
 };
 
 }  // namespace lommel

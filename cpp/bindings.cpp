@@ -37,6 +37,8 @@ template <class T, std::size_t N>
 using In = nb::ndarray<const T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
 template <class T, std::size_t N>
 using Out = nb::ndarray<T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
+template <class T>
+using Strided = nb::ndarray<const T, nb::numpy, nb::ndim<2>, nb::device::cpu>;
 using complex = std::complex<double>;
 
 // The one thread that Python runs the handlers of signals in; in a child it is the one that called fork().
@@ -403,6 +405,18 @@ std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, dou
     return {out, bounds};
 }
 
+Out<double, 2> product(In<double, 2> rows, In<double, 2> matrix, int threads) {
+    const std::size_t count = rows.shape(1);
+    require(matrix.shape(0) == count && threads >= 0, "the matrix must have a row for each column");
+    auto out = new_array<double, 2>({rows.shape(0), matrix.shape(1)});
+    Released nogil;
+    const auto fill = [&](std::size_t first, std::size_t some, double* values) {
+        std::copy_n(rows.data() + first * count, some * count, values);
+    };
+    lommel::product(rows.shape(0), count, matrix.data(), matrix.shape(1), threads, fill, out.data());
+    return out;
+}
+
 Out<complex, 1> huygens_sum(In<double, 1> x, In<double, 1> y, In<complex, 1> amplitude, In<double, 1> sx,
                             In<double, 1> sy, double distance, double wavenumber) {
     require(x.shape(0) == y.shape(0) && x.shape(0) == amplitude.shape(0), "x, y and amplitude must match");
@@ -460,10 +474,8 @@ Out<double, 1> chebyshev_intensity(In<complex, 2> pieces, double width, In<doubl
 }
 
 template <class T>
-lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halves, const In<double, 2>& energies,
-                              const In<double, 2>& positions) {
-    const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2);
-    const std::size_t widest = rows - 1;
+lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halves, const In<double, 2>& energies) {
+    const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2), widest = rows - 1;
     // The last window is there to be loaded only.
     require(count >= 5 && rows >= 1 && stride == lommel::Spreader<T>::margin(widest), "windows must be padded, 5 or more");
     require(halves.shape(0) == count - 1 && energies.shape(0) == count - 1 && energies.shape(1) == widest + 1,
@@ -471,42 +483,52 @@ lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halv
     for (std::size_t i = 0; i < halves.shape(0); ++i) {
         require(halves.data()[i] >= 0.0 && halves.data()[i] <= static_cast<double>(widest), "halves must fit in the windows");
     }
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        require(std::isfinite(positions.data()[i]), "positions must be finite");
-    }
     return {windows.data(), halves.data(), energies.data(), count - 1, widest, stride};
 }
 
-// Whether an image is as much larger as what windows are spread over.
+lommel::Scene scene_of(const In<double, 2>& positions, const In<std::int64_t, 1>& rows, const In<std::int64_t, 1>& columns) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        require(std::isfinite(positions.data()[i]), "positions must be finite");
+    }
+    const auto inside = [](const In<std::int64_t, 1>& indices, std::size_t count) {
+        return std::all_of(indices.data(), indices.data() + indices.size(),
+                           [&](std::int64_t i) { return i >= 0 && i < static_cast<std::int64_t>(count); });
+    };
+    require(inside(rows, positions.shape(0)) && inside(columns, positions.shape(1)), "rows and columns must be of positions");
+    return {positions.data(), positions.shape(1), rows.data(), columns.data(), rows.size(), columns.size()};
+}
+
+// Whether an image is as much larger than a scene as windows reach.
 template <class T>
-bool larger(const lommel::WindowBank<T>& bank, std::size_t height, std::size_t width, std::size_t rows, std::size_t columns) {
-    return rows == height + 2 * bank.widest && columns == width + 2 * lommel::Spreader<T>::margin(bank.widest);
+bool larger(const lommel::WindowBank<T>& bank, const lommel::Scene& scene, std::size_t height, std::size_t width) {
+    return height == scene.height + 2 * bank.widest && width == scene.width + 2 * lommel::Spreader<T>::margin(bank.widest);
 }
 
 // Adds each pixel, spread over its window, to an image larger by half a window above and below, and by the next multiple of
 // 16 on either side.
 template <class T>
-void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
-            int threads, Out<T, 2> out) {
-    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
-    const std::size_t height = image.shape(0), width = image.shape(1);
-    require(positions.shape(0) == height && positions.shape(1) == width && threads >= 0, "positions must match the image");
-    require(larger(bank, height, width, out.shape(0), out.shape(1)), "out must be larger than the image by a window");
+void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<std::int64_t, 1> rows,
+            In<std::int64_t, 1> columns, Strided<T> image, int threads, Out<T, 2> out) {
+    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
+    const lommel::Scene scene = scene_of(positions, rows, columns);
+    require(image.shape(0) == positions.shape(0) && image.shape(1) == positions.shape(1) && threads >= 0,
+            "positions must match the image");
+    require(larger(bank, scene, out.shape(0), out.shape(1)), "out must be larger than the image by a window");
     Released nogil;
-    lommel::Spreader<T>(bank, positions.data(), height, width, threads).forward(image.data(), out.data());
+    lommel::Spreader<T>(bank, scene, threads).forward(image.data(), image.stride(0), image.stride(1), out.data());
 }
 
-// The transpose of spread().
+// The transpose of spread(), but that what is beyond the edges stays there.
 template <class T>
-void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
-             int threads, Out<T, 2> out) {
-    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
-    const std::size_t height = positions.shape(0), width = positions.shape(1);
-    require(larger(bank, height, width, image.shape(0), image.shape(1)) && threads >= 0,
+void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<std::int64_t, 1> rows,
+             In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out) {
+    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
+    const lommel::Scene scene = scene_of(positions, rows, columns);
+    require(larger(bank, scene, image.shape(0), image.shape(1)) && threads >= 0,
             "the image must be larger than the positions by a window");
-    require(out.shape(0) == height && out.shape(1) == width, "out must match the positions");
+    require(out.shape(0) == scene.height && out.shape(1) == scene.width, "out must match the positions");
     Released nogil;
-    lommel::Spreader<T>(bank, positions.data(), height, width, threads).adjoint(image.data(), out.data());
+    lommel::Spreader<T>(bank, scene, threads).adjoint(image.data(), out.data());
 }
 
 void limit_instructions(const std::string& level) {
@@ -533,10 +555,11 @@ const char* instructions() {
 
 template <class T>
 void define_spread(nb::module_& m) {
-    m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "image"_a.noconvert(), "threads"_a,
-          "out"_a.noconvert(), "Adds each pixel times the window at its position in the bank to an image larger by a window.");
-    m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "image"_a.noconvert(),
-          "threads"_a, "out"_a.noconvert(), "The transpose of spread().");
+    m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
+          "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(),
+          "Adds each pixel times the window at its position in the bank to an image larger by a window.");
+    m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
+          "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "The transpose of spread().");
 }
 
 }  // namespace
@@ -599,6 +622,7 @@ NB_MODULE(_core, m) {
     m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "U at rising v, and bounds on its error.");
     m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
           "I at rising v, bounds on its error over the peak, negative where tol cannot be met, and the peaks.");
+    m.def("product", &product, "rows"_a, "matrix"_a, "threads"_a, "The product of two matrices.");
     m.def("means", &means, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "matrix"_a, "threads"_a,
           "Weighted sums of I at rising v, and bounds on the error of I over its peak.");
     m.def("huygens_sum", &huygens_sum, "x"_a, "y"_a, "amplitude"_a, "sx"_a, "sy"_a, "distance"_a, "wavenumber"_a,

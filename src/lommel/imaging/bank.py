@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from lommel.imaging.defocus_nodes import DefocusNodes, Parabola
 from lommel.imaging.pixel_rule import PixelRule, pixel_rule
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.optics.pupil import Pupil
@@ -101,6 +102,7 @@ def build_bank(
     largest: int,
     dtype: DTypeLike = np.float32,
     threads: int = 0,
+    rate: Callable[[float], float] = lambda _: 2.0,
 ) -> Bank:
     """Compute the bank of one channel.
 
@@ -125,6 +127,8 @@ def build_bank(
     dtype : float32 or float64
     threads : int
         At most so many, 0 for as many as there are processors. The result does not depend on it.
+    rate : callable, optional
+        As :meth:`lommel.Lens.phase_rate`, of `phase`; by default that of a paraxial lens.
 
     Raises
     ------
@@ -132,18 +136,27 @@ def build_bank(
         If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
     """
     low, high = defocus
-    half = _enough(pupil, phase, spectrum, pixel, defocus, energy, largest, threads)
+    half, parabola = _enough(pupil, phase, spectrum, pixel, defocus, energy, largest, threads)
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / 6.0, 0.05)
     start = low - spacing
-
-    def means(positions: NDArray[np.float64]) -> NDArray[np.float64]:
-        return _means(pupil, phase, spectrum, pixel, start + spacing * positions, half, threads)[1]
-
-    exact = means(np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64))
+    gaps = math.ceil((high - start) / spacing) + 2
+    assert pupil.wavelength is not None
+    shortest = min(wavelength for wavelength, _ in spectrum)
+    per_radian = pupil.wavelength / shortest
+    at = DefocusNodes.of(
+        lambda nodes: _means(pupil, phase, spectrum, pixel, nodes, half, threads)[1],
+        start,
+        start + gaps * spacing,
+        parabola,
+        rate=lambda reach: per_radian * rate(reach),
+        bound=math.pi * (pixel * per_radian / pupil.scale) ** 2 / 4.0,
+        threads=threads,
+    )
+    exact, _ = at(start + spacing * np.arange(gaps + 1.0))
     while True:
-        middle = means(np.arange(len(exact) - 1, dtype=np.float64) + 0.5)
-        error = _interpolation_error(exact, middle)
+        middle, truncated = at(start + spacing * (np.arange(len(exact) - 1.0) + 0.5))
+        error = _interpolation_error(exact, middle) + truncated
         if error <= tol:
             break
         # Those half-way are windows of the next bank; the error falls sixteenfold.
@@ -222,8 +235,11 @@ def _enough(
     energy: float,
     largest: int,
     threads: int,
-) -> int:
-    """Return half of a window that holds `energy` of the light at both ends of the range and in its middle."""
+) -> tuple[int, Parabola]:
+    """Return half of a window that holds `energy` of the light at both ends of the range and in its middle.
+
+    And what is nearly 1 over the peaks.
+    """
     ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
     blur = replace(pupil, wavefront=phase(ends) + pupil.wavefront, geometry=None).geometric_radius().max()
     half = math.ceil(float(blur) / pixel) + 1
@@ -236,7 +252,8 @@ def _enough(
         rule, means = _means(pupil, phase, spectrum, pixel, ends, half, threads)
         sums = rule.sums(means)
         if sums[:, -1].min() >= energy:
-            return int(max((row >= energy).argmax() for row in sums)) + 1
+            half = int(max((row >= energy).argmax() for row in sums)) + 1
+            return half, Parabola.through(ends, means.max(axis=1))
         half = math.ceil(1.3 * half) + 1
 
 

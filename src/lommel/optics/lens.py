@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
-from lommel.optics.aplanatic import expansion
+from lommel.optics.aplanatic import expansion, growth
 from lommel.optics.apodization import Apodization, illumination
 from lommel.optics.pupil import Geometry, Pupil
 from lommel.optics.wavefront import Wavefront
@@ -256,6 +256,17 @@ class Lens:
         vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c.ravel()
         edge, error = expansion(radius, self._geometry.sphere, vergence, self.wavelength)
         return Wavefront.radial_sum(edge.reshape(*c.shape, -1), error)
+
+    def phase_rate(self, reach: float) -> float:
+        """Return how much Im phase differs across the pupil for each Im C_d, at most, at any complex ``|C_d| <= reach``.
+
+        2 if the model is paraxial; little more if not, and infinite beyond all that lenses do.
+        """
+        if self.model == "paraxial":
+            return 2.0
+        radius = 0.5 * self.aperture_diameter
+        per_radian = 2.0 * self.wavelength / (math.pi * radius**2)
+        return 2.0 * math.pi / self.wavelength * per_radian * growth(radius, self._geometry.sphere, per_radian * reach)
 
     @property
     def illumination(self) -> Apodization:

@@ -81,13 +81,21 @@ class Mixer {
     std::vector<T, AlignedAllocator<T>> energies_;  // [half width, before the first one zeros][window]
 };
 
+// The pixels that spread their windows, [height][width]: where each is in the bank, row and column of `positions` being
+// rows[y] and columns[x], so that what lies beyond the edges of an image need not be copied. Those below 0 take no part.
+struct Scene {
+    const double* positions;
+    std::size_t across;
+    const std::int64_t *rows, *columns;
+    std::size_t height, width;
+};
+
 template <class T>
 class Spreader {
    public:
-    // Pixels at `positions` in the bank, [height][width]; those below 0 spread nothing (and take nothing in the adjoint).
-    Spreader(const WindowBank<T>& bank, const double* positions, std::size_t height, std::size_t width, int threads)
-        : bank_(bank), positions_(positions), height_(height), width_(width), threads_(threads),
-          margin_(margin(bank.widest)), mixture_(bank) {}
+    Spreader(const WindowBank<T>& bank, const Scene& scene, int threads)
+        : bank_(bank), scene_(scene), height_(scene.height), width_(scene.width), threads_(threads), margin_(margin(bank.widest)),
+          mixture_(bank) {}
 
     // Values in the longest vector; columns that vectors reach to on either side of a pixel.
     static constexpr std::size_t reach = 16;
@@ -95,21 +103,24 @@ class Spreader {
 
     // out += sum over source pixels of value times window, in an image that is `widest` larger above and below and margin()
     // on either side: [height + 2 widest][width + 2 margin]. Of tiles no smaller than what a pixel writes to, those of one
-    // parity do not meet: the threads write side by side, and every sum is in the same sequence however many.
-    void forward(const T* image, T* out) const {
+    // parity do not meet: the threads write side by side, and every sum is in the same sequence however many. The image is
+    // as large as `positions`, its values `down` and `right` apart.
+    void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const {
         const std::size_t tall = std::max(least_rows, 2 * bank_.widest), broad = std::max(least_columns, 2 * margin_);
-        const std::size_t down = (height_ + tall - 1) / tall, across = (width_ + broad - 1) / broad;
+        const std::size_t tiles = (height_ + tall - 1) / tall, across = (width_ + broad - 1) / broad;
+        const auto value = [&](std::size_t y, std::size_t x) { return image[scene_.rows[y] * down + scene_.columns[x] * right]; };
         for (std::size_t parity = 0; parity < 4; ++parity) {
             const std::size_t top = parity / 2, left = parity % 2;
-            const std::size_t rows = (down + 1 - top) / 2, columns = (across + 1 - left) / 2;
+            const std::size_t rows = (tiles + 1 - top) / 2, columns = (across + 1 - left) / 2;
             parallel_for(rows * columns, threads_, [&](std::size_t, std::size_t task) {
                 const std::size_t y = (2 * (task / columns) + top) * tall, x = (2 * (task % columns) + left) * broad;
-                spread_tile(y, std::min(height_, y + tall), x, std::min(width_, x + broad), image, out);
+                spread_tile(y, std::min(height_, y + tall), x, std::min(width_, x + broad), value, out);
             });
         }
     }
 
-    // The transpose: each source pixel takes the sum of window times `image`, which has the size of forward's output.
+    // The transpose: each source pixel takes the sum of window times `image`, which has the size of forward's output; `out` is
+    // [height][width].
     void adjoint(const T* image, T* out) const {
         std::fill_n(out, height_ * width_, T(0));
         parallel_for((height_ + least_rows - 1) / least_rows, threads_, [&](std::size_t, std::size_t task) {
@@ -122,10 +133,11 @@ class Spreader {
     // Small enough for what a tile writes to to stay in the first cache, next to its windows.
     static constexpr std::size_t least_rows = 16, least_columns = 64;
 
-    void spread_tile(std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const T* image, T* out) const {
+    template <class Value>
+    void spread_tile(std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const Value& value, T* out) const {
         const std::size_t wide = width_ + 2 * margin_;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            pixels(isa, top, bottom, left, right, [&](std::size_t at) { return image[at]; },
+            pixels(isa, top, bottom, left, right, value,
                    [&](const auto& rows, std::size_t y, std::size_t x) LOMMEL_INLINE_LAMBDA {
                        T* const middle = out + (y + bank_.widest) * wide + margin_ + x;
                        rows.each([&, step = static_cast<std::ptrdiff_t>(wide)](std::ptrdiff_t row, const auto* mixed)
@@ -137,7 +149,7 @@ class Spreader {
     void collect_strip(std::size_t top, std::size_t bottom, const T* image, T* out) const {
         const std::size_t wide = width_ + 2 * margin_;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            pixels(isa, top, bottom, 0, width_, [](std::size_t) { return T(1); },
+            pixels(isa, top, bottom, 0, width_, [](std::size_t, std::size_t) { return T(1); },
                    [&](const auto& rows, std::size_t y, std::size_t x) LOMMEL_INLINE_LAMBDA {
                        using Here = std::decay_t<decltype(rows)>;
                        typename Here::V total[Here::points] = {};
@@ -164,8 +176,9 @@ class Spreader {
                 const std::size_t height = std::min(tall, bottom - y), width = std::min(broad, right - x);
                 glance(height * width * (1 + bank_.widest * bank_.widest));
                 for (std::size_t i = 0; i < height; ++i) {
-                    for (std::size_t j = 0, at = (y + i) * width_ + x; j < width; ++j, ++at) {
-                        mixture_(positions_[at], value(at), mixtures[j][i]);
+                    const double* positions = scene_.positions + static_cast<std::size_t>(scene_.rows[y + i]) * scene_.across;
+                    for (std::size_t j = 0; j < width; ++j) {
+                        mixture_(positions[scene_.columns[x + j]], value(y + i, x + j), mixtures[j][i]);
                     }
                 }
                 for (std::size_t j = 0; j < width; ++j) {
@@ -201,7 +214,9 @@ class Spreader {
     // Which column of a window, counted from the middle one on, is where in a vector: in one across the middle, in the one to
     // the left of it, and farther to the left.
     struct Whole {
-        static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return i < lanes / 2 ? lanes / 2 - i : i - lanes / 2; }
+        static constexpr std::size_t at(std::size_t i, std::size_t lanes) {
+            return i < lanes / 2 ? lanes / 2 - i : i - lanes / 2;
+        }
     };
     struct Beside {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return (lanes - i) % lanes; }
@@ -341,7 +356,7 @@ class Spreader {
     };
 
     WindowBank<T> bank_;
-    const double* positions_;
+    Scene scene_;
     std::size_t height_, width_;
     int threads_;
     std::size_t margin_;

@@ -76,5 +76,7 @@ def test_phases_of_complex_defocus_differ_by_no_more_than_is_said(vergence, sphe
 
 def test_what_no_lens_does_is_refused():
     assert aplanatic.growth(18e-3, 20.0, 200.0) == np.inf
-    with pytest.raises(ValueError, match="depth spans C_d from 0 to 1e.05 rad, which takes .* PSFs, more than 20000"):
+    with pytest.raises(
+        ValueError, match=r"depth spans C_d from 0 to 1e.05 rad, which takes .* PSFs, more than 20000"
+    ):
         DefocusNodes.of(lambda c: c[:, None], 0.0, 1e5, Parabola(0.0, 0.0, 1.0), rate=lambda _: 2.0, bound=1.0)

@@ -204,7 +204,7 @@ class DepthBlur:
         return array.reshape(*self.shape, len(self.banks))
 
     def _larger(self, bank: Bank) -> tuple[NDArray[np.int64], NDArray[np.int64], tuple[int, int]]:
-        """Return the rows and columns of the image with its border, and where the image is in what they spread over."""
+        """Return the rows and columns of the image with its border, and where it begins in what they spread over."""
         margin = 0 if self.border == "zero" else bank.half
         mode: Any = "symmetric" if self.border == "reflect" else "edge"
         rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode=mode) for side in self.shape)

@@ -1,13 +1,14 @@
 r"""Windows at any defocus from those at few: polynomials through Chebyshev nodes, with a proven error.
 
-The field at a point is the integral over the pupil of ``A exp(i Phi)``, A real, and in the complex plane of the defocus C
-``I(C) = U(C) conj(U(conj(C)))``. There Im Phi differs by at most ``rate |Im C|`` from one place of the pupil to another, so
-that by the inequality of Cauchy and Schwarz I is at most ``exp(rate |Im C|)`` times the light that the pupil lets through,
-and what a pixel holds of this is at most ``bound`` as much. On the ellipse with the foci -1 and 1 whose axes sum up to
-2 rho that is M, and a polynomial through n nodes errs by at most ``4 M rho^(1 - n) / (rho - 1)``. Little more than
-``rate reach`` nodes are enough.
+The field at a point is the integral over the pupil of ``A exp(i Phi)``, A real, and in the complex plane of the
+defocus C ``I(C) = U(C) conj(U(conj(C)))``. There Im Phi differs by at most ``rate |Im C|`` from one place of the
+pupil to another, so that by the inequality of Cauchy and Schwarz I is at most ``exp(rate |Im C|)`` times the light
+that the pupil lets through, and what a pixel holds of this is at most ``bound`` as much. Let M be the most of that
+on the ellipse with the foci -1 and 1 (the ends of the range) and semi-axes that sum up to rho: a polynomial through
+n nodes errs by at most ``4 M rho^(1 - n) / (rho - 1)``. Little more than ``rate`` times half of the range are
+enough. How much windows at the nodes are off themselves grows by a factor of at most ``1 + 2 log(n) / pi``.
 
-The light of a defocused point lies in few per cent of the peak of one in focus: errors are to be small beside either. So the
+The peak of a defocused point is a small part of that of one in focus: errors are to be small beside either. So the
 polynomial is through the windows times a parabola, nearly that of 1 over their peaks, and is divided by it.
 
 References
@@ -97,16 +98,22 @@ class DefocusNodes:
         most = parabola.curvature * (abs(middle - parabola.middle) + beyond) ** 2 + parabola.least
         count = float((1.0 + (np.log(4.0 * bound * most / (_ERROR * (rho - 1.0))) + growth) / np.log(rho)).min())
         if not count <= _MOST:
-            raise ValueError(f"depth spans C_d from {low:.4g} to {high:.4g} rad, which takes {count:.4g} PSFs, more than {_MOST}")
+            raise ValueError(
+                f"depth spans C_d from {low:.4g} to {high:.4g} rad, which takes {count:.4g} PSFs, more than {_MOST}"
+            )
         nodes = (np.arange(math.ceil(count)) + 0.5) * (math.pi / math.ceil(count))
         transform = np.cos(np.outer(np.arange(nodes.size), nodes)) * (2.0 / nodes.size)
         transform[0] *= 0.5
         at = middle + reach * np.cos(nodes)
-        return cls(low, high, parabola, engine.product(transform, parabola(at)[:, None] * windows(at), threads), threads)
+        return cls(
+            low, high, parabola, engine.product(transform, parabola(at)[:, None] * windows(at), threads), threads
+        )
 
     def __call__(self, defocus: Floats) -> tuple[Floats, float]:
-        """Return the windows at each defocus of the range, and what the largest of their errors over their peaks is at most."""
+        """Return the windows at each defocus of the range, and a bound on their errors over their peaks."""
         angle = np.arccos(np.clip((2.0 * defocus - self.low - self.high) / (self.high - self.low), -1.0, 1.0))
-        basis = np.cos(np.outer(angle, np.arange(len(self.coefficients))))
+        parabola, basis = self.parabola(defocus), np.outer(angle, np.arange(len(self.coefficients)))
+        np.cos(basis, out=basis)
+        basis /= parabola[:, None]
         made = engine.product(basis, self.coefficients, self.threads)
-        return made / self.parabola(defocus)[:, None], _ERROR / float(made.max(axis=1).min())
+        return made, _ERROR / float((parabola * made.max(axis=1)).min())

@@ -71,11 +71,12 @@ def path(t: NDArray[np.float64], radius: float, sphere: float, vergence: NDArray
 
 
 def growth(radius: float, sphere: float, vergence: float) -> float:
-    """Return how much Im W differs across the pupil for each Im delta, metres^2, at any complex ``|delta| <= vergence``.
+    """Return how much Im W differs across the pupil for each Im delta, metres^2, at any ``|delta| <= vergence``.
 
-    With ``w = 2 p (a + delta) delta`` and ``g(w) = 2 / (1 + sqrt(1 + w))`` it is ``W = p delta g(w)``. The series of g has
-    coefficients of alternating sign, so on ``|w| <= q < 1`` neither ``|g - 1|`` nor ``|g'|`` exceeds what it is at -q, and
-    ``Im W / Im delta`` lies within ``p (1 - e)`` and ``p (1 + e)``. Infinite where q is not below 1.
+    With ``w = 2 p (a + delta) delta`` and ``g(w) = 2 / (1 + sqrt(1 + w))`` it is ``W = p delta g(w)``. The series
+    of g has coefficients of alternating sign, so on ``|w| <= q < 1`` neither ``|g - 1|`` nor ``|g'|`` exceeds what
+    it is at -q, and ``Im W / Im delta`` lies within ``p (1 - e)`` and ``p (1 + e)``. Infinite where q is not below
+    1.
     """
     p = radius**2 / (1.0 + math.sqrt(1.0 - (sphere * radius) ** 2))
     q = 2.0 * p * (abs(sphere) + vergence) * vergence

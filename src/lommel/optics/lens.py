@@ -258,15 +258,23 @@ class Lens:
         return Wavefront.radial_sum(edge.reshape(*c.shape, -1), error)
 
     def phase_rate(self, reach: float) -> float:
-        """Return how much Im phase differs across the pupil for each Im C_d, at most, at any complex ``|C_d| <= reach``.
+        """Return how much Im phase differs across the pupil, at most, for each Im C_d, at complex defocus.
 
-        2 if the model is paraxial; little more if not, and infinite beyond all that lenses do.
+        Parameters
+        ----------
+        reach : float
+            Largest ``|C_d|``, radians.
+
+        Returns
+        -------
+        float
+            2 if the model is paraxial; little more if not, and infinite beyond all that lenses do.
         """
         if self.model == "paraxial":
             return 2.0
         radius = 0.5 * self.aperture_diameter
-        per_radian = 2.0 * self.wavelength / (math.pi * radius**2)
-        return 2.0 * math.pi / self.wavelength * per_radian * growth(radius, self._geometry.sphere, per_radian * reach)
+        vergence = 2.0 * self.wavelength / (math.pi * radius**2)
+        return 4.0 / radius**2 * growth(radius, self._geometry.sphere, vergence * reach)
 
     @property
     def illumination(self) -> Apodization:

@@ -68,7 +68,9 @@ class Bank:
 
     def positions(self, defocus: ArrayLike) -> NDArray[np.float64]:
         """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second."""
-        return (np.asarray(defocus, dtype=np.float64) - self.start) / self.spacing
+        positions = np.asarray(defocus, dtype=np.float64) - self.start
+        positions /= self.spacing
+        return positions
 
     def used(self, defocus: float) -> NDArray[np.float64]:
         """Return how much of each pixel is used for one defocus, 0 to 1, shape (side, side)."""
@@ -193,7 +195,7 @@ def _packed(
     halves = np.maximum(np.maximum(enough[:-2], enough[2:]), enough[1:-1])
     used = math.ceil(halves.max())
     windows = _at_cache_lines((len(exact) + 1, used + 1, (used // 16 + 1) * 16), np.dtype(dtype))
-    windows[:-1, :, : used + 1] = rule.unfold(exact.astype(dtype), used)[:, used:, used:]
+    windows[:-1, :, : used + 1] = rule.quarter(exact.astype(dtype), used)
     kept = np.ascontiguousarray(sums[:, : used + 1])
     # Half-way between windows the sums and the half widths are what the core makes of them.
     between = (9.0 * (kept[1:-2] + kept[2:-1]) - kept[:-3] - kept[3:]) / 16.0
@@ -284,6 +286,11 @@ def _means(
 
 def _interpolation_error(exact: NDArray[np.float64], middle: NDArray[np.float64]) -> float:
     """Return the largest difference half-way between windows, over the peak there; not in the first and last gap."""
-    guess = (9.0 * (exact[1:-2] + exact[2:-1]) - exact[:-3] - exact[3:]) / 16.0
+    off = exact[1:-2] + exact[2:-1]
+    off *= 9.0
+    off -= exact[:-3]
+    off -= exact[3:]
+    off /= 16.0
     inner = middle[1:-1]
-    return float((np.abs(guess - inner).max(axis=1) / inner.max(axis=1)).max())
+    off -= inner
+    return float((np.abs(off, out=off).max(axis=1) / inner.max(axis=1)).max())

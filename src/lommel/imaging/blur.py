@@ -214,7 +214,9 @@ class DepthBlur:
         """Return where each point is in the bank of a channel, below 0 for those left out."""
         placed = self._placed
         if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
-            known = {id(bank): np.maximum(bank.positions(self.defocus), 0.0) for bank in self.banks}
+            known = {id(bank): bank.positions(self.defocus) for bank in self.banks}
+            for positions in known.values():
+                np.maximum(positions, 0.0, out=positions)
             self._placed = placed = self.defocus, self.banks, tuple(known[id(bank)] for bank in self.banks)
         positions = placed[2][channel]
         if weight is None:

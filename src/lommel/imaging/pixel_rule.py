@@ -43,7 +43,19 @@ class PixelRule:
         return np.asarray(np.cumsum(np.add.reduceat(means * alike, starts, axis=1), axis=1))
 
     def quarter(self, means: NDArray[Any], half: int) -> NDArray[Any]:
-        """Return the pixels of windows from the middle row and column on, shape ``(n, half + 1, half + 1)``."""
+        """Return the pixels of windows from the middle row and column on, shape ``(n, half + 1, half + 1)``.
+
+        Parameters
+        ----------
+        means : ndarray, shape (n, cells)
+            Of the pixels of the octant.
+        half : int
+            At most that of the rule.
+
+        Returns
+        -------
+        ndarray
+        """
         octant = np.zeros((half + 1, half + 1), dtype=np.int64)
         inside = self.cells[:, 0] <= half
         x, y = self.cells[inside].T

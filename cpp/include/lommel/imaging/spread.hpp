@@ -169,7 +169,7 @@ class Spreader {
     LOMMEL_INLINE void pixels(I, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const Value& value,
                               const Visit& visit) const {
         constexpr std::size_t tall = 32, broad = 64;
-        Mixture<T> mixtures[broad][tall + 1];
+        std::vector<Mixture<T>> mixtures(broad * (tall + 1));  // more than the stack of a thread need hold
         Glance glance;
         for (std::size_t y = top; y < bottom; y += tall) {
             for (std::size_t x = left; x < right; x += broad) {
@@ -178,13 +178,14 @@ class Spreader {
                 for (std::size_t i = 0; i < height; ++i) {
                     const double* positions = scene_.positions + static_cast<std::size_t>(scene_.rows[y + i]) * scene_.across;
                     for (std::size_t j = 0; j < width; ++j) {
-                        mixture_(positions[scene_.columns[x + j]], value(y + i, x + j), mixtures[j][i]);
+                        mixture_(positions[scene_.columns[x + j]], value(y + i, x + j), mixtures[j * (tall + 1) + i]);
                     }
                 }
                 for (std::size_t j = 0; j < width; ++j) {
-                    mixtures[j][height].any = false;
+                    Mixture<T>*const column = mixtures.data() + j * (tall + 1);
+                    column[height].any = false;
                     for (std::size_t i = 0; i < height; ++i) {
-                        const Mixture<T>*const one = mixtures[j] + i, *const next = one + 1;
+                        const Mixture<T>*const one = column + i, *const next = one + 1;
                         if (one->any && next->any && one->half == next->half && one->first <= next->first + 1 &&
                             next->first <= one->first + 1) {
                             blocks<I, 2>(one, [&](const auto& rows) LOMMEL_INLINE_LAMBDA { visit(rows, y + i, x + j); });

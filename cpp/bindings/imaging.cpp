@@ -1,7 +1,8 @@
 // Averages of many PSFs over pixels, and blur by depth.
+#include <algorithm>
 #include <cmath>
-#include <vector>
 
+#include "lommel/imaging/product.hpp"
 #include "lommel/imaging/profile_sums.hpp"
 #include "lommel/imaging/spread.hpp"
 
@@ -10,6 +11,9 @@
 using namespace bindings;
 
 namespace {
+
+template <class T>
+using Strided = nb::ndarray<const T, nb::numpy, nb::ndim<2>, nb::device::cpu>;
 
 // Bounds are negative where the tolerance cannot be met.
 std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude,
@@ -25,51 +29,72 @@ std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, dou
     return {out, bounds};
 }
 
+Out<double, 2> product(In<double, 2> rows, In<double, 2> matrix, int threads) {
+    const std::size_t count = rows.shape(1);
+    require(matrix.shape(0) == count && threads >= 0, "the matrix must have a row for each column");
+    auto out = new_array<double, 2>({rows.shape(0), matrix.shape(1)});
+    const auto fill = [&](std::size_t first, std::size_t some, double* values) {
+        std::copy_n(rows.data() + first * count, some * count, values);
+    };
+    released([&] { lommel::product(rows.shape(0), count, matrix.data(), matrix.shape(1), threads, fill, out.data()); });
+    return out;
+}
+
 template <class T>
-lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halves, const In<double, 2>& energies,
-                              const In<double, 2>& positions) {
-    const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2);
-    // The last window is there for vectors to reach into only.
-    require(count >= 5 && rows >= 1 && stride >= 2 * rows - 1 && rows * stride >= lommel::Spreader<T>::padding,
-            "windows must be padded, 5 or more");
-    const std::size_t widest = rows - 1;
+lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halves, const In<double, 2>& energies) {
+    const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2), widest = rows - 1;
+    // The last window is there to be loaded only.
+    require(count >= 5 && rows >= 1 && stride == lommel::Spreader<T>::margin(widest), "windows must be padded, 5 or more");
     require(halves.shape(0) == count - 1 && energies.shape(0) == count - 1 && energies.shape(1) == widest + 1,
             "one half width and one row of energies a window");
     for (std::size_t i = 0; i < halves.shape(0); ++i) {
         require(halves.data()[i] >= 0.0 && halves.data()[i] <= static_cast<double>(widest), "halves must fit in the windows");
     }
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        require(std::isfinite(positions.data()[i]), "positions must be finite");
-    }
     return {windows.data(), halves.data(), energies.data(), count - 1, widest, stride};
 }
 
-// Adds each pixel, spread over its window, to an image larger by half a window on every side, and 16 columns beyond.
-template <class T>
-void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
-            int threads, Out<T, 2> out) {
-    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
-    const std::size_t height = image.shape(0), width = image.shape(1);
-    require(positions.shape(0) == height && positions.shape(1) == width && threads >= 0, "positions must match the image");
-    require(out.shape(0) == height + 2 * bank.widest && out.shape(1) == width + 2 * bank.widest + lommel::Spreader<T>::beyond,
-            "out must be larger than the image by a window, and have 16 columns more");
-    released([&] { lommel::Spreader<T>(bank, positions.data(), height, width, threads).forward(image.data(), out.data()); });
+lommel::Scene scene_of(const In<double, 2>& positions, const In<std::int64_t, 1>& rows, const In<std::int64_t, 1>& columns) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        require(std::isfinite(positions.data()[i]), "positions must be finite");
+    }
+    const auto inside = [](const In<std::int64_t, 1>& indices, std::size_t count) {
+        return std::all_of(indices.data(), indices.data() + indices.size(),
+                           [&](std::int64_t i) { return i >= 0 && i < static_cast<std::int64_t>(count); });
+    };
+    require(inside(rows, positions.shape(0)) && inside(columns, positions.shape(1)), "rows and columns must be of positions");
+    return {positions.data(), positions.shape(1), rows.data(), columns.data(), rows.size(), columns.size()};
 }
 
-// The transpose of spread().
+// Whether an image is as much larger than a scene as windows reach.
 template <class T>
-void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<T, 2> image,
-             int threads, Out<T, 2> out) {
-    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies, positions);
-    const std::size_t height = positions.shape(0), width = positions.shape(1);
-    require(image.shape(0) == height + 2 * bank.widest && image.shape(1) == width + 2 * bank.widest && threads >= 0,
+bool larger(const lommel::WindowBank<T>& bank, const lommel::Scene& scene, std::size_t height, std::size_t width) {
+    return height == scene.height + 2 * bank.widest && width == scene.width + 2 * lommel::Spreader<T>::margin(bank.widest);
+}
+
+// Adds each pixel, spread over its window, to an image larger by half a window above and below, and by the next multiple of
+// 16 on either side.
+template <class T>
+void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<std::int64_t, 1> rows,
+            In<std::int64_t, 1> columns, Strided<T> image, int threads, Out<T, 2> out) {
+    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
+    const lommel::Scene scene = scene_of(positions, rows, columns);
+    require(image.shape(0) == positions.shape(0) && image.shape(1) == positions.shape(1) && threads >= 0,
+            "positions must match the image");
+    require(larger(bank, scene, out.shape(0), out.shape(1)), "out must be larger than the image by a window");
+    released(
+        [&] { lommel::Spreader<T>(bank, scene, threads).forward(image.data(), image.stride(0), image.stride(1), out.data()); });
+}
+
+// The transpose of spread(), but that what is beyond the edges stays there.
+template <class T>
+void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<std::int64_t, 1> rows,
+             In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out) {
+    const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
+    const lommel::Scene scene = scene_of(positions, rows, columns);
+    require(larger(bank, scene, image.shape(0), image.shape(1)) && threads >= 0,
             "the image must be larger than the positions by a window");
-    require(out.shape(0) == height && out.shape(1) == width, "out must match the positions");
-    released([&] {
-        std::vector<T> padded(image.data(), image.data() + image.size());
-        padded.resize(image.size() + lommel::Spreader<T>::padding, T(0));
-        lommel::Spreader<T>(bank, positions.data(), height, width, threads).adjoint(padded.data(), out.data());
-    });
+    require(out.shape(0) == scene.height && out.shape(1) == scene.width, "out must match the positions");
+    released([&] { lommel::Spreader<T>(bank, scene, threads).adjoint(image.data(), out.data()); });
 }
 
 }  // namespace
@@ -77,12 +102,13 @@ void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<
 void bindings::define_imaging(nb::module_& m) {
     m.def("means", &means, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "matrix"_a, "threads"_a,
           "Weighted sums of I at rising v, and bounds on the error of I over its peak.");
+    m.def("product", &product, "rows"_a, "matrix"_a, "threads"_a, "The product of two matrices.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);
-        m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "image"_a.noconvert(),
-              "threads"_a, "out"_a.noconvert(),
+        m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
+              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(),
               "Adds each pixel times the window at its position in the bank to an image larger by a window.");
-        m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "image"_a.noconvert(),
-              "threads"_a, "out"_a.noconvert(), "The transpose of spread().");
+        m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
+              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "The transpose of spread().");
     });
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -208,21 +209,23 @@ template <class T>
 void spreading_and_collecting(std::mt19937& random, std::size_t height, std::size_t width, std::size_t widest, int threads) {
     using Spreader = lommel::Spreader<T>;
     std::uniform_real_distribution<double> share(0.5, 1.5), place(-0.5, 5.5);
-    const std::size_t count = 6, side = 2 * widest + 1, wide = width + 2 * widest, high = height + 2 * widest;
-    const std::size_t rows = widest + 1, stride = std::max((side + 15) / 16 * 16, (Spreader::padding + rows - 1) / rows);
-    const std::size_t broad = wide + Spreader::beyond;
-    std::vector<T> windows((count + 1) * rows * stride, T(0)), image(height * width), taken(height * width);
-    std::vector<T> out(high * broad, T(0)), other(high * wide + Spreader::padding, T(0));
+    const std::size_t count = 6, high = height + 2 * widest, margin = Spreader::margin(widest), wide = width + 2 * margin;
+    const std::size_t rows = widest + 1;
+    std::vector<T> windows((count + 1) * rows * margin, T(0)), image(height * width), taken(height * width);
+    std::vector<T> out(high * wide, T(0)), other(high * wide, T(0));
+    std::vector<std::int64_t> down(height), right(width);
+    std::iota(down.begin(), down.end(), 0);
+    std::iota(right.begin(), right.end(), 0);
     std::vector<double> halves(count);
     std::vector<double> energies(count * (widest + 1), 0.0), positions(height * width);
     for (std::size_t i = 0; i < count; ++i) {
-        // Stored from the middle row down; those above are alike.
+        // One quadrant is stored; the others are alike.
         for (std::size_t y = 0; y < rows; ++y) {
-            for (std::size_t x = 0; x < side; ++x) {
-                const T value = windows[(i * rows + y) * stride + x] = static_cast<T>(share(random));
-                const std::size_t away = std::max(y, x > widest ? x - widest : widest - x);
-                for (std::size_t half = away; half <= widest; ++half) {
-                    energies[i * (widest + 1) + half] += (y == 0 ? 1.0 : 2.0) * static_cast<double>(value);
+            for (std::size_t x = 0; x < rows; ++x) {
+                const T value = windows[(i * rows + y) * margin + x] = static_cast<T>(share(random));
+                for (std::size_t half = std::max(y, x); half <= widest; ++half) {
+                    energies[i * (widest + 1) + half] +=
+                        (y == 0 ? 1.0 : 2.0) * (x == 0 ? 1.0 : 2.0) * static_cast<double>(value);
                 }
             }
         }
@@ -240,12 +243,12 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
     for (std::size_t i = 0; i < high * wide; ++i) {
         other[i] = static_cast<T>(share(random));
     }
-    const lommel::WindowBank<T> bank{windows.data(), halves.data(), energies.data(), count, widest, stride};
-    const Spreader spreader(bank, positions.data(), height, width, threads);
-    spreader.forward(image.data(), out.data());
+    const lommel::WindowBank<T> bank{windows.data(), halves.data(), energies.data(), count, widest, margin};
+    const Spreader spreader(bank, {positions.data(), width, down.data(), right.data(), height, width}, threads);
+    spreader.forward(image.data(), static_cast<std::ptrdiff_t>(width), 1, out.data());
     spreader.adjoint(other.data(), taken.data());
     for (std::size_t i = 0; i < high * wide; ++i) {
-        const double value = static_cast<double>(out[i / wide * broad + i % wide]);
+        const double value = static_cast<double>(out[i]);
         arrived += value;
         one += value * static_cast<double>(other[i]);
     }
@@ -259,7 +262,7 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
 
 void every_path_of_the_spreader(unsigned seed) {
     std::mt19937 random(seed);
-    for (const std::size_t widest : {std::size_t{0}, std::size_t{1}, std::size_t{4}, std::size_t{9}}) {
+    for (const std::size_t widest : {std::size_t{0}, std::size_t{1}, std::size_t{4}, std::size_t{9}, std::size_t{35}}) {
         for (const int threads : {1, 3}) {
             spreading_and_collecting<float>(random, 1, 1, widest, threads);
             spreading_and_collecting<double>(random, 3, 17, widest, threads);

@@ -26,34 +26,44 @@ def level(request: pytest.FixtureRequest) -> Iterator[str]:
 
 
 def bank(rng: np.random.Generator, half: int, count: int = 6, dtype: type = np.float64) -> Bank:
-    """A bank of noise, without symmetries that would hide a fault but the one that banks build on, of up and down."""
-    side = 2 * half + 1
-    stride = max(-(-side // 16) * 16, -(-64 // (half + 1)))
-    windows = np.zeros((count + 1, half + 1, stride), dtype)
-    windows[:-1, :, :side] = rng.uniform(0.5, 1.5, (count, half + 1, side))
+    """A bank of noise, without symmetries that would hide a fault but those that banks build on."""
+    windows = np.zeros((count + 1, half + 1, margin(half)), dtype)
+    windows[:-1, :, : half + 1] = rng.uniform(0.5, 1.5, (count, half + 1, half + 1))
     halves = np.minimum(rng.integers(0, half + 1, count) + rng.choice([0.0, 0.3, 0.9], count), half)
     away = np.abs(np.arange(-half, half + 1))
     ring = np.maximum(away[:, None], away)
-    whole = [np.concatenate([w[:0:-1, :side], w[:, :side]]) for w in windows[:-1]]
+    whole = windows[:-1, away[:, None], away]
     energies = np.stack([[w[ring <= h].sum(dtype=np.float64) for h in range(half + 1)] for w in whole])
     return Bank(0.0, 1.0, windows, halves, energies, 0.0, 0.0)
 
 
+def margin(half: int) -> int:
+    """Columns that the kernel may touch on either side of a pixel."""
+    return (half // 16 + 1) * 16
+
+
+def places(positions: np.ndarray) -> list[np.ndarray]:
+    """Every row and every column once."""
+    return [np.arange(side) for side in positions.shape]
+
+
 def room(b: Bank, image: np.ndarray) -> np.ndarray:
-    """What the kernel writes to: larger by a window, and by 16 columns that it may touch."""
-    height, width = (side + 2 * b.half for side in image.shape)
-    return np.zeros((height, width + 16), image.dtype)
+    """What the kernel writes to: larger by a window, and by columns that it may touch."""
+    return np.zeros((image.shape[0] + 2 * b.half, image.shape[1] + 2 * margin(b.half)), image.dtype)
 
 
 def spread(b: Bank, positions: np.ndarray, image: np.ndarray, threads: int = 0) -> np.ndarray:
-    out = room(b, image)
-    _core.spread(b.windows, b.halves, b.energies, positions, image, threads, out)
-    return out[:, :-16]
+    out, beyond = room(b, image), margin(b.half) - b.half
+    _core.spread(b.windows, b.halves, b.energies, positions, *places(positions), image, threads, out)
+    assert not out[:, :beyond].any()
+    assert not out[:, -beyond:].any()
+    return out[:, beyond:-beyond]
 
 
 def collect(b: Bank, positions: np.ndarray, image: np.ndarray, threads: int = 0) -> np.ndarray:
-    out = np.full(positions.shape, np.nan, image.dtype)
-    _core.collect(b.windows, b.halves, b.energies, positions, image, threads, out)
+    out, beyond = np.full(positions.shape, np.nan, image.dtype), margin(b.half) - b.half
+    larger = np.pad(image, ((0, 0), (beyond, beyond)), constant_values=1e3)
+    _core.collect(b.windows, b.halves, b.energies, positions, *places(positions), larger, threads, out)
     return out
 
 
@@ -124,37 +134,75 @@ def test_spreading_adds_to_what_is_there():
     rng = np.random.default_rng(3)
     b, positions, image = bank(rng, 2), rng.uniform(0.0, 5.0, (6, 7)), rng.random((6, 7))
     out = room(b, image) + 1.0
-    _core.spread(b.windows, b.halves, b.energies, positions, image, 0, out)
-    assert out[:, :-16] == pytest.approx(1.0 + spread(b, positions, image), rel=1e-14)
+    _core.spread(b.windows, b.halves, b.energies, positions, *places(positions), image, 0, out)
+    beyond = margin(b.half) - b.half
+    assert out[:, beyond:-beyond] == pytest.approx(1.0 + spread(b, positions, image), rel=1e-14)
+
+
+def test_rows_and_columns_say_which_pixels_lie_where(level):
+    """Copies beyond the edges, of an image whose values need not lie next to each other."""
+    rng = np.random.default_rng(5)
+    b, positions, image = bank(rng, 3), rng.uniform(0.0, 5.0, (6, 7)), rng.standard_normal((6, 7, 3))[:, ::-1, 1]
+    rows, columns = np.pad(np.arange(6), 2, mode="symmetric"), np.pad(np.arange(7), 2, mode="edge")
+    out, back = room(b, np.empty((10, 11))), np.empty((10, 11))
+    _core.spread(b.windows, b.halves, b.energies, positions, rows, columns, image, 0, out)
+    beyond, chosen = margin(b.half) - b.half, np.ix_(rows, columns)
+    wanted = spread(b, np.ascontiguousarray(positions[chosen]), np.ascontiguousarray(image[chosen]))
+    assert np.array_equal(out[:, beyond:-beyond], wanted)
+    _core.collect(b.windows, b.halves, b.energies, positions, rows, columns, out, 0, back)
+    assert np.array_equal(back, collect(b, np.ascontiguousarray(positions[chosen]), wanted))
 
 
 def test_what_does_not_fit_is_refused():
     b = bank(np.random.default_rng(4), 2)
-    positions, image, large = np.ones((6, 7)), np.ones((6, 7)), np.ones((10, 11))
-    wide = room(b, image)
-    _core.spread(b.windows, b.halves, b.energies, positions, image, 0, wide)
-    for bad in (np.nan, np.inf, -np.inf):
-        wrong = positions.copy()
-        wrong[3, 2] = bad
-        with pytest.raises(ValueError, match="positions must be finite"):
-            _core.spread(b.windows, b.halves, b.energies, wrong, image, 0, wide)
-        with pytest.raises(ValueError, match="positions must be finite"):
-            _core.collect(b.windows, b.halves, b.energies, wrong, large, 0, image)
+    positions, image, large = np.ones((6, 7)), np.ones((6, 7)), np.ones((10, 39))
+    wide, (rows, columns) = room(b, image), places(positions)
+    fits = {
+        "windows": b.windows,
+        "halves": b.halves,
+        "energies": b.energies,
+        "positions": positions,
+        "rows": rows,
+        "columns": columns,
+        "threads": 0,
+    }
+
+    def spreading(**changed):
+        _core.spread(**{**fits, "image": image, "out": wide, **changed})
+
+    def collecting(**changed):
+        _core.collect(**{**fits, "image": large, "out": image, **changed})
+
+    spreading()
+    collecting()
+    for call in (spreading, collecting):
+        for bad in (np.nan, np.inf, -np.inf):
+            wrong = positions.copy()
+            wrong[3, 2] = bad
+            with pytest.raises(ValueError, match="positions must be finite"):
+                call(positions=wrong)
+        for wrong in (rows + 1, rows - 1):
+            with pytest.raises(ValueError, match="rows and columns must be of positions"):
+                call(rows=wrong)
+        with pytest.raises(ValueError, match="rows and columns must be of positions"):
+            call(columns=columns + 1)
+        with pytest.raises(ValueError, match="halves must fit in the windows"):
+            call(halves=b.halves + 3.0)
+        with pytest.raises(ValueError, match="one half width and one row of energies a window"):
+            call(halves=b.halves[1:].copy())
+        with pytest.raises(ValueError, match="windows must be padded, 5 or more"):
+            call(windows=b.windows[:4].copy())
+        with pytest.raises(ValueError, match="windows must be padded, 5 or more"):
+            call(windows=b.windows[:, :, :-1].copy())
     with pytest.raises(ValueError, match="out must be larger than the image by a window"):
-        _core.spread(b.windows, b.halves, b.energies, positions, image, 0, image.copy())
+        spreading(out=image.copy())
     with pytest.raises(ValueError, match="positions must match the image"):
-        _core.spread(b.windows, b.halves, b.energies, positions[1:].copy(), image, 0, wide)
+        spreading(image=image[1:])
     with pytest.raises(ValueError, match="positions must match the image"):
-        _core.spread(b.windows, b.halves, b.energies, positions, image, -1, wide)
-    with pytest.raises(ValueError, match="the image must be larger than the positions by a window"):
-        _core.collect(b.windows, b.halves, b.energies, positions, image, 0, image.copy())
-    with pytest.raises(ValueError, match="out must match the positions"):
-        _core.collect(b.windows, b.halves, b.energies, positions, large, 0, large.copy())
-    with pytest.raises(ValueError, match="halves must fit in the windows"):
-        _core.spread(b.windows, b.halves + 3.0, b.energies, positions, image, 0, wide)
-    with pytest.raises(ValueError, match="one half width and one row of energies a window"):
-        _core.spread(b.windows, b.halves[1:].copy(), b.energies, positions, image, 0, wide)
-    with pytest.raises(ValueError, match="windows must be padded, 5 or more"):
-        _core.spread(b.windows[:4].copy(), b.halves, b.energies, positions, image, 0, wide)
+        spreading(threads=-1)
     with pytest.raises(TypeError, match="incompatible function arguments"):
-        _core.spread(b.windows, b.halves, b.energies, positions, image.astype("f4"), 0, wide)
+        spreading(image=image.astype("f4"))
+    with pytest.raises(ValueError, match="the image must be larger than the positions by a window"):
+        collecting(image=image.copy())
+    with pytest.raises(ValueError, match="out must match the positions"):
+        collecting(out=large.copy())

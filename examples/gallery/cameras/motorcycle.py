@@ -87,7 +87,7 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
         share = np.diff(0.5 * erf(edges / (np.sqrt(2.0) * width[:, None])), axis=1)
         kernels = share[:, :, None] * share[:, None, :]
     windows = np.zeros_like(bank.windows)
-    windows[:-1, :, :side] = kernels[:, bank.half :]  # banks hold the lower half of what is alike above and below
+    windows[:-1, :, : middle + 1] = kernels[:, middle:, middle:]  # banks hold one of four quadrants that are alike
     away = np.abs(np.arange(side) - middle)
     ring = np.maximum(away[:, None], away)
     energies = np.stack([(kernels * (ring <= k)).sum(axis=(1, 2)) for k in range(middle + 1)], axis=1)

@@ -11,6 +11,8 @@ from lommel.base import validation
 
 ENCODINGS = ("linear", "srgb")
 
+_PART = 2**16  # values that are encoded at once, so that what is between stays in a cache
+
 
 def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[Any]:
     """Return values in proportion to light, 1 being white, from integers (white is their maximum) or floats.
@@ -74,16 +76,18 @@ def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[
     -------
     ndarray, of the shape of `light`
     """
-    kind = np.dtype(dtype)
-    values = light
-    if encoding == "srgb":
-        positive = np.maximum(light, 0.0)
-        values = np.where(light <= 0.0031308, 12.92 * light, 1.055 * positive ** (1.0 / 2.4) - 0.055)
-    if kind.kind != "u":
-        return values.astype(kind, copy=False)
-    most = np.iinfo(kind).max
-    scaled = np.rint(values.astype(np.float64) * most)
-    return np.clip(scaled, 0, most).astype(kind)
+    kind, flat = np.dtype(dtype), light.reshape(-1)
+    stored = np.empty(flat.shape, dtype=kind)
+    for part in (slice(first, first + _PART) for first in range(0, flat.size, _PART)):
+        values = flat[part]
+        if encoding == "srgb":
+            curved = 1.055 * np.maximum(values, 0.0) ** (1.0 / 2.4) - 0.055
+            values = np.where(values <= 0.0031308, 12.92 * values, curved)
+        if kind.kind == "u":
+            most = np.iinfo(kind).max
+            values = np.clip(np.rint(values.astype(np.float64) * most), 0, most)
+        stored[part] = values
+    return stored.reshape(light.shape)
 
 
 def clipped_share(light: NDArray[Any], dtype: DTypeLike) -> float:

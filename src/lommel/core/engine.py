@@ -22,6 +22,7 @@ from lommel._core import (
     gauss_legendre,
     huygens_sum,
     legendre_transforms,
+    product,
     scatter,
     spread,
 )
@@ -45,6 +46,7 @@ __all__ = [
     "legendre_transforms",
     "pixel_radii",
     "pixel_values",
+    "product",
     "radial_fields",
     "radial_images",
     "radial_means",

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from lommel.imaging.defocus_nodes import DefocusNodes, Parabola
 from lommel.imaging.pixel_rule import PixelRule, pixel_rule
 from lommel.methods.choice import of_profiles
 from lommel.optics.pupil import Pupil
@@ -30,8 +31,8 @@ class Bank:
     start, spacing : float
         Defocus C_d (radians at the wavelength of the lens) of the first window, and from one to the next.
     windows : ndarray, shape (count + 1, half + 1, stride)
-        Share of the light of a point that each pixel receives, from the middle row down: the rows above mirror those
-        below. Columns beyond the window and the last window are room for the compiled core.
+        Share of the light of a point that each pixel receives, from the middle row down and the middle column on: the
+        other quadrants mirror this one. Columns beyond the window and the last window are room for the compiled core.
     halves : ndarray, shape (count,)
         How many pixels from the middle are used, a real number h, interpolated linearly between windows: of the
         ring at the Chebyshev distance k the share ``h + 1 - k``, from 0 to 1. So nothing jumps as a point moves.
@@ -61,6 +62,11 @@ class Bank:
         """Pixels from the middle of the largest window to its edge."""
         return int(self.energies.shape[1]) - 1
 
+    @property
+    def beyond(self) -> tuple[int, int]:
+        """Rows and columns that the compiled core needs beyond the image, on either side."""
+        return self.half, self.windows.shape[2]
+
     def positions(self, defocus: ArrayLike) -> NDArray[np.float64]:
         """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second.
 
@@ -73,7 +79,9 @@ class Bank:
         -------
         ndarray
         """
-        return (np.asarray(defocus, dtype=np.float64) - self.start) / self.spacing
+        positions = np.asarray(defocus, dtype=np.float64) - self.start
+        positions /= self.spacing
+        return positions
 
     def used(self, defocus: float) -> NDArray[np.float64]:
         """Return how much of each pixel is used for one defocus, 0 to 1, shape (side, side).
@@ -108,11 +116,11 @@ class Bank:
         first = min(max(interval - 1, 0), self.count - 4)
         t = position - first
         weights = [math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)]
-        side = 2 * self.half + 1
-        lower = np.tensordot(weights, self.windows[first : first + 4, :, :side].astype(np.float64), axes=1)
+        away = np.abs(np.arange(-self.half, self.half + 1))
+        mixed = np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1)
         half = np.interp(position, np.arange(self.count), self.halves)
         energy = weights @ _held(self.energies[first : first + 4], np.full(4, half))
-        return np.asarray(np.concatenate([lower[:0:-1], lower]) * self.used(defocus) / energy)
+        return np.asarray(mixed[away[:, None], away] * self.used(defocus) / energy)
 
 
 def build_bank(
@@ -127,6 +135,7 @@ def build_bank(
     largest: int,
     dtype: DTypeLike = np.float32,
     threads: int = 0,
+    rate: Callable[[float], float] = lambda _: 2.0,
 ) -> Bank:
     """Compute the bank of one channel.
 
@@ -151,6 +160,8 @@ def build_bank(
     dtype : float32 or float64
     threads : int
         At most so many, 0 for as many as there are processors. The result does not depend on it.
+    rate : callable, optional
+        As :meth:`lommel.Lens.phase_rate`, of `phase`; by default that of a paraxial lens.
 
     Returns
     -------
@@ -162,18 +173,27 @@ def build_bank(
         If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
     """
     low, high = defocus
-    half = _enough(pupil, phase, spectrum, pixel, defocus, energy, largest, threads)
+    half, parabola = _enough(pupil, phase, spectrum, pixel, defocus, energy, largest, threads)
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / 6.0, 0.05)
     start = low - spacing
-
-    def means(positions: NDArray[np.float64]) -> NDArray[np.float64]:
-        return _means(pupil, phase, spectrum, pixel, start + spacing * positions, half, threads)[1]
-
-    exact = means(np.arange(math.ceil((high - start) / spacing) + 3, dtype=np.float64))
+    gaps = math.ceil((high - start) / spacing) + 2
+    assert pupil.wavelength is not None
+    shortest = min(wavelength for wavelength, _ in spectrum)
+    per_radian = pupil.wavelength / shortest
+    at = DefocusNodes.of(
+        lambda nodes: _means(pupil, phase, spectrum, pixel, nodes, half, threads)[1],
+        start,
+        start + gaps * spacing,
+        parabola,
+        rate=lambda reach: per_radian * rate(reach),
+        bound=math.pi * (pixel * per_radian / pupil.scale) ** 2 / 4.0,
+        threads=threads,
+    )
+    exact, _ = at(start + spacing * np.arange(gaps + 1.0))
     while True:
-        middle = means(np.arange(len(exact) - 1, dtype=np.float64) + 0.5)
-        error = _interpolation_error(exact, middle)
+        middle, truncated = at(start + spacing * (np.arange(len(exact) - 1.0) + 0.5))
+        error = _interpolation_error(exact, middle) + truncated
         if error <= tol:
             break
         # Those half-way are windows of the next bank; the error falls sixteenfold.
@@ -209,10 +229,8 @@ def _packed(
     # Those on either side count, so that what is interpolated holds enough as well.
     halves = np.maximum(np.maximum(enough[:-2], enough[2:]), enough[1:-1])
     used = math.ceil(halves.max())
-    side = 2 * used + 1
-    stride = max(-(-side // 16) * 16, -(-64 // (used + 1)))
-    windows = _at_cache_lines((len(exact) + 1, used + 1, stride), np.dtype(dtype))
-    windows[:-1, :, :side] = rule.unfold(exact.astype(dtype), used)[:, used:]
+    windows = _at_cache_lines((len(exact) + 1, used + 1, (used // 16 + 1) * 16), np.dtype(dtype))
+    windows[:-1, :, : used + 1] = rule.quarter(exact.astype(dtype), used)
     kept = np.ascontiguousarray(sums[:, : used + 1])
     # Half-way between windows the sums and the half widths are what the core makes of them.
     between = (9.0 * (kept[1:-2] + kept[2:-1]) - kept[:-3] - kept[3:]) / 16.0
@@ -254,8 +272,11 @@ def _enough(
     energy: float,
     largest: int,
     threads: int,
-) -> int:
-    """Return half of a window that holds `energy` of the light at both ends of the range and in its middle."""
+) -> tuple[int, Parabola]:
+    """Return half of a window that holds `energy` of the light at both ends of the range and in its middle.
+
+    And what is nearly 1 over the peaks.
+    """
     ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
     blur = pupil.carrying(phase(ends) + pupil.wavefront, None).geometric_radius().max()
     half = math.ceil(float(blur) / pixel) + 1
@@ -268,7 +289,8 @@ def _enough(
         rule, means = _means(pupil, phase, spectrum, pixel, ends, half, threads)
         sums = rule.sums(means)
         if sums[:, -1].min() >= energy:
-            return int(max((row >= energy).argmax() for row in sums)) + 1
+            half = int(max((row >= energy).argmax() for row in sums)) + 1
+            return half, Parabola.through(ends, means.max(axis=1))
         half = math.ceil(1.3 * half) + 1
 
 
@@ -297,6 +319,11 @@ def _means(
 
 def _interpolation_error(exact: NDArray[np.float64], middle: NDArray[np.float64]) -> float:
     """Return the largest difference half-way between windows, over the peak there; not in the first and last gap."""
-    guess = (9.0 * (exact[1:-2] + exact[2:-1]) - exact[:-3] - exact[3:]) / 16.0
+    off = exact[1:-2] + exact[2:-1]
+    off *= 9.0
+    off -= exact[:-3]
+    off -= exact[3:]
+    off /= 16.0
     inner = middle[1:-1]
-    return float((np.abs(guess - inner).max(axis=1) / inner.max(axis=1)).max())
+    off -= inner
+    return float((np.abs(off, out=off).max(axis=1) / inner.max(axis=1)).max())

@@ -16,8 +16,6 @@ from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 
-_BEYOND = 16  # columns that the compiled core asks for beyond the image
-
 
 @shares(BlurKeywords, Settings)
 class DepthBlur:
@@ -51,6 +49,9 @@ class DepthBlur:
     TypeError, ValueError
         If an argument is out of range; if the blur exceeds `largest`.
     """
+
+    # Where the points are in the banks, of the defocus and for the banks that come first.
+    _placed: tuple[NDArray[np.float64], tuple[Bank, ...], tuple[NDArray[np.float64], ...]] | None = None
 
     def __init__(
         self,
@@ -98,6 +99,7 @@ class DepthBlur:
                     largest=settings.largest or max(1, min(self.shape) // 2),
                     dtype=self.dtype,
                     threads=self.threads,
+                    rate=lens.phase_rate,
                 )
         self.banks = tuple(known[spectrum] for spectrum in colours)
 
@@ -145,16 +147,14 @@ class DepthBlur:
             If `image` is not finite light of the shape of the depth, or `weight` does not fit.
         """
         planes = self._planes(image)
-        out = np.empty((len(planes), *self.shape), dtype=self.dtype)
-        for plane, bank, to in zip(planes, self.banks, out, strict=True):
-            margin, positions = self._positions(bank, weight)
-            source = np.ascontiguousarray(self._padded(plane, margin))
-            height, width = (side + 2 * bank.half for side in source.shape)
-            room = np.zeros((height, width + _BEYOND), dtype=self.dtype)
-            engine.spread(bank.windows, bank.halves, bank.energies, positions, source, self.threads, room)
-            cut = margin + bank.half
-            to[:] = room[cut : cut + self.shape[0], cut : cut + self.shape[1]]
-        return self._shaped(out, image)
+        out = np.empty(planes.shape, dtype=self.dtype)
+        for channel, bank in enumerate(self.banks):
+            rows, columns, (down, right) = self._larger(bank)
+            room = np.zeros((rows.size + 2 * bank.beyond[0], columns.size + 2 * bank.beyond[1]), dtype=self.dtype)
+            where = self._positions(channel, weight), rows, columns
+            engine.spread(bank.windows, bank.halves, bank.energies, *where, planes[..., channel], self.threads, room)
+            out[..., channel] = room[down : down + self.shape[0], right : right + self.shape[1]]
+        return out.reshape(image.shape)
 
     def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
@@ -177,14 +177,17 @@ class DepthBlur:
             As :meth:`forward`.
         """
         planes = self._planes(image)
-        out = np.empty((len(planes), *self.shape), dtype=self.dtype)
-        for plane, bank, to in zip(planes, self.banks, out, strict=True):
-            margin, positions = self._positions(bank, weight)
-            room = np.pad(plane, margin + bank.half)
-            taken = np.empty(positions.shape, dtype=self.dtype)
-            engine.collect(bank.windows, bank.halves, bank.energies, positions, room, self.threads, taken)
-            to[:] = self._folded(taken, margin)
-        return self._shaped(out, image)
+        out = np.empty(planes.shape, dtype=self.dtype)
+        for channel, bank in enumerate(self.banks):
+            rows, columns, (down, right) = self._larger(bank)
+            room = np.zeros((rows.size + 2 * bank.beyond[0], columns.size + 2 * bank.beyond[1]), dtype=self.dtype)
+            room[down : down + self.shape[0], right : right + self.shape[1]] = planes[..., channel]
+            taken = np.empty((rows.size, columns.size), dtype=self.dtype)
+            where = self._positions(channel, weight), rows, columns
+            engine.collect(bank.windows, bank.halves, bank.energies, *where, room, self.threads, taken)
+            # What points beyond the edges took goes to those that they are copies of.
+            out[..., channel] = _folded(_folded(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
+        return out.reshape(image.shape)
 
     def require(self, image: NDArray[Any]) -> None:
         """Refuse what is no finite light of the shape of the depth.
@@ -210,40 +213,40 @@ class DepthBlur:
 
     def _planes(self, image: NDArray[Any]) -> NDArray[Any]:
         self.require(image)
-        array = np.asarray(image)  # without a mask, as require has seen
-        planes = array[None] if array.ndim == 2 else np.moveaxis(array, 2, 0)
-        return np.ascontiguousarray(planes, dtype=self.dtype)
+        array = np.require(np.asarray(image), self.dtype, "A")  # without a mask, as require has seen
+        return array.reshape(*self.shape, len(self.banks))
 
-    def _shaped(self, planes: NDArray[Any], image: NDArray[Any]) -> NDArray[Any]:
-        return planes[0] if np.ndim(image) == 2 else np.ascontiguousarray(np.moveaxis(planes, 0, 2))
-
-    def _positions(self, bank: Bank, weight: NDArray[Any] | None) -> tuple[int, NDArray[np.float64]]:
-        """Return the margin of the border, and where each point is in the bank, below 0 for those left out."""
-        positions = np.maximum(bank.positions(self.defocus), 0.0)
-        if weight is not None:
-            given = validation.array("weight", weight)
-            if not isinstance(weight, np.ndarray) or given.dtype != np.bool_ or given.shape != self.shape:
-                got = f"{given.dtype} of the shape {given.shape}"
-                raise TypeError(f"weight must be an array of bool of the shape {self.shape}, got {got}")
-            positions = np.where(weight, positions, -1.0)
+    def _larger(self, bank: Bank) -> tuple[NDArray[np.int64], NDArray[np.int64], tuple[int, int]]:
+        """Return the rows and columns of the image with its border, and where it begins in what they spread over."""
         margin = 0 if self.border == "zero" else bank.half
-        return margin, np.ascontiguousarray(self._padded(positions, margin))
+        mode: Any = "symmetric" if self.border == "reflect" else "edge"
+        rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode=mode) for side in self.shape)
+        return rows, columns, (margin + bank.beyond[0], margin + bank.beyond[1])
 
-    def _padded(self, plane: NDArray[Any], margin: int) -> NDArray[Any]:
-        if margin == 0:
-            return plane
-        return np.pad(plane, margin, mode="symmetric" if self.border == "reflect" else "edge")
+    def _positions(self, channel: int, weight: NDArray[Any] | None) -> NDArray[np.float64]:
+        """Return where each point is in the bank of a channel, below 0 for those left out."""
+        placed = self._placed
+        if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
+            known = {id(bank): bank.positions(self.defocus) for bank in self.banks}
+            for positions in known.values():
+                np.maximum(positions, 0.0, out=positions)
+            self._placed = placed = self.defocus, self.banks, tuple(known[id(bank)] for bank in self.banks)
+        positions = placed[2][channel]
+        if weight is None:
+            return positions
+        given = validation.array("weight", weight)
+        if not isinstance(weight, np.ndarray) or given.dtype != np.bool_ or given.shape != self.shape:
+            got = f"{given.dtype} of the shape {given.shape}"
+            raise TypeError(f"weight must be an array of bool of the shape {self.shape}, got {got}")
+        return np.where(weight, positions, -1.0)
 
-    def _folded(self, taken: NDArray[Any], margin: int) -> NDArray[Any]:
-        """Return the transpose of padding: what copies took goes to where they came from."""
-        if margin == 0:
-            return taken
-        rows, columns = (self._padded(np.arange(side), margin) for side in self.shape)
-        folded = np.zeros((self.shape[0], taken.shape[1]), dtype=taken.dtype)
-        np.add.at(folded, rows, taken)
-        out = np.zeros((self.shape[1], self.shape[0]), dtype=taken.dtype)
-        np.add.at(out, columns, folded.T)
-        return out.T
+
+def _folded(taken: NDArray[Any], places: NDArray[np.int64], count: int) -> NDArray[Any]:
+    """Return the sum of all rows that have the same place."""
+    folded = np.zeros((count, taken.shape[1]), dtype=taken.dtype)
+    for place, row in zip(places, np.ascontiguousarray(taken), strict=True):
+        folded[place] += row
+    return folded
 
 
 def require_lens(lens: Any, order: str) -> None:

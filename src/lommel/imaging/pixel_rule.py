@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,8 +52,8 @@ class PixelRule:
         starts = np.flatnonzero(row == 0)
         return np.asarray(np.cumsum(np.add.reduceat(means * alike, starts, axis=1), axis=1))
 
-    def unfold(self, means: NDArray[np.float64], half: int) -> NDArray[np.float64]:
-        """Return windows of ``2 half + 1`` pixels a side, shape ``(n, side, side)``.
+    def quarter(self, means: NDArray[Any], half: int) -> NDArray[Any]:
+        """Return the pixels of windows from the middle row and column on, shape ``(n, half + 1, half + 1)``.
 
         Parameters
         ----------
@@ -69,8 +70,22 @@ class PixelRule:
         inside = self.cells[:, 0] <= half
         x, y = self.cells[inside].T
         octant[y, x] = octant[x, y] = np.flatnonzero(inside)
+        return np.asarray(means[:, octant])
+
+    def unfold(self, means: NDArray[Any], half: int) -> NDArray[Any]:
+        """Return windows of ``2 half + 1`` pixels a side, shape ``(n, side, side)``.
+
+        Parameters
+        ----------
+        means, half
+            As of :meth:`quarter`.
+
+        Returns
+        -------
+        ndarray
+        """
         distance = np.abs(np.arange(-half, half + 1))
-        return np.asarray(means[:, octant[distance[:, None], distance]])
+        return self.quarter(means, half)[:, distance[:, None], distance]
 
 
 def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:

@@ -34,7 +34,7 @@ class FocusPlan:
         As of :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
     keep : int, default 4
         How many settings of the lens are remembered, 1 to 1000: coming back to one costs no windows. A setting takes
-        some MiB, and 8 bytes for each point.
+        some MiB, 8 bytes for each point, and as many for each channel of it.
     {options}
 
     Raises

@@ -75,6 +75,24 @@ def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
     return np.asarray(2.0 * p * delta / (1.0 + np.sqrt(1.0 + 2.0 * p * (sphere + delta) * delta)))
 
 
+def growth(radius: float, sphere: float, vergence: float) -> float:
+    """Return how much Im W differs across the pupil for each Im delta, metres^2, at any ``|delta| <= vergence``.
+
+    With ``w = 2 p (a + delta) delta`` and ``g(w) = 2 / (1 + sqrt(1 + w))`` it is ``W = p delta g(w)``. The series
+    of g has coefficients of alternating sign, so on ``|w| <= q < 1`` neither ``|g - 1|`` nor ``|g'|`` exceeds what
+    it is at -q, and ``Im W / Im delta`` lies within ``p (1 - e)`` and ``p (1 + e)``. Infinite where q is not below
+    1.
+    """
+    p = radius**2 / (1.0 + math.sqrt(1.0 - (sphere * radius) ** 2))
+    q = 2.0 * p * (abs(sphere) + vergence) * vergence
+    if not q < 1.0:
+        return math.inf
+    root = math.sqrt(1.0 - q)
+    slope = 2.0 * p * (abs(sphere) + 2.0 * vergence) / (root * (1.0 + root) ** 2)
+    e = 2.0 / (1.0 + root) - 1.0 + vergence * slope
+    return p * max(1.0 + e, 2.0 * e)
+
+
 def expansion(radius: float, sphere: float, vergence: Array, wavelength: float) -> tuple[Array, float]:
     """Return the phase ``2 pi W / wavelength`` as coefficients of R_2^0, R_4^0, ..., and what they leave out at most.
 

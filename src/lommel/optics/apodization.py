@@ -235,3 +235,17 @@ def illumination(apodization: float | Apodization) -> Apodization:
     if isinstance(apodization, Apodization):
         return apodization
     return _gaussian(validation.real("apodization", apodization, least=0.0, below=_LARGEST + 1e-9))
+
+
+def lens_apodization(value: float | Apodization | str, model: str) -> float | Apodization | str:
+    """Return the apodization of a lens as it is kept."""
+    if not isinstance(value, str):
+        light = illumination(value)
+        return value if isinstance(value, Apodization) else light.slope
+    if value != "aplanatic":
+        raise ValueError(
+            f"apodization must be a number, an Apodization or 'aplanatic', got {validation.shown(value)}"
+        )
+    if model != "aplanatic":
+        raise ValueError("apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles")
+    return value

@@ -7,7 +7,9 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
 
 
 @dataclass(frozen=True)
@@ -63,3 +65,18 @@ class Geometry:
         """Rebuild a geometry from :meth:`to_dict`."""
         distances = tuple(math.inf if s is None else float(s) for s in description["object_distance"])
         return cls(**{**description, "object_distance": distances})
+
+
+def object_distances(value: ArrayLike) -> NDArray[np.float64]:
+    """Return distances of objects as floats, or raise TypeError or ValueError."""
+    distance = validation.array("object_distance", value)
+    if distance.dtype.kind not in "iuf":
+        raise TypeError(f"object_distance must be a number of metres, got {validation.shown(value)}")
+    with np.errstate(over="ignore"):
+        distance = np.array(distance, dtype=np.float64)
+    if distance.size == 0:
+        raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
+    bad = ~(distance >= 1e-150)  # whose inverse is a number, and its square
+    if bad.any():
+        raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
+    return distance

@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.cached import cached_property
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
-from lommel.optics.aplanatic import expansion
-from lommel.optics.apodization import Apodization, illumination
-from lommel.optics.geometry import Geometry
+from lommel.optics.aplanatic import expansion, growth
+from lommel.optics.apodization import Apodization, illumination, lens_apodization
+from lommel.optics.geometry import Geometry, object_distances
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
 
@@ -149,7 +149,7 @@ class Lens:
             "mask": mask,
             "model": validation.choice("model", model, MODELS),
             "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
-            "apodization": _apodization(apodization, model),
+            "apodization": lens_apodization(apodization, model),
         }
         # What is no such shape, or leaves nothing clear, is told now.
         Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
@@ -307,6 +307,25 @@ class Lens:
         edge, error = expansion(radius, self._geometry.sphere, vergence, self.wavelength)
         return Wavefront.radial_sum(edge.reshape(*c.shape, -1), error)
 
+    def phase_rate(self, reach: float) -> float:
+        """Return how much Im phase differs across the pupil, at most, for each Im C_d, at complex defocus.
+
+        Parameters
+        ----------
+        reach : float
+            Largest ``|C_d|``, radians.
+
+        Returns
+        -------
+        float
+            2 if the model is paraxial; little more if not, and infinite beyond all that lenses do.
+        """
+        if self.model == "paraxial":
+            return 2.0
+        radius = 0.5 * self.aperture_diameter
+        vergence = 2.0 * self.wavelength / (math.pi * radius**2)
+        return 4.0 / radius**2 * growth(radius, self._geometry.sphere, vergence * reach)
+
     @property
     def illumination(self) -> Apodization:
         """The amplitude across the pupil."""
@@ -373,28 +392,4 @@ class Lens:
                     "object_distance must be given: no object is in focus, for the sensor at "
                     f"{self.sensor_distance:g} m lies inside the focal plane at {self.focal_length:g} m"
                 )
-        distance = validation.array("object_distance", value)
-        if distance.dtype.kind not in "iuf":
-            raise TypeError(f"object_distance must be a number of metres, got {validation.shown(value)}")
-        with np.errstate(over="ignore"):
-            distance = np.array(distance, dtype=np.float64)
-        if distance.size == 0:
-            raise ValueError(f"object_distance must not be empty, got shape {distance.shape}")
-        bad = ~(distance >= 1e-150)  # whose inverse is a number, and its square
-        if bad.any():
-            raise ValueError(f"object_distance must be > 0 metres, got {distance[bad].flat[0]}")
-        return distance
-
-
-def _apodization(value: float | Apodization | str, model: str) -> float | Apodization | str:
-    """Return the apodization of a lens as it is kept."""
-    if not isinstance(value, str):
-        light = illumination(value)
-        return value if isinstance(value, Apodization) else light.slope
-    if value != "aplanatic":
-        raise ValueError(
-            f"apodization must be a number, an Apodization or 'aplanatic', got {validation.shown(value)}"
-        )
-    if model != "aplanatic":
-        raise ValueError("apodization 'aplanatic' needs model='aplanatic': a paraxial lens has no angles")
-    return value
+        return object_distances(value)

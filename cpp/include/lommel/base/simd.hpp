@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #if defined(__GNUC__) || defined(__clang__)
@@ -73,6 +75,29 @@ template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
     return (at & bit) != 0 ? a : b;
 }
+template <class Order, class Real, class V, std::size_t... I>
+LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
+#ifdef __clang__
+    return __builtin_shufflevector(v, v, Order::at(I, sizeof...(I))...);
+#else
+    using Lane = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+    typedef Lane Sequence __attribute__((vector_size(sizeof(V))));
+    constexpr Lane from[] = {static_cast<Lane>(Order::at(I, sizeof...(I)))...};
+#ifdef LOMMEL_X86
+    // By hand as in splat(), and of pairs of floats for doubles: nothing permutes four doubles by a register.
+    if constexpr (sizeof(V) > 16) {
+        constexpr std::int64_t pair = std::int64_t{1} << 32;
+        alignas(64) static constexpr Lane sequence[] = {
+            static_cast<Lane>(sizeof(Real) == 4 ? from[I] : 2 * from[I] + pair * (2 * from[I] + 1))...};
+        V in, out;
+        std::memcpy(&in, sequence, sizeof in);
+        asm("vpermps %1, %2, %0" : "=v"(out) : "v"(v), "v"(in));
+        return out;
+    } else
+#endif
+        return __builtin_shuffle(v, Sequence{from[I]...});
+#endif
+}
 
 #else
 
@@ -132,8 +157,18 @@ LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
     }
     return a;
 }
+template <class Order, class Real, class V, std::size_t... I>
+LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
+    return V{{v[Order::at(I, sizeof...(I))]...}};
+}
 
 #endif
+
+// Lane i of the result is lane Order::at(i, lanes).
+template <class Order, class Real, class V>
+LOMMEL_INLINE V permuted(V v) {
+    return permuted<Order, Real>(v, std::make_index_sequence<sizeof(V) / sizeof(Real)>());
+}
 
 template <class V, class Real>
 LOMMEL_INLINE V load(const Real* from) {

@@ -1,0 +1,55 @@
+// Products of matrices, here because those of libraries start threads of their own, which outnumber the processors where
+// callers are many, and whose sums need not be in the same sequence on any number of them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+// out[row * sums + j] = sum over i of values[row][i] matrix[i * sums + j]; fill(first, some, to) writes the values of so many
+// rows to to[row * count + i].
+template <class Fill>
+void product(std::size_t rows, std::size_t count, const double* matrix, std::size_t sums, int threads, const Fill& fill,
+             double* out) {
+    constexpr std::size_t together = 4, step = 16;
+    const std::size_t stride = (sums + step - 1) / step * step;
+    Doubles table(count * stride);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::copy_n(matrix + i * sums, sums, table.data() + i * stride);
+    }
+    parallel_for((rows + together - 1) / together, threads, [&](std::size_t, std::size_t task) {
+        const std::size_t first = task * together, some = std::min(together, rows - first);
+        // Rows that are not there are zero.
+        Doubles values(together * count), results(together * stride);
+        fill(first, some, values.data());
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using V = typename decltype(isa)::pack;
+            constexpr std::size_t lanes = decltype(isa)::lanes;
+            // Eight chains of multiply-adds hide their latency.
+            for (std::size_t j = 0; j < stride; j += 2 * lanes) {
+                V sum[together][2] = {};
+                for (std::size_t i = 0; i < count; ++i) {
+                    const V a = load<V>(table.data() + i * stride + j), b = load<V>(table.data() + i * stride + j + lanes);
+                    for (std::size_t p = 0; p < together; ++p) {
+                        const V value = splat<V>(values[p * count + i]);
+                        sum[p][0] = sum[p][0] + value * a;
+                        sum[p][1] = sum[p][1] + value * b;
+                    }
+                }
+                for (std::size_t p = 0; p < together; ++p) {
+                    store(results.data() + p * stride + j, sum[p][0]);
+                    store(results.data() + p * stride + j + lanes, sum[p][1]);
+                }
+            }
+        });
+        for (std::size_t p = 0; p < some; ++p) {
+            std::copy_n(results.data() + p * stride, sums, out + (first + p) * sums);
+        }
+    });
+}
+
+}  // namespace lommel

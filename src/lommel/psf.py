@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Numbers
-from lommel.core.answers import Images
+from lommel.core.answers import Images, Wanted
 from lommel.measures import energy, image_transfer, spot
 from lommel.measures.answer import Answer
 from lommel.methods.choice import candidates, first_proven
@@ -207,11 +207,10 @@ class Plan:
         per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
         scale = per_pixel if normalize == "energy" else 1.0 / method.unaberrated_peak(pupil)
         place = None if out is None else self._checked(out, stack)
-        fixed = None if normalize == "peak" else scale
+        wanted = Wanted(None if normalize == "peak" else scale, self.dtype, place, powers, self.threads)
 
         def ask(way: Method) -> Images:
-            made = way.images(pupil, grid, fixed, self.dtype, out=place, powers=powers, threads=self.threads)
-            return widened(made, pupil, way, normalized=fixed is None)
+            return widened(way.images(pupil, grid, wanted), pupil, way, normalized=wanted.scale is None)
 
         method, made = first_proven(ways, ask)
         slopes, slope_bounds = {}, {}

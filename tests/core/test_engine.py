@@ -10,17 +10,17 @@ import pytest
 
 import lommel
 from lommel.core import engine
-from lommel.core.answers import ToleranceError
+from lommel.core.answers import ToleranceError, Wanted
 
 RADIAL = engine.RadialStack(np.array([[6.0, -1.0], [0.5, 2.0]]), 0.3, np.array([0.0, 0.4]))
 DISK = engine.DiskStack(np.array([[2, 0], [4, 0]], dtype=np.int32), *RADIAL)
 WINDOW = engine.Window((9, 11), (4.0, 5.0), 0.8)
 
 SAMPLES = {
-    "radial": lambda *asked, **options: engine.radial_images(RADIAL, WINDOW, *asked, **options),
-    "window": lambda *asked, **options: engine.window_images(RADIAL, WINDOW, *asked, integrate=False, **options),
-    "series": lambda *asked, **options: engine.series_images(DISK, WINDOW, *asked, **options),
-    "chordal": lambda *asked, **options: engine.chordal_images(DISK, WINDOW, *asked, **options),
+    "radial": lambda tol, wanted: engine.radial_images(RADIAL, WINDOW, tol, wanted),
+    "window": lambda tol, wanted: engine.window_images(RADIAL, WINDOW, tol, wanted, integrate=False),
+    "series": lambda tol, wanted: engine.series_images(DISK, WINDOW, tol, wanted),
+    "chordal": lambda tol, wanted: engine.chordal_images(DISK, WINDOW, tol, wanted),
 }
 
 
@@ -33,7 +33,7 @@ def test_all_engines_give_the_same_samples_of_radial_pupils(images):
     v = np.sqrt(((np.indices(WINDOW.shape) - np.array(WINDOW.center)[:, None, None]) ** 2).sum(axis=0)) * WINDOW.step
     at, where = np.unique(v, return_inverse=True)
     exact = engine.radial_profiles(RADIAL, at, 1e-11)
-    made = images(1e-8, 1.0, np.float64)
+    made = images(1e-8, Wanted())
     error = np.abs(made.values - exact.values[:, where.reshape(v.shape)]).max(axis=(1, 2))
     assert np.all(error <= made.error * made.values.max(axis=(1, 2)) + 1e-10)
     assert np.all(made.error <= 1e-8)
@@ -41,7 +41,7 @@ def test_all_engines_give_the_same_samples_of_radial_pupils(images):
 
 
 def test_without_a_scale_each_image_is_divided_by_its_largest_value(images):
-    divided, plain = images(1e-8, None, np.float64), images(1e-8, 1.0, np.float64)
+    divided, plain = images(1e-8, Wanted(None)), images(1e-8, Wanted())
     tops = plain.values.max(axis=(1, 2))
     assert divided.scale == pytest.approx(1.0 / tops, rel=1e-7)
     assert divided.values.max(axis=(1, 2)) == pytest.approx(1.0, rel=1e-12)
@@ -50,14 +50,14 @@ def test_without_a_scale_each_image_is_divided_by_its_largest_value(images):
 
 def test_images_are_written_where_it_is_asked_for(images):
     out = np.full((2, *WINDOW.shape), np.nan, np.float32)
-    made = images(1e-5, 2.0, np.float32, out=out)
+    made = images(1e-5, Wanted(2.0, np.float32, out))
     assert made.values is out
     assert np.isfinite(out).all()
 
 
 def test_a_tolerance_that_cannot_be_met_is_an_exception(images):
     with pytest.raises(ToleranceError, match=r"tol=1e-17 cannot be met in double precision: the error"):
-        images(1e-17, 1.0, np.float64)
+        images(1e-17, Wanted())
 
 
 def test_profiles_and_their_sums_raise_it_too():
@@ -74,12 +74,12 @@ def test_profiles_and_their_sums_raise_it_too():
 
 
 def test_derivatives_come_by_the_power_of_each_and_none_where_none_was_asked_for():
-    found = engine.radial_images(RADIAL, WINDOW, 1e-8, 1.0, np.float64, powers=(1, 2))
+    found = engine.radial_images(RADIAL, WINDOW, 1e-8, Wanted(powers=(1, 2)))
     assert found.slopes is not None
     assert found.slopes.values.shape == (2, 2, *WINDOW.shape)
     assert found.slopes.error.shape == (2, 2)
-    assert engine.radial_images(RADIAL, WINDOW, 1e-8, 1.0, np.float64).slopes is None
-    assert engine.window_images(RADIAL, WINDOW, 1e-8, 1.0, np.float64, integrate=True).slopes is None
+    assert engine.radial_images(RADIAL, WINDOW, 1e-8, Wanted()).slopes is None
+    assert engine.window_images(RADIAL, WINDOW, 1e-8, Wanted(), integrate=True).slopes is None
 
 
 def test_nothing_else_imports_the_compiled_core():

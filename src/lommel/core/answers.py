@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from lommel.base.arrays import Array
 
@@ -51,6 +51,29 @@ class Intensities(NamedTuple):
     values: Array
     error: Array | None
     peak: Array | None = None
+
+
+class Wanted(NamedTuple):
+    """How images are wanted.
+
+    Attributes
+    ----------
+    scale : float or None
+        What to multiply the intensity by; None divides each image by its largest value.
+    dtype : float32 or float64
+    out : ndarray, shape (n, height, width), optional
+        Where to write the values.
+    powers : tuple of int
+        k of each derivative with respect to the coefficient of t^k that is wanted.
+    threads : int
+        At most so many, 0 for as many as there are processors. Methods that are not compiled use one.
+    """
+
+    scale: float | None = 1.0
+    dtype: DTypeLike = np.float64
+    out: NDArray[Any] | None = None
+    powers: tuple[int, ...] = ()
+    threads: int = 0
 
 
 class Slopes(NamedTuple):

@@ -6,10 +6,11 @@ or "met", and a negative bound for "not met", these say None, and raise a Tolera
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from lommel import _core
 from lommel._core import (
@@ -27,7 +28,7 @@ from lommel._core import (
     spread,
 )
 from lommel.base.arrays import Array
-from lommel.core.answers import FieldValues, Images, Intensities, Slopes, not_met
+from lommel.core.answers import FieldValues, Images, Intensities, Slopes, Wanted, not_met
 
 __all__ = [
     "DiskStack",
@@ -103,13 +104,11 @@ class Window(NamedTuple):
     step: float
 
 
-def _places(
-    count: int, shape: tuple[int, int], scale: float | None, dtype: DTypeLike, out: NDArray[Any] | None
-) -> tuple[NDArray[Any], Array, Array]:
+def _places(count: int, shape: tuple[int, int], wanted: Wanted) -> tuple[NDArray[Any], Array, Array]:
     """Return where the core writes: images, what they are multiplied by, and bounds on their error."""
     scales = np.empty(count)
-    scales.fill(0.0 if scale is None else scale)
-    return np.empty((count, *shape), dtype) if out is None else out, scales, np.empty(count)
+    scales.fill(0.0 if wanted.scale is None else wanted.scale)
+    return np.empty((count, *shape), wanted.dtype) if wanted.out is None else wanted.out, scales, np.empty(count)
 
 
 def _require(unmet: float, tol: float, over: str) -> None:
@@ -117,17 +116,7 @@ def _require(unmet: float, tol: float, over: str) -> None:
         raise not_met(tol, unmet, over)
 
 
-def radial_images(
-    stack: RadialStack,
-    window: Window,
-    tol: float,
-    scale: float | None,
-    dtype: DTypeLike,
-    *,
-    out: NDArray[Any] | None = None,
-    powers: tuple[int, ...] = (),
-    threads: int = 0,
-) -> Images:
+def radial_images(stack: RadialStack, window: Window, tol: float, wanted: Wanted) -> Images:
     """Return samples around an axis in the middle of pixel ``(height // 2, width // 2)``.
 
     Parameters
@@ -135,88 +124,60 @@ def radial_images(
     stack, window
     tol : float
         Bound on the error over the peak of the PSF or, of values divided by their largest, over that.
-    scale : float or None
-        What to multiply the intensity by; None divides each image by its largest value.
-    dtype, out
-        Kind of the values, or where to write them, shape ``(n, height, width)``.
-    powers : tuple of int
-        k of each derivative by the coefficient of t^k that is wanted.
-    threads : int
-        At most so many; 0 for as many as there are processors.
+    wanted : Wanted
+
+    Returns
+    -------
+    Images
 
     Raises
     ------
     ToleranceError
         If `tol` cannot be met.
     """
-    places = _places(len(stack.terms), window.shape, scale, dtype, out)
+    places, threads = _places(len(stack.terms), window.shape, wanted), wanted.threads
     slopes = None
-    if powers:
-        slopes = _slopes(powers, places[0])
-        wanted = np.array(powers, dtype=np.int64)
-        unmet = _core.differentiate(*stack, window.step, tol, threads, *places, wanted, *slopes)
+    if wanted.powers:
+        powers, slopes = _slopes(wanted, places[0])
+        unmet = _core.differentiate(*stack, window.step, tol, threads, *places, powers, *slopes)
     else:
         unmet = _core.render(*stack, window.step, tol, threads, *places)
     _require(unmet, tol, "the peak")
     return Images(*places, slopes)
 
 
-def window_images(
-    stack: RadialStack,
-    window: Window,
-    tol: float,
-    scale: float | None,
-    dtype: DTypeLike,
-    *,
-    integrate: bool,
-    out: NDArray[Any] | None = None,
-    powers: tuple[int, ...] = (),
-    threads: int = 0,
-) -> Images:
+def window_images(stack: RadialStack, window: Window, tol: float, wanted: Wanted, *, integrate: bool) -> Images:
     """Return averages over pixels, or samples around an axis anywhere; otherwise as :func:`radial_images`."""
-    places, peaks = _places(len(stack.terms), window.shape, scale, dtype, out), np.empty(len(stack.terms))
-    slopes, wanted = _slopes(powers, places[0]), np.array(powers, dtype=np.int64)
-    given = (*stack, *window.center, window.step, integrate, tol, threads)
-    unmet = _core.render_pixels(*given, *places, peaks, wanted, *slopes)
-    _require(unmet, tol, "the largest value in the window" if scale is None else "the peak")
-    return Images(*places, slopes if powers else None, peaks)
+    places, peaks = _places(len(stack.terms), window.shape, wanted), np.empty(len(stack.terms))
+    powers, slopes = _slopes(wanted, places[0])
+    given = (*stack, *window.center, window.step, integrate, tol, wanted.threads)
+    unmet = _core.render_pixels(*given, *places, peaks, powers, *slopes)
+    _require(unmet, tol, "the largest value in the window" if wanted.scale is None else "the peak")
+    return Images(*places, slopes if wanted.powers else None, peaks)
 
 
-def _slopes(powers: tuple[int, ...], values: NDArray[Any]) -> Slopes:
-    return Slopes(np.empty((len(powers), *values.shape), values.dtype), np.empty((len(powers), len(values))))
+def _slopes(wanted: Wanted, values: NDArray[Any]) -> tuple[NDArray[np.int64], Slopes]:
+    """Return the powers that derivatives are wanted by, and where the core writes these."""
+    powers = np.array(wanted.powers, dtype=np.int64)
+    return powers, Slopes(np.empty((len(powers), *values.shape), values.dtype), np.empty((len(powers), len(values))))
 
 
-def series_images(
-    stack: DiskStack,
-    window: Window,
-    tol: float,
-    scale: float | None,
-    dtype: DTypeLike,
-    *,
-    out: NDArray[Any] | None = None,
-    threads: int = 0,
-) -> Images:
+def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
     """Return samples of pupils that need not be radially symmetric by their series; as :func:`radial_images`."""
-    places, peaks = _places(len(stack.edge), window.shape, scale, dtype, out), np.empty(len(stack.edge))
-    unmet = _core.series_images(*stack, *window.center, window.step, tol, threads, *places, peaks)
-    _require(unmet, tol, "the peak")
-    return Images(*places, None, peaks)
+    return _disk_images(_core.series_images, "the peak", stack, window, tol, wanted)
 
 
-def chordal_images(
-    stack: DiskStack,
-    window: Window,
-    tol: float,
-    scale: float | None,
-    dtype: DTypeLike,
-    *,
-    out: NDArray[Any] | None = None,
-    threads: int = 0,
-) -> Images:
+def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
     """Return the same by the chordal rule, with errors over the largest value in the window."""
-    places, peaks = _places(len(stack.edge), window.shape, scale, dtype, out), np.empty(len(stack.edge))
-    unmet = _core.chordal_images(*stack, *window.center, window.step, tol, threads, *places, peaks)
-    _require(unmet, tol, "the largest value in the window")
+    return _disk_images(_core.chordal_images, "the largest value in the window", stack, window, tol, wanted)
+
+
+def _disk_images(
+    compute: Callable[..., float], over: str, stack: DiskStack, window: Window, tol: float, wanted: Wanted
+) -> Images:
+    places, peaks = _places(len(stack.edge), window.shape, wanted), np.empty(len(stack.edge))
+    unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places, peaks)
+    _require(unmet, tol, over)
     return Images(*places, None, peaks)
 
 

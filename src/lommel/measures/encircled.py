@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.core.answers import Images
+from lommel.core.answers import Images, Wanted
 from lommel.measures.answer import Answer
 from lommel.measures.energy import energy_per_pixel, radial_energy
 from lommel.methods.choice import candidates, first_proven, of_profiles
@@ -115,7 +115,7 @@ def _image(pupil: Pupil, grid: Grid, method: Method | None) -> Answer:
     ways = candidates(pupil, grid) if method is None else (method,)
 
     def ask(way: Method) -> Images:
-        return widened(way.images(pupil, grid, 1.0, np.float64), pupil, way, normalized=False)
+        return widened(way.images(pupil, grid, Wanted()), pupil, way, normalized=False)
 
     way, (values, scale, error, *_) = first_proven(ways, ask)
     bound = None if error is None else float(error.max())

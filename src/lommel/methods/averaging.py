@@ -12,12 +12,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
-from lommel.core.answers import Images, Intensities, ToleranceError, not_met
+from lommel.core.answers import Images, Intensities, ToleranceError, Wanted, not_met
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -75,19 +75,12 @@ def averaged(
     raise not_met(tol, 1.0 if not found.min() > 0 else float(bounds.max()), "the largest value in the window")
 
 
-def averaged_images(
-    sample: Sample,
-    pupil: Pupil,
-    grid: Grid,
-    scale: float | None,
-    dtype: DTypeLike,
-    tol: float,
-    out: NDArray[Any] | None = None,
-) -> Images:
+def averaged_images(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
     """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
-    made = averaged(sample, pupil, grid, tol, normalize=scale is None, dtype=dtype)
-    scales = 1.0 / made.values.max(axis=(1, 2)) if scale is None else np.full(len(made.values), scale)
-    values = np.empty(made.values.shape, dtype) if out is None else out
+    made = averaged(sample, pupil, grid, tol, normalize=wanted.scale is None, dtype=wanted.dtype)
+    tops = made.values.max(axis=(1, 2))
+    scales = 1.0 / tops if wanted.scale is None else np.full(len(tops), wanted.scale)
+    values = np.empty(made.values.shape, wanted.dtype) if wanted.out is None else wanted.out
     np.multiply(made.values, scales[:, None, None], out=values, casting="same_kind")
     return Images(values, scales, made.error)
 

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
-
-import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from typing import ClassVar
 
 from lommel.base import validation
-from lommel.core.answers import Images, Intensities
+from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import chordal_images
 from lommel.methods.averaging import Sample, averaged, averaged_images
 from lommel.methods.method import Method
@@ -79,26 +76,14 @@ class ChordalGauss(Method):
         made = sample(pupil, grid, self.tol)
         return Intensities(made.values, made.error, made.peak)
 
-    def images(
-        self,
-        pupil: Pupil,
-        grid: Grid,
-        scale: float | None,
-        dtype: DTypeLike,
-        *,
-        out: NDArray[Any] | None = None,
-        powers: tuple[int, ...] = (),
-        threads: int = 0,
-    ) -> Images:
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
-        if powers:
+        if wanted.powers:
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         if grid.integrate:
-            return averaged_images(self._sample(threads), pupil, grid, scale, dtype, self.tol, out)
-        window = window_of(pupil, grid)
-        return chordal_images(disk_stack(pupil), window, self.tol, scale, dtype, out=out, threads=threads)
+            return averaged_images(self._sample(wanted.threads), pupil, grid, self.tol, wanted)
+        return chordal_images(disk_stack(pupil), window_of(pupil, grid), self.tol, wanted)
 
     def _sample(self, threads: int) -> Sample:
-        return lambda pupil, grid, tol: chordal_images(
-            disk_stack(pupil), window_of(pupil, grid), tol, 1.0, np.float64, threads=threads
-        )
+        wanted = Wanted(threads=threads)
+        return lambda pupil, grid, tol: chordal_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.core.answers import FieldValues, Images, Intensities, ToleranceError, not_met
+from lommel.core.answers import FieldValues, Images, Intensities, ToleranceError, Wanted, not_met
 from lommel.methods.subpixel import subpixel_intensity
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
@@ -128,31 +128,13 @@ class Method(ABC):
         """Return the method where a profile along the radius describes the whole PSF of `pupil`, else None."""
         return None
 
-    def images(
-        self,
-        pupil: Pupil,
-        grid: Grid,
-        scale: float | None,
-        dtype: DTypeLike,
-        *,
-        out: NDArray[Any] | None = None,
-        powers: tuple[int, ...] = (),
-        threads: int = 0,
-    ) -> Images:
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack.
 
         Parameters
         ----------
         pupil, grid
-        scale : float or None
-            What to multiply the intensity by; None divides each image by its largest value.
-        dtype : float32 or float64
-        out : ndarray, shape (n, height, width), optional
-            Where to write the images.
-        powers : tuple of int
-            k of each derivative with respect to the coefficient of t^k that is wanted.
-        threads : int
-            At most so many, 0 for as many as there are processors. Methods that are not compiled use one.
+        wanted : Wanted
 
         Returns
         -------
@@ -165,18 +147,18 @@ class Method(ABC):
         ToleranceError
             If the tolerance of the method cannot be met.
         """
-        if powers:
+        if wanted.powers:
             raise ValueError(f"derivatives are not available from {type(self).__name__}; use NijboerZernike")
         way = self
-        made = way.intensity(pupil, grid, threads)
-        while self.keeps_tol and (error := once_stored(made, scale, dtype)) is not None and error.max() > self.tol:
+        made = way.intensity(pupil, grid, wanted.threads)
+        while self.keeps_tol and (error := once_stored(made, wanted)) is not None and error.max() > self.tol:
             # Values divided by their own largest one are off by twice as much.
-            finer = way.tightened() if scale is not None else way.tightened().tightened()
+            finer = way.tightened() if wanted.scale is not None else way.tightened().tightened()
             if finer == way:
                 raise not_met(self.tol, float(error.max()), "the peak")
             way = finer
-            made = way.intensity(pupil, grid, threads)
-        return painted(made, grid, scale, dtype, out)
+            made = way.intensity(pupil, grid, wanted.threads)
+        return painted(made, grid, wanted)
 
     def require(self, pupil: Pupil) -> None:
         """Raise ValueError if `pupil` is not supported."""
@@ -228,24 +210,14 @@ class RadialMethod(Method):
             return subpixel_intensity(self, pupil, grid, threads)
         return self.profile(pupil, grid.v(pupil))
 
-    def images(
-        self,
-        pupil: Pupil,
-        grid: Grid,
-        scale: float | None,
-        dtype: DTypeLike,
-        *,
-        out: NDArray[Any] | None = None,
-        powers: tuple[int, ...] = (),
-        threads: int = 0,
-    ) -> Images:
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see ``Method.images``."""
-        if grid.symmetric or scale is not None or powers or self.along_radius(pupil) is None:
-            return super().images(pupil, grid, scale, dtype, out=out, powers=powers, threads=threads)
+        if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
+            return super().images(pupil, grid, wanted)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
-        aim = 0.48 * (self.tol - 1.1 * storing(dtype))
-        made = subpixel_intensity(self, pupil, grid, threads, tol=aim, window=True)
-        return painted(made, grid, None, dtype, out)
+        aim = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
+        made = subpixel_intensity(self, pupil, grid, wanted.threads, tol=aim, window=True)
+        return painted(made, grid, wanted)
 
 
 class FieldMethod(RadialMethod):
@@ -297,22 +269,22 @@ def stored(relative: NDArray[np.float64], dtype: DTypeLike) -> NDArray[np.float6
     return np.asarray(relative + (1.0 + relative) * storing(dtype))
 
 
-def once_stored(made: Intensities, scale: float | None, dtype: DTypeLike) -> NDArray[np.float64] | None:
+def once_stored(made: Intensities, wanted: Wanted) -> NDArray[np.float64] | None:
     """Bound what images of intensities are off by once they are scaled, where by None to a peak of 1, and stored."""
     if made.error is None:
         return None
-    return stored(normalized_error(made.error) if scale is None else made.error, dtype)
+    return stored(normalized_error(made.error) if wanted.scale is None else made.error, wanted.dtype)
 
 
-def painted(made: Intensities, grid: Grid, scale: float | None, dtype: DTypeLike, out: NDArray[Any] | None) -> Images:
+def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
     """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`Method.images`."""
     largest = made.values.reshape(len(made.values), -1).max(axis=1)
-    if scale is None and not np.all(largest > 0):
+    if wanted.scale is None and not np.all(largest > 0):
         raise ValueError('normalize="peak" is impossible: no light falls into the window')
-    scales = np.full(len(largest), scale) if scale is not None else 1.0 / largest
-    values = np.empty((len(largest), *grid.shape), dtype=dtype) if out is None else out
+    scales = np.full(len(largest), wanted.scale) if wanted.scale is not None else 1.0 / largest
+    values = np.empty((len(largest), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     grid.paint(made.values, scales, values)
-    return Images(values, scales, once_stored(made, scale, dtype))
+    return Images(values, scales, once_stored(made, wanted))
 
 
 def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.core.answers import FieldValues, Images, Intensities
+from lommel.core.answers import FieldValues, Images, Intensities, Wanted
 from lommel.core.engine import (
     radial_fields,
     radial_images,
@@ -98,37 +98,23 @@ class NijboerZernike(FieldMethod):
             return super().intensity(pupil, grid, threads)
         if not pupil.radial and grid.integrate:
             return averaged(self._sample(threads), pupil, grid, self.tol, normalize=False)
-        made = self.images(pupil, grid, 1.0, np.float64, threads=threads)
+        made = self.images(pupil, grid, Wanted(threads=threads))
         return Intensities(made.values, made.error, made.peak)
 
-    def images(
-        self,
-        pupil: Pupil,
-        grid: Grid,
-        scale: float | None,
-        dtype: DTypeLike,
-        *,
-        out: NDArray[Any] | None = None,
-        powers: tuple[int, ...] = (),
-        threads: int = 0,
-    ) -> Images:
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
         window = window_of(pupil, grid)
         if pupil.radial:
             stack = radial_stack(pupil)
             if grid.symmetric:
-                return radial_images(stack, window, self.tol, scale, dtype, out=out, powers=powers, threads=threads)
-            averages = grid.integrate
-            return window_images(
-                stack, window, self.tol, scale, dtype, integrate=averages, out=out, powers=powers, threads=threads
-            )
-        if powers:
+                return radial_images(stack, window, self.tol, wanted)
+            return window_images(stack, window, self.tol, wanted, integrate=grid.integrate)
+        if wanted.powers:
             raise ValueError("derivatives are available of radially symmetric pupils only")
         if grid.integrate:
-            return averaged_images(self._sample(threads), pupil, grid, scale, dtype, self.tol, out)
-        return series_images(disk_stack(pupil), window, self.tol, scale, dtype, out=out, threads=threads)
+            return averaged_images(self._sample(wanted.threads), pupil, grid, self.tol, wanted)
+        return series_images(disk_stack(pupil), window, self.tol, wanted)
 
     def _sample(self, threads: int) -> Sample:
-        return lambda pupil, grid, tol: series_images(
-            disk_stack(pupil), window_of(pupil, grid), tol, 1.0, np.float64, threads=threads
-        )
+        wanted = Wanted(threads=threads)
+        return lambda pupil, grid, tol: series_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)

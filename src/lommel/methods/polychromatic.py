@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.core.answers import Images, Intensities, ToleranceError, not_met
+from lommel.core.answers import Images, Intensities, ToleranceError, Wanted, not_met
 from lommel.methods.choice import candidates, first_proven, of_profiles
 from lommel.methods.method import Method, RadialMethod, painted, storing
 from lommel.optics.grid import Grid
@@ -128,28 +128,18 @@ class Polychromatic(Spectrum, RadialMethod):
         """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
         return self._recorded(pupil, grid, threads, self.tol)
 
-    def images(
-        self,
-        pupil: Pupil,
-        grid: Grid,
-        scale: float | None,
-        dtype: DTypeLike,
-        *,
-        out: NDArray[Any] | None = None,
-        powers: tuple[int, ...] = (),
-        threads: int = 0,
-    ) -> Images:
+    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
-        if powers:
+        if wanted.powers:
             raise ValueError(
                 "derivatives are not available from Polychromatic: sum those that NijboerZernike makes of the pupil "
                 "at each wavelength"
             )
-        aim = self.tol - 1.1 * storing(dtype)
+        aim = self.tol - 1.1 * storing(wanted.dtype)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
-        aim = aim if scale is not None else 0.48 * aim
-        made = self._recorded(pupil, grid, threads, aim, window=scale is None)
-        return painted(made, grid, scale, dtype, out)
+        aim = aim if wanted.scale is not None else 0.48 * aim
+        made = self._recorded(pupil, grid, wanted.threads, aim, window=wanted.scale is None)
+        return painted(made, grid, wanted)
 
     def _recorded(self, pupil: Pupil, grid: Grid, threads: int, tol: float, *, window: bool = False) -> Intensities:
         def ask(part: Component, tol: float) -> Intensities:

@@ -213,6 +213,9 @@ class ZernikeField {
     double width() const { return width_; }  // of a piece
     double base() const { return base_; }
     bool obscured() const { return obscuration_ > 0.0; }
+    double obscuration() const { return obscuration_; }
+    const ZernikeSeries& outer() const { return outer_; }
+    const ZernikeSeries& inner() const { return inner_; }
 
     // A plan for piece s, which has so many groups of pixels, with an error in U of no more than `error` if base() is
     // well below that.

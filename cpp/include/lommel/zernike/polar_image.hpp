@@ -42,6 +42,8 @@ struct PolarZone {
     PolarRows<double> doubles;
     PolarRows<float> floats;
     std::vector<double> errors;  // of U, for each block
+    std::size_t orders, points;  // azimuthal, and angles of a circle
+    double left;                 // what orders beyond can add to U
 };
 
 class PolarImage {
@@ -51,6 +53,7 @@ class PolarImage {
     void prepare(const ZernikePhase& phase, const ZernikePhase& inner, double obscuration, double error, double tol,
                  double lost = 0.0) {
         const double reach = step_ * std::sqrt(static_cast<double>(tiles_.farthest()));
+        reach_ = reach;
         {
             POLAR_TIMER(expand);
             field_.expand(phase, inner, obscuration, reach, error, lost);
@@ -60,13 +63,21 @@ class PolarImage {
             for (std::size_t i = 0; i < looks; ++i) {
                 const double x = (static_cast<double>(i) + 0.5) / looks;
                 v_[i] = reach * x * std::sqrt(x);
-                bright_[i] = field_.look(v_[i]);
+                thread_local std::vector<double> orders;
+                field_.orders_at(v_[i], orders);
+                bright_[i] = ZernikeField::brightest(orders);
+                sizes_[i].resize(orders.size() / 4);
+                for (std::size_t m = 0; m < sizes_[i].size(); ++m) {
+                    const double* order = &orders[4 * m];
+                    sizes_[i][m] = std::abs(order[0]) + std::abs(order[1]) + std::abs(order[2]) + std::abs(order[3]);
+                }
             }
         }
-        all_ = 0.5 * tol * *std::max_element(bright_.begin(), bright_.end());
-        interleave(field_.outer(), outer_parts_);
-        interleave(field_.inner(), inner_parts_);
-        plan(reach);
+        measure_orders();
+        all_ = 0.8 * tol * *std::max_element(bright_.begin(), bright_.end());
+        interleave(field_.outer(), 1.0, outer_parts_);
+        interleave(field_.inner(), -field_.obscuration() * field_.obscuration(), inner_parts_);
+        { POLAR_TIMER(plan); plan(reach); }
         POLAR_TIMER(rows);
         for (std::size_t z = 0; z < zone_count_; ++z) {
             fill(zones_[z]);
@@ -121,9 +132,12 @@ class PolarImage {
         double wrong() const { return error * (2.0 * std::sqrt(top) + error); }
     };
     const std::vector<Part>& parts() const { return parts_; }
+    void describe() const { for (std::size_t z = 0; z < zone_count_; ++z) { const PolarZone& q = zones_[z]; double e=0; for(double x:q.errors) e=std::max(e,x); std::printf("   zone s%g d%d x%d w%zu v %.1f..%.1f orders %zu points %zu worst %.2e\n", q.style.oversampling, q.style.doubles, q.style.exact, q.style.taps, step_*std::sqrt(double(q.low)), step_*std::sqrt(double(q.high)), q.orders, q.points, e);
+        for (std::size_t i = 0; i < looks; ++i) if (v_[i]>=step_*std::sqrt(double(q.low)) && v_[i]<step_*std::sqrt(double(q.high))) { const std::size_t bl=static_cast<std::size_t>(v_[i]/q.step+16)/16-q.first; std::printf("      look %.1f bright %.1e allowed %.2e actual %.2e", v_[i], bright_[i], allowed(v_[i]), q.errors[bl]); for (int s=1;s<7;s++){ auto st=all_styles()[s]; auto t=table_for(st,1.0,reach_); std::printf(" %.1e", st.exact?promised(st,*t,*cache<PolarCircle<double>>.get(q.points,st.taps),i):promised(st,*t,*cache<PolarCircle<float>>.get(q.points,st.taps),i)); } std::printf("\n"); }
+        } }
 
    private:
-    static constexpr std::size_t looks = 32, w = 8;
+    static constexpr std::size_t looks = 32, w = 8, styles_count = 7;
 
     double allowed(double v) const {
         double seen = 0.0;
@@ -132,51 +146,134 @@ class PolarImage {
                 seen = std::max(seen, bright_[i]);
             }
         }
-        const double u = 2.0 * std::sqrt(seen);
+        const double u = 1.2 * std::sqrt(seen);
         return all_ / (u + std::sqrt(u * u + all_));
     }
 
-    void plan(double reach) {
-        static const PolarStyle styles[] = {{4.0, true, true, 8}, {4.0, false, false, 8}, {2.0, false, false, 8}, {1.5, false, false, 6}, {1.5, false, false, 4}};
-        zone_count_ = 0;
-        zones_.resize(5);
-        constexpr double pi = 3.14159265358979323846;
-        const double starts[] = {0.0, limits[0], limits[1], limits[2], limits[3]};
-        double from = 0.0;
-        for (std::size_t i = 0; i < 5; ++i) {
-            const double h = pi / styles[i].oversampling, ring = h * PolarTable::block;
-            const std::size_t first = static_cast<std::size_t>(std::ceil(from / ring - 1e-9));
-            double until = i + 1 < 5 ? std::min(starts[i + 1], reach) : reach;
-            // The next zone begins at a circle of its own.
-            if (i + 1 < 5 && until < reach) {
-                const double next = pi / styles[i + 1].oversampling * PolarTable::block;
-                until = std::ceil(until / next) * next;
-            }
-            const std::size_t last = static_cast<std::size_t>(std::ceil(until / ring - 1e-9)) + (until >= reach ? 1 : 0);
-            if (last > first && from <= reach) {
-                PolarZone& zone = zones_[zone_count_++];
-                zone.style = styles[i];
-                zone.step = h;
-                zone.first = first;
-                zone.last = last + 2;
-                zone.low = square(from);
-                zone.high = until >= reach ? tiles_.farthest() + 1 : square(until);
-                from = until;
-            }
+    // What a style promises at a look: its error of U, if the circles there have the orders that were seen.
+    template <class Fft>
+    double promised(const PolarStyle& style, const PolarTable& table, const PolarCircle<Fft>& circle, std::size_t i) const {
+        // What the table has divided by makes numbers larger, the most at the edge of the spectrum.
+        const double larger = table.largest;
+        double around = 0.0, sum = 0.0;
+        const std::vector<double>& sizes = sizes_[i];
+        for (std::size_t m = 0; m < std::min(sizes.size(), circle.gains.size()); ++m) {
+            around += sizes[m] * circle.aliases[m];
+            sum += sizes[m] * circle.gains[m];
         }
+        const double transforms = sizeof(Fft) == 8 ? unit_roundoff : single_unit, pixels = style.doubles ? unit_roundoff : single_unit;
+        return field_.base() + table.aliasing + table.weight * larger * (around + circle.weight * transforms * (circle.fft.rounding() + 2.0) * sum +
+               2.0 * circle.weight * circle.gains[0] * std::sqrt(bright_[i]) * (34.0 * pixels + (style.doubles ? 1e-9 : 5e-7)));
+    }
+
+    static const std::array<PolarStyle, 7>& all_styles() {
+        static const std::array<PolarStyle, 7> styles = {{{4.0, true, true, 8},   {4.0, false, true, 8},  {2.0, false, true, 8}, {2.0, false, false, 8},
+                                            {2.0, false, false, 6}, {1.5, false, false, 6}, {1.5, false, false, 4}}};
+        return styles;
+    }
+    void plan(double reach) {
+        const auto& styles = all_styles();
+        constexpr double pi = 3.14159265358979323846;
+        zone_count_ = 0;
+        zones_.resize(styles_count);
+        // Where each style begins to do.
+        std::array<double, styles_count + 1> starts;
+        for (std::size_t s = styles_count; s-- > 0;) {
+            const PolarStyle& style = styles[s];
+            std::size_t i = looks;
+            while (i > 0) {
+                const double most = allowed(v_[i - 1]);
+                const std::size_t orders = orders_for(0.05 * most, v_[i - 1], table_for(style, 1.0, reach)->aliasing), points = RowFft<double>::length(4 * orders);
+                const auto table = table_for(style, 1.0, reach);
+                const double error = style.exact ? promised(style, *table, *cache<PolarCircle<double>>.get(points, style.taps), i - 1)
+                                                 : promised(style, *table, *cache<PolarCircle<float>>.get(points, style.taps), i - 1);
+                if (error > 0.9 * most) {
+                    break;
+                }
+                --i;
+            }
+            starts[s] = s == 0 || i == 0 ? 0.0 : i == looks ? 1e300 : v_[i];
+        }
+        starts[styles_count] = 1e300;
+        double from = 0.0;
+        for (std::size_t s = 0; s < styles_count && from < reach; ++s) {
+            const double ring = pi / styles[s].oversampling * PolarTable::block;
+            double until = *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end());
+            if (until <= from) {
+                continue;
+            }
+            PolarZone& zone = zones_[zone_count_++];
+            until = std::min(until, reach);
+            zone.style = styles[s];
+            zone.step = pi / styles[s].oversampling;
+            zone.first = static_cast<std::size_t>(from / ring);
+            zone.last = static_cast<std::size_t>(until / ring) + 3;
+            zone.low = square(from);
+            zone.high = until >= reach ? tiles_.farthest() + 1 : square(until);
+            double most = 1e300;
+            for (std::size_t i = 0; i < looks; ++i) {
+                if ((i + 1 == looks || v_[i + 1] >= from) && (i == 0 || v_[i - 1] <= until)) {
+                    most = std::min(most, allowed(v_[i]));
+                }
+            }
+            const double aliasing = table_for(zone.style, 1.0, reach)->aliasing;
+            zone.orders = orders_for(0.05 * most, from, aliasing);
+            zone.points = RowFft<double>::length(4 * zone.orders);
+            zone.left = order_tails_[zone.orders].at(from, aliasing);
+            from = until;
+        }
+    }
+
+    // How many orders there must be for the others to add no more than `error` to U.
+    std::size_t orders_for(double error, double v, double aliasing) const {
+        std::size_t m = order_tails_.size() - 1;
+        while (m > 1 && order_tails_[m - 1].at(v, aliasing) <= error) {
+            --m;
+        }
+        return m;
+    }
+
+    void measure_orders() {
+        const std::size_t count = std::max(field_.outer().orders, field_.inner().orders);
+        order_tails_.assign(count + 1, Tail());
+        const auto add = [&](const ZernikeSeries& series, double weight, double stretch) {
+            for (std::size_t m = 0; m < series.orders; ++m) {
+                for (std::size_t j = 0; j < series.used[m]; ++j) {
+                    const std::size_t at = series.start[m] + j;
+                    const double size = std::hypot(series.cos_re[at], series.cos_im[at]) + std::hypot(series.sin_re[at], series.sin_im[at]);
+                    order_tails_[m].near += weight * size / static_cast<double>(m + 2 * j + 1);
+                    order_tails_[m].far += size * stretch;
+                }
+            }
+        };
+        const double eps = field_.obscuration();
+        add(field_.outer(), 1.0, 1.0);
+        add(field_.inner(), eps * eps, eps > 0.0 ? std::pow(eps, 2.0 / 3.0) : 0.0);
+        for (std::size_t m = count; m-- > 0;) {
+            order_tails_[m].near += order_tails_[m + 1].near;
+            order_tails_[m].far += order_tails_[m + 1].far;
+        }
+    }
+
+    std::shared_ptr<const PolarTable> table_for(const PolarStyle& style, double shrunk, double reach) const {
+        constexpr double pi = 3.14159265358979323846;
+        const double h = pi / style.oversampling;
+        const std::size_t blocks = static_cast<std::size_t>(reach / (h * PolarTable::block)) + 3;
+        return cache<PolarTable>.get(shrunk * h, w, GriddingKernel::of(w, style.oversampling).beta(), blocks,
+                                     shrunk < 1.0 ? field_.inner().degrees : field_.outer().degrees);
     }
 
     // The least square of a distance in pixels that is v at least.
     std::int64_t square(double v) const { return static_cast<std::int64_t>(std::ceil(v * v / (step_ * step_))); }
 
-    static void interleave(const ZernikeSeries& series, Doubles& parts) {
+    static void interleave(const ZernikeSeries& series, double weight, Doubles& parts) {
         const std::size_t count = series.orders == 0 ? 0 : series.cos_re.size();
         parts.resize(4 * count);
         for (std::size_t i = 0; i < count; ++i) {
-            parts[4 * i] = series.cos_re[i];
-            parts[4 * i + 1] = series.cos_im[i];
-            parts[4 * i + 2] = series.sin_re[i];
-            parts[4 * i + 3] = series.sin_im[i];
+            parts[4 * i] = weight * series.cos_re[i];
+            parts[4 * i + 1] = weight * series.cos_im[i];
+            parts[4 * i + 2] = weight * series.sin_re[i];
+            parts[4 * i + 3] = weight * series.sin_im[i];
         }
     }
 
@@ -185,19 +282,17 @@ class PolarImage {
     }
 
     void fill(PolarZone& zone) {
-        const double h = zone.step;
-        const GriddingKernel kernel = GriddingKernel::of(w, zone.style.oversampling);
         PolarDisk disks[2];
         std::size_t count = 1;
-        zone.tables[0] = cache<PolarTable>.get(h, w, kernel.beta(), zone.last, field_.outer().degrees);
+        zone.tables[0] = table_for(zone.style, 1.0, reach_);
         disks[0] = {zone.tables[0], &field_.outer(), outer_parts_.data(), 1.0};
         if (field_.obscured()) {
-            zone.tables[1] = cache<PolarTable>.get(field_.obscuration() * h, w, kernel.beta(), zone.last, field_.inner().degrees);
+            zone.tables[1] = table_for(zone.style, field_.obscuration(), reach_);
             disks[1] = {zone.tables[1], &field_.inner(), inner_parts_.data(), 1.0};
             count = 2;
         }
-        zone.exact = cache<PolarCircle<double>>.get(points, zone.style.taps);
-        zone.single = cache<PolarCircle<float>>.get(points, zone.style.taps);
+        zone.exact = cache<PolarCircle<double>>.get(zone.points, zone.style.taps);
+        zone.single = cache<PolarCircle<float>>.get(zone.points, zone.style.taps);
         const std::size_t blocks = zone.last - zone.first;
         zone.errors.resize(blocks);
         if (zone.style.doubles) {
@@ -210,15 +305,15 @@ class PolarImage {
                 PolarRowError e;
                 if (zone.style.doubles) {
                     thread_local PolarRows<double>::Scratch<double> scratch;
-                    e = zone.doubles.fill(isa, *zone.exact, disks, count, zone.first + i, orders_, i * PolarTable::block, scratch);
+                    e = zone.doubles.fill(isa, *zone.exact, disks, count, zone.first + i, zone.orders, i * PolarTable::block, scratch);
                     zone.errors[i] = error(zone, zone.exact->taps, zone.tables[0]->doubles, *zone.exact, unit_roundoff, unit_roundoff, e);
                 } else if (zone.style.exact) {
                     thread_local PolarRows<float>::Scratch<double> scratch;
-                    e = zone.floats.fill(isa, *zone.exact, disks, count, zone.first + i, orders_, i * PolarTable::block, scratch);
+                    e = zone.floats.fill(isa, *zone.exact, disks, count, zone.first + i, zone.orders, i * PolarTable::block, scratch);
                     zone.errors[i] = error(zone, zone.single->taps, zone.tables[0]->singles, *zone.exact, unit_roundoff, single_unit, e);
                 } else {
                     thread_local PolarRows<float>::Scratch<float> scratch;
-                    e = zone.floats.fill(isa, *zone.single, disks, count, zone.first + i, orders_, i * PolarTable::block, scratch);
+                    e = zone.floats.fill(isa, *zone.single, disks, count, zone.first + i, zone.orders, i * PolarTable::block, scratch);
                     zone.errors[i] = error(zone, zone.single->taps, zone.tables[0]->singles, *zone.single, single_unit, single_unit, e);
                 }
             });
@@ -232,7 +327,7 @@ class PolarImage {
                  double pixels, const PolarRowError& e) const {
         const PolarTable& table = *zone.tables[0];
         const double alias = table.aliasing, weights = table.weight * circle.weight;
-        return field_.base() * (1.0 + alias) + alias + table.weight * e.around + weights * transforms * (circle.fft.rounding() + 2.0) * e.sum +
+        return field_.base() * (1.0 + alias) + alias + 1.01 * zone.left + table.weight * e.around + weights * transforms * (circle.fft.rounding() + 2.0) * e.sum +
                1.42 * (weights * pixels * 24.0 + 8.0 * (radial.error * circle.weight + angular.error * table.weight)) * e.largest;
     }
 
@@ -367,18 +462,20 @@ class PolarImage {
         return splat<D>(eighth) + x * sum;
     }
 
-   public:
-    double limits[4] = {80.0, 130.0, 200.0, 300.0};
-    std::size_t points = 384, orders_ = 98;
-
    private:
     Tiles tiles_;
     std::vector<Tiles::Tile> all_tiles_;
-    double step_ = 1.0, all_ = 0.0;
+    double step_ = 1.0, all_ = 0.0, reach_ = 0.0;
     int threads_ = 1;
     ZernikeField field_;
     Doubles outer_parts_, inner_parts_;
     std::array<double, looks> v_, bright_;
+    std::array<std::vector<double>, looks> sizes_;  // of orders, at each look
+    struct Tail {
+        double near = 0.0, far = 0.0;
+        double at(double v, double aliasing) const { return v > 0.0 ? std::min(near, far * 1.572 / (v * std::cbrt(v)) + aliasing * near) : near; }
+    };
+    std::vector<Tail> order_tails_;
     std::vector<PolarZone> zones_;
     std::size_t zone_count_ = 0;
     std::vector<Part> parts_;

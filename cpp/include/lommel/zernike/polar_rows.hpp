@@ -14,6 +14,9 @@
 #include "lommel/zernike/disk.hpp"
 #include "lommel/zernike/polar_table.hpp"
 
+#ifndef POLAR_TIMER
+#define POLAR_TIMER(name)
+#endif
 namespace lommel {
 
 // Equal angles around a circle, and the kernel that interpolates between them.
@@ -47,6 +50,35 @@ struct PolarDisk {
     const double* parts;
     double weight;
 };
+
+// Four numbers, and four columns of four as rows.
+template <class Real>
+struct Quad {
+    Real at[4];
+};
+template <class Real>
+LOMMEL_INLINE void turn(const Real (*from)[fft_rows], std::size_t first, Quad<Real>* out) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            out[i].at[k] = from[k][first + i];
+        }
+    }
+}
+#if defined(__GNUC__) && !defined(__clang__)
+LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<float>* out) {
+    typedef float quad __attribute__((vector_size(16)));
+    typedef std::int32_t places __attribute__((vector_size(16)));
+    const quad a = load<quad>(from[0] + first), b = load<quad>(from[1] + first), c = load<quad>(from[2] + first), d = load<quad>(from[3] + first);
+    const places low = {0, 4, 1, 5}, high = {2, 6, 3, 7}, first_half = {0, 1, 4, 5}, second_half = {2, 3, 6, 7};
+    const quad ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab2 = __builtin_shuffle(a, b, high),
+               cd2 = __builtin_shuffle(c, d, high);
+    const quad rows[4] = {__builtin_shuffle(ab, cd, first_half), __builtin_shuffle(ab, cd, second_half),
+                          __builtin_shuffle(ab2, cd2, first_half), __builtin_shuffle(ab2, cd2, second_half)};
+    for (std::size_t i = 0; i < 4; ++i) {
+        store(out[i].at, rows[i]);
+    }
+}
+#endif
 
 // What a block of circles is off by: of U interpolated around the circles, and how large its numbers are.
 struct PolarRowError {
@@ -102,6 +134,7 @@ class PolarRows {
         for (std::size_t p = 0; p < packs; ++p) {
             around[p] = sum[p] = splat<V>(0.0);
         }
+        {POLAR_TIMER(combine);
         for (std::size_t m = 0; m < orders; ++m) {
             V parts[4][packs];
             for (std::size_t c = 0; c < 4; ++c) {
@@ -144,6 +177,7 @@ class PolarRows {
                 }
             }
         }
+        }
         PolarRowError error;
         for (std::size_t p = 0; p < packs; ++p) {
             for (std::size_t i = 0; i < I::lanes; ++i) {
@@ -152,7 +186,8 @@ class PolarRows {
             }
         }
         for (std::size_t half = 0; half < 2; ++half) {
-            Fft* from = circle.fft.run(isa, scratch.spectrum[half].data(), scratch.other.data());
+            Fft* from; {POLAR_TIMER(fft);
+            from = circle.fft.run(isa, scratch.spectrum[half].data(), scratch.other.data());} POLAR_TIMER(scatter);
             error.largest = std::max(error.largest, scatter(isa, from, n, &values_[(first + half * fft_rows) * stride()]));
         }
         return error;
@@ -168,12 +203,19 @@ class PolarRows {
     static LOMMEL_INLINE void put(Scratch<Fft>& scratch, std::size_t at, std::size_t row, V re, V im) {
         constexpr std::size_t lanes = sizeof(V) / sizeof(double);
         Fft* to = &scratch.spectrum[row / fft_rows][at * fft_element + row % fft_rows];
-        alignas(64) double values[2][lanes];
-        store(values[0], re);
-        store(values[1], im);
-        for (std::size_t i = 0; i < lanes; ++i) {
-            to[i] = static_cast<Fft>(values[0][i]);
-            to[fft_rows + i] = static_cast<Fft>(values[1][i]);
+        convert<lanes>(re, to);
+        convert<lanes>(im, to + fft_rows);
+    }
+
+    // Stores numbers of one precision as those of another.
+    template <std::size_t Lanes, class V, class To>
+    static LOMMEL_INLINE void convert(V from, To* to) {
+        if constexpr (sizeof(V) == Lanes * sizeof(To)) {
+            store(to, from);
+        } else {
+            for (std::size_t i = 0; i < Lanes; ++i) {
+                to[i] = static_cast<To>(from[i]);
+            }
         }
     }
 
@@ -183,7 +225,7 @@ class PolarRows {
         using V = typename RowPack<I, Fft>::type;
         constexpr std::size_t lanes = sizeof(V) / sizeof(Fft);
         const std::size_t quarter = n / 4, eighth = n / 8, far = eighth + margin_;
-        alignas(64) Fft turned[8][fft_rows];
+        alignas(64) Real turned[8][fft_rows];
         V largest = splat<V>(Fft(0));
         for (std::size_t q = 0; q < quarter; ++q) {
             for (std::size_t part = 0; part < fft_rows; part += lanes) {
@@ -195,38 +237,42 @@ class PolarRows {
                 const auto even = a + d, odd = b + e, other = a - d, third = (b - e).times_i();
                 const ComplexPack<V> x[4] = {even + odd, other + third, even - odd, other - third};
                 for (std::size_t k = 0; k < 4; ++k) {
-                    store(turned[k] + part, x[k].re);
-                    store(turned[4 + k] + part, x[k].im);
+                    convert<lanes>(x[k].re, turned[k] + part);
+                    convert<lanes>(x[k].im, turned[4 + k] + part);
                     largest = larger(largest, larger(x[k].re, splat<V>(Fft(0)) - x[k].re));
                     largest = larger(largest, larger(x[k].im, splat<V>(Fft(0)) - x[k].im));
                 }
             }
-            for (std::size_t row = 0; row < fft_rows; ++row) {
-                Real here[8];
-                for (std::size_t k = 0; k < 8; ++k) {
-                    here[k] = static_cast<Real>(turned[k][row]);
-                }
-                Real* start = to + row * stride() + margin_ * directions;
-                const auto place = [&](std::ptrdiff_t angle, std::size_t half, std::size_t turn) LOMMEL_INLINE_LAMBDA {
-                    Real* out = start + angle * static_cast<std::ptrdiff_t>(directions) + 8 * half;
-                    for (std::size_t k = 0; k < 4; ++k) {
-                        out[k] = here[(k + turn) % 4];
-                        out[4 + k] = here[4 + (k + turn) % 4];
+            // X at psi_q + k pi/2 is that at psi_{q - quarter} + (k+1) pi/2, and that at (k+1) pi/2 - psi_{quarter - q}.
+            const std::ptrdiff_t l = static_cast<std::ptrdiff_t>(q), whole = static_cast<std::ptrdiff_t>(quarter);
+            for (std::size_t row = 0; row < fft_rows; row += 4) {
+                Quad<Real> re[4], im[4];
+                turn(turned, row, re);
+                turn(turned + 4, row, im);
+                for (std::size_t i = 0; i < 4; ++i) {
+                    Real* start = to + (row + i) * stride() + margin_ * directions;
+                    const auto place = [&](std::ptrdiff_t angle, std::size_t half) LOMMEL_INLINE_LAMBDA {
+                        Real* out = start + angle * static_cast<std::ptrdiff_t>(directions) + 8 * half;
+                        store(out, re[i]);
+                        store(out + 4, im[i]);
+                        return out;
+                    };
+                    if (q <= far) {
+                        place(l, 0);
                     }
-                };
-                const std::ptrdiff_t l = static_cast<std::ptrdiff_t>(q), whole = static_cast<std::ptrdiff_t>(quarter);
-                // X at psi_q + k pi/2 is that at psi_{q - quarter} + (k+1) pi/2, and that at (k+1) pi/2 - psi_{quarter - q}.
-                if (q <= far) {
-                    place(l, 0, 0);
-                }
-                if (q + margin_ >= quarter) {
-                    place(l - whole, 0, 3);
-                }
-                if (quarter - q <= far) {
-                    place(whole - l, 1, 0);
-                }
-                if (q <= margin_) {
-                    place(-l, 1, 1);
+                    if (quarter - q <= far) {
+                        place(whole - l, 1);
+                    }
+                    if (q + margin_ >= quarter) {
+                        Real* out = place(l - whole, 0);
+                        std::rotate(out, out + 3, out + 4);
+                        std::rotate(out + 4, out + 7, out + 8);
+                    }
+                    if (q <= margin_) {
+                        Real* out = place(-l, 1);
+                        std::rotate(out, out + 1, out + 4);
+                        std::rotate(out + 4, out + 5, out + 8);
+                    }
                 }
             }
         }

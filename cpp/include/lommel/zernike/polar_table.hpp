@@ -27,7 +27,7 @@ struct PolarTable {
     Doubles values;
     std::vector<std::size_t> reached;  // of each block, the degrees that matter; the others add less than `left_out`
     double aliasing, magnitude, rounding;
-    double weight;  // the largest sum of taps
+    double weight, largest;  // the largest sum of taps, and 1 / transform
     SingleTaps singles;
     DoubleTaps doubles;
 
@@ -60,7 +60,7 @@ struct PolarTable {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { fill(isa, b, weights, places, shares, waves); });
         }
         // 1 / transform is largest at the edge; roundings of arguments of up to v are v units.
-        const double largest = 1.0 / kernel.transform(step);
+        largest = 1.0 / kernel.transform(step);
         rounding = 2.3e-16 * largest * std::sqrt(static_cast<double>(degrees)) *
                    (static_cast<double>(nodes + 40) + 2.0 * step * static_cast<double>(blocks * block));
         magnitude = 0.0;

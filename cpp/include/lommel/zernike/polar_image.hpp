@@ -60,23 +60,12 @@ class PolarImage {
         }
         {
             POLAR_TIMER(looks);
-            for (std::size_t i = 0; i < looks; ++i) {
-                const double x = (static_cast<double>(i) + 0.5) / looks;
-                v_[i] = reach * x * std::sqrt(x);
-                thread_local std::vector<double> orders;
-                field_.orders_at(v_[i], orders);
-                bright_[i] = ZernikeField::brightest(orders);
-                sizes_[i].resize(orders.size() / 4);
-                for (std::size_t m = 0; m < sizes_[i].size(); ++m) {
-                    const double* order = &orders[4 * m];
-                    sizes_[i][m] = std::abs(order[0]) + std::abs(order[1]) + std::abs(order[2]) + std::abs(order[3]);
-                }
-            }
+            interleave(field_.outer(), 1.0, outer_parts_);
+            interleave(field_.inner(), -field_.obscuration() * field_.obscuration(), inner_parts_);
+            look_around(reach);
         }
         measure_orders();
         all_ = 0.8 * tol * *std::max_element(bright_.begin(), bright_.end());
-        interleave(field_.outer(), 1.0, outer_parts_);
-        interleave(field_.inner(), -field_.obscuration() * field_.obscuration(), inner_parts_);
         { POLAR_TIMER(plan); plan(reach); }
         POLAR_TIMER(rows);
         for (std::size_t z = 0; z < zone_count_; ++z) {
@@ -132,12 +121,63 @@ class PolarImage {
         double wrong() const { return error * (2.0 * std::sqrt(top) + error); }
     };
     const std::vector<Part>& parts() const { return parts_; }
-    void describe() const { for (std::size_t z = 0; z < zone_count_; ++z) { const PolarZone& q = zones_[z]; double e=0; for(double x:q.errors) e=std::max(e,x); std::printf("   zone s%g d%d x%d w%zu v %.1f..%.1f orders %zu points %zu worst %.2e\n", q.style.oversampling, q.style.doubles, q.style.exact, q.style.taps, step_*std::sqrt(double(q.low)), step_*std::sqrt(double(q.high)), q.orders, q.points, e);
-        for (std::size_t i = 0; i < looks; ++i) if (v_[i]>=step_*std::sqrt(double(q.low)) && v_[i]<step_*std::sqrt(double(q.high))) { const std::size_t bl=static_cast<std::size_t>(v_[i]/q.step+16)/16-q.first; std::printf("      look %.1f bright %.1e allowed %.2e actual %.2e", v_[i], bright_[i], allowed(v_[i]), q.errors[bl]); for (int s=1;s<7;s++){ auto st=all_styles()[s]; auto t=table_for(st,1.0,reach_); std::printf(" %.1e", st.exact?promised(st,*t,*cache<PolarCircle<double>>.get(q.points,st.taps),i):promised(st,*t,*cache<PolarCircle<float>>.get(q.points,st.taps),i)); } std::printf("\n"); }
-        } }
+    void describe() const { for (std::size_t z = 0; z < zone_count_; ++z) { const PolarZone& q = zones_[z]; double e=0; for(double x:q.errors) e=std::max(e,x); std::printf("   zone s%g d%d x%d w%zu v %.1f..%.1f orders %zu points %zu worst %.2e\n", q.style.oversampling, q.style.doubles, q.style.exact, q.style.taps, step_*std::sqrt(double(q.low)), step_*std::sqrt(double(q.high)), q.orders, q.points, e);} }
 
    private:
-    static constexpr std::size_t looks = 32, w = 8, styles_count = 7;
+    static constexpr std::size_t w = 8, styles_count = 7;
+    std::size_t looks = 0, orders_seen_ = 0;
+
+    // How bright it is at some distances, and how large the orders are there.
+    void look_around(double reach) {
+        const std::size_t blocks = LookTable::blocks_to(reach), n = RowFft<float>::length(4 * std::max(field_.outer().orders, field_.inner().orders));
+        std::shared_ptr<const LookTable> tables[2];
+        PolarDisk disks[2];
+        const std::size_t count = field_.obscured() ? 2 : 1;
+        for (std::size_t d = 0; d < count; ++d) {
+            const ZernikeSeries& series = d == 0 ? field_.outer() : field_.inner();
+            tables[d] = cache<LookTable>.get(d == 0 ? 1.0 : field_.obscuration(), blocks, series.degrees);
+            disks[d] = {&series, (d == 0 ? outer_parts_ : inner_parts_).data(), tables[d]->values.data(), tables[d]->degrees, tables[d]->reached.data()};
+        }
+        const std::size_t orders = std::min(n / 4, std::max(field_.outer().orders, field_.inner().orders));
+        looks = blocks * LookTable::block;
+        v_.resize(looks);
+        bright_.assign(looks, 0.0);
+        sizes_.resize(looks * orders);
+        orders_seen_ = orders;
+        const std::vector<double> gains(orders, 1.0);
+        const RowFft<float> fft(n);
+        thread_local PolarScratch<float> scratch;
+        for (std::size_t b = 0; b < blocks; ++b) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                using I = decltype(isa);
+                using V = typename I::pack;
+                scratch.combine(isa, n, gains.data(), disks, count, b, orders, [&](std::size_t m, std::size_t p, V size) LOMMEL_INLINE_LAMBDA {
+                    store(&sizes_[(b * orders + m) * LookTable::block + p * I::lanes], size);
+                });
+                for (std::size_t half = 0; half < 2; ++half) {
+                    const float* from = fft.run(isa, scratch.spectrum[half].data(), scratch.other.data());
+                    double* bright = &bright_[b * LookTable::block + half * fft_rows];
+                    for (std::size_t q = 0; q < n / 4; ++q) {
+                        const float *a = from + q * fft_element, *c = a + n / 4 * fft_element, *e = c + n / 4 * fft_element, *g = e + n / 4 * fft_element;
+                        for (std::size_t i = 0; i < fft_rows; ++i) {
+                            const float re = (a[i] + c[i]) + (e[i] + g[i]), im = (a[8 + i] + c[8 + i]) + (e[8 + i] + g[8 + i]);
+                            const float re2 = (a[i] - c[i]) + (e[i] - g[i]), im2 = (a[8 + i] - c[8 + i]) + (e[8 + i] - g[8 + i]);
+                            const double top = std::max(re * re + im * im, re2 * re2 + im2 * im2);
+                            bright[i] = std::max(bright[i], top);
+                        }
+                    }
+                }
+            });
+        }
+        for (std::size_t i = 0; i < looks; ++i) {
+            v_[i] = LookTable::at(i);
+        }
+        // Those beyond the window are only there to fill a block.
+        while (looks > 2 && v_[looks - 2] > reach) {
+            --looks;
+        }
+        bright_.resize(looks);
+    }
 
     double allowed(double v) const {
         double seen = 0.0;
@@ -150,20 +190,25 @@ class PolarImage {
         return all_ / (u + std::sqrt(u * u + all_));
     }
 
-    // What a style promises at a look: its error of U, if the circles there have the orders that were seen.
+    // What a style promises at the looks of a block: its error of U, if the circles there have the orders that were seen.
     template <class Fft>
-    double promised(const PolarStyle& style, const PolarTable& table, const PolarCircle<Fft>& circle, std::size_t i) const {
-        // What the table has divided by makes numbers larger, the most at the edge of the spectrum.
-        const double larger = table.largest;
-        double around = 0.0, sum = 0.0;
-        const std::vector<double>& sizes = sizes_[i];
-        for (std::size_t m = 0; m < std::min(sizes.size(), circle.gains.size()); ++m) {
-            around += sizes[m] * circle.aliases[m];
-            sum += sizes[m] * circle.gains[m];
+    void promise(const PolarStyle& style, const PolarTable& table, const PolarCircle<Fft>& circle, std::size_t block, double* out) const {
+        constexpr std::size_t n = LookTable::block;
+        double around[n] = {}, sum[n] = {};
+        for (std::size_t m = 0; m < std::min(orders_seen_, circle.gains.size()); ++m) {
+            const double* sizes = &sizes_[(block * orders_seen_ + m) * n];
+            for (std::size_t i = 0; i < n; ++i) {
+                around[i] += sizes[i] * circle.aliases[m];
+                sum[i] += sizes[i] * circle.gains[m];
+            }
         }
         const double transforms = sizeof(Fft) == 8 ? unit_roundoff : single_unit, pixels = style.doubles ? unit_roundoff : single_unit;
-        return field_.base() + table.aliasing + table.weight * larger * (around + circle.weight * transforms * (circle.fft.rounding() + 2.0) * sum +
-               2.0 * circle.weight * circle.gains[0] * std::sqrt(bright_[i]) * (34.0 * pixels + (style.doubles ? 1e-9 : 5e-7)));
+        for (std::size_t i = 0; i < n; ++i) {
+            // What the table has divided by makes numbers larger, the most at the edge of the spectrum.
+            const double bright = block * n + i < looks ? bright_[block * n + i] : 0.0;
+            out[i] = field_.base() + table.aliasing + table.weight * table.largest * (around[i] + circle.weight * transforms * (circle.fft.rounding() + 2.0) * sum[i] +
+                     2.0 * circle.weight * circle.gains[0] * std::sqrt(bright) * (34.0 * pixels + (style.doubles ? 1e-9 : 5e-7)));
+        }
     }
 
     static const std::array<PolarStyle, 7>& all_styles() {
@@ -180,14 +225,21 @@ class PolarImage {
         std::array<double, styles_count + 1> starts;
         for (std::size_t s = styles_count; s-- > 0;) {
             const PolarStyle& style = styles[s];
-            std::size_t i = looks;
+            const auto table = table_for(style, 1.0, reach);
+            std::size_t i = looks, seen = 1 << 30;
+            std::array<double, LookTable::block> errors;
             while (i > 0) {
                 const double most = allowed(v_[i - 1]);
-                const std::size_t orders = orders_for(0.05 * most, v_[i - 1], table_for(style, 1.0, reach)->aliasing), points = RowFft<double>::length(4 * orders);
-                const auto table = table_for(style, 1.0, reach);
-                const double error = style.exact ? promised(style, *table, *cache<PolarCircle<double>>.get(points, style.taps), i - 1)
-                                                 : promised(style, *table, *cache<PolarCircle<float>>.get(points, style.taps), i - 1);
-                if (error > 0.9 * most) {
+                if (const std::size_t block = (i - 1) / LookTable::block; block != seen) {
+                    seen = block;
+                    const std::size_t points = RowFft<double>::length(4 * orders_for(0.05 * most, v_[i - 1], table->aliasing));
+                    if (style.exact) {
+                        promise(style, *table, *cache<PolarCircle<double>>.get(points, style.taps), block, errors.data());
+                    } else {
+                        promise(style, *table, *cache<PolarCircle<float>>.get(points, style.taps), block, errors.data());
+                    }
+                }
+                if (errors[(i - 1) % LookTable::block] > 0.9 * most) {
                     break;
                 }
                 --i;
@@ -285,10 +337,10 @@ class PolarImage {
         PolarDisk disks[2];
         std::size_t count = 1;
         zone.tables[0] = table_for(zone.style, 1.0, reach_);
-        disks[0] = {zone.tables[0], &field_.outer(), outer_parts_.data(), 1.0};
+        disks[0] = {&field_.outer(), outer_parts_.data(), zone.tables[0]->values.data(), zone.tables[0]->degrees, zone.tables[0]->reached.data()};
         if (field_.obscured()) {
             zone.tables[1] = table_for(zone.style, field_.obscuration(), reach_);
-            disks[1] = {zone.tables[1], &field_.inner(), inner_parts_.data(), 1.0};
+            disks[1] = {&field_.inner(), inner_parts_.data(), zone.tables[1]->values.data(), zone.tables[1]->degrees, zone.tables[1]->reached.data()};
             count = 2;
         }
         zone.exact = cache<PolarCircle<double>>.get(zone.points, zone.style.taps);
@@ -304,15 +356,15 @@ class PolarImage {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 PolarRowError e;
                 if (zone.style.doubles) {
-                    thread_local PolarRows<double>::Scratch<double> scratch;
+                    thread_local PolarScratch<double> scratch;
                     e = zone.doubles.fill(isa, *zone.exact, disks, count, zone.first + i, zone.orders, i * PolarTable::block, scratch);
                     zone.errors[i] = error(zone, zone.exact->taps, zone.tables[0]->doubles, *zone.exact, unit_roundoff, unit_roundoff, e);
                 } else if (zone.style.exact) {
-                    thread_local PolarRows<float>::Scratch<double> scratch;
+                    thread_local PolarScratch<double> scratch;
                     e = zone.floats.fill(isa, *zone.exact, disks, count, zone.first + i, zone.orders, i * PolarTable::block, scratch);
                     zone.errors[i] = error(zone, zone.single->taps, zone.tables[0]->singles, *zone.exact, unit_roundoff, single_unit, e);
                 } else {
-                    thread_local PolarRows<float>::Scratch<float> scratch;
+                    thread_local PolarScratch<float> scratch;
                     e = zone.floats.fill(isa, *zone.single, disks, count, zone.first + i, zone.orders, i * PolarTable::block, scratch);
                     zone.errors[i] = error(zone, zone.single->taps, zone.tables[0]->singles, *zone.single, single_unit, single_unit, e);
                 }
@@ -469,8 +521,8 @@ class PolarImage {
     int threads_ = 1;
     ZernikeField field_;
     Doubles outer_parts_, inner_parts_;
-    std::array<double, looks> v_, bright_;
-    std::array<std::vector<double>, looks> sizes_;  // of orders, at each look
+    std::vector<double> v_, bright_;
+    Doubles sizes_;  // of orders, at each look
     struct Tail {
         double near = 0.0, far = 0.0;
         double at(double v, double aliasing) const { return v > 0.0 ? std::min(near, far * 1.572 / (v * std::cbrt(v)) + aliasing * near) : near; }

@@ -43,12 +43,13 @@ struct PolarCircle {
     static constexpr std::size_t most_bytes = std::size_t{4} << 20;
 };
 
-// Of one disk: coefficients of its series, for each order [n][re cos, im cos, re sin, im sin], with what it is multiplied by.
+// Of one disk: its coefficients, for each order [n][re cos, im cos, re sin, im sin], times what it counts; and the transforms at
+// the distances, sixteen to a block, [block][n][distance], of which so many degrees matter.
 struct PolarDisk {
-    std::shared_ptr<const PolarTable> table;
     const ZernikeSeries* series;
-    const double* parts;
-    double weight;
+    const double *parts, *table;
+    std::size_t degrees;
+    const std::size_t* reached;
 };
 
 // Four numbers, and four columns of four as rows.
@@ -80,6 +81,97 @@ LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<f
 }
 #endif
 
+template <class T>
+using Aligned = std::vector<T, AlignedAllocator<T>>;
+
+// Stores numbers of one precision as those of another.
+template <std::size_t Lanes, class V, class To>
+LOMMEL_INLINE void convert(V from, To* to) {
+    if constexpr (sizeof(V) == Lanes * sizeof(To)) {
+        store(to, from);
+    } else {
+        for (std::size_t i = 0; i < Lanes; ++i) {
+            to[i] = static_cast<To>(from[i]);
+        }
+    }
+}
+
+// Spectra of sixteen circles: what is transformed over the azimuthal orders.
+template <class Fft>
+struct PolarScratch {
+    Aligned<Fft> spectrum[2], other;
+
+    // Sums over degrees, A_m and B_m, as c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2 times gains[m], for transforms of
+    // length n. Calls seen(m, p, size) with the magnitudes of each vector p of circles, at least |c_m| + |c_{-m}|.
+    template <class I, class Seen>
+    LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const PolarDisk* disks, std::size_t disk_count, std::size_t block,
+                               std::size_t orders, const Seen& seen) {
+        using V = typename I::pack;
+        constexpr std::size_t packs = PolarTable::block / I::lanes;
+        for (auto& numbers : spectrum) {
+            numbers.resize(n * fft_element);
+            const auto clear = [&](std::size_t from, std::size_t to) {
+                std::fill_n(numbers.data() + from * fft_element, (to - from) * fft_element, Fft(0));
+            };
+            clear(std::min(orders, n / 4), n / 4);
+            clear(3 * n / 4, std::max(3 * n / 4, n - orders + 1));
+        }
+        other.resize(n * fft_element);
+        for (std::size_t m = 0; m < orders; ++m) {
+            V parts[4][packs];
+            for (std::size_t c = 0; c < 4; ++c) {
+                for (std::size_t p = 0; p < packs; ++p) {
+                    parts[c][p] = splat<V>(0.0);
+                }
+            }
+            for (std::size_t d = 0; d < disk_count; ++d) {
+                const PolarDisk& disk = disks[d];
+                if (m >= disk.series->orders || m >= disk.reached[block]) {
+                    continue;
+                }
+                const std::size_t count = std::min(disk.series->used[m], (disk.reached[block] - m + 1) / 2);
+                const double* from = disk.table + (block * disk.degrees + m) * PolarTable::block;
+                const double* beta = disk.parts + 4 * disk.series->start[m];
+                for (std::size_t i = 0; i < count; ++i, from += 2 * PolarTable::block, beta += 4) {
+                    V f[packs];
+                    for (std::size_t p = 0; p < packs; ++p) {
+                        f[p] = load<V>(from + p * I::lanes);
+                    }
+                    for (std::size_t c = 0; c < 4; ++c) {
+                        const V b = splat<V>(beta[c]);
+                        for (std::size_t p = 0; p < packs; ++p) {
+                            parts[c][p] = parts[c][p] + b * f[p];
+                        }
+                    }
+                }
+            }
+            const V gain = splat<V>(m == 0 ? gains[m] : 0.5 * gains[m]);
+            for (std::size_t p = 0; p < packs; ++p) {
+                const V ar = parts[0][p], ai = parts[1][p], br = parts[2][p], bi = parts[3][p];
+                seen(m, p, (magnitude(ar) + magnitude(ai)) + (magnitude(br) + magnitude(bi)));
+                put(m, p * I::lanes, gain * (ar + bi), gain * (ai - br));
+                if (m > 0) {
+                    put(n - m, p * I::lanes, gain * (ar - bi), gain * (ai + br));
+                }
+            }
+        }
+    }
+
+   private:
+    template <class V>
+    static LOMMEL_INLINE V magnitude(V x) {
+        return larger(x, splat<V>(0.0) - x);
+    }
+
+    template <class V>
+    LOMMEL_INLINE void put(std::size_t at, std::size_t row, V re, V im) {
+        constexpr std::size_t lanes = sizeof(V) / sizeof(double);
+        Fft* to = &spectrum[row / fft_rows][at * fft_element + row % fft_rows];
+        convert<lanes>(re, to);
+        convert<lanes>(im, to + fft_rows);
+    }
+};
+
 // What a block of circles is off by: of U interpolated around the circles, and how large its numbers are.
 struct PolarRowError {
     double around = 0.0;     // aliases of the orders
@@ -106,77 +198,24 @@ class PolarRows {
     std::size_t margin() const { return margin_; }
     const Real* row(std::size_t i) const { return &values_[i * stride()]; }
 
-    template <class T>
-    using Aligned = std::vector<T, AlignedAllocator<T>>;
-
-    template <class Fft>
-    struct Scratch {
-        Aligned<Fft> spectrum[2], other;
-    };
-
     // Circles [16 block, 16 block + 16) of the tables' to rows from `first` on; orders below `orders`.
     template <class I, class Fft>
     LOMMEL_INLINE PolarRowError fill(I isa, const PolarCircle<Fft>& circle, const PolarDisk* disks, std::size_t disk_count,
-                                     std::size_t block, std::size_t orders, std::size_t first, Scratch<Fft>& scratch) {
+                                     std::size_t block, std::size_t orders, std::size_t first, PolarScratch<Fft>& scratch) {
         using V = typename I::pack;
         constexpr std::size_t packs = PolarTable::block / I::lanes;
-        const std::size_t n = circle.fft.n;
-        orders = std::min(orders, n / 4);
-        for (auto& spectrum : scratch.spectrum) {
-            spectrum.resize(n * fft_element);
-            std::fill(spectrum.begin() + static_cast<std::ptrdiff_t>(orders * fft_element),
-                      spectrum.begin() + static_cast<std::ptrdiff_t>(n / 4 * fft_element), Fft(0));
-            std::fill(spectrum.begin() + static_cast<std::ptrdiff_t>(3 * n / 4 * fft_element),
-                      spectrum.begin() + static_cast<std::ptrdiff_t>((n - orders + 1) * fft_element), Fft(0));
-        }
-        scratch.other.resize(n * fft_element);
         V around[packs], sum[packs];
         for (std::size_t p = 0; p < packs; ++p) {
             around[p] = sum[p] = splat<V>(0.0);
         }
-        {POLAR_TIMER(combine);
-        for (std::size_t m = 0; m < orders; ++m) {
-            V parts[4][packs];
-            for (std::size_t c = 0; c < 4; ++c) {
-                for (std::size_t p = 0; p < packs; ++p) {
-                    parts[c][p] = splat<V>(0.0);
-                }
-            }
-            for (std::size_t d = 0; d < disk_count; ++d) {
-                const PolarDisk& disk = disks[d];
-                const std::size_t end = std::min(disk.table->reached[block], disk.table->degrees);
-                if (m >= disk.series->orders || m >= end) {
-                    continue;
-                }
-                const std::size_t count = std::min(disk.series->used[m], (end - m + 1) / 2);
-                const double* from = disk.table->at(block) + m * PolarTable::block;
-                const double* beta = disk.parts + 4 * disk.series->start[m];
-                for (std::size_t i = 0; i < count; ++i, from += 2 * PolarTable::block, beta += 4) {
-                    V f[packs];
-                    for (std::size_t p = 0; p < packs; ++p) {
-                        f[p] = load<V>(from + p * I::lanes);
-                    }
-                    for (std::size_t c = 0; c < 4; ++c) {
-                        const V b = splat<V>(beta[c]);
-                        for (std::size_t p = 0; p < packs; ++p) {
-                            parts[c][p] = parts[c][p] + b * f[p];
-                        }
-                    }
-                }
-            }
-            const V gain = splat<V>(m == 0 ? circle.gains[m] : 0.5 * circle.gains[m]), alias = splat<V>(circle.aliases[m]);
-            const V whole = splat<V>(circle.gains[m]);
-            for (std::size_t p = 0; p < packs; ++p) {
-                const V ar = parts[0][p], ai = parts[1][p], br = parts[2][p], bi = parts[3][p];
-                const V size = (magnitude(ar) + magnitude(ai)) + (magnitude(br) + magnitude(bi));
-                around[p] = around[p] + alias * size;
-                sum[p] = sum[p] + whole * size;
-                put<V>(scratch, m, p * I::lanes, gain * (ar + bi), gain * (ai - br));
-                if (m > 0) {
-                    put<V>(scratch, n - m, p * I::lanes, gain * (ar - bi), gain * (ai + br));
-                }
-            }
-        }
+        POLAR_TIMER(fillall);
+        {
+        POLAR_TIMER(combine);
+        scratch.combine(isa, circle.fft.n, circle.gains.data(), disks, disk_count, block, orders,
+                        [&](std::size_t m, std::size_t p, V size) LOMMEL_INLINE_LAMBDA {
+                            around[p] = around[p] + splat<V>(circle.aliases[m]) * size;
+                            sum[p] = sum[p] + splat<V>(circle.gains[m]) * size;
+                        });
         }
         PolarRowError error;
         for (std::size_t p = 0; p < packs; ++p) {
@@ -188,46 +227,22 @@ class PolarRows {
         for (std::size_t half = 0; half < 2; ++half) {
             Fft* from; {POLAR_TIMER(fft);
             from = circle.fft.run(isa, scratch.spectrum[half].data(), scratch.other.data());} POLAR_TIMER(scatter);
-            error.largest = std::max(error.largest, scatter(isa, from, n, &values_[(first + half * fft_rows) * stride()]));
+            error.largest = std::max(error.largest, scatter(isa, from, circle.fft.n, &values_[(first + half * fft_rows) * stride()]));
         }
         return error;
     }
 
    private:
-    template <class V>
-    static LOMMEL_INLINE V magnitude(V x) {
-        return larger(x, splat<V>(0.0) - x);
-    }
-
-    template <class V, class Fft>
-    static LOMMEL_INLINE void put(Scratch<Fft>& scratch, std::size_t at, std::size_t row, V re, V im) {
-        constexpr std::size_t lanes = sizeof(V) / sizeof(double);
-        Fft* to = &scratch.spectrum[row / fft_rows][at * fft_element + row % fft_rows];
-        convert<lanes>(re, to);
-        convert<lanes>(im, to + fft_rows);
-    }
-
-    // Stores numbers of one precision as those of another.
-    template <std::size_t Lanes, class V, class To>
-    static LOMMEL_INLINE void convert(V from, To* to) {
-        if constexpr (sizeof(V) == Lanes * sizeof(To)) {
-            store(to, from);
-        } else {
-            for (std::size_t i = 0; i < Lanes; ++i) {
-                to[i] = static_cast<To>(from[i]);
-            }
-        }
-    }
-
     // The last pass of the transform, and its numbers to where the directions want them.
     template <class I, class Fft>
     LOMMEL_INLINE double scatter(I, const Fft* from, std::size_t n, Real* to) const {
         using V = typename RowPack<I, Fft>::type;
         constexpr std::size_t lanes = sizeof(V) / sizeof(Fft);
-        const std::size_t quarter = n / 4, eighth = n / 8, far = eighth + margin_;
-        alignas(64) Real turned[8][fft_rows];
+        const std::size_t quarter = n / 4, eighth = n / 8;
         V largest = splat<V>(Fft(0));
-        for (std::size_t q = 0; q < quarter; ++q) {
+        // X at psi_q + k pi/2 is that at (k+1) pi/2 - psi_{quarter - q}.
+        const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
+            alignas(64) Real turned[8][fft_rows];
             for (std::size_t part = 0; part < fft_rows; part += lanes) {
                 const auto at = [&](std::size_t k) LOMMEL_INLINE_LAMBDA {
                     const Fft* here = from + (q + quarter * k) * fft_element + part;
@@ -243,35 +258,43 @@ class PolarRows {
                     largest = larger(largest, larger(x[k].im, splat<V>(Fft(0)) - x[k].im));
                 }
             }
-            // X at psi_q + k pi/2 is that at psi_{q - quarter} + (k+1) pi/2, and that at (k+1) pi/2 - psi_{quarter - q}.
-            const std::ptrdiff_t l = static_cast<std::ptrdiff_t>(q), whole = static_cast<std::ptrdiff_t>(quarter);
+            Real *lower = to + (margin_ + q) * directions, *upper = to + (margin_ + quarter - q) * directions + 8;
             for (std::size_t row = 0; row < fft_rows; row += 4) {
                 Quad<Real> re[4], im[4];
                 turn(turned, row, re);
                 turn(turned + 4, row, im);
-                for (std::size_t i = 0; i < 4; ++i) {
-                    Real* start = to + (row + i) * stride() + margin_ * directions;
-                    const auto place = [&](std::ptrdiff_t angle, std::size_t half) LOMMEL_INLINE_LAMBDA {
-                        Real* out = start + angle * static_cast<std::ptrdiff_t>(directions) + 8 * half;
-                        store(out, re[i]);
-                        store(out + 4, im[i]);
-                        return out;
-                    };
-                    if (q <= far) {
-                        place(l, 0);
+                for (std::size_t i = 0; i < 4; ++i, lower += stride(), upper += stride()) {
+                    if (low) {
+                        store(lower, re[i]);
+                        store(lower + 4, im[i]);
                     }
-                    if (quarter - q <= far) {
-                        place(whole - l, 1);
+                    if (high) {
+                        store(upper, re[i]);
+                        store(upper + 4, im[i]);
                     }
-                    if (q + margin_ >= quarter) {
-                        Real* out = place(l - whole, 0);
-                        std::rotate(out, out + 3, out + 4);
-                        std::rotate(out + 4, out + 7, out + 8);
-                    }
-                    if (q <= margin_) {
-                        Real* out = place(-l, 1);
-                        std::rotate(out, out + 1, out + 4);
-                        std::rotate(out + 4, out + 5, out + 8);
+                }
+            }
+        };
+        for (std::size_t q = 0; q < eighth - margin_; ++q) {
+            place(q, true, false);
+        }
+        for (std::size_t q = eighth - margin_; q <= eighth + margin_; ++q) {
+            place(q, true, true);
+        }
+        for (std::size_t q = eighth + margin_ + 1; q < quarter; ++q) {
+            place(q, false, true);
+        }
+        // Beyond the ends directions change places: psi_{-i} + k pi/2 is k pi/2 - psi_i.
+        for (std::size_t row = 0; row < fft_rows; ++row) {
+            Real* start = to + row * stride() + margin_ * directions;
+            for (std::size_t i = 0; i <= margin_; ++i) {
+                Real *out = start - i * directions, *in = start + i * directions;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    for (std::size_t part = 0; part < 8; part += 4) {
+                        out[8 + part + k] = in[part + (k + 1) % 4];
+                        if (i > 0) {
+                            out[part + k] = in[8 + part + (k + 3) % 4];
+                        }
                     }
                 }
             }

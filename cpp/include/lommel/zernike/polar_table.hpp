@@ -11,6 +11,7 @@
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/special/bessel.hpp"
 #include "lommel/special/gridding.hpp"
 #include "lommel/special/sincos.hpp"
 
@@ -157,6 +158,43 @@ struct PolarTable {
             magnitude = std::max(magnitude, std::sqrt(*std::max_element(sums.begin(), sums.end())));
         }
     }
+};
+
+// The transforms themselves, at distances that are looked at to see how bright it is there: 60 sinh(k/16), times `shrunk`.
+struct LookTable {
+    static constexpr std::size_t block = PolarTable::block;
+
+    double shrunk;
+    std::size_t blocks, degrees;
+    Doubles values;
+    std::vector<std::size_t> reached;
+
+    LookTable(double part, std::size_t block_count, std::size_t degree_count)
+        : shrunk(part), blocks(block_count), degrees((degree_count + 31) / 32 * 32), values(blocks * degrees * block),
+          reached(blocks, degrees) {
+        std::vector<double> one(degrees), scratch;
+        for (std::size_t i = 0; i < blocks * block; ++i) {
+            look();
+            const double v = shrunk * at(i);
+            for (std::size_t parity = 0; parity < 2; ++parity) {
+                zernike_transforms(parity, v, degrees / 2, one.data(), scratch);
+                for (std::size_t k = 0; k < degrees / 2; ++k) {
+                    values[((i / block) * degrees + 2 * k + parity) * block + i % block] = one[k];
+                }
+            }
+            reached[i / block] = std::min(degrees, static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 14.0));
+        }
+    }
+
+    static double at(std::size_t i) { return 60.0 * std::sinh(static_cast<double>(i) / 16.0); }
+    // Blocks up to one that holds a distance of at least v.
+    static std::size_t blocks_to(double v) { return static_cast<std::size_t>(16.0 * std::asinh(v / 60.0) + 1.0) / block + 1; }
+
+    bool is(double part, std::size_t block_count, std::size_t degree_count) const {
+        return shrunk == part && blocks >= block_count && degrees >= degree_count;
+    }
+    std::size_t bytes() const { return sizeof(double) * values.size(); }
+    static constexpr std::size_t most_bytes = std::size_t{16} << 20;
 };
 
 }  // namespace lommel

@@ -5,10 +5,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
 namespace lommel {
+
+// Half the distance from 1 to the next number.
+template <class Real>
+constexpr double roundoff = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
 // phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, and 0 beyond x = w/2: the continuous one among the windows of
 // Kaiser and Bessel. If F(j) are samples, a step apart, of a function whose frequencies omega (in radians a step) have been
@@ -55,22 +60,47 @@ class GriddingKernel {
         return sum / transform(omega);
     }
 
-    // The root of (2 / pi) int sqrt(1 - s^2) aliases(step s)^2 ds over [-1, 1]: what aliases do to a function whose spectrum has
-    // the density (2 / pi) sqrt(1 - s^2) g(s), |g|^2 of mean 1 under that weight.
-    double aliasing(double step) const {
+    // Means of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1], and the root of the mean of their squares: what
+    // aliases do to a function whose spectrum has that density times g(s), |g| at most 1 or of mean square 1.
+    struct Aliasing {
+        double mean, root;
+    };
+    Aliasing aliasing(double step) const {
         constexpr double pi = 3.14159265358979323846;
         constexpr std::size_t cells = 192;
-        double sum = 0.0;
+        double sum = 0.0, squares = 0.0;
         for (std::size_t i = 0; i < cells; ++i) {
-            const double low = 0.5 * pi * static_cast<double>(i) / cells, high = 0.5 * pi * static_cast<double>(i + 1) / cells;
-            const double most = aliases(step * std::cos(low)), sine = std::sin(high);
-            sum += most * most * sine * sine;
+            // s = cos(a); in a cell of a aliases are largest at its beginning, sin(a) at its end.
+            const double first = 0.5 * pi * static_cast<double>(i) / cells, last = 0.5 * pi * static_cast<double>(i + 1) / cells;
+            const double most = aliases(step * std::cos(first)), sine = std::sin(last);
+            sum += most * sine * sine;
+            squares += most * most * sine * sine;
         }
-        return std::sqrt(2.0 * sum / cells);
+        return {2.0 * sum / cells, std::sqrt(2.0 * squares / cells)};
+    }
+
+    // The largest sum of the taps, by Poisson's formula.
+    double weight() const { return transform(0.0) * (1.0 + aliases(0.0)); }
+
+    // Bound on the sum of (w - i) phi over the taps i = 0 .. w - 1 of any place: of a chain of sums tap i takes part in as many.
+    double chain() const {
+        constexpr std::size_t cells = 64;
+        double worst = 0.0;
+        for (std::size_t cell = 0; cell < cells; ++cell) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < w; ++i) {
+                // Within a cell every tap rises or falls.
+                const double x = 0.5 * static_cast<double>(w) - 1.0 - static_cast<double>(i);
+                const double first = x + static_cast<double>(cell) / cells, last = x + static_cast<double>(cell + 1) / cells;
+                sum += static_cast<double>(w - i) * std::max((*this)(first), (*this)(last));
+            }
+            worst = std::max(worst, sum);
+        }
+        return worst;
     }
 
     // The taps at t + w/2 - 1 - i, i < w, for t of 0 to 1, as polynomials of 2t - 1, from the highest power down: [power][tap],
-    // `stride` taps to a row. Returns a bound on the error of any.
+    // `stride` taps to a row. Returns a bound on the sum of their errors.
     double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
         using Number = long double;
         constexpr std::size_t all = 32;  // Chebyshev coefficients, of which `terms` are kept
@@ -122,7 +152,7 @@ class GriddingKernel {
                 const double most = shape((1.0 + far) * (1.0 + near)) / top_;
                 rest = std::min(rest, 4.0 * most * std::pow(rho, 1.0 - static_cast<double>(all)) / (rho - 1.0));
             }
-            worst = std::max(worst, left + rest);
+            worst += left + rest;
         }
         return worst;
     }
@@ -167,14 +197,20 @@ template <class Real, std::size_t Terms>
 struct TapPolynomials {
     static constexpr std::size_t terms = Terms, taps = 8;
     alignas(64) Real at[Terms][taps];  // from the highest power down
-    double error;
+    double error;                      // bound on the sum of the errors of all taps at any place, roundings included
 
     explicit TapPolynomials(const GriddingKernel& kernel) {
         std::vector<double> exact;
         error = kernel.polynomials(Terms, taps, exact);
+        double units = 0.0;
         for (std::size_t i = 0; i < exact.size(); ++i) {
             at[i / taps][i % taps] = static_cast<Real>(exact[i]);
+            // A coefficient c of x^k is rounded once; x, at most 1 by size, too, which it suffers k times; and it takes part in the
+            // k + 1 last products and sums.
+            const double k = static_cast<double>(Terms - 1 - i / taps);
+            units += (3.0 * k + 3.0) * std::abs(exact[i]);
         }
+        error += units * roundoff<Real>;
     }
 };
 using SingleTaps = TapPolynomials<float, 8>;

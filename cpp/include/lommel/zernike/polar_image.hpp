@@ -1,386 +1,94 @@
-// An image of any wavefront by interpolation between circles, certified ring by ring.
+// An image of any wavefront, interpolated between circles tile by tile, and the error that is proven of each.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <utility>
+#include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/pixels/tiles.hpp"
-#include "lommel/zernike/field.hpp"
-#include "lommel/zernike/polar_rows.hpp"
+#include "lommel/zernike/polar_zones.hpp"
 
 #ifndef POLAR_TIMER
 #define POLAR_TIMER(name)
-#define POLAR_ZONE(a, b, c)
 #endif
 
 namespace lommel {
 
-// How a range of distances is interpolated: circles pi / oversampling apart, `points` angles on each.
-struct PolarStyle {
-    double oversampling;
-    bool doubles;      // the pixels, in double precision
-    bool exact;        // the circles
-    std::size_t taps;  // between angles
-};
-
-// The circles of a range of distances.
-struct PolarZone {
-    PolarStyle style;
-    double step;              // between circles
-    std::int64_t low, high;   // squares of the distances of its pixels, in pixels
-    std::size_t first, last;  // blocks of circles of the table
-    std::shared_ptr<const PolarTable> tables[2];
-    std::shared_ptr<const PolarCircle<double>> exact;
-    std::shared_ptr<const PolarCircle<float>> single;
-    PolarRows<double> doubles;
-    PolarRows<float> floats;
-    std::vector<double> errors;  // of U, for each block
-    std::size_t orders, points;  // azimuthal, and angles of a circle
-    double left;                 // what orders beyond can add to U
-};
-
 class PolarImage {
    public:
-    PolarImage(const Tiles& tiles, double step, int threads) : tiles_(tiles), all_tiles_(tiles.all()), step_(step), threads_(threads) {}
-
-    void prepare(const ZernikePhase& phase, const ZernikePhase& inner, double obscuration, double error, double tol,
-                 double lost = 0.0) {
-        const double reach = step_ * std::sqrt(static_cast<double>(tiles_.farthest()));
-        reach_ = reach;
-        {
-            POLAR_TIMER(expand);
-            field_.expand(phase, inner, obscuration, reach, error, lost);
-        }
-        {
-            POLAR_TIMER(looks);
-            interleave(field_.outer(), 1.0, outer_parts_);
-            interleave(field_.inner(), -field_.obscuration() * field_.obscuration(), inner_parts_);
-            look_around(reach);
-        }
-        measure_orders();
-        all_ = 0.8 * tol * *std::max_element(bright_.begin(), bright_.end());
-        { POLAR_TIMER(plan); plan(reach); }
-        POLAR_TIMER(rows);
-        for (std::size_t z = 0; z < zone_count_; ++z) {
-            fill(zones_[z]);
-        }
+    // Of those pixels, `step` in v apart. What is used for one image is kept for the next.
+    void begin(const Tiles& tiles, double step, int threads) {
+        tiles_ = &tiles;
+        list_ = tiles.all();
+        step_ = step;
+        threads_ = threads;
     }
 
-    double peak() const { return brightest().top; }
-    double error_at_peak() const { return brightest().error; }
-    double wrong() const {
-        double sum = 0.0;
-        for (const Part& part : parts_) {
-            sum = std::max(sum, part.wrong());
-        }
-        return sum;
+    // Makes ready for I off by `tol` of the peak at most.
+    void prepare(const PolarPupil& pupil, double tol) {
+        { POLAR_TIMER(plan); zones_.plan(pupil, step_, tiles_->farthest(), tol); }
+        { POLAR_TIMER(rows); zones_.fill(pupil, threads_); }
     }
 
+    // Computes the image, I times `scale`.
     template <class T>
     void paint(double scale, T* image) {
         POLAR_TIMER(paint);
-        parts_.assign(all_tiles_.size() * zone_count_, Part());
-        parallel_for(all_tiles_.size(), threads_, [&](std::size_t, std::size_t i) {
-            thread_local Tiles::Buffer<T> buffer;
+        parts_.assign(list_.size() * zones_.size(), Part());
+        parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
+            thread_local Tiles::Buffer<T> kept;
             thread_local std::vector<Tiles::Line> lines;
-            const Tiles::Tile tile = all_tiles_[i];
-            for (std::size_t z = 0; z < zone_count_; ++z) {
+            Tiles::Buffer<T>& buffer = kept;
+            for (std::size_t z = 0; z < zones_.size(); ++z) {
                 const PolarZone& zone = zones_[z];
                 lines.clear();
-                tiles_.lines(tile, zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
-                if (lines.empty()) {
-                    continue;
+                tiles_->lines(list_[i], zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
+                if (!lines.empty()) {
+                    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                        Part& part = parts_[i * zones_.size() + z];
+                        if (zone.style->doubles) {
+                            pixels<8, double>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else if (zone.style->taps == 8) {
+                            pixels<8, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else if (zone.style->taps == 6) {
+                            pixels<6, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else {
+                            pixels<4, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                        }
+                    });
                 }
-                Part& part = parts_[i * zone_count_ + z];
-                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                    using I = decltype(isa);
-                    if (zone.style.doubles) {
-                        pixels<8, typename I::pack>(isa, zone, zone.doubles, *zone.exact, zone.tables[0]->doubles, tile, lines, scale, buffer, part);
-                    } else if (zone.style.taps == 8) {
-                        pixels<8, typename I::floats>(isa, zone, zone.floats, *zone.single, zone.tables[0]->singles, tile, lines, scale, buffer, part);
-                    } else if (zone.style.taps == 6) {
-                        pixels<6, typename I::floats>(isa, zone, zone.floats, *zone.single, zone.tables[0]->singles, tile, lines, scale, buffer, part);
-                    } else {
-                        pixels<4, typename I::floats>(isa, zone, zone.floats, *zone.single, zone.tables[0]->singles, tile, lines, scale, buffer, part);
-                    }
-                });
             }
-            tiles_.copy(tile, buffer, image);
+            tiles_->copy(list_[i], buffer, image);
         });
     }
 
-    struct Part {
-        double error = 0.0, top = 0.0;
-        double wrong() const { return error * (2.0 * std::sqrt(top) + error); }
-    };
-    const std::vector<Part>& parts() const { return parts_; }
-    void describe() const { for (std::size_t z = 0; z < zone_count_; ++z) { const PolarZone& q = zones_[z]; double e=0; for(double x:q.errors) e=std::max(e,x); std::printf("   zone s%g d%d x%d w%zu v %.1f..%.1f orders %zu points %zu worst %.2e\n", q.style.oversampling, q.style.doubles, q.style.exact, q.style.taps, step_*std::sqrt(double(q.low)), step_*std::sqrt(double(q.high)), q.orders, q.points, e);} }
+    double peak() const { return brightest().top; }
+    double error_at_peak() const { return brightest().error; }  // of U
+    double wrong() const {                                      // proven error of I
+        double most = 0.0;
+        for (const Part& part : parts_) {
+            most = std::max(most, part.wrong());
+        }
+        return most;
+    }
+    const PolarZones& zones() const { return zones_; }
 
    private:
-    static constexpr std::size_t w = 8, styles_count = 7;
-    std::size_t looks = 0, orders_seen_ = 0;
+    static constexpr std::size_t between = PolarStyle::between;
 
-    // How bright it is at some distances, and how large the orders are there.
-    void look_around(double reach) {
-        const std::size_t blocks = LookTable::blocks_to(reach), n = RowFft<float>::length(4 * std::max(field_.outer().orders, field_.inner().orders));
-        std::shared_ptr<const LookTable> tables[2];
-        PolarDisk disks[2];
-        const std::size_t count = field_.obscured() ? 2 : 1;
-        for (std::size_t d = 0; d < count; ++d) {
-            const ZernikeSeries& series = d == 0 ? field_.outer() : field_.inner();
-            tables[d] = cache<LookTable>.get(d == 0 ? 1.0 : field_.obscuration(), blocks, series.degrees);
-            disks[d] = {&series, (d == 0 ? outer_parts_ : inner_parts_).data(), tables[d]->values.data(), tables[d]->degrees, tables[d]->reached.data()};
-        }
-        const std::size_t orders = std::min(n / 4, std::max(field_.outer().orders, field_.inner().orders));
-        looks = blocks * LookTable::block;
-        v_.resize(looks);
-        bright_.assign(looks, 0.0);
-        sizes_.resize(looks * orders);
-        orders_seen_ = orders;
-        const std::vector<double> gains(orders, 1.0);
-        const RowFft<float> fft(n);
-        thread_local PolarScratch<float> scratch;
-        for (std::size_t b = 0; b < blocks; ++b) {
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                using I = decltype(isa);
-                using V = typename I::pack;
-                scratch.combine(isa, n, gains.data(), disks, count, b, orders, [&](std::size_t m, std::size_t p, V size) LOMMEL_INLINE_LAMBDA {
-                    store(&sizes_[(b * orders + m) * LookTable::block + p * I::lanes], size);
-                });
-                for (std::size_t half = 0; half < 2; ++half) {
-                    const float* from = fft.run(isa, scratch.spectrum[half].data(), scratch.other.data());
-                    double* bright = &bright_[b * LookTable::block + half * fft_rows];
-                    for (std::size_t q = 0; q < n / 4; ++q) {
-                        const float *a = from + q * fft_element, *c = a + n / 4 * fft_element, *e = c + n / 4 * fft_element, *g = e + n / 4 * fft_element;
-                        for (std::size_t i = 0; i < fft_rows; ++i) {
-                            const float re = (a[i] + c[i]) + (e[i] + g[i]), im = (a[8 + i] + c[8 + i]) + (e[8 + i] + g[8 + i]);
-                            const float re2 = (a[i] - c[i]) + (e[i] - g[i]), im2 = (a[8 + i] - c[8 + i]) + (e[8 + i] - g[8 + i]);
-                            const double top = std::max(re * re + im * im, re2 * re2 + im2 * im2);
-                            bright[i] = std::max(bright[i], top);
-                        }
-                    }
-                }
-            });
-        }
-        for (std::size_t i = 0; i < looks; ++i) {
-            v_[i] = LookTable::at(i);
-        }
-        // Those beyond the window are only there to fill a block.
-        while (looks > 2 && v_[looks - 2] > reach) {
-            --looks;
-        }
-        bright_.resize(looks);
-    }
-
-    double allowed(double v) const {
-        double seen = 0.0;
-        for (std::size_t i = 0; i < looks; ++i) {
-            if ((i + 1 == looks || v_[i + 1] >= v) && (i == 0 || v_[i - 1] <= v)) {
-                seen = std::max(seen, bright_[i]);
-            }
-        }
-        const double u = 1.2 * std::sqrt(seen);
-        return all_ / (u + std::sqrt(u * u + all_));
-    }
-
-    // What a style promises at the looks of a block: its error of U, if the circles there have the orders that were seen.
-    template <class Fft>
-    void promise(const PolarStyle& style, const PolarTable& table, const PolarCircle<Fft>& circle, std::size_t block, double* out) const {
-        constexpr std::size_t n = LookTable::block;
-        double around[n] = {}, sum[n] = {};
-        for (std::size_t m = 0; m < std::min(orders_seen_, circle.gains.size()); ++m) {
-            const double* sizes = &sizes_[(block * orders_seen_ + m) * n];
-            for (std::size_t i = 0; i < n; ++i) {
-                around[i] += sizes[i] * circle.aliases[m];
-                sum[i] += sizes[i] * circle.gains[m];
-            }
-        }
-        const double transforms = sizeof(Fft) == 8 ? unit_roundoff : single_unit, pixels = style.doubles ? unit_roundoff : single_unit;
-        for (std::size_t i = 0; i < n; ++i) {
-            // What the table has divided by makes numbers larger, the most at the edge of the spectrum.
-            const double bright = block * n + i < looks ? bright_[block * n + i] : 0.0;
-            out[i] = field_.base() + table.aliasing + table.weight * table.largest * (around[i] + circle.weight * transforms * (circle.fft.rounding() + 2.0) * sum[i] +
-                     2.0 * circle.weight * circle.gains[0] * std::sqrt(bright) * (34.0 * pixels + (style.doubles ? 1e-9 : 5e-7)));
-        }
-    }
-
-    static const std::array<PolarStyle, 7>& all_styles() {
-        static const std::array<PolarStyle, 7> styles = {{{4.0, true, true, 8},   {4.0, false, true, 8},  {2.0, false, true, 8}, {2.0, false, false, 8},
-                                            {2.0, false, false, 6}, {1.5, false, false, 6}, {1.5, false, false, 4}}};
-        return styles;
-    }
-    void plan(double reach) {
-        const auto& styles = all_styles();
-        constexpr double pi = 3.14159265358979323846;
-        zone_count_ = 0;
-        zones_.resize(styles_count);
-        // Where each style begins to do.
-        std::array<double, styles_count + 1> starts;
-        for (std::size_t s = styles_count; s-- > 0;) {
-            const PolarStyle& style = styles[s];
-            const auto table = table_for(style, 1.0, reach);
-            std::size_t i = looks, seen = 1 << 30;
-            std::array<double, LookTable::block> errors;
-            while (i > 0) {
-                const double most = allowed(v_[i - 1]);
-                if (const std::size_t block = (i - 1) / LookTable::block; block != seen) {
-                    seen = block;
-                    const std::size_t points = RowFft<double>::length(4 * orders_for(0.05 * most, v_[i - 1], table->aliasing));
-                    if (style.exact) {
-                        promise(style, *table, *cache<PolarCircle<double>>.get(points, style.taps), block, errors.data());
-                    } else {
-                        promise(style, *table, *cache<PolarCircle<float>>.get(points, style.taps), block, errors.data());
-                    }
-                }
-                if (errors[(i - 1) % LookTable::block] > 0.9 * most) {
-                    break;
-                }
-                --i;
-            }
-            starts[s] = s == 0 || i == 0 ? 0.0 : i == looks ? 1e300 : v_[i];
-        }
-        starts[styles_count] = 1e300;
-        double from = 0.0;
-        for (std::size_t s = 0; s < styles_count && from < reach; ++s) {
-            const double ring = pi / styles[s].oversampling * PolarTable::block;
-            double until = *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end());
-            if (until <= from) {
-                continue;
-            }
-            PolarZone& zone = zones_[zone_count_++];
-            until = std::min(until, reach);
-            zone.style = styles[s];
-            zone.step = pi / styles[s].oversampling;
-            zone.first = static_cast<std::size_t>(from / ring);
-            zone.last = static_cast<std::size_t>(until / ring) + 3;
-            zone.low = square(from);
-            zone.high = until >= reach ? tiles_.farthest() + 1 : square(until);
-            double most = 1e300;
-            for (std::size_t i = 0; i < looks; ++i) {
-                if ((i + 1 == looks || v_[i + 1] >= from) && (i == 0 || v_[i - 1] <= until)) {
-                    most = std::min(most, allowed(v_[i]));
-                }
-            }
-            const double aliasing = table_for(zone.style, 1.0, reach)->aliasing;
-            zone.orders = orders_for(0.05 * most, from, aliasing);
-            zone.points = RowFft<double>::length(4 * zone.orders);
-            zone.left = order_tails_[zone.orders].at(from, aliasing);
-            from = until;
-        }
-    }
-
-    // How many orders there must be for the others to add no more than `error` to U.
-    std::size_t orders_for(double error, double v, double aliasing) const {
-        std::size_t m = order_tails_.size() - 1;
-        while (m > 1 && order_tails_[m - 1].at(v, aliasing) <= error) {
-            --m;
-        }
-        return m;
-    }
-
-    void measure_orders() {
-        const std::size_t count = std::max(field_.outer().orders, field_.inner().orders);
-        order_tails_.assign(count + 1, Tail());
-        const auto add = [&](const ZernikeSeries& series, double weight, double stretch) {
-            for (std::size_t m = 0; m < series.orders; ++m) {
-                for (std::size_t j = 0; j < series.used[m]; ++j) {
-                    const std::size_t at = series.start[m] + j;
-                    const double size = std::hypot(series.cos_re[at], series.cos_im[at]) + std::hypot(series.sin_re[at], series.sin_im[at]);
-                    order_tails_[m].near += weight * size / static_cast<double>(m + 2 * j + 1);
-                    order_tails_[m].far += size * stretch;
-                }
-            }
-        };
-        const double eps = field_.obscuration();
-        add(field_.outer(), 1.0, 1.0);
-        add(field_.inner(), eps * eps, eps > 0.0 ? std::pow(eps, 2.0 / 3.0) : 0.0);
-        for (std::size_t m = count; m-- > 0;) {
-            order_tails_[m].near += order_tails_[m + 1].near;
-            order_tails_[m].far += order_tails_[m + 1].far;
-        }
-    }
-
-    std::shared_ptr<const PolarTable> table_for(const PolarStyle& style, double shrunk, double reach) const {
-        constexpr double pi = 3.14159265358979323846;
-        const double h = pi / style.oversampling;
-        const std::size_t blocks = static_cast<std::size_t>(reach / (h * PolarTable::block)) + 3;
-        return cache<PolarTable>.get(shrunk * h, w, GriddingKernel::of(w, style.oversampling).beta(), blocks,
-                                     shrunk < 1.0 ? field_.inner().degrees : field_.outer().degrees);
-    }
-
-    // The least square of a distance in pixels that is v at least.
-    std::int64_t square(double v) const { return static_cast<std::int64_t>(std::ceil(v * v / (step_ * step_))); }
-
-    static void interleave(const ZernikeSeries& series, double weight, Doubles& parts) {
-        const std::size_t count = series.orders == 0 ? 0 : series.cos_re.size();
-        parts.resize(4 * count);
-        for (std::size_t i = 0; i < count; ++i) {
-            parts[4 * i] = weight * series.cos_re[i];
-            parts[4 * i + 1] = weight * series.cos_im[i];
-            parts[4 * i + 2] = weight * series.sin_re[i];
-            parts[4 * i + 3] = weight * series.sin_im[i];
-        }
-    }
+    // Of a tile in a zone.
+    struct Part {
+        double error = 0.0, top = 0.0;  // of U, and the largest I
+        double wrong() const { return error * (2.0 * std::sqrt(top) + error); }
+    };
 
     const Part& brightest() const {
         return *std::max_element(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.top < b.top; });
-    }
-
-    void fill(PolarZone& zone) {
-        PolarDisk disks[2];
-        std::size_t count = 1;
-        zone.tables[0] = table_for(zone.style, 1.0, reach_);
-        disks[0] = {&field_.outer(), outer_parts_.data(), zone.tables[0]->values.data(), zone.tables[0]->degrees, zone.tables[0]->reached.data()};
-        if (field_.obscured()) {
-            zone.tables[1] = table_for(zone.style, field_.obscuration(), reach_);
-            disks[1] = {&field_.inner(), inner_parts_.data(), zone.tables[1]->values.data(), zone.tables[1]->degrees, zone.tables[1]->reached.data()};
-            count = 2;
-        }
-        zone.exact = cache<PolarCircle<double>>.get(zone.points, zone.style.taps);
-        zone.single = cache<PolarCircle<float>>.get(zone.points, zone.style.taps);
-        const std::size_t blocks = zone.last - zone.first;
-        zone.errors.resize(blocks);
-        if (zone.style.doubles) {
-            zone.doubles.resize(*zone.exact, blocks * PolarTable::block);
-        } else {
-            zone.floats.resize(*zone.single, blocks * PolarTable::block);
-        }
-        parallel_for(blocks, threads_, [&](std::size_t, std::size_t i) {
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                PolarRowError e;
-                if (zone.style.doubles) {
-                    thread_local PolarScratch<double> scratch;
-                    e = zone.doubles.fill(isa, *zone.exact, disks, count, zone.first + i, zone.orders, i * PolarTable::block, scratch);
-                    zone.errors[i] = error(zone, zone.exact->taps, zone.tables[0]->doubles, *zone.exact, unit_roundoff, unit_roundoff, e);
-                } else if (zone.style.exact) {
-                    thread_local PolarScratch<double> scratch;
-                    e = zone.floats.fill(isa, *zone.exact, disks, count, zone.first + i, zone.orders, i * PolarTable::block, scratch);
-                    zone.errors[i] = error(zone, zone.single->taps, zone.tables[0]->singles, *zone.exact, unit_roundoff, single_unit, e);
-                } else {
-                    thread_local PolarScratch<float> scratch;
-                    e = zone.floats.fill(isa, *zone.single, disks, count, zone.first + i, zone.orders, i * PolarTable::block, scratch);
-                    zone.errors[i] = error(zone, zone.single->taps, zone.tables[0]->singles, *zone.single, single_unit, single_unit, e);
-                }
-            });
-        });
-    }
-
-    static constexpr double single_unit = 5.97e-8;
-
-    template <class Polynomials, class Circle>
-    double error(const PolarZone& zone, const Polynomials& angular, const Polynomials& radial, const Circle& circle, double transforms,
-                 double pixels, const PolarRowError& e) const {
-        const PolarTable& table = *zone.tables[0];
-        const double alias = table.aliasing, weights = table.weight * circle.weight;
-        return field_.base() * (1.0 + alias) + alias + 1.01 * zone.left + table.weight * e.around + weights * transforms * (circle.fft.rounding() + 2.0) * e.sum +
-               1.42 * (weights * pixels * 24.0 + 8.0 * (radial.error * circle.weight + angular.error * table.weight)) * e.largest;
     }
 
     // The taps of both kernels at eight at once.
@@ -397,17 +105,19 @@ class PolarImage {
         }
     }
 
-    template <std::size_t Across, class V, class I, class Real, class Circle, class T>
-    LOMMEL_INLINE void pixels(I, const PolarZone& zone, const PolarRows<Real>& rows, const Circle& circle, const Taps<Real>& radial,
-                              const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines, double scale, Tiles::Buffer<T>& buffer,
-                              Part& part) const {
+    // The pixels of a tile on some lines, in one zone.
+    template <std::size_t Across, class Real, class I, class T>
+    LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines, double scale,
+                              Tiles::Buffer<T>& buffer, Part& part) const {
+        using V = std::conditional_t<sizeof(Real) == 8, typename I::pack, typename I::floats>;
         using Narrow = typename RowPack<I, Real>::type;
         using D = typename I::pack;
         constexpr std::size_t at_once = Tiles::side, numbers = PolarRows<Real>::directions, lanes = sizeof(V) / sizeof(Real),
                               packs = numbers / lanes;
-        const double per_row = step_ / zone.step, per_angle = static_cast<double>(circle.fft.n) / 6.283185307179586477;
+        const PolarRows<Real>& rows = zone.rows(Real());
+        const double per_row = step_ / zone.style->step(), per_angle = static_cast<double>(zone.circle->points()) / 6.283185307179586477;
         // Places are those of the first taps.
-        const double row_shift = static_cast<double>(PolarTable::before) - static_cast<double>(zone.first * PolarTable::block) - 0.5 * w;
+        const double row_shift = static_cast<double>(PolarTable::before) - static_cast<double>(zone.first * PolarTable::block) - 0.5 * between;
         const double angle_shift = static_cast<double>(rows.margin()) - 0.5 * Across;
         const std::size_t stride = rows.stride();
         const V scales = splat<V>(static_cast<Real>(scale));
@@ -436,14 +146,14 @@ class PolarImage {
             nearest = std::min(nearest, place[0][0]);
             farthest = std::max(farthest, place[0][here - 1]);
             for (std::size_t i = 0; i < here; ++i) {
-                taps<Narrow>(radial, static_cast<Real>(x[0][i]), weights[i]);
-                taps<Narrow>(circle.taps, static_cast<Real>(x[1][i]), weights[i] + 8);
+                taps<Narrow>(zone.tables->taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
+                taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + 8);
             }
             for (std::size_t i = 0; i < here; ++i) {
                 const Real* start = rows.row(static_cast<std::size_t>(place[0][i])) + static_cast<std::size_t>(place[1][i]) * numbers;
                 constexpr std::size_t together = packs == 1 ? 8 : packs == 2 ? 4 : 2;
                 V total[packs] = {};
-                for (std::size_t j = 0; j < w; j += together) {
+                for (std::size_t j = 0; j < between; j += together) {
                     V sum[together][packs];
                     for (std::size_t l = 0; l < Across; ++l) {
                         const V weight = splat<V>(weights[i][8 + l]);
@@ -481,7 +191,7 @@ class PolarImage {
         for (const Real top : tops) {
             part.top = std::max(part.top, static_cast<double>(top) / scale);
         }
-        for (std::size_t block = static_cast<std::size_t>(nearest) / PolarTable::block; block <= (static_cast<std::size_t>(farthest) + w - 1) / PolarTable::block; ++block) {
+        for (std::size_t block = static_cast<std::size_t>(nearest) / PolarTable::block; block <= (static_cast<std::size_t>(farthest) + between - 1) / PolarTable::block; ++block) {
             part.error = std::max(part.error, zone.errors[block]);
         }
     }
@@ -515,21 +225,11 @@ class PolarImage {
     }
 
    private:
-    Tiles tiles_;
-    std::vector<Tiles::Tile> all_tiles_;
-    double step_ = 1.0, all_ = 0.0, reach_ = 0.0;
+    const Tiles* tiles_ = nullptr;
+    std::vector<Tiles::Tile> list_;
+    double step_ = 1.0;
     int threads_ = 1;
-    ZernikeField field_;
-    Doubles outer_parts_, inner_parts_;
-    std::vector<double> v_, bright_;
-    Doubles sizes_;  // of orders, at each look
-    struct Tail {
-        double near = 0.0, far = 0.0;
-        double at(double v, double aliasing) const { return v > 0.0 ? std::min(near, far * 1.572 / (v * std::cbrt(v)) + aliasing * near) : near; }
-    };
-    std::vector<Tail> order_tails_;
-    std::vector<PolarZone> zones_;
-    std::size_t zone_count_ = 0;
+    PolarZones zones_;
     std::vector<Part> parts_;
 };
 

@@ -27,8 +27,9 @@ struct PolarTable {
     std::size_t w, blocks, degrees;
     Doubles values;
     std::vector<std::size_t> reached;  // of each block, the degrees that matter; the others add less than `left_out`
-    double aliasing, magnitude, rounding;
-    double weight, largest;  // the largest sum of taps, and 1 / transform
+    GriddingKernel::Aliasing aliasing;
+    double magnitude, rounding;
+    double weight, chain, largest;  // of the taps; and the largest 1 / transform
     SingleTaps singles;
     DoubleTaps doubles;
 
@@ -39,7 +40,8 @@ struct PolarTable {
         : step(step_), beta(beta_), w(taps), blocks(rounded(block_count)), degrees(rounded(degree_count)),
           values(blocks * degrees * block), reached(blocks), singles({w, beta}), doubles({w, beta}) {
         const GriddingKernel kernel(w, beta);
-        weight = kernel.transform(0.0) * (1.0 + kernel.aliases(0.0));
+        weight = kernel.weight();
+        chain = kernel.chain();
         aliasing = kernel.aliasing(step);
         const std::size_t nodes = half_nodes(kernel);
         constexpr double pi = 3.14159265358979323846;

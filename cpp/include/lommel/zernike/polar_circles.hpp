@@ -5,32 +5,35 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "lommel/base/cache.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/fft.hpp"
+#include "lommel/special/gridding.hpp"
 #include "lommel/zernike/disk.hpp"
 #include "lommel/zernike/polar_table.hpp"
 
-#ifndef POLAR_TIMER
-#define POLAR_TIMER(name)
-#endif
 namespace lommel {
 
-// Equal angles around a circle, and the kernel that interpolates between them.
-template <class Real>
-struct PolarCircle {
-    RowFft<Real> fft;
-    GriddingKernel kernel;
-    std::vector<double> gains, aliases;  // of each order: 1 / transform, and the bound on the aliases
-    double weight;                       // the largest sum of taps
-    Taps<Real> taps;
+template <class T>
+using Aligned = std::vector<T, AlignedAllocator<T>>;
 
-    PolarCircle(std::size_t points, std::size_t w)
-        : fft(points), kernel(GriddingKernel::of(w, w < 8 ? 3.0 : 2.0)),
-          weight(kernel.transform(0.0) * (1.0 + kernel.aliases(0.0))), taps(kernel) {
+// Equal angles around a circle, and the kernel that interpolates between them.
+struct PolarCircle {
+    RowFft<float> single;
+    RowFft<double> exact;
+    GriddingKernel kernel;
+    std::vector<double> gains, aliases;  // of each order: 1 / transform, and the bound on its aliases
+    double weight, chain;                // of the taps
+    SingleTaps singles;
+    DoubleTaps doubles;
+
+    PolarCircle(std::size_t points, std::size_t taps)
+        : single(points), exact(points), kernel(GriddingKernel::of(taps, taps < 8 ? 3.0 : 2.0)), weight(kernel.weight()),
+          chain(kernel.chain()), singles(kernel), doubles(kernel) {
         for (std::size_t m = 0; m < points / 4; ++m) {
             const double omega = 6.283185307179586477 * static_cast<double>(m) / static_cast<double>(points);
             gains.push_back(1.0 / kernel.transform(omega));
@@ -38,8 +41,14 @@ struct PolarCircle {
         }
     }
 
-    bool is(std::size_t points, std::size_t w) const { return fft.n == points && kernel.w == w; }
-    std::size_t bytes() const { return 64 * fft.n; }
+    std::size_t points() const { return single.n; }
+    const RowFft<float>& fft(float) const { return single; }
+    const RowFft<double>& fft(double) const { return exact; }
+    const SingleTaps& taps(float) const { return singles; }
+    const DoubleTaps& taps(double) const { return doubles; }
+
+    bool is(std::size_t points, std::size_t taps) const { return single.n == points && kernel.w == taps; }
+    std::size_t bytes() const { return 64 * single.n; }
     static constexpr std::size_t most_bytes = std::size_t{4} << 20;
 };
 
@@ -51,38 +60,6 @@ struct PolarDisk {
     std::size_t degrees;
     const std::size_t* reached;
 };
-
-// Four numbers, and four columns of four as rows.
-template <class Real>
-struct Quad {
-    Real at[4];
-};
-template <class Real>
-LOMMEL_INLINE void turn(const Real (*from)[fft_rows], std::size_t first, Quad<Real>* out) {
-    for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            out[i].at[k] = from[k][first + i];
-        }
-    }
-}
-#if defined(__GNUC__) && !defined(__clang__)
-LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<float>* out) {
-    typedef float quad __attribute__((vector_size(16)));
-    typedef std::int32_t places __attribute__((vector_size(16)));
-    const quad a = load<quad>(from[0] + first), b = load<quad>(from[1] + first), c = load<quad>(from[2] + first), d = load<quad>(from[3] + first);
-    const places low = {0, 4, 1, 5}, high = {2, 6, 3, 7}, first_half = {0, 1, 4, 5}, second_half = {2, 3, 6, 7};
-    const quad ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab2 = __builtin_shuffle(a, b, high),
-               cd2 = __builtin_shuffle(c, d, high);
-    const quad rows[4] = {__builtin_shuffle(ab, cd, first_half), __builtin_shuffle(ab, cd, second_half),
-                          __builtin_shuffle(ab2, cd2, first_half), __builtin_shuffle(ab2, cd2, second_half)};
-    for (std::size_t i = 0; i < 4; ++i) {
-        store(out[i].at, rows[i]);
-    }
-}
-#endif
-
-template <class T>
-using Aligned = std::vector<T, AlignedAllocator<T>>;
 
 // Stores numbers of one precision as those of another.
 template <std::size_t Lanes, class V, class To>
@@ -96,15 +73,15 @@ LOMMEL_INLINE void convert(V from, To* to) {
     }
 }
 
-// Spectra of sixteen circles: what is transformed over the azimuthal orders.
+// Spectra of sixteen circles, eight together: what is transformed over the azimuthal orders.
 template <class Fft>
-struct PolarScratch {
+struct PolarSpectra {
     Aligned<Fft> spectrum[2], other;
 
     // Sums over degrees, A_m and B_m, as c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2 times gains[m], for transforms of
     // length n. Calls seen(m, p, size) with the magnitudes of each vector p of circles, at least |c_m| + |c_{-m}|.
     template <class I, class Seen>
-    LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const PolarDisk* disks, std::size_t disk_count, std::size_t block,
+    LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const std::vector<PolarDisk>& disks, std::size_t block,
                                std::size_t orders, const Seen& seen) {
         using V = typename I::pack;
         constexpr std::size_t packs = PolarTable::block / I::lanes;
@@ -124,8 +101,7 @@ struct PolarScratch {
                     parts[c][p] = splat<V>(0.0);
                 }
             }
-            for (std::size_t d = 0; d < disk_count; ++d) {
-                const PolarDisk& disk = disks[d];
+            for (const PolarDisk& disk : disks) {
                 if (m >= disk.series->orders || m >= disk.reached[block]) {
                     continue;
                 }
@@ -172,11 +148,40 @@ struct PolarScratch {
     }
 };
 
-// What a block of circles is off by: of U interpolated around the circles, and how large its numbers are.
+// Four numbers, and four columns of four as rows.
+template <class Real>
+struct Quad {
+    Real at[4];
+};
+template <class Real>
+LOMMEL_INLINE void turn(const Real (*from)[fft_rows], std::size_t first, Quad<Real>* out) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            out[i].at[k] = from[k][first + i];
+        }
+    }
+}
+#if defined(__GNUC__) && !defined(__clang__)
+LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<float>* out) {
+    typedef float quad __attribute__((vector_size(16)));
+    typedef std::int32_t places __attribute__((vector_size(16)));
+    const quad a = load<quad>(from[0] + first), b = load<quad>(from[1] + first), c = load<quad>(from[2] + first), d = load<quad>(from[3] + first);
+    const places low = {0, 4, 1, 5}, high = {2, 6, 3, 7}, first_half = {0, 1, 4, 5}, second_half = {2, 3, 6, 7};
+    const quad ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab2 = __builtin_shuffle(a, b, high),
+               cd2 = __builtin_shuffle(c, d, high);
+    const quad rows[4] = {__builtin_shuffle(ab, cd, first_half), __builtin_shuffle(ab, cd, second_half),
+                          __builtin_shuffle(ab2, cd2, first_half), __builtin_shuffle(ab2, cd2, second_half)};
+    for (std::size_t i = 0; i < 4; ++i) {
+        store(out[i].at, rows[i]);
+    }
+}
+#endif
+
+// What a block of circles is off by once it is interpolated around the circles, and how large its numbers are.
 struct PolarRowError {
-    double around = 0.0;     // aliases of the orders
-    double sum = 0.0;        // sum over orders of the magnitudes that are transformed
-    double largest = 0.0;    // number among the rows
+    double around = 0.0;   // aliases of the orders
+    double sum = 0.0;      // over orders of the magnitudes that are transformed
+    double largest = 0.0;  // number, real or imaginary
 };
 
 // Numbers [circle][angle][eight directions], the angles from -w/2 steps to one eighth of a turn and w/2 steps more. Directions are
@@ -186,10 +191,9 @@ class PolarRows {
    public:
     static constexpr std::size_t directions = 16;  // numbers
 
-    template <class Circle>
-    void resize(const Circle& circle, std::size_t count) {
+    void resize(const PolarCircle& circle, std::size_t count) {
         margin_ = circle.kernel.w / 2;
-        angles_ = circle.fft.n / 8 + 2 * margin_ + 1;
+        angles_ = circle.points() / 8 + 2 * margin_ + 1;
         values_.resize(count * angles_ * directions);
     }
 
@@ -198,25 +202,22 @@ class PolarRows {
     std::size_t margin() const { return margin_; }
     const Real* row(std::size_t i) const { return &values_[i * stride()]; }
 
-    // Circles [16 block, 16 block + 16) of the tables' to rows from `first` on; orders below `orders`.
+    // Circles [16 block, 16 block + 16) of the tables' to rows from `first` on; orders below `orders`, at most a quarter of the
+    // points.
     template <class I, class Fft>
-    LOMMEL_INLINE PolarRowError fill(I isa, const PolarCircle<Fft>& circle, const PolarDisk* disks, std::size_t disk_count,
-                                     std::size_t block, std::size_t orders, std::size_t first, PolarScratch<Fft>& scratch) {
+    LOMMEL_INLINE PolarRowError fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block,
+                                     std::size_t orders, std::size_t first, PolarSpectra<Fft>& spectra) {
         using V = typename I::pack;
         constexpr std::size_t packs = PolarTable::block / I::lanes;
         V around[packs], sum[packs];
         for (std::size_t p = 0; p < packs; ++p) {
             around[p] = sum[p] = splat<V>(0.0);
         }
-        POLAR_TIMER(fillall);
-        {
-        POLAR_TIMER(combine);
-        scratch.combine(isa, circle.fft.n, circle.gains.data(), disks, disk_count, block, orders,
+        spectra.combine(isa, circle.points(), circle.gains.data(), disks, block, orders,
                         [&](std::size_t m, std::size_t p, V size) LOMMEL_INLINE_LAMBDA {
                             around[p] = around[p] + splat<V>(circle.aliases[m]) * size;
                             sum[p] = sum[p] + splat<V>(circle.gains[m]) * size;
                         });
-        }
         PolarRowError error;
         for (std::size_t p = 0; p < packs; ++p) {
             for (std::size_t i = 0; i < I::lanes; ++i) {
@@ -225,9 +226,8 @@ class PolarRows {
             }
         }
         for (std::size_t half = 0; half < 2; ++half) {
-            Fft* from; {POLAR_TIMER(fft);
-            from = circle.fft.run(isa, scratch.spectrum[half].data(), scratch.other.data());} POLAR_TIMER(scatter);
-            error.largest = std::max(error.largest, scatter(isa, from, circle.fft.n, &values_[(first + half * fft_rows) * stride()]));
+            const Fft* from = circle.fft(Fft()).run(isa, spectra.spectrum[half].data(), spectra.other.data());
+            error.largest = std::max(error.largest, scatter(isa, from, circle.points(), &values_[(first + half * fft_rows) * stride()]));
         }
         return error;
     }

@@ -1,0 +1,120 @@
+// A pupil as it is interpolated between circles, in one of several styles, and the error of U that is proven of each.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "lommel/zernike/polar_circles.hpp"
+
+namespace lommel {
+
+// Circles pi / oversampling apart, so many taps between their angles; whether pixels are summed, and circles transformed, in
+// double precision.
+struct PolarStyle {
+    double oversampling;
+    std::size_t taps;
+    bool doubles, exact;
+
+    static constexpr std::size_t between = 8;  // taps between circles
+    static constexpr double pi = 3.14159265358979323846;
+    double step() const { return pi / oversampling; }
+    GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
+};
+// From the most exact one to that which costs least.
+inline constexpr std::array<PolarStyle, 7> polar_styles = {{{4.0, 8, true, true},
+                                                            {4.0, 8, false, true},
+                                                            {2.0, 8, false, true},
+                                                            {2.0, 8, false, false},
+                                                            {2.0, 6, false, false},
+                                                            {1.5, 6, false, false},
+                                                            {1.5, 4, false, false}}};
+
+// What a pupil is made of: its disk and, of the same phase, the one within that is dark.
+struct PolarPupil {
+    struct Disk {
+        const ZernikeSeries* series;
+        double shrunk, weight;  // radius; what its field counts in that of the pupil
+        Doubles parts;          // as PolarDisk has them
+    };
+    std::vector<Disk> disks;
+    double base = 0.0;      // the error of U that its expansion has
+    bool by_phase = false;  // whether the degrees that are left out are few because of the phase, not of the window
+
+    void add(const ZernikeSeries& series, double shrunk, double weight) {
+        disks.push_back({&series, shrunk, weight, Doubles(4 * series.cos_re.size())});
+        for (std::size_t i = 0; i < series.cos_re.size(); ++i) {
+            const double parts[4] = {series.cos_re[i], series.cos_im[i], series.sin_re[i], series.sin_im[i]};
+            for (std::size_t c = 0; c < 4; ++c) {
+                disks.back().parts[4 * i + c] = weight * parts[c];
+            }
+        }
+    }
+
+    std::size_t orders() const {
+        std::size_t most = 0;
+        for (const Disk& disk : disks) {
+            most = std::max(most, disk.series->orders);
+        }
+        return most;
+    }
+    double weight() const {
+        double sum = 0.0;
+        for (const Disk& disk : disks) {
+            sum += std::abs(disk.weight);
+        }
+        return sum;
+    }
+};
+
+// The tables of both disks for one style, up to a reach, and what they do to U.
+struct PolarTables {
+    std::vector<std::shared_ptr<const PolarTable>> tables;
+    std::vector<PolarDisk> disks;
+    double aliasing = 0.0;  // aliases between circles
+    double growth = 0.0;    // relative, of the error of the expansion
+    double sums = 0.0;      // roundings of the sums over degrees, before they are transformed, and of the table
+    double weight, chain, largest;
+
+    PolarTables(const PolarPupil& pupil, const PolarStyle& style, double reach) {
+        const double h = style.step();
+        const GriddingKernel kernel = style.kernel();
+        const std::size_t blocks = static_cast<std::size_t>(reach / (h * PolarTable::block)) + 3;
+        for (const PolarPupil::Disk& disk : pupil.disks) {
+            const auto table = cache<PolarTable>.get(disk.shrunk * h, kernel.w, kernel.beta(), blocks, disk.series->degrees);
+            disks.push_back({disk.series, disk.parts.data(), table->values.data(), table->degrees, table->reached.data()});
+            const double share = std::abs(disk.weight), terms = static_cast<double>(disk.series->degrees);
+            // The chords of what is expanded have |g| <= 1, and its mean square is at most 1 if degrees are left out.
+            aliasing += share * (pupil.by_phase ? table->aliasing.mean : table->aliasing.root);
+            growth = std::max(growth, table->aliasing.root);
+            // Cosines and sines, both by Cauchy: a chain over every other degree, and what the table leaves out and is off by.
+            sums += 2.0 * share * (unit_roundoff * (terms + 8.0) * table->magnitude + table->rounding + PolarTable::left_out);
+            tables.push_back(table);
+        }
+        weight = tables[0]->weight;
+        chain = tables[0]->chain;
+        largest = tables[0]->largest;
+    }
+    const SingleTaps& taps(float) const { return tables[0]->singles; }
+    const DoubleTaps& taps(double) const { return tables[0]->doubles; }
+};
+
+// Bound on the error of U between circles with these errors: `left` is what orders left out can add.
+inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarTables& tables, const PolarCircle& circle,
+                          double left, const PolarRowError& rows) {
+    const double weights = tables.weight * circle.weight, transform = style.exact ? roundoff<double> : roundoff<float>;
+    const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
+    const double between = style.doubles ? tables.taps(0.0).error : tables.taps(0.0f).error;
+    const double around = style.doubles ? circle.taps(0.0).error : circle.taps(0.0f).error;
+    // Storing the circles, a product and a chain of sums for each kernel, and of I three roundings, which are half as much of U.
+    const double sums = pixel * (4.5 + tables.chain / tables.weight + circle.chain / circle.weight);
+    // A complex number is at most sqrt(2) times the larger one of its parts.
+    return (pupil.base + left) * (1.0 + tables.growth) + tables.aliasing + tables.weight * rows.around +
+           weights * (circle.gains.back() * tables.sums + transform * (circle.exact.rounding() + 2.0) * rows.sum) +
+           1.42 * 1.01 * (weights * sums + between * circle.weight + around * tables.weight) * rows.largest;
+}
+
+}  // namespace lommel

@@ -55,6 +55,17 @@ class Tiles {
         return made;
     }
 
+    // Whether all pixels of a tile are in the image in all directions, and whether one is in one of them.
+    bool whole(const Tile& tile) const {
+        const std::int64_t most = tile.a + side - 1;
+        return most <= std::min(std::min(row, column), std::min(height - 1 - row, width - 1 - column));
+    }
+    bool visible(std::int64_t a, std::int64_t b, std::size_t direction) const {
+        const std::int64_t right[directions] = {a, -b, -a, b, b, -a, -b, a}, down[directions] = {b, a, -b, -a, a, b, -a, -b};
+        const std::int64_t x = column + right[direction], y = row + down[direction];
+        return x >= 0 && x < width && y >= 0 && y < height;
+    }
+
     // Calls f(line) for the lines of a tile whose distances have squares in [low, high).
     template <class F>
     void lines(const Tile& tile, std::int64_t low, std::int64_t high, const F& f) const {

@@ -114,7 +114,7 @@ class GriddingKernel {
         }();
         out.assign(terms * stride, 0.0);
         double worst = 0.0;
-        for (std::size_t i = 0; i < w; ++i) {
+        for (std::size_t i = 0; i < std::min(w, stride); ++i) {
             const double middle = 0.5 * static_cast<double>(w) - static_cast<double>(i) - 0.5;
             std::array<Number, all> values, powers{}, before{}, here{}, next;
             for (std::size_t j = 0; j < all; ++j) {
@@ -192,10 +192,10 @@ class GriddingKernel {
     double beta_, top_;
 };
 
-// Its taps as polynomials of so many terms, for eight at once.
-template <class Real, std::size_t Terms>
+// Its taps as polynomials of so many terms, for so many at once.
+template <class Real, std::size_t Terms, std::size_t Most>
 struct TapPolynomials {
-    static constexpr std::size_t terms = Terms, taps = 8;
+    static constexpr std::size_t terms = Terms, taps = Most;
     alignas(64) Real at[Terms][taps];  // from the highest power down
     double error;                      // bound on the sum of the errors of all taps at any place, roundings included
 
@@ -213,8 +213,8 @@ struct TapPolynomials {
         error += units * roundoff<Real>;
     }
 };
-using SingleTaps = TapPolynomials<float, 8>;
-using DoubleTaps = TapPolynomials<double, 10>;
+using SingleTaps = TapPolynomials<float, 8, 8>;
+using DoubleTaps = TapPolynomials<double, 11, 16>;
 template <class Real>
 using Taps = std::conditional_t<sizeof(Real) == 8, DoubleTaps, SingleTaps>;
 

@@ -41,6 +41,7 @@ struct PolarCircle {
         }
     }
 
+    static constexpr std::size_t least_points = 48;  // an eighth of a turn is longer than half of any kernel
     std::size_t points() const { return single.n; }
     const RowFft<float>& fft(float) const { return single; }
     const RowFft<double>& fft(double) const { return exact; }

@@ -31,7 +31,7 @@ class PolarImage {
 
     // Makes ready for I off by `tol` of the peak at most.
     void prepare(const PolarPupil& pupil, double tol) {
-        { POLAR_TIMER(plan); zones_.plan(pupil, step_, tiles_->farthest(), tol); }
+        { POLAR_TIMER(plan); zones_.plan(pupil, step_, tiles_->nearest(), tiles_->farthest(), tol); }
         { POLAR_TIMER(rows); zones_.fill(pupil, threads_); }
     }
 
@@ -51,14 +51,16 @@ class PolarImage {
                 if (!lines.empty()) {
                     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                         Part& part = parts_[i * zones_.size() + z];
-                        if (zone.style->doubles) {
-                            pixels<8, double>(isa, zone, list_[i], lines, scale, buffer, part);
-                        } else if (zone.style->taps == 8) {
-                            pixels<8, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                        } else if (zone.style->taps == 6) {
-                            pixels<6, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                        if (zone.style->doubles && zone.style->around == 10) {
+                            pixels<10, 10, double>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else if (zone.style->doubles) {
+                            pixels<10, 8, double>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else if (zone.style->around == 8) {
+                            pixels<8, 8, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else if (zone.style->around == 6) {
+                            pixels<8, 6, float>(isa, zone, list_[i], lines, scale, buffer, part);
                         } else {
-                            pixels<4, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                            pixels<8, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
                         }
                     });
                 }
@@ -79,8 +81,6 @@ class PolarImage {
     const PolarZones& zones() const { return zones_; }
 
    private:
-    static constexpr std::size_t between = PolarStyle::between;
-
     // Of a tile in a zone.
     struct Part {
         double error = 0.0, top = 0.0;  // of U, and the largest I
@@ -96,7 +96,7 @@ class PolarImage {
     static LOMMEL_INLINE void taps(const Taps<Real>& polynomials, Real x, Real* out) {
         constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
         const V at = splat<V>(x);
-        for (std::size_t part = 0; part < 8; part += lanes) {
+        for (std::size_t part = 0; part < Taps<Real>::taps; part += lanes) {
             V sum = load<V>(polynomials.at[0] + part);
             for (std::size_t k = 1; k < Taps<Real>::terms; ++k) {
                 sum = sum * at + load<V>(polynomials.at[k] + part);
@@ -106,7 +106,7 @@ class PolarImage {
     }
 
     // The pixels of a tile on some lines, in one zone.
-    template <std::size_t Across, class Real, class I, class T>
+    template <std::size_t Between, std::size_t Around, class Real, class I, class T>
     LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines, double scale,
                               Tiles::Buffer<T>& buffer, Part& part) const {
         using V = std::conditional_t<sizeof(Real) == 8, typename I::pack, typename I::floats>;
@@ -117,18 +117,20 @@ class PolarImage {
         const PolarRows<Real>& rows = zone.rows(Real());
         const double per_row = step_ / zone.style->step(), per_angle = static_cast<double>(zone.circle->points()) / 6.283185307179586477;
         // Places are those of the first taps.
-        const double row_shift = static_cast<double>(PolarTable::before) - static_cast<double>(zone.first * PolarTable::block) - 0.5 * between;
-        const double angle_shift = static_cast<double>(rows.margin()) - 0.5 * Across;
+        const double row_shift = static_cast<double>(PolarTable::before) - static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between;
+        const double angle_shift = static_cast<double>(rows.margin()) - 0.5 * Around;
         const std::size_t stride = rows.stride();
         const V scales = splat<V>(static_cast<Real>(scale));
         Real tops[8] = {};
+        const bool whole = tiles_->whole(tile);
         std::int64_t nearest = 1 << 30, farthest = 0;
         for (const Tiles::Line& line : lines) {
             look();
             const std::size_t here = static_cast<std::size_t>(line.count);
             alignas(64) double x[2][at_once];
             alignas(64) std::int64_t place[2][at_once];
-            alignas(64) Real weights[at_once][16], squares[at_once][numbers];
+            constexpr std::size_t most = Taps<Real>::taps;
+            alignas(64) Real weights[at_once][2 * most], squares[at_once][numbers];
             for (std::size_t i = 0; i < here; i += I::lanes) {
                 alignas(64) double b[I::lanes];
                 for (std::size_t k = 0; k < I::lanes; ++k) {
@@ -147,16 +149,16 @@ class PolarImage {
             farthest = std::max(farthest, place[0][here - 1]);
             for (std::size_t i = 0; i < here; ++i) {
                 taps<Narrow>(zone.tables->taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
-                taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + 8);
+                taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + most);
             }
             for (std::size_t i = 0; i < here; ++i) {
                 const Real* start = rows.row(static_cast<std::size_t>(place[0][i])) + static_cast<std::size_t>(place[1][i]) * numbers;
-                constexpr std::size_t together = packs == 1 ? 8 : packs == 2 ? 4 : 2;
+                constexpr std::size_t together = packs == 1 ? 8 : Between == 10 ? (packs == 2 ? 5 : 2) : packs == 2 ? 4 : 2;
                 V total[packs] = {};
-                for (std::size_t j = 0; j < between; j += together) {
+                for (std::size_t j = 0; j < Between; j += together) {
                     V sum[together][packs];
-                    for (std::size_t l = 0; l < Across; ++l) {
-                        const V weight = splat<V>(weights[i][8 + l]);
+                    for (std::size_t l = 0; l < Around; ++l) {
+                        const V weight = splat<V>(weights[i][most + l]);
                         for (std::size_t k = 0; k < together; ++k) {
                             const Real* at = start + (j + k) * stride + l * numbers;
                             for (std::size_t p = 0; p < packs; ++p) {
@@ -182,16 +184,17 @@ class PolarImage {
                     values[k] = squares[i][k] + squares[i][4 + k];
                     values[4 + k] = squares[i][8 + k] + squares[i][12 + k];
                 }
+                const std::int64_t b = line.b + static_cast<std::int64_t>(i);
                 for (std::size_t k = 0; k < 8; ++k) {
-                    tops[k] = values[k] > tops[k] ? values[k] : tops[k];
+                    tops[k] = values[k] > tops[k] && (whole || tiles_->visible(line.a, b, k)) ? values[k] : tops[k];
                 }
-                buffer.put(tile, line.a, line.b + static_cast<std::int64_t>(i), values);
+                buffer.put(tile, line.a, b, values);
             }
         }
         for (const Real top : tops) {
             part.top = std::max(part.top, static_cast<double>(top) / scale);
         }
-        for (std::size_t block = static_cast<std::size_t>(nearest) / PolarTable::block; block <= (static_cast<std::size_t>(farthest) + between - 1) / PolarTable::block; ++block) {
+        for (std::size_t block = static_cast<std::size_t>(nearest) / PolarTable::block; block <= (static_cast<std::size_t>(farthest) + Between - 1) / PolarTable::block; ++block) {
             part.error = std::max(part.error, zone.errors[block]);
         }
     }

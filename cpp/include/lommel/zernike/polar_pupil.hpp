@@ -12,26 +12,25 @@
 
 namespace lommel {
 
-// Circles pi / oversampling apart, so many taps between their angles; whether pixels are summed, and circles transformed, in
-// double precision.
+// Circles pi / oversampling apart, so many taps between them and between their angles; whether pixels are summed, and circles
+// transformed, in double precision.
 struct PolarStyle {
     double oversampling;
-    std::size_t taps;
+    std::size_t between, around;
     bool doubles, exact;
 
-    static constexpr std::size_t between = 8;  // taps between circles
-    static constexpr double pi = 3.14159265358979323846;
-    double step() const { return pi / oversampling; }
+    double step() const { return 3.14159265358979323846 / oversampling; }
     GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
 };
 // From the most exact one to that which costs least.
-inline constexpr std::array<PolarStyle, 7> polar_styles = {{{4.0, 8, true, true},
-                                                            {4.0, 8, false, true},
-                                                            {2.0, 8, false, true},
-                                                            {2.0, 8, false, false},
-                                                            {2.0, 6, false, false},
-                                                            {1.5, 6, false, false},
-                                                            {1.5, 4, false, false}}};
+inline constexpr std::array<PolarStyle, 8> polar_styles = {{{3.0, 10, 10, true, true},
+                                                            {2.0, 10, 8, true, true},
+                                                            {4.0, 8, 8, false, true},
+                                                            {2.0, 8, 8, false, true},
+                                                            {2.0, 8, 8, false, false},
+                                                            {2.0, 8, 6, false, false},
+                                                            {1.5, 8, 6, false, false},
+                                                            {1.5, 8, 4, false, false}}};
 
 // What a pupil is made of: its disk and, of the same phase, the one within that is dark.
 struct PolarPupil {

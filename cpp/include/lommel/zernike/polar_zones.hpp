@@ -40,12 +40,13 @@ struct PolarZone {
 
 class PolarZones {
    public:
-    // For pixels `step` in v apart, up to the square `farthest` of a distance in pixels, I off by `tol` of the peak at most.
-    void plan(const PolarPupil& pupil, double step, std::int64_t farthest, double tol) {
-        const double reach = step * std::sqrt(static_cast<double>(farthest));
+    // For pixels `step` in v apart, of distances whose squares in pixels are `nearest` to `farthest`; I off by `tol` of the largest
+    // among them at most.
+    void plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol) {
+        const double near = step * std::sqrt(static_cast<double>(nearest)), reach = step * std::sqrt(static_cast<double>(farthest));
         const PolarLooks looks(pupil, reach);
         const PolarOrders orders(pupil);
-        const double all = PolarBudget::image * tol * *std::max_element(looks.bright.begin(), looks.bright.end());
+        const double all = PolarBudget::image * tol * looks.brightest(near, reach);
         // Of U, where it is that bright.
         const auto allowed = [&](double intensity) {
             const double u = PolarBudget::brighter * std::sqrt(intensity);
@@ -60,7 +61,7 @@ class PolarZones {
         }
         count_ = 0;
         zones_.resize(polar_styles.size());
-        double from = 0.0;
+        double from = near;
         for (std::size_t s = 0; s < polar_styles.size() && from < reach; ++s) {
             const double to = std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
             if (to <= from) {
@@ -72,10 +73,10 @@ class PolarZones {
             zone.tables = tables[s];
             zone.first = static_cast<std::size_t>(from / ring);
             zone.last = static_cast<std::size_t>(to / ring) + 3;
-            zone.low = static_cast<std::int64_t>(std::ceil(from * from / (step * step)));
+            zone.low = count_ == 1 ? nearest : zones_[count_ - 2].high;
             zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
             zone.orders = orders.least(PolarBudget::orders * most, from, zone.tables->growth);
-            zone.circle = circle(zone.orders, zone.style->taps);
+            zone.circle = circle(zone.orders, zone.style->around);
             zone.errors.assign(zone.last - zone.first, orders.left(zone.orders, from, zone.tables->growth));
             from = to;
         }
@@ -104,7 +105,7 @@ class PolarZones {
 
    private:
     static std::shared_ptr<const PolarCircle> circle(std::size_t orders, std::size_t taps) {
-        return cache<PolarCircle>.get(RowFft<float>::length(4 * orders), taps);
+        return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points, 4 * orders)), taps);
     }
 
     // The distance from which on a style does.
@@ -117,7 +118,7 @@ class PolarZones {
         for (std::size_t i = looks.v.size(); i-- > 0;) {
             const double most = allowed(looks.brightest(looks.v[i], looks.v[i]));
             if (!here || i % block == block - 1) {
-                here = circle(orders.least(PolarBudget::orders * most, looks.v[i], tables.growth), style.taps);
+                here = circle(orders.least(PolarBudget::orders * most, looks.v[i], tables.growth), style.around);
                 looks.rows(i / block, tables, *here, rows.data());
             }
             if (polar_error(pupil, style, tables, *here, PolarBudget::orders * most, rows[i % block]) > PolarBudget::promise * most) {

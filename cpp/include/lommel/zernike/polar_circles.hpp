@@ -180,6 +180,7 @@ LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<f
 
 // What a block of circles is off by once it is interpolated around the circles, and how large its numbers are.
 struct PolarRowError {
+    double sums = 0.0;     // roundings before the transforms
     double around = 0.0;   // aliases of the orders
     double sum = 0.0;      // over orders of the magnitudes that are transformed
     double largest = 0.0;  // number, real or imaginary

@@ -148,7 +148,7 @@ class PolarImage {
             nearest = std::min(nearest, place[0][0]);
             farthest = std::max(farthest, place[0][here - 1]);
             for (std::size_t i = 0; i < here; ++i) {
-                taps<Narrow>(zone.tables->taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
+                taps<Narrow>(zone.kernels->taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
                 taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + most);
             }
             for (std::size_t i = 0; i < here; ++i) {

@@ -66,7 +66,7 @@ class PolarLooks {
     }
 
     // What circles at the looks of a block would be off by.
-    void rows(std::size_t b, const PolarTables& tables, const PolarCircle& circle, PolarRowError* out) const {
+    void rows(std::size_t b, const PolarKernels& kernels, const PolarCircle& circle, PolarRowError* out) const {
         for (std::size_t i = 0; i < block; ++i) {
             out[i] = PolarRowError();
         }
@@ -80,7 +80,7 @@ class PolarLooks {
         for (std::size_t i = 0; i < block; ++i) {
             // What tables have divided by makes circles larger, the most at the edge of the spectrum.
             const double i_here = b * block + i < bright.size() ? bright[b * block + i] : 0.0;
-            out[i] = {tables.largest * out[i].around, tables.largest * out[i].sum, 1.2 * tables.largest * circle.gains[0] * std::sqrt(i_here)};
+            out[i] = {0.0, kernels.largest * out[i].around, kernels.largest * out[i].sum, 1.2 * kernels.largest * circle.gains[0] * std::sqrt(i_here)};
         }
     }
 

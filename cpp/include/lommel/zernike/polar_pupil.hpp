@@ -69,51 +69,63 @@ struct PolarPupil {
     }
 };
 
-// The tables of both disks for one style, up to a reach, and what they do to U.
+// The kernels of both disks between circles of one style, and what they do to U.
+struct PolarKernels {
+    std::vector<std::shared_ptr<const PolarKernel>> disks;
+    double aliasing = 0.0;  // aliases
+    double growth = 0.0;    // relative, of the error of the expansion
+    double weight, chain, largest;
+
+    PolarKernels(const PolarPupil& pupil, const PolarStyle& style) {
+        const GriddingKernel kernel = style.kernel();
+        for (const PolarPupil::Disk& disk : pupil.disks) {
+            disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
+            // The chords of what is expanded have |g| <= 1, and its mean square is at most 1 if degrees are left out.
+            const GriddingKernel::Aliasing& aliases = disks.back()->aliasing;
+            aliasing += std::abs(disk.weight) * (pupil.by_phase ? aliases.mean : aliases.root);
+            growth = std::max(growth, aliases.root);
+        }
+        weight = disks[0]->weight;
+        chain = disks[0]->chain;
+        largest = disks[0]->largest;
+    }
+    const SingleTaps& taps(float) const { return disks[0]->singles; }
+    const DoubleTaps& taps(double) const { return disks[0]->doubles; }
+};
+
+// Their tables, of so many blocks.
 struct PolarTables {
     std::vector<std::shared_ptr<const PolarTable>> tables;
     std::vector<PolarDisk> disks;
-    double aliasing = 0.0;  // aliases between circles
-    double growth = 0.0;    // relative, of the error of the expansion
-    double sums = 0.0;      // roundings of the sums over degrees, before they are transformed, and of the table
-    double weight, chain, largest;
+    double error = 0.0;  // of U, before it is transformed, by roundings of the sums over degrees and of the table
 
-    PolarTables(const PolarPupil& pupil, const PolarStyle& style, double reach) {
-        const double h = style.step();
-        const GriddingKernel kernel = style.kernel();
-        const std::size_t blocks = static_cast<std::size_t>(reach / (h * PolarTable::block)) + 3;
-        for (const PolarPupil::Disk& disk : pupil.disks) {
-            const auto table = cache<PolarTable>.get(disk.shrunk * h, kernel.w, kernel.beta(), blocks, disk.series->degrees);
-            disks.push_back({disk.series, disk.parts.data(), table->values.data(), table->degrees, table->reached.data()});
-            const double share = std::abs(disk.weight), terms = static_cast<double>(disk.series->degrees);
-            // The chords of what is expanded have |g| <= 1, and its mean square is at most 1 if degrees are left out.
-            aliasing += share * (pupil.by_phase ? table->aliasing.mean : table->aliasing.root);
-            growth = std::max(growth, table->aliasing.root);
+    PolarTables(const PolarPupil& pupil, const PolarKernels& kernels, std::size_t blocks) {
+        for (std::size_t i = 0; i < pupil.disks.size(); ++i) {
+            const PolarPupil::Disk& disk = pupil.disks[i];
+            const PolarKernel& k = *kernels.disks[i];
+            tables.push_back(cache<PolarTable>.get(k.step, k.kernel.w, k.kernel.beta(), blocks, disk.series->degrees));
+            const PolarTable& table = *tables.back();
+            disks.push_back({disk.series, disk.parts.data(), table.values.data(), table.degrees, table.reached.data()});
             // Cosines and sines, both by Cauchy: a chain over every other degree, and what the table leaves out and is off by.
-            sums += 2.0 * share * (unit_roundoff * (terms + 8.0) * table->magnitude + table->rounding + PolarTable::left_out);
-            tables.push_back(table);
+            const double chain = unit_roundoff * (static_cast<double>(disk.series->degrees) + 8.0);
+            error += 2.0 * std::abs(disk.weight) * (chain * table.magnitude + table.rounding + PolarTable::left_out);
         }
-        weight = tables[0]->weight;
-        chain = tables[0]->chain;
-        largest = tables[0]->largest;
     }
-    const SingleTaps& taps(float) const { return tables[0]->singles; }
-    const DoubleTaps& taps(double) const { return tables[0]->doubles; }
 };
 
 // Bound on the error of U between circles with these errors: `left` is what orders left out can add.
-inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarTables& tables, const PolarCircle& circle,
+inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels, const PolarCircle& circle,
                           double left, const PolarRowError& rows) {
-    const double weights = tables.weight * circle.weight, transform = style.exact ? roundoff<double> : roundoff<float>;
+    const double weights = kernels.weight * circle.weight, transform = style.exact ? roundoff<double> : roundoff<float>;
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
-    const double between = style.doubles ? tables.taps(0.0).error : tables.taps(0.0f).error;
+    const double between = style.doubles ? kernels.taps(0.0).error : kernels.taps(0.0f).error;
     const double around = style.doubles ? circle.taps(0.0).error : circle.taps(0.0f).error;
     // Storing the circles, a product and a chain of sums for each kernel, and of I three roundings, which are half as much of U.
-    const double sums = pixel * (4.5 + tables.chain / tables.weight + circle.chain / circle.weight);
+    const double sums = pixel * (4.5 + kernels.chain / kernels.weight + circle.chain / circle.weight);
     // A complex number is at most sqrt(2) times the larger one of its parts.
-    return (pupil.base + left) * (1.0 + tables.growth) + tables.aliasing + tables.weight * rows.around +
-           weights * (circle.gains.back() * tables.sums + transform * (circle.exact.rounding() + 2.0) * rows.sum) +
-           1.42 * 1.01 * (weights * sums + between * circle.weight + around * tables.weight) * rows.largest;
+    return (pupil.base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernels.weight * rows.around +
+           weights * (circle.gains.back() * rows.sums + transform * (circle.exact.rounding() + 2.0) * rows.sum) +
+           1.42 * 1.01 * (weights * sums + between * circle.weight + around * kernels.weight) * rows.largest;
 }
 
 }  // namespace lommel

@@ -17,33 +17,45 @@
 
 namespace lommel {
 
+// A kernel between circles, `step` in v apart: its taps, and what its aliases do.
+struct PolarKernel {
+    double step;
+    GriddingKernel kernel;
+    GriddingKernel::Aliasing aliasing;
+    double weight, chain, largest;  // of the taps; and the largest 1 / transform
+    SingleTaps singles;
+    DoubleTaps doubles;
+
+    PolarKernel(double apart, std::size_t taps, double beta)
+        : step(apart), kernel(taps, beta), aliasing(kernel.aliasing(step)), weight(kernel.weight()), chain(kernel.chain()),
+          largest(1.0 / kernel.transform(step)), singles(kernel), doubles(kernel) {}
+
+    bool is(double apart, std::size_t taps, double beta) const { return step == apart && kernel.w == taps && kernel.beta() == beta; }
+    std::size_t bytes() const { return sizeof(PolarKernel); }
+    static constexpr std::size_t most_bytes = std::size_t{1} << 20;
+};
+
 // F_n(j) = 2 / (pi (n+1)) int_0^pi sin(a) sin((n+1) a) C(j h cos a) / t(h cos a) da, C the cosine for even n and the sine for odd
 // n, t the transform of the kernel: sum_j phi(v/h - j) F_n(j) is what zernike_transforms() gives, but for aliases. Sixteen
 // distances, of j rising, stand together: [block][n][distance], j = -16 the first.
 struct PolarTable {
     static constexpr std::size_t block = 16, before = 16;
 
-    double step, beta;
-    std::size_t w, blocks, degrees;
+    double step;
+    GriddingKernel kernel;
+    std::size_t blocks, degrees;
     Doubles values;
     std::vector<std::size_t> reached;  // of each block, the degrees that matter; the others add less than `left_out`
-    GriddingKernel::Aliasing aliasing;
+    // The root of sum (n+1)^2 F_n^2, at most, and what roundings do to it.
     double magnitude, rounding;
-    double weight, chain, largest;  // of the taps; and the largest 1 / transform
-    SingleTaps singles;
-    DoubleTaps doubles;
 
     // What degrees that a block leaves out can add to U, whatever the pupil.
     static constexpr double left_out = 1e-13;
 
-    PolarTable(double step_, std::size_t taps, double beta_, std::size_t block_count, std::size_t degree_count)
-        : step(step_), beta(beta_), w(taps), blocks(rounded(block_count)), degrees(rounded(degree_count)),
-          values(blocks * degrees * block), reached(blocks), singles({w, beta}), doubles({w, beta}) {
-        const GriddingKernel kernel(w, beta);
-        weight = kernel.weight();
-        chain = kernel.chain();
-        aliasing = kernel.aliasing(step);
-        const std::size_t nodes = half_nodes(kernel);
+    PolarTable(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count)
+        : step(apart), kernel(taps, beta), blocks((block_count + 3) / 4 * 4), degrees((degree_count + 15) / 16 * 16),
+          values(blocks * degrees * block), reached(blocks) {
+        const std::size_t nodes = half_nodes();
         constexpr double pi = 3.14159265358979323846;
         const std::size_t turn = 8 * nodes;  // in units of half an angle between nodes, a_k = (2k + 1) units
         std::vector<double> sines(turn);
@@ -63,15 +75,14 @@ struct PolarTable {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { fill(isa, b, weights, places, shares, waves); });
         }
         // 1 / transform is largest at the edge; roundings of arguments of up to v are v units.
-        largest = 1.0 / kernel.transform(step);
-        rounding = 2.3e-16 * largest * std::sqrt(static_cast<double>(degrees)) *
+        rounding = 2.3e-16 / kernel.transform(step) * std::sqrt(static_cast<double>(degrees)) *
                    (static_cast<double>(nodes + 40) + 2.0 * step * static_cast<double>(blocks * block));
         magnitude = 0.0;
         measure();
     }
 
-    bool is(double step_, std::size_t taps, double beta_, std::size_t block_count, std::size_t degree_count) const {
-        return step == step_ && w == taps && beta == beta_ && blocks >= block_count && degrees >= degree_count;
+    bool is(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {
+        return step == apart && kernel.w == taps && kernel.beta() == beta && blocks >= block_count && degrees >= degree_count;
     }
     std::size_t bytes() const { return sizeof(double) * values.size(); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
@@ -79,12 +90,10 @@ struct PolarTable {
     const double* at(std::size_t b) const { return &values[b * degrees * block]; }
 
    private:
-    static std::size_t rounded(std::size_t count) { return (count + 15) / 16 * 16; }
-
     // Half the points of the midpoint rule in a, N: on the strip |Im a| <= b the integrand, without its factors in front, is at
     // most cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b), for t, whose zeros are real, is least on the real line; the rule
     // errs by twice that over exp(2 N b) - 1.
-    std::size_t half_nodes(const GriddingKernel& kernel) const {
+    std::size_t half_nodes() const {
         const double v = step * static_cast<double>(blocks * block), n = static_cast<double>(degrees);
         double best = 1e300;
         for (double b = 0.05; b < 1.5 && step * std::cosh(b) < 3.1; b *= 1.1) {

@@ -28,7 +28,7 @@ struct PolarZone {
     std::int64_t low, high;   // squares of the distances of its pixels, in pixels
     std::size_t first, last;  // blocks of circles of the table
     std::size_t orders;
-    std::shared_ptr<const PolarTables> tables;
+    std::shared_ptr<const PolarKernels> kernels;
     std::shared_ptr<const PolarCircle> circle;
     PolarRows<double> doubles;  // the circles: these or the others
     PolarRows<float> floats;
@@ -53,11 +53,11 @@ class PolarZones {
             return all / (u + std::sqrt(u * u + all));
         };
         std::array<double, polar_styles.size() + 1> starts;
-        std::array<std::shared_ptr<const PolarTables>, polar_styles.size()> tables;
+        std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
         starts.back() = 1e300;
         for (std::size_t s = polar_styles.size(); s-- > 0;) {
-            tables[s] = std::make_shared<const PolarTables>(pupil, polar_styles[s], reach);
-            starts[s] = s == 0 ? 0.0 : start(pupil, polar_styles[s], *tables[s], looks, orders, allowed);
+            kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
+            starts[s] = s == 0 ? 0.0 : start(pupil, polar_styles[s], *kernels[s], looks, orders, allowed);
         }
         count_ = 0;
         zones_.resize(polar_styles.size());
@@ -70,14 +70,14 @@ class PolarZones {
             PolarZone& zone = zones_[count_++];
             const double ring = polar_styles[s].step() * PolarTable::block, most = allowed(looks.brightest(from, to));
             zone.style = &polar_styles[s];
-            zone.tables = tables[s];
+            zone.kernels = kernels[s];
             zone.first = static_cast<std::size_t>(from / ring);
             zone.last = static_cast<std::size_t>(to / ring) + 3;
             zone.low = count_ == 1 ? nearest : zones_[count_ - 2].high;
             zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
-            zone.orders = orders.least(PolarBudget::orders * most, from, zone.tables->growth);
+            zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
             zone.circle = circle(zone.orders, zone.style->around);
-            zone.errors.assign(zone.last - zone.first, orders.left(zone.orders, from, zone.tables->growth));
+            zone.errors.assign(zone.last - zone.first, orders.left(zone.orders, from, zone.kernels->growth));
             from = to;
         }
     }
@@ -110,7 +110,7 @@ class PolarZones {
 
     // The distance from which on a style does.
     template <class Allowed>
-    static double start(const PolarPupil& pupil, const PolarStyle& style, const PolarTables& tables, const PolarLooks& looks,
+    static double start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels, const PolarLooks& looks,
                         const PolarOrders& orders, const Allowed& allowed) {
         constexpr std::size_t block = PolarLooks::block;
         std::array<PolarRowError, block> rows;
@@ -118,10 +118,10 @@ class PolarZones {
         for (std::size_t i = looks.v.size(); i-- > 0;) {
             const double most = allowed(looks.brightest(looks.v[i], looks.v[i]));
             if (!here || i % block == block - 1) {
-                here = circle(orders.least(PolarBudget::orders * most, looks.v[i], tables.growth), style.around);
-                looks.rows(i / block, tables, *here, rows.data());
+                here = circle(orders.least(PolarBudget::orders * most, looks.v[i], kernels.growth), style.around);
+                looks.rows(i / block, kernels, *here, rows.data());
             }
-            if (polar_error(pupil, style, tables, *here, PolarBudget::orders * most, rows[i % block]) > PolarBudget::promise * most) {
+            if (polar_error(pupil, style, kernels, *here, PolarBudget::orders * most, rows[i % block]) > PolarBudget::promise * most) {
                 return i + 1 < looks.v.size() ? looks.v[i + 1] : 1e300;
             }
         }
@@ -130,13 +130,15 @@ class PolarZones {
 
     template <class Fft, class Real>
     static void fill(const PolarPupil& pupil, PolarZone& zone, PolarRows<Real>& rows, int threads) {
+        const PolarTables tables(pupil, *zone.kernels, zone.last);
         parallel_for(zone.errors.size(), threads, [&](std::size_t, std::size_t i) {
             thread_local PolarSpectra<Fft> spectra;
             PolarRowError error;
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                error = rows.fill(isa, *zone.circle, zone.tables->disks, zone.first + i, zone.orders, i * PolarTable::block, spectra);
+                error = rows.fill(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, i * PolarTable::block, spectra);
             });
-            zone.errors[i] = polar_error(pupil, *zone.style, *zone.tables, *zone.circle, zone.errors[i], error);
+            error.sums = tables.error;
+            zone.errors[i] = polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.errors[i], error);
         });
     }
 

@@ -93,10 +93,10 @@ class PolarImage {
 
     // The taps of both kernels at eight at once.
     template <class V, class Real>
-    static LOMMEL_INLINE void taps(const Taps<Real>& polynomials, Real x, Real* out) {
+    static LOMMEL_INLINE void taps(const Taps<Real>& polynomials, Real x, Real* out, std::size_t count = Taps<Real>::taps) {
         constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
         const V at = splat<V>(x);
-        for (std::size_t part = 0; part < Taps<Real>::taps; part += lanes) {
+        for (std::size_t part = 0; part < count; part += lanes) {
             V sum = load<V>(polynomials.at[0] + part);
             for (std::size_t k = 1; k < Taps<Real>::terms; ++k) {
                 sum = sum * at + load<V>(polynomials.at[k] + part);
@@ -148,6 +148,17 @@ class PolarImage {
             nearest = std::min(nearest, place[0][0]);
             farthest = std::max(farthest, place[0][here - 1]);
             for (std::size_t i = 0; i < here; ++i) {
+                if (std::is_same_v<Real, float> && zone.style->exact) {
+                    // Rounded once.
+                    alignas(64) double exact[2][DoubleTaps::taps];
+                    taps<D>(zone.kernels->taps(0.0), x[0][i], exact[0], most);
+                    taps<D>(zone.circle->taps(0.0), x[1][i], exact[1], most);
+                    for (std::size_t k = 0; k < most; ++k) {
+                        weights[i][k] = static_cast<Real>(exact[0][k]);
+                        weights[i][most + k] = static_cast<Real>(exact[1][k]);
+                    }
+                    continue;
+                }
                 taps<Narrow>(zone.kernels->taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
                 taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + most);
             }

@@ -118,8 +118,9 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
                           double left, const PolarRowError& rows) {
     const double weights = kernels.weight * circle.weight, transform = style.exact ? roundoff<double> : roundoff<float>;
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
-    const double between = style.doubles ? kernels.taps(0.0).error : kernels.taps(0.0f).error;
-    const double around = style.doubles ? circle.taps(0.0).error : circle.taps(0.0f).error;
+    // Exact circles have exact taps, rounded once.
+    const double between = style.exact ? kernels.taps(0.0).error + pixel * kernels.weight : kernels.taps(0.0f).error;
+    const double around = style.exact ? circle.taps(0.0).error + pixel * circle.weight : circle.taps(0.0f).error;
     // Storing the circles, a product and a chain of sums for each kernel, and of I three roundings, which are half as much of U.
     const double sums = pixel * (4.5 + kernels.chain / kernels.weight + circle.chain / circle.weight);
     // A complex number is at most sqrt(2) times the larger one of its parts.

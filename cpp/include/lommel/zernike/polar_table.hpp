@@ -171,7 +171,7 @@ struct PolarTable {
     }
 };
 
-// The transforms themselves, at distances that are looked at to see how bright it is there: 60 sinh(k/16), times `shrunk`.
+// The transforms themselves, at distances that are looked at to see how bright it is there: 40 sinh(k/18), times `shrunk`.
 struct LookTable {
     static constexpr std::size_t block = PolarTable::block;
 
@@ -197,9 +197,9 @@ struct LookTable {
         }
     }
 
-    static double at(std::size_t i) { return 60.0 * std::sinh(static_cast<double>(i) / 16.0); }
+    static double at(std::size_t i) { return 40.0 * std::sinh(static_cast<double>(i) / 18.0); }
     // Blocks up to one that holds a distance of at least v.
-    static std::size_t blocks_to(double v) { return static_cast<std::size_t>(16.0 * std::asinh(v / 60.0) + 1.0) / block + 1; }
+    static std::size_t blocks_to(double v) { return static_cast<std::size_t>(18.0 * std::asinh(v / 40.0) + 1.0) / block + 1; }
 
     bool is(double part, std::size_t block_count, std::size_t degree_count) const {
         return shrunk == part && blocks >= block_count && degrees >= degree_count;

@@ -16,7 +16,7 @@ namespace lommel {
 // What the error of a polar image is spent on.
 struct PolarBudget {
     // Of the tolerance, on the image where it is brightest; brightness is a guess, of which U may have this many times more.
-    static constexpr double image = 0.8, brighter = 1.2;
+    static constexpr double image = 0.9, brighter = 1.4;
     // Of what that allows U to be off by: what a style may promise, and what orders left out may add to it.
     static constexpr double promise = 0.9, orders = 0.05;
     // What is asked of all styles where that did not do.
@@ -122,7 +122,7 @@ class PolarZones {
                 looks.rows(i / block, kernels, *here, rows.data());
             }
             if (polar_error(pupil, style, kernels, *here, PolarBudget::orders * most, rows[i % block]) > PolarBudget::promise * most) {
-                return i + 1 < looks.v.size() ? looks.v[i + 1] : 1e300;
+                return i + 2 < looks.v.size() ? looks.v[i + 2] : 1e300;
             }
         }
         return 0.0;

@@ -178,7 +178,7 @@ LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<f
 }
 #endif
 
-// What a block of circles is off by once it is interpolated around the circles, and how large its numbers are.
+// What a circle is off by once it is interpolated around, and how large its numbers are.
 struct PolarRowError {
     double sums = 0.0;     // roundings before the transforms
     double around = 0.0;   // aliases of the orders
@@ -205,10 +205,10 @@ class PolarRows {
     const Real* row(std::size_t i) const { return &values_[i * stride()]; }
 
     // Circles [16 block, 16 block + 16) of the tables' to rows from `first` on; orders below `orders`, at most a quarter of the
-    // points.
+    // points. Fills in the error of each.
     template <class I, class Fft>
-    LOMMEL_INLINE PolarRowError fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block,
-                                     std::size_t orders, std::size_t first, PolarSpectra<Fft>& spectra) {
+    LOMMEL_INLINE void fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block, std::size_t orders,
+                            std::size_t first, PolarSpectra<Fft>& spectra, PolarRowError* errors) {
         using V = typename I::pack;
         constexpr std::size_t packs = PolarTable::block / I::lanes;
         V around[packs], sum[packs];
@@ -220,28 +220,27 @@ class PolarRows {
                             around[p] = around[p] + splat<V>(circle.aliases[m]) * size;
                             sum[p] = sum[p] + splat<V>(circle.gains[m]) * size;
                         });
-        PolarRowError error;
-        for (std::size_t p = 0; p < packs; ++p) {
-            for (std::size_t i = 0; i < I::lanes; ++i) {
-                error.around = std::max(error.around, around[p][i]);
-                error.sum = std::max(error.sum, sum[p][i]);
-            }
+        for (std::size_t i = 0; i < PolarTable::block; ++i) {
+            errors[i].around = around[i / I::lanes][i % I::lanes];
+            errors[i].sum = sum[i / I::lanes][i % I::lanes];
         }
-        for (std::size_t half = 0; half < 2; ++half) {
-            const Fft* from = circle.fft(Fft()).run(isa, spectra.spectrum[half].data(), spectra.other.data());
-            error.largest = std::max(error.largest, scatter(isa, from, circle.points(), &values_[(first + half * fft_rows) * stride()]));
+        for (std::size_t half = 0; half < PolarTable::block; half += fft_rows) {
+            const Fft* from = circle.fft(Fft()).run(isa, spectra.spectrum[half / fft_rows].data(), spectra.other.data());
+            scatter(isa, from, circle.points(), &values_[(first + half) * stride()], errors + half);
         }
-        return error;
     }
 
    private:
     // The last pass of the transform, and its numbers to where the directions want them.
     template <class I, class Fft>
-    LOMMEL_INLINE double scatter(I, const Fft* from, std::size_t n, Real* to) const {
+    LOMMEL_INLINE void scatter(I, const Fft* from, std::size_t n, Real* to, PolarRowError* errors) const {
         using V = typename RowPack<I, Fft>::type;
         constexpr std::size_t lanes = sizeof(V) / sizeof(Fft);
         const std::size_t quarter = n / 4, eighth = n / 8;
-        V largest = splat<V>(Fft(0));
+        V largest[fft_rows / lanes];
+        for (V& most : largest) {
+            most = splat<V>(Fft(0));
+        }
         // X at psi_q + k pi/2 is that at (k+1) pi/2 - psi_{quarter - q}.
         const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
             alignas(64) Real turned[8][fft_rows];
@@ -253,11 +252,12 @@ class PolarRows {
                 const auto a = at(0), b = at(1), d = at(2), e = at(3);
                 const auto even = a + d, odd = b + e, other = a - d, third = (b - e).times_i();
                 const ComplexPack<V> x[4] = {even + odd, other + third, even - odd, other - third};
+                V& most = largest[part / lanes];
                 for (std::size_t k = 0; k < 4; ++k) {
                     convert<lanes>(x[k].re, turned[k] + part);
                     convert<lanes>(x[k].im, turned[4 + k] + part);
-                    largest = larger(largest, larger(x[k].re, splat<V>(Fft(0)) - x[k].re));
-                    largest = larger(largest, larger(x[k].im, splat<V>(Fft(0)) - x[k].im));
+                    most = larger(most, larger(x[k].re, splat<V>(Fft(0)) - x[k].re));
+                    most = larger(most, larger(x[k].im, splat<V>(Fft(0)) - x[k].im));
                 }
             }
             Real *lower = to + (margin_ + q) * directions, *upper = to + (margin_ + quarter - q) * directions + 8;
@@ -301,13 +301,9 @@ class PolarRows {
                 }
             }
         }
-        double top = 0.0;
-        alignas(64) Fft all[lanes];
-        store(all, largest);
-        for (const Fft x : all) {
-            top = std::max(top, static_cast<double>(x));
+        for (std::size_t i = 0; i < fft_rows; ++i) {
+            errors[i].largest = static_cast<double>(largest[i / lanes][i % lanes]);
         }
-        return top;
     }
 
     std::size_t margin_ = 0, angles_ = 0;

@@ -205,8 +205,8 @@ class PolarImage {
         for (const Real top : tops) {
             part.top = std::max(part.top, static_cast<double>(top) / scale);
         }
-        for (std::size_t block = static_cast<std::size_t>(nearest) / PolarTable::block; block <= (static_cast<std::size_t>(farthest) + Between - 1) / PolarTable::block; ++block) {
-            part.error = std::max(part.error, zone.errors[block]);
+        for (std::size_t row = static_cast<std::size_t>(nearest); row < static_cast<std::size_t>(farthest) + Between; ++row) {
+            part.error = std::max(part.error, zone.errors[row]);
         }
     }
 

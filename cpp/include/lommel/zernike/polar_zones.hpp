@@ -16,9 +16,9 @@ namespace lommel {
 // What the error of a polar image is spent on.
 struct PolarBudget {
     // Of the tolerance, on the image where it is brightest; brightness is a guess, of which U may have this many times more.
-    static constexpr double image = 0.9, brighter = 1.4;
+    static constexpr double image = 0.9, brighter = 1.15;
     // Of what that allows U to be off by: what a style may promise, and what orders left out may add to it.
-    static constexpr double promise = 0.9, orders = 0.05;
+    static constexpr double promise = 0.95, orders = 0.05;
     // What is asked of all styles where that did not do.
     static constexpr double again = 0.3;
 };
@@ -32,7 +32,8 @@ struct PolarZone {
     std::shared_ptr<const PolarCircle> circle;
     PolarRows<double> doubles;  // the circles: these or the others
     PolarRows<float> floats;
-    std::vector<double> errors;  // of U, for each block
+    std::vector<double> errors;  // of U, for each circle
+    double left;                 // what orders left out can add to it
 
     const PolarRows<double>& rows(double) const { return doubles; }
     const PolarRows<float>& rows(float) const { return floats; }
@@ -77,7 +78,8 @@ class PolarZones {
             zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
             zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
             zone.circle = circle(zone.orders, zone.style->around);
-            zone.errors.assign(zone.last - zone.first, orders.left(zone.orders, from, zone.kernels->growth));
+            zone.left = orders.left(zone.orders, from, zone.kernels->growth);
+            zone.errors.resize((zone.last - zone.first) * PolarTable::block);
             from = to;
         }
     }
@@ -85,7 +87,7 @@ class PolarZones {
     // Computes all circles.
     void fill(const PolarPupil& pupil, int threads) {
         for (PolarZone* zone = zones_.data(); zone < zones_.data() + count_; ++zone) {
-            const std::size_t count = zone->errors.size() * PolarTable::block;
+            const std::size_t count = zone->errors.size();
             if (zone->style->doubles) {
                 zone->doubles.resize(*zone->circle, count);
                 fill<double>(pupil, *zone, zone->doubles, threads);
@@ -131,14 +133,17 @@ class PolarZones {
     template <class Fft, class Real>
     static void fill(const PolarPupil& pupil, PolarZone& zone, PolarRows<Real>& rows, int threads) {
         const PolarTables tables(pupil, *zone.kernels, zone.last);
-        parallel_for(zone.errors.size(), threads, [&](std::size_t, std::size_t i) {
+        parallel_for(zone.last - zone.first, threads, [&](std::size_t, std::size_t i) {
             thread_local PolarSpectra<Fft> spectra;
-            PolarRowError error;
+            std::array<PolarRowError, PolarTable::block> errors;
+            const std::size_t first = i * PolarTable::block;
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                error = rows.fill(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, i * PolarTable::block, spectra);
+                rows.fill(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, first, spectra, errors.data());
             });
-            error.sums = tables.error;
-            zone.errors[i] = polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.errors[i], error);
+            for (std::size_t k = 0; k < PolarTable::block; ++k) {
+                errors[k].sums = tables.error;
+                zone.errors[first + k] = polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.left, errors[k]);
+            }
         });
     }
 

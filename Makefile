@@ -102,6 +102,8 @@ env: .venv/env.stamp ## make .venv and install what requirements.lock pins
 	"$$uv" pip sync --python .venv/bin/python --require-hashes requirements.lock
 	mv .venv/env.stamp.new $@
 
+cpp_formatted := $(wildcard cpp/bindings/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
+
 # Python files are read from src, so only C++ ones lead to a rebuild when they change. But one of any
 # kind that was there at the last build and is gone also does, for the editable install has it on its
 # list. A stamp takes its time from the start of the work, so that no edit made meanwhile is missed.
@@ -111,7 +113,7 @@ gone_files := $(filter-out $(all_files),$(shell cat .venv/build.stamp 2>/dev/nul
 
 build: .venv/build.stamp ## compile the core and install the package, editable, in .venv
 
-.venv/build.stamp: .venv/env.stamp pyproject.toml CMakeLists.txt $(cpp_files) $(if $(gone_files),FORCE)
+.venv/build.stamp: .venv/env.stamp pyproject.toml CMakeLists.txt $(wildcard cmake/*) $(cpp_files) $(if $(gone_files),FORCE)
 	@rm -f $@
 	echo "$(all_files)" >$@.new
 	if ! .venv/bin/python -c '$(print_python)' Python.h >/dev/null 2>&1; then
@@ -165,17 +167,25 @@ lowest: ## run the tests with the oldest versions of all dependencies, in .tools
 mutants: build ## put faults into a copy of the code, one by one, and see that the tests notice
 	@.venv/bin/python tests/mutants/run.py $(FLAGS) $(ONLY)
 
-# The core alone, without Python: memory, undefined behaviour, then data races.
+# The core alone, without Python: memory, undefined behaviour, then data races; and as it is where there are neither
+# threads nor wider numbers than double.
 sanitize: ## exercise the compiled core under the compiler's sanitizers
 	@mkdir -p build
+	# Runs the program $$2 with the sanitizers $$1, compiled with the remaining arguments.
+	sanitized() {
+		kind=$$1 program=$$2
+		shift 2
+		echo "sanitizers: $$kind: $$program $$*"
+		$(CXX) -std=c++17 -O1 -g -fno-omit-frame-pointer -fsanitize=$$kind -fno-sanitize-recover=all "$$@" \
+			-Wall -Wextra -Wno-psabi -Icpp/include cpp/tests/$$program.cpp -o build/$$program -pthread
+		build/$$program
+	}
 	for kind in address,undefined thread; do
-		echo "sanitizers: $$kind"
-		for program in calls exercise; do
-			$(CXX) -std=c++17 -O1 -g -fno-omit-frame-pointer -fsanitize=$$kind -fno-sanitize-recover=all \
-				-Wall -Wextra -Wno-psabi -Icpp/include cpp/tests/$$program.cpp -o build/$$program -pthread
-			build/$$program
-		done
+		sanitized $$kind calls
+		sanitized $$kind exercise
 	done
+	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
+	sanitized address,undefined tables -DLOMMEL_WIDE=double
 
 # What Sphinx needs comes on top of what is in .venv, and only when the pages are asked for.
 .venv/docs.stamp: .venv/env.stamp docs/requirements.lock
@@ -184,12 +194,16 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	touch $@
 
 docs: build .venv/docs.stamp ## write the documentation to docs/_build/html, running the gallery
-	@MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
+	@rm -rf docs/api # may hold pages of names that are gone
+	MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
 	echo "docs/_build/html/index.html"
 
 lint: env ## check the style and the format
 	@.venv/bin/ruff check
 	.venv/bin/ruff format --check
+	.venv/bin/clang-format --dry-run -Werror $(cpp_formatted)
+	# Where there is one; what it checks is in .clang-tidy.
+	if command -v clang-tidy >/dev/null; then clang-tidy --quiet cpp/tests/*.cpp -- -std=c++17 -Icpp/include; fi
 
 types: env ## check the types
 	@.venv/bin/mypy
@@ -204,9 +218,10 @@ peers: build ## fetch other packages for make bench to compare with, into .tools
 	rm -rf .tools/peers
 	"$$uv" pip install --quiet --python .venv/bin/python --target .tools/peers --constraint requirements.lock --group $(GROUP)
 
-format: env ## rewrite the Python files in the project's format
+format: env ## rewrite the files in the project's format
 	@.venv/bin/ruff check --fix-only
 	.venv/bin/ruff format
+	.venv/bin/clang-format -i $(cpp_formatted)
 
 # Pins that still do are kept; make lock LOCKFLAGS=--upgrade moves them all.
 lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
@@ -230,7 +245,7 @@ wheel: env ## build a wheel in dist
 
 clean: ## remove all that make made
 	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new
-	rm -rf docs/_build docs/api docs/gallery docs/sg_execution_times.rst
+	rm -rf docs/_build docs/_generated docs/api docs/gallery docs/sg_execution_times.rst
 	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png
 	rm -f out/motorcycle.png out/motorcycle-depth.tif out/motorcycle-near.png out/motorcycle-far.png out/motorcycle-pull.webp

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 import warnings
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,12 @@ from typing import Any
 import lommel
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+import rooms  # noqa: E402
+
+# The pictures of how the code is organised.
+rooms.write(HERE / "_generated")
 
 project = "lommel"
 author = "the lommel authors"
@@ -66,7 +73,7 @@ html_static_path = ["_static"]
 html_css_files = ["lommel.css"]
 html_show_sourcelink = False
 # Pages that belong to no section need no list of those beside them.
-html_sidebars: dict[str, list[str]] = {page: [] for page in ("index", "start", "changelog")}
+html_sidebars: dict[str, list[str]] = {page: [] for page in ("index", "start", "versions")}
 copybutton_exclude = ".linenos, .gp, .go"
 html_copy_source = False
 html_theme_options = {
@@ -86,7 +93,8 @@ warnings.filterwarnings("error", module=r"lommel(\.|$)")
 
 # The page of conventions names the tests that hold them, the reference every public name: both must be true.
 _named = set(re.findall(r"`(test_\w+)`", (HERE / "conventions.md").read_text(encoding="utf-8")))
-_tests = [HERE.parent / "tests" / f"test_{kind}.py" for kind in ("conventions", "zernike_conventions", "wavefront")]
+_names = ("test_conventions.py", "test_zernike_conventions.py", "optics/test_wavefront.py")
+_tests = [HERE.parent / "tests" / name for name in _names]
 _there = re.findall(r"def (test_\w+)", "".join(path.read_text(encoding="utf-8") for path in _tests))
 if _named - set(_there):
     raise ValueError(f"conventions.md names tests that do not exist: {', '.join(sorted(_named - set(_there)))}")

@@ -10,7 +10,7 @@ import pytest
 
 import lommel as lm
 from lommel.methods import METHODS
-from lommel.optics.pupil import Geometry
+from lommel.optics.geometry import Geometry
 
 BAD = (ValueError, TypeError)
 METHOD = pytest.mark.parametrize("method", [kind() for kind in METHODS.values()], ids=list(METHODS))
@@ -283,8 +283,8 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
         (lambda: lm.measures.spot.axis_strehl(1), "answer must be a PSF, got 1"),
         (lambda: lm.measures.spot.fwhm("psf"), "answer must be a PSF, got 'psf'"),
         (lambda: lm.measures.image_transfer.image_otf(None, 0.1), "answer must be a PSF, got None"),
-        (lambda: lm.reports.encircled.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
-        (lambda: lm.reports.encircled.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
+        (lambda: lm.measures.encircled.encircled(1, 1.0), "pupil must be a Pupil, got 1"),
+        (lambda: lm.measures.encircled.encircled(PUPIL, 1e-6, method="x"), "method must be a Method, got 'x'"),
         (lambda: lm.best_focus(SPHERICAL, 1.0, method="x"), "method must be a RadialMethod, got 'x'"),
         (lambda: lm.psf(SPHERICAL, 3, 0.5).plot(ax=1), "ax must be axes of matplotlib or None, got 1"),
         (lambda: lm.ZernikeTable(1, "noll", "nm", "rms"), "terms must map indices to coefficients, got 1"),
@@ -309,7 +309,7 @@ def test_what_is_of_the_wrong_kind_is_refused_by_name(call, name):
 
 def test_no_radii_give_no_energies():
     assert lm.psf(SPHERICAL, 3, 0.5).encircled_energy([]).shape == (0,)
-    assert lm.reports.encircled.encircled(SPHERICAL, []).fraction.shape == (0,)
+    assert lm.measures.encircled.encircled(SPHERICAL, []).fraction.shape == (0,)
 
 
 @pytest.mark.parametrize(

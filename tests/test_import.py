@@ -3,41 +3,21 @@
 from __future__ import annotations
 
 import ast
+import pickle
 import subprocess
 import sys
 from graphlib import TopologicalSorter
 from importlib.metadata import version
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 
 import lommel as lm
+import rooms
 
-PACKAGE = Path(lm.__file__).parent
-MODULES = sorted(PACKAGE.rglob("*.py"))
-
-# Each room imports only from those before it, and from itself; rooms of one line know nothing of each other.
-ORDER = [
-    {"base"},
-    {"core"},
-    {"special"},
-    {"optics"},
-    {"methods"},
-    {"measures"},
-    {"io"},
-    {"show"},
-    {"psf"},
-    {"field", "imaging"},
-    {"lensfiles"},
-    {"reports"},
-    {"adapters", "paper"},
-    {"cli"},
-    {"the package"},
-]
-RANK = {room: rank for rank, rooms in enumerate(ORDER) for room in rooms}
-
-# Files that stand in no room of the name.
-ROOM = {"_core": "core", "__main__": "cli", "__init__": "the package"}
+TREES = rooms.modules()
+HEADERS = rooms.headers()
 
 
 def python(code: str) -> str:
@@ -78,9 +58,31 @@ def test_every_public_name_resolves_to_a_thing_of_that_name(name):
     assert getattr(lm, name).__doc__
 
 
-def test_a_star_import_brings_every_public_name():
+def test_a_star_import_brings_the_public_names_and_nothing_else():
     names = set(python("from lommel import *; print(*dir())").split())
-    assert set(lm.__all__) <= names
+    assert {name for name in names if not name.startswith("__")} == set(lm.__all__)
+
+
+def test_type_checkers_see_every_name_and_no_other(tmp_path):
+    asked = [*lm.__all__, "imaging.depth_of_field", "show.plot.field", "__version__", "fft"]
+    script = tmp_path / "script.py"
+    script.write_text("import lommel as lm\n" + "\n".join(f"reveal_type(lm.{name})" for name in asked) + "\n")
+    command = [sys.executable, "-m", "mypy", "--no-error-summary", str(script)]
+    result = subprocess.run(
+        command, capture_output=True, text=True, timeout=600, check=False, cwd=Path(lm.__file__).parents[2]
+    )
+    *told, error, unknown = result.stdout.splitlines()
+    assert 'error: Module has no attribute "fft"' in error
+    assert unknown.endswith('is "Any"')
+    assert len(told) == len(asked) - 1
+    for name, line in zip(asked, told, strict=False):
+        kind = "str" if name == "__version__" else "def "
+        assert f'note: Revealed type is "{kind}' in line, (name, line)
+
+
+@pytest.mark.parametrize("name", ["psf", "Pupil", "PSF", "strehl"])
+def test_what_is_pickled_is_the_thing_itself(name):
+    assert pickle.loads(pickle.dumps(getattr(lm, name))) is getattr(lm, name)
 
 
 def test_an_unknown_name_is_an_attribute_error():
@@ -99,55 +101,17 @@ def test_the_version_is_that_of_the_metadata():
     assert "__version__" in dir(lm)
 
 
-def room(module: str) -> str:
-    """The room of a module, given as its path from the package without suffix, such as methods/method."""
-    first = module.split("/", maxsplit=1)[0]
-    return ROOM.get(first, first)
-
-
-def imported(tree: ast.AST) -> list[tuple[int, str]]:
-    """The modules of the package that are imported anywhere, inside of functions too, each with the line."""
-    found = []
-    for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom):
-            assert node.level == 0
-            names = [f"{node.module}.{alias.name}" for alias in node.names]
-        elif isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        else:
-            continue
-        found += [(node.lineno, module(name)) for name in names if name.split(".")[0] == "lommel"]
-    return found
-
-
-def module(name: str) -> str:
-    """The path of the module that a dotted name is, or is in."""
-    path = PACKAGE.joinpath(*name.split(".")[1:])
-    while not any(path.with_suffix(suffix).is_file() for suffix in (".py", ".pyi")):
-        if (path / "__init__.py").is_file():
-            path = path / "__init__"
-            break
-        path = path.parent
-    return path.relative_to(PACKAGE).as_posix()
-
-
 def upward(here: str, tree: ast.AST) -> list[str]:
-    """What a module imports from rooms that do not stand before its own."""
-    return [
-        f"{here} imports {other} (line {line})"
-        for line, other in imported(tree)
-        if RANK[room(other)] >= RANK[room(here)] and room(other) != room(here)
-    ]
+    return rooms.upward(rooms.ORDER, here, [other for _, other in rooms.imported(tree)])
 
 
-TREES = {
-    path.relative_to(PACKAGE).with_suffix("").as_posix(): ast.parse(path.read_text(encoding="utf-8"))
-    for path in MODULES
-}
+def test_the_files_that_are_read_are_those_that_are_imported():
+    assert Path(lm.__file__).parent == rooms.PACKAGE
 
 
-def test_every_module_has_a_place_in_the_order():
-    assert {room(name) for name in TREES} == set(RANK)
+def test_every_file_has_a_place_in_the_order():
+    assert {rooms.room(name) for name in TREES} == set().union(*rooms.ORDER)
+    assert {rooms.room(name) for name in HEADERS} == set().union(*rooms.CORE_ORDER)
 
 
 @pytest.mark.parametrize("name", TREES)
@@ -155,9 +119,27 @@ def test_data_flows_one_way(name):
     assert upward(name, TREES[name]) == []
 
 
-def test_no_module_needs_itself_by_way_of_others():
-    needs = {name: {other for _, other in imported(tree)} for name, tree in TREES.items()}
+@pytest.mark.parametrize("name", HEADERS)
+def test_headers_include_one_way(name):
+    assert rooms.upward(rooms.CORE_ORDER, name, HEADERS[name]) == []
+
+
+def test_no_file_needs_itself_by_way_of_others():
+    needs = {name: {other for _, other in rooms.imported(tree)} for name, tree in TREES.items()}
     assert set(TopologicalSorter(needs).static_order()) == {*TREES, "_core"}
+    assert set(TopologicalSorter(HEADERS).static_order()) == set(HEADERS)
+
+
+@pytest.mark.parametrize("house", [rooms.package(), rooms.core()], ids=["package", "core"])
+def test_the_picture_of_the_rooms_shows_every_room_every_file_and_every_arrow(house):
+    drawn = ET.fromstring(rooms.picture(house, "title"))
+    svg = "{http://www.w3.org/2000/svg}"
+    found = {group.find(f"{svg}text").text: group for group in drawn.iter(f"{svg}g")}
+    assert list(found) == house.rooms[::-1]
+    assert sum(len(group.findall(f"{svg}path")) for group in found.values()) == len(house.needs)
+    for name, group in found.items():
+        said = " ".join(text.text for text in group.findall(f"{svg}text"))
+        assert all(file in said for file in house.files[name])
 
 
 @pytest.mark.parametrize(

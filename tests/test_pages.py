@@ -144,7 +144,7 @@ def test_shells_are_told_how_to_complete(shell, tmp_path):
 
 def test_the_lens_files_of_the_page_about_the_field_work(folder):
     sections = [code for code, _ in blocks(ROOT / "docs" / "field.md", "toml")]
-    assert len(sections) == 2
+    assert len(sections) == 3
     before = Path("camera.toml").read_text(encoding="utf-8").partition("[field]")[0]
     for section in sections:
         (folder / "own.toml").write_text(before + section, encoding="utf-8")

@@ -88,3 +88,32 @@ def test_derivatives_travel_with_an_npz_file_and_no_other_drops_them_silently(tm
         assert np.array_equal(loaded[1].derivatives[name], values[1])
     with pytest.raises(ValueError, match=r"must end in \.npz for a PSF with derivatives"):
         answer.save(tmp_path / "a.tif")
+
+
+@pytest.mark.parametrize("tol", [1e-3, 1e-6, 1e-9])
+def test_a_tolerance_is_that_of_the_method_chosen_or_named(tol):
+    coma = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2.0}))
+    for pupil, method in ((lm.Pupil(lm.Wavefront(3.0)), lm.NijboerZernike), (coma, lm.ChordalGauss)):
+        exact = lm.psf(pupil, 33, 0.3, method=lm.NijboerZernike(1e-11), dtype="float64")
+        for named in (None, method(), method(1e-5)):
+            answer = lm.Plan(33, 0.3, method=named, tol=tol)(pupil)
+            assert answer.method == method(tol)
+            assert answer.values.dtype == (np.float32 if tol >= 1e-6 else np.float64)
+            assert lm.peak_error(answer, exact) <= answer.error_bound <= tol
+    assert lm.psf(coma, 33, 0.3, tol=tol).method == lm.ChordalGauss(tol)
+    assert lm.psf(coma, 33, 0.3, method=lm.NijboerZernike(tol)).method.tol == tol
+
+
+@pytest.mark.parametrize("tol", [0.0, -1.0, 1e-13, 0.1, np.nan, np.inf, "1e-6", True, [1e-6]])
+@pytest.mark.parametrize("method", [None, lm.ChordalGauss()])
+def test_a_tolerance_that_is_none_is_refused(tol, method):
+    with pytest.raises((ValueError, TypeError), match="tol must be"):
+        lm.psf(lm.Pupil(), 9, 0.5, tol=tol, method=method)
+
+
+def test_a_tolerance_for_a_method_without_one_is_refused():
+    for method in (lm.Geometric(), lm.Fraunhofer(), lm.LommelSeries()):
+        with pytest.raises(ValueError, match=f"tol=0.001 must be left out for {type(method).__name__}, which has no"):
+            lm.psf(lm.Pupil(), 9, 0.5, tol=1e-3, method=method)
+    with pytest.raises(ValueError, match="dtype float32 cannot hold tol=1e-09"):
+        lm.psf(lm.Pupil(), 9, 0.5, tol=1e-9, dtype="float32")

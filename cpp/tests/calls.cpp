@@ -89,9 +89,8 @@ void a_call_stops_where_it_is_told_to() {
         times_to_ask = patience;
         int stopped = 0;
         try {
-            lommel::parallel_for(1000000, 3, [](std::size_t, std::size_t) {
-                std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            });
+            lommel::parallel_for(1000000, 3,
+                                 [](std::size_t, std::size_t) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
         } catch (const lommel::Stopped&) {
             ++stopped;
         }
@@ -108,7 +107,8 @@ void a_call_stops_where_it_is_told_to() {
 double image_of(std::size_t side, double defocus) {
     std::vector<double> image(side * side);
     double scale = 1.0, bound = 0.0;
-    lommel::Renderer<double>({&defocus, 1, 1, 0.0}, side, side, 0.7, 1e-6, 2, {image.data(), &scale, &bound, nullptr, 0, nullptr, nullptr})
+    lommel::Renderer<double>({&defocus, 1, 1, 0.0}, side, side, 0.7, 1e-6, 2,
+                             {image.data(), &scale, &bound, nullptr, 0, nullptr, nullptr})
         .run();
     return *std::max_element(image.begin(), image.end());
 }

@@ -3,6 +3,14 @@
 
 #include <atomic>
 #include <cstdio>
+#include <functional>
+#include <vector>
+
+#include "lommel/base/lock.hpp"
+
+#if !defined(LOMMEL_SINGLE_THREADED)
+#include <thread>
+#endif
 
 inline std::atomic<int> failures{0};
 
@@ -11,4 +19,18 @@ inline void check(bool good, const char* what, double value) {
         std::printf("FAILED: %s (%.3g)\n", what, value);
         ++failures;
     }
+}
+
+// All at once, in a thread each, where there are threads.
+inline void run(const std::vector<std::function<void()>>& callers) {
+#if defined(LOMMEL_SINGLE_THREADED)
+    for (const auto& caller : callers) {
+        caller();
+    }
+#else
+    std::vector<std::thread> threads(callers.begin(), callers.end());
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+#endif
 }

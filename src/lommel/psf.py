@@ -13,11 +13,11 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Numbers
-from lommel.core.answers import Images, ToleranceError
+from lommel.core.answers import Images
 from lommel.io import psf_files
 from lommel.measures import energy, image_transfer, spot
 from lommel.measures.answer import Answer
-from lommel.methods.choice import SERIES, choose
+from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, widened
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -33,6 +33,7 @@ def psf(
     pixel: float,
     *,
     method: Method | None = None,
+    tol: float | None = None,
     normalize: str = "energy",
     dtype: DTypeLike | None = None,
     center: tuple[float, float] | None = None,
@@ -53,9 +54,12 @@ def psf(
     pixel : float
         Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
     method : Method, optional
-        How to evaluate the diffraction integral; by default one that reaches 1e-6 of the peak: NijboerZernike for
+        How to evaluate the diffraction integral; by default what serves the pupil and the window: NijboerZernike for
         circular apertures, ChordalGauss instead for small windows of wavefronts that depend on the direction,
         NonuniformFFT for apertures with a spider, vignetting or a mask. `PSF.method` is the one used.
+    tol : float, optional
+        Tolerance, relative to the peak: 1e-6 by default where no method is named, else that of the method, in place
+        of which it is taken.
     normalize : {"energy", "strehl", "peak"}, default "energy"
         "energy": a value is the fraction of all light per pixel: averages over an infinite window sum to 1, and so do
         samples of pixels no larger than lambda*N/2. "strehl": 1 is the peak of the same aperture without aberration.
@@ -88,8 +92,9 @@ def psf(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the method does not support the pupil, if the answer would exceed
-        2^31 values, or if float32 is asked for with a tolerance that it cannot hold (below 2.4e-7).
+        If an argument is out of range, if the method does not support the pupil or has no tolerance to be named, if
+        the answer would exceed 2^31 values, or if float32 is asked for with a tolerance that it cannot hold (below
+        2.4e-7).
     ToleranceError
         If the method cannot meet its tolerance.
 
@@ -106,6 +111,7 @@ def psf(
         shape,
         pixel,
         method=method,
+        tol=tol,
         normalize=normalize,
         dtype=dtype,
         center=center,
@@ -123,8 +129,13 @@ class Plan:
 
     Parameters
     ----------
-    shape, pixel, method, normalize, dtype, center, integrate, threads
+    shape, pixel, method, tol, normalize, dtype, center, integrate, threads
         As of :func:`psf`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
 
     Examples
     --------
@@ -142,6 +153,7 @@ class Plan:
         pixel: float,
         *,
         method: Method | None = None,
+        tol: float | None = None,
         normalize: str = "energy",
         dtype: DTypeLike | None = None,
         center: tuple[float, float] | None = None,
@@ -158,20 +170,27 @@ class Plan:
             raise ValueError(
                 f"integrate must not be False for {type(method).__name__}, which has no point values; leave it out"
             )
+        if tol is None:
+            tol = (method or Method).tol
+        elif method is None:
+            tol = validation.real("tol", tol, least=Method.least_tol, below=1e-1)
+        else:
+            method = method.with_tol(tol)
         self.integrate = integrate
         # Which of the two a pupil is recorded on, its unit decides.
         self._sampled, self._averaged = (
             Grid(shape, pixel, center=center, integrate=which) for which in (False, True)
         )
-        self.method = method
+        self.method, self.tol = method, tol
         self.normalize = validation.choice("normalize", normalize, ("energy", "strehl", "peak"))
-        self.dtype = _output_type(dtype, Method.tol if method is None else method.tol)
+        self.dtype = _output_type(dtype, tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
 
     def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         grid, normalize = self._grid(pupil), self.normalize
-        method = choose(pupil, grid) if self.method is None else self.method
+        ways = candidates(pupil, grid, self.tol) if self.method is None else (self.method,)
+        method = ways[0]
         method.require(pupil)
         validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
         if method.sampling == "center":
@@ -189,20 +208,13 @@ class Plan:
         per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
         scale = per_pixel if normalize == "energy" else 1.0 / method.unaberrated_peak(pupil)
         place = None if out is None else self._checked(out, stack)
+        fixed = None if normalize == "peak" else scale
 
-        def images(way: Method) -> Images:
-            fixed = None if normalize == "peak" else scale
-            return way.images(pupil, grid, fixed, self.dtype, out=place, powers=powers, threads=self.threads)
+        def ask(way: Method) -> Images:
+            made = way.images(pupil, grid, fixed, self.dtype, out=place, powers=powers, threads=self.threads)
+            return widened(made, pupil, way, normalized=fixed is None)
 
-        try:
-            made = images(method)
-        except (ToleranceError, ValueError):
-            # The chordal rule judges errors by the window alone; one that the light misses is for the series.
-            if self.method is not None or method is SERIES or not pupil.circular:
-                raise
-            method = SERIES
-            made = images(method)
-        made = widened(made, pupil, method, normalized=normalize == "peak")
+        method, made = first_proven(ways, ask)
         slopes, slope_bounds = {}, {}
         if made.slopes is not None:
             for name, values, bound in zip(derivatives, *made.slopes, strict=True):
@@ -291,6 +303,11 @@ class PSF(Answer):
         Derivatives of the values that were asked for, by name, each of the shape of the values.
     derivative_bounds : dict of str to float
         Bounds on their errors over the peak of the values, the largest of the stack.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a part is of another type, or the values are not of its shape.
     """
 
     @property
@@ -300,7 +317,7 @@ class PSF(Answer):
 
     @property
     def strehl(self) -> Numbers:
-        """Intensity on the axis over that of the same aperture without aberration."""
+        """Intensity on the axis over that without aberration; :func:`lommel.strehl` is that of a pupil."""
         return spot.axis_strehl(self)
 
     @property
@@ -353,7 +370,7 @@ class PSF(Answer):
         return image_transfer.image_otf(self, fx, fy)
 
     def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> Numbers:
-        """Return the modulus of :meth:`otf`; its value at frequency 0 is the light in the window."""
+        """Return the modulus of :meth:`otf` at `fx`, `fy`; its value at frequency 0 is the light in the window."""
         return np.abs(self.otf(fx, fy))
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
@@ -370,5 +387,5 @@ class PSF(Answer):
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> PSF:
-        """Read a file that :meth:`save` wrote."""
+        """Read a file, `path`, that :meth:`save` wrote; ValueError if it is damaged or another."""
         return psf_files.load(path, cls)

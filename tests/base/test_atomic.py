@@ -154,3 +154,16 @@ def test_what_a_killed_process_left_is_removed_a_day_later_but_never_the_only_co
     atomic._sweep.cache_clear()
     atomic.write(tmp_path / "a", b"")
     assert sorted(path.name for path in tmp_path.iterdir()) == [".lommel-fresh", ".lommel-only", ".other", "a"]
+
+
+def test_an_interrupt_just_after_a_file_was_made_leaves_nothing(tmp_path, monkeypatch):
+    opened = os.open
+
+    def interrupted(*args):
+        os.close(opened(*args))
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "open", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        atomic.write(tmp_path / "a", b"data")
+    assert not list(tmp_path.iterdir())

@@ -15,7 +15,7 @@ import lommel as lm
 from lommel import _core
 
 UNIT = mp.mpf(2) ** -53
-CURVES = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(i) / 47) for i in range(48)]
+CURVES = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(i) / 63) for i in range(64)]
 LIST = [(2, 0), (2, 2), (2, -2), (3, 1), (3, -3), (4, 0), (6, 2), (9, -5)]
 
 few = settings(max_examples=15)

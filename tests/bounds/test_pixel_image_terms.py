@@ -16,52 +16,13 @@ import lommel as lm
 from lommel import _core
 from lommel.core.answers import Intensities
 from lommel.methods.subpixel import subpixel_intensity
+from pixel_tables import Table, U, Window
 
-U = mp.mpf(2) ** -53
+WIDER = _core.window_bounds(1, 1.0)["spacing"] < 2 * U  # tables are made with more than double
 few = settings(max_examples=12)
 phases = st.lists(st.floats(-12, 12), min_size=1, max_size=3)
 gaussians = st.one_of(st.just(0.0), st.floats(0.01, 5.0))
 obscurations = st.one_of(st.just(0.0), st.floats(0.05, 0.9))
-
-
-class Window(NamedTuple):
-    height: int
-    width: int
-    row: float
-    column: float
-    step: float
-    integrate: bool
-
-    @property
-    def side(self) -> float:
-        return self.step if self.integrate else 0.0
-
-    def radii(self, level: int) -> np.ndarray:
-        return _core.pixel_radii(*self, level, 1)[0]
-
-    def values(self, level: int, profile: np.ndarray) -> tuple[np.ndarray, mp.mpf]:
-        """Return the pixels, and what evaluating their harmonics rounds."""
-        out = np.empty((1, self.height, self.width))
-        rounded = _core.pixel_values(profile[None], *self[2:], level, 1, out)
-        return out[0], mp.mpf(float(rounded[0]))
-
-
-class Table(NamedTuple):
-    error: mp.mpf
-    of_nodes: mp.mpf
-    of_grid: mp.mpf
-    rounding: mp.mpf
-
-    @property
-    def magnification(self) -> mp.mpf:
-        return self.of_grid * self.of_nodes
-
-    def window(
-        self, reach: float, size: float, given: mp.mpf, slope: mp.mpf, swing: mp.mpf, rounded: mp.mpf
-    ) -> mp.mpf:
-        """Return the bound on the error of the values of a window."""
-        places = mp.mpf(reach) * slope * (3 * self.magnification + 6 * self.of_grid + 4)
-        return self.magnification * given + self.error * swing + U * (self.rounding * mp.mpf(size) + rounded + places)
 
 
 def table_of(window: Window, level: int) -> Table:
@@ -345,7 +306,7 @@ def test_the_bounds_of_a_stack(window, rows, tol, divided):
                 + (used + 7) * abs(row[1])
                 + 4 * gaussian
                 + 8
-                + math.sqrt(terms) * (nodes / 4 + 16)
+                + math.sqrt(terms) * (nodes / 4 + 16 + (0.0 if WIDER else 1.5 * math.sqrt(nodes)))
             )
             e = left + U * (rounding + terms + 16 + of_radii)
             given = 2 * mp.sqrt(size) * e + e * e

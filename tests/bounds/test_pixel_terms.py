@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 import mpmath as mp
 import numpy as np
@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from scipy.special import j0
 
 from lommel import _core
+from pixel_tables import Table, U, Window
 
-U = mp.mpf(2) ** -53
 K = 16  # Chebyshev points across a ring with harmonics
 
 
@@ -68,43 +68,6 @@ def test_harmonics(side, angles):
 
 def test_pixels_that_sample_have_nothing_to_average():
     assert _core.interpolation_error(0.0, 1) == _core.gauss_error(0.0, 1) == _core.harmonics_error(0.0, 1) == 0.0
-
-
-class Window(NamedTuple):
-    height: int
-    width: int
-    row: float
-    column: float
-    step: float
-    integrate: bool
-
-    @property
-    def side(self) -> float:
-        return self.step if self.integrate else 0.0
-
-    def distances(self) -> np.ndarray:
-        y, x = np.arange(self.height) - self.row, np.arange(self.width) - self.column
-        return np.sort(self.step * np.hypot(y[:, None], x).ravel())
-
-    def radii(self, level: int) -> np.ndarray:
-        return _core.pixel_radii(*self, level, 1)[0]
-
-    def values(self, level: int, profile: np.ndarray) -> tuple[np.ndarray, mp.mpf]:
-        """Return the pixels, and what evaluating their harmonics rounds."""
-        out = np.empty((1, self.height, self.width))
-        rounded = _core.pixel_values(profile[None], *self[2:], level, 1, out)
-        return out[0], mp.mpf(float(rounded[0]))
-
-
-class Table(NamedTuple):
-    error: mp.mpf
-    of_nodes: mp.mpf
-    of_grid: mp.mpf
-    rounding: mp.mpf
-
-    @property
-    def magnification(self) -> mp.mpf:
-        return self.of_grid * self.of_nodes
 
 
 def table_of(window: Window, level: int) -> Table:

@@ -16,6 +16,9 @@ from lommel.special.bessel import legendre_transforms
 from lommel.special.legendre import gauss_legendre
 
 U = mp.mpf(2) ** -53
+# At 1, of the numbers that tables are made with; where these are doubles, that is counted.
+SPACING = mp.mpf(_core.window_bounds(1, 1.0)["spacing"])
+WIDER = SPACING < 2 * U
 ETAS = [mp.mpf("0.002") * mp.mpf(2000) ** (mp.mpf(i) / 39) for i in range(40)]
 WIDTHS = [12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2]
 
@@ -139,6 +142,11 @@ def window_tail(n: int, v: float) -> mp.mpf:
     return 2 / mp.mpf(v) * mp.sqrt(m) * top / (1 - mp.exp(-2 * rate) * mp.sqrt(mp.mpf(m + 2) / m))
 
 
+def of_rule(nodes: int) -> mp.mpf:
+    """Return the roundings of sums over so many nodes, and of their table."""
+    return mp.mpf(nodes) / 4 + 16 + (0 if WIDER else 1.5 * mp.sqrt(nodes))
+
+
 def expansion(phase: list[float], light: list[float], power: int, reach: float, error: float) -> tuple[int, mp.mpf]:
     """Return the terms of a disk and the bound on its error, each term of it from the choice that the core made."""
     made = _core.series_bounds(np.array(phase), np.array(light), power, reach, error)
@@ -149,7 +157,7 @@ def expansion(phase: list[float], light: list[float], power: int, reach: float, 
     assert made["truncation"] <= 0.5 * error
     assert same(made["quadrature"], quadrature(growths, nodes, n))
     assert made["quadrature"] <= 0.1 * error
-    rounding = U * (sensitivity(phase, light) + 8 + mp.sqrt(n) * (mp.mpf(nodes) / 4 + 16))
+    rounding = U * (sensitivity(phase, light) + 8 + mp.sqrt(n) * of_rule(nodes))
     total = made["truncation"] + made["quadrature"] + rounding
     assert same(made["error"], total)
     return n, total
@@ -224,10 +232,10 @@ def test_the_whole_of_a_pupil(phase, light, power, obscuration, reach, digits):
         ]
         within_light = [float(g * area**k) for k, g in enumerate(light)]
         more, within = expansion(inner, within_light, power, obscuration * reach, 0.5 * error)
-        # Recurrences in extended precision; a rounding of each share, of each product, and of sums; the constant.
-        extended, lost = mp.mpf(float(np.finfo(np.longdouble).eps)), 4 * U
+        # Recurrences in what is wide; a rounding of each share, of each product, and of sums; the constant.
+        lost = 4 * U
         for j, (a, part) in enumerate(zip(phase, parts, strict=True), 1):
-            lost += abs(mp.mpf(a)) * (extended * 4 * j * j * (2 * j + 2) + U * (len(phase) + 1) * sum(map(abs, part)))
+            lost += abs(mp.mpf(a)) * (SPACING * 4 * j * j * (2 * j + 2) + U * (len(phase) + 1) * sum(map(abs, part)))
         expected += weight * (within + lost + radius_rounding(obscuration * reach))
         terms = max(terms, more)
     fitting = [i for i, h in enumerate(WIDTHS) if piece_error(h) * (1 + weight) <= 0.4 * mp.mpf(error)]
@@ -332,7 +340,11 @@ def test_the_whole_of_a_stack(rows, tol, divided):
         for terms, nodes, left in plans:
             used = np.count_nonzero(row)
             rounding = (
-                (used + 6) * abs(row[0]) + (used + 7) * abs(row[1]) + 1.2 + 8 + math.sqrt(terms) * (nodes / 4 + 16)
+                (used + 6) * abs(row[0])
+                + (used + 7) * abs(row[1])
+                + 1.2
+                + 8
+                + math.sqrt(terms) * float(of_rule(nodes))
             )
             whole = _core.intensity_bounds(
                 peak, left + float(U) * (rounding + terms + 16) + float(radius_rounding(reach))

@@ -73,6 +73,20 @@ def test_the_json_is_what_python_knows(call_lommel, lenses, expected, tmp_path):
     assert data["files"] == []
 
 
+def test_a_lens_file_may_narrow_the_aperture_of_its_field(call_lommel, lenses, tmp_path):
+    text = lenses["camera-field"].read_text(encoding="utf-8").replace("shape = 49", "shape = 9")
+    vanes = '[aperture.spider]\nvanes = 4\nwidth = "2 mm"\n'
+    (tmp_path / "vanes.toml").write_text(
+        text.replace("[lens]", "[lens]\napodization = 0.5") + vanes, encoding="utf-8"
+    )
+    result = call_lommel("psf", "vanes.toml", "--field", "2x3", "-o", "a.tif", folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    loaded = lm.PSFGrid.load(tmp_path / "a.tif")
+    assert loaded.psf.pupil.spider == lm.Spider.equal(4, 2e-3 / (35e-3 / 4))
+    assert loaded.psf.pupil.apodization == 0.5
+    assert call_lommel("info", "vanes.toml", folder=tmp_path).returncode == 0
+
+
 @pytest.mark.parametrize(
     ("arguments", "what"),
     [
@@ -81,7 +95,7 @@ def test_the_json_is_what_python_knows(call_lommel, lenses, expected, tmp_path):
         (["--field", "axb"], "'axb' is not a size"),
         (["--field", "0x7"], "rows must be from 1 to 1000, got 0"),
         (["--field", "2x2", "-o", "a.png"], "--output must end in .tif, .tiff, .zarr, .npz for a grid of PSFs, got"),
-        (["-o", "a.zarr"], "--output must end in .tif, .tiff, .npy, .npz, .png, got 'a.zarr'"),
+        (["-o", "a.zarr"], "--output must end in .tif, .tiff, .npy, .npz, .png for a PSF, got '.zarr' in 'a.zarr'"),
         (["--field", "2x2", "--plot", "a.tif"], "a figure must end in .png, .pdf or .svg"),
     ],
 )  # fmt: skip

@@ -43,7 +43,10 @@ PULL = "focus-pull photo.png depth.npy lens.toml --frames 3"
 BAD = [
     ("blur photo.png", "Missing argument 'DEPTH'"),
     (f"{BLUR} lens.toml", "Missing option '-o'"),
-    (f"{BLUR} lens.toml -o out.bmp", "--output must end in .png, .jpg, .jpeg, .tif, .tiff, got 'out.bmp'"),
+    (
+        f"{BLUR} lens.toml -o out.bmp",
+        "--output must end in .png, .jpg, .jpeg, .tif, .tiff for a photograph, got '.bmp' in 'out.bmp'",
+    ),
     ("blur nowhere.png depth.npy lens.toml -o out.png", "nowhere.png: No such file or directory"),
     ("blur broken.png depth.npy lens.toml -o out.png", "broken.png cannot be read as a PNG photograph"),
     ("blur alpha.png depth.npy lens.toml -o out.png", "it has alpha; flatten it first"),
@@ -70,6 +73,10 @@ BAD = [
         "--focal-length 35 mm contradicts the EXIF of camera.png, 50 mm",
     ),
     (
+        "blur camera.png depth.npy --focus 2m --pixel 40um --focal-length 51.5mm -o out.png",
+        "--focal-length 51.5 mm contradicts the EXIF of camera.png, 50 mm",
+    ),
+    (
         "blur camera.png depth.npy --focus 2m --pixel 40um --no-exif -o out.png",
         "give a lens file or --focal-length",
     ),
@@ -81,12 +88,12 @@ BAD = [
     ("focus-pull photo.png depth.npy vanes.toml --from 2m --to 3m -o f.gif", "lens must have a round aperture"),
     (f"{FULL} --f-number nan", "--f-number must be finite, got nan"),
     (f"{FULL} --focus 10mm", "--focus must exceed the focal length 0.05 m"),
-    (f"{FULL} --wavelengths 550nm", "--wavelengths must be three, got 1"),
+    (f"{FULL} --wavelengths 550nm", "wavelengths must be one for each of the 3 channels, got 1"),
     (f"{FULL} --wavelengths 550m,540m,530m", "wavelength is in metres and must be from 1e-12 to 1e-2"),
     (f"{FULL} --wavelengths red", "'red' is not a length"),
     (f"{FULL} --energy 2", "energy must be"),
     (f"{FULL} --tol 0", "tol must be"),
-    (f"{FULL} --bits float", "out.png holds 8 or 16 bits, not float32"),
+    (f"{FULL} --bits float", "--output must end in .tif, .tiff for a photograph of float32, got '.png' in 'out.png'"),
     (f"{FULL} --quality 0 ", "quality must be from 1 to 100, got 0"),
     (
         f"{FULL} --largest 1",
@@ -95,13 +102,19 @@ BAD = [
     (f"{BLUR} lens.toml -o nowhere/out.png", "nowhere/out.png: No such file or directory"),
     (f"{BLUR} lens.toml -o taken.png", "'taken.png' is a directory"),
     (f"{PULL} --from 2m -o f-%03d.png", "Missing option '--to'"),
-    (f"{PULL} --from 2m --to 3m -o f.jpg", "--output must have a number such as %03d, or end in .gif"),
+    (
+        f"{PULL} --from 2m --to 3m -o f.jpg",
+        "--output must end in .gif, .png, .apng, .webp, .tif, .tiff for frames, got '.jpg' in 'f.jpg'; a number",
+    ),
     (f"{PULL} --from 2m --to 3m -o %03d-%03d.png", "--output may have one number such as %03d"),
     (f"{PULL} --from 2m --to 3m -o f%s.png", "--output may have one number such as %03d"),
     (f"{PULL} --from 0m --to 3m -o f-%03d.png", "--from must be > 0 metres, got 0"),
     (f"{PULL} --from 2m --to 3m --fps 0 -o f.gif", "fps must be >= 0.001"),
     (f"{PULL} --from 2m --to 3m --bits 16 -o f.gif", ".gif holds 8 bits; give --bits 8"),
-    (f"{PULL} --from 2m --to 3m --bits 16 -o f-%03d.jpg", "holds 8 bits, not uint16"),
+    (
+        f"{PULL} --from 2m --to 3m --bits 16 -o f-%03d.jpg",
+        "--output must end in .png, .tif, .tiff for a photograph of uint16, got '.jpg' in 'f-%03d.jpg'",
+    ),
     (f"{PULL} --from 2m --to 3m -o nowhere/f-%03d.png", "nowhere/f-%03d.png: No such file or directory"),
     # The third frame is too far out of focus, the first two are not.
     (f"{PULL} --from 2m --to 0.2m --largest 14 -o f-%03d.png", "windows of more than 29 pixels"),

@@ -14,13 +14,12 @@ import pytest
 import lommel as lm
 from lommel import imaging
 from lommel.base import units, validation
-from lommel.imaging import frames
+from lommel.io import frames
 from lommel.io.psf_files import FileError
 from lommel.lensfiles import field_tables
-from lommel.measures import aperture_means, energy, image_transfer, spot
+from lommel.measures import aperture_means, encircled, energy, image_transfer, spot
 from lommel.methods import METHODS
 from lommel.optics.opening import Opening, degree_needed
-from lommel.reports import encircled
 
 SQUARE = np.linspace(0.1, 1.0, 24 * 24).reshape(24, 24)
 DEPTH = 1.8 + 0.3 * SQUARE
@@ -53,7 +52,7 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
     blur = image | {"encoding": "linear", "wavelengths": [550e-9], "missing": "raise", "border": "reflect"}
     blur |= {"energy": 0.95, "tol": 1e-3, "largest": 11, "dtype": np.float32, "threads": 1}
     window = {"shape": 5, "pixel": 0.5, "normalize": "energy", "dtype": "float32", "center": (2.0, 2.5), "threads": 1}
-    window |= {"integrate": False}
+    window |= {"integrate": False, "tol": 1e-6}
     at = {"fx": [0.1, 0.2], "fy": 0.1}
     scale = {"wavelength": 550e-9, "f_number": 2.0, "obscuration": 0.1}
     units_of = {"order": "noll", "unit": "waves", "normalization": "rms", "wavelength": 550e-9}
@@ -198,7 +197,8 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
                fps=10.0, quality=90),
         tagged("Picture.light", imaging.Picture(SQUARE, "linear", imaging.Exif()).light, dtype=np.float32),
         tagged("Exif.pixel", imaging.Exif(5e-3, 2.0, 26e-3).pixel, shape=(10, 20)),
-        tagged("Polychromatic", lm.Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=lm.Hankel()),
+        tagged("Polychromatic", lm.Polychromatic, wavelengths=[5e-7, 6e-7], weights=[1.0, 2.0], method=lm.Hankel(),
+               tol=1e-6),
         tagged("ClosedForm.best", lm.ClosedForm.best, pupil=PUPIL, shape=5, pixel=0.5),
         tagged("AbramowitzErf()", lm.AbramowitzErf(), z=[0.1, 0.5]),
         tagged("format_length", units.format_length, metres=0.1),

@@ -64,7 +64,8 @@ def test_light_is_held_within_a_dark_border():
     image = np.zeros((60, 70))
     image[20:40, 20:50] = rng.random((20, 30))
     depth = rng.uniform(1.6, 2.8, (60, 70))
-    photograph = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", border="zero", dtype=np.float64)
+    given = {"border": "zero", "occlusion": False, "dtype": np.float64}
+    photograph = depth_of_field(image, depth, LENS, PIXEL, encoding="linear", **given)
     assert photograph.window < 40
     assert photograph.values.sum() == pytest.approx(image.sum(), rel=1e-6)
     assert 0.0 < photograph.lost <= 0.02

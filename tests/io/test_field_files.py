@@ -212,7 +212,7 @@ def test_derivatives_go_into_npz_only(grid, tmp_path):
     psf = dataclasses.replace(grid.psf, derivatives={"defocus": 2.0 * grid.values})
     with_slopes = dataclasses.replace(grid, psf=psf)
     for suffix in (".tif", ".zarr"):
-        with pytest.raises(ValueError, match=r"must end in \.npz for PSFs with derivatives"):
+        with pytest.raises(ValueError, match=r"must end in \.npz for a grid of PSFs with derivatives"):
             with_slopes.save(tmp_path / f"a{suffix}")
     with_slopes.save(tmp_path / "a.npz")
     loaded = lm.PSFGrid.load(tmp_path / "a.npz")

@@ -97,10 +97,6 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_p
         ('[aperture.mask]\nfile = "oblong.npy"\n', "values must be a square array"),
         ('[aperture.mask]\nfile = "nan.npy"\n', "values"),
         ("[aperture.mask]\nfile = 3\n", "must be the name of a file"),
-        (
-            '[aperture.ellipse]\na = 1\nb = 0.5\n[field]\nsensor = ["24 mm", "36 mm"]\nW131 = 1\n',
-            "aperture: must be left out where there is a section [field], got vignetting",
-        ),
     ],
 )
 def test_a_fault_is_told_where_it_is(load, tmp_path, section, what):

@@ -89,6 +89,47 @@ def test_order_unit_normalization_and_direction_are_what_the_table_says(load):
     assert same(found, expected)
 
 
+APERTURE = """
+[aperture.spider]
+vanes = 3
+width = "2 mm"
+[aperture.ellipse]
+a = 0.9
+b = 0.8
+angle = "30 deg"
+"""
+
+
+@pytest.mark.parametrize("section", [SEIDEL, TABLE])
+def test_what_narrows_the_aperture_and_its_amplitude_are_those_of_every_position(load, section):
+    instrument = load(section + APERTURE)
+    lit = dataclasses.replace(instrument, lens=dataclasses.replace(
+        instrument.lens, aperture_diameter=None, f_number=2.0, sensor_distance=None, focus_distance=2.0,
+        apodization=lm.Apodization((0.5, -0.2))))  # fmt: skip
+    for made in (instrument, lit):
+        pupil, there = made.pupil(), made.field().pupil(10e-3, 5e-3)
+        assert there.spider == lm.Spider.equal(3, 2e-3 / 12.5e-3)
+        assert there.vignetting == lm.Ellipse(0.9, 0.8, math.pi / 6)
+        assert dataclasses.replace(pupil, wavefront=there.wavefront, geometry=None) == there
+        # What the field adds is the same with and without.
+        bare = load(section)
+        assert same(
+            there.wavefront - pupil.wavefront, bare.field().pupil(10e-3, 5e-3).wavefront - bare.pupil().wavefront
+        )
+
+
+def test_psfs_over_the_field_of_a_narrowed_aperture_are_those_of_its_pupils(load):
+    instrument = load(SEIDEL + APERTURE)
+    grid = instrument.field().grid(2, 2, sensor=instrument.sensor, shape=9, pixel=2e-6)
+    by_hand = dataclasses.replace(
+        instrument.lens.pupil(1.9),
+        wavefront=instrument.pupil().wavefront
+        + lm.Wavefront.from_seidel(W131=2.0, W222=-1.0, field=(9e-3 / 21.633307652784e-3, 6e-3 / 21.633307652784e-3)),
+    )
+    expected = lm.psf(by_hand, 9, 2e-6).values
+    assert np.abs(grid[1, 1].values - expected).max() <= 2e-6 * expected.max()
+
+
 def test_a_lens_without_a_field_says_so(load):
     instrument = dataclasses.replace(load(SEIDEL), aberrations_of_field=None)
     with pytest.raises(ValueError, match=r"the lens file of 'camera' must have a section \[field\]"):

@@ -90,10 +90,13 @@ def test_a_lens_has_an_amplitude(load):
     edge = '\n[field]\nsensor = ["24 mm", "36 mm"]\nW131 = 1.0\n'
     lit = load(text=PLAIN.replace("[lens]", "[lens]\napodization = 0.5") + edge)
     assert lit.field().pupil(1e-3, 2e-3).apodization == 0.5
-    for wrong in ('"sine"', "-1", "101", "true", "nan", "[1.0]"):
-        with pytest.raises(
-            LensFileError, match=r"lens.apodization \(line \d+\): .*number from 0 to 100, or \"aplanatic\""
-        ):
+    ringed = load("apodization = [1.0, -1.6, 0.37]").lens
+    assert ringed.apodization == ringed.pupil().apodization == lm.Apodization((1.0, -1.6, 0.37))
+    for wrong in ('"sine"', "-1", "101", "true", "nan", "{}", "[0.1, true]", '[0.1, "a"]', "[[0.1], 2]"):
+        with pytest.raises(LensFileError, match=r"lens.apodization \(line \d+\): must be a number from 0 to 100, a"):
+            load(f"apodization = {wrong}")
+    for wrong in ("[0.1, inf]", "[150.0]"):
+        with pytest.raises(LensFileError, match=r"lens.apodization \(line \d+\): powers must"):
             load(f"apodization = {wrong}")
     with pytest.raises(LensFileError, match="apodization 'aplanatic' needs model='aplanatic'"):
         load('apodization = "aplanatic"')

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import ast
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.methods import choice
+from lommel.methods import METHODS, choice
 
 COMA = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 2.0}))
 STACK = lm.Pupil(lm.Wavefront(np.zeros(8), nonradial={(3, 1): np.linspace(1, 2, 8)}))
@@ -28,6 +31,7 @@ TILTED = lm.Pupil(lm.Wavefront(nonradial={(1, 1): 4000.0, (3, 1): 1.0}))
 def test_every_pupil_and_window_goes_to_the_method_that_serves_it(pupil, shape, options, method):
     answer = lm.psf(pupil, shape, 0.5, **options)
     assert type(answer.method) is method
+    assert lm.psf(pupil, shape, 0.5, tol=1e-8, **options).method == method(1e-8)
     assert lm.Plan(shape, 0.5, **options)(pupil).values.tobytes() == answer.values.tobytes()
 
 
@@ -53,3 +57,58 @@ def test_other_apertures_without_finufft_are_refused_with_what_to_do(monkeypatch
     monkeypatch.setattr(choice, "find_spec", lambda _: None)
     with pytest.raises(ValueError, match="MatrixFourier"):
         lm.psf(lm.Pupil(spider=lm.Spider.equal(3, width=0.05)), 33, 0.5)
+
+
+def test_each_rule_of_the_table_has_a_pupil_that_it_is_the_first_for():
+    cases = [(lm.Pupil(), 33), (COMA, 33), (COMA, 65), (lm.Pupil(spider=lm.Spider.equal(3, width=0.05)), 33)]
+    for rule, (pupil, side) in zip(choice.RULES, cases, strict=True):
+        grid = lm.Grid(side, 0.5)
+        assert next(other for other in choice.RULES if other.applies(pupil, grid)) is rule
+        assert tuple(type(way) for way in choice.candidates(pupil, grid)) == rule.methods
+    # The numbers that the words name are those of the code.
+    for pupil, most in ((COMA, 64), (STACK, 128), (STACK[:7], 64)):
+        for side, first in ((most, lm.ChordalGauss), (most + 1, lm.NijboerZernike)):
+            assert type(choice.candidates(pupil, lm.Grid((3, side), 0.5))[0]) is first
+    assert "up to 64 samples a side (128 of 8 pupils or more)" in choice.RULES[1].pupils
+
+
+def test_the_page_on_how_to_choose_has_the_table_of_the_code():
+    page = Path(__file__).parents[2] / "docs" / "choose.md"
+    assert f"\n{choice.table()}\n" in page.read_text(encoding="utf-8")
+
+
+def test_the_next_method_is_asked_where_one_proves_nothing_and_the_last_one_says_why():
+    asked = []
+
+    def ask(way):
+        asked.append(way)
+        if len(asked) < 3:
+            raise lm.ToleranceError(f"{way.tol:g} is not proven")
+        return "proven"
+
+    ways = tuple(lm.NijboerZernike(tol) for tol in (1e-3, 1e-4, 1e-5))
+    assert choice.first_proven(ways, ask) == (ways[2], "proven")
+    assert asked == list(ways)
+    asked.clear()
+    with pytest.raises(lm.ToleranceError, match=r"0\.0001 is not proven"):
+        choice.first_proven(ways[:2], ask)
+
+
+def test_a_tolerance_below_that_of_the_only_method_is_refused():
+    with pytest.raises(ValueError, match=r"tol must be >= 1e-11 and < 0\.1, got 1e-12"):
+        lm.psf(lm.Pupil(spider=lm.Spider.equal(3, width=0.05)), 9, 0.5, tol=1e-12)
+    assert lm.psf(COMA, 9, 0.5, tol=1e-11).error_bound <= 1e-11
+
+
+def test_no_room_above_the_methods_makes_one_by_itself():
+    """All take what lommel.methods.choice gives, or what the user names; the paper compares them all."""
+    names = {kind.__name__ for kind in METHODS.values()}
+    package = Path(lm.__file__).parent
+    makers = []
+    for path in sorted(package.rglob("*.py")):
+        room = path.relative_to(package).parts[0]
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            called = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in names
+            if called and room not in ("methods", "paper"):
+                makers.append(f"{path.name}:{node.lineno}")
+    assert makers == []

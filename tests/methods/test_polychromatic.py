@@ -7,6 +7,8 @@ import pytest
 from scipy.special import j0, j1
 
 import lommel as lm
+from lommel.core.answers import Intensities
+from lommel.optics.spectrum import Spectrum
 
 WAVES, WEIGHTS = (450e-9, 550e-9, 650e-9), (1.0, 2.0, 1.0)
 
@@ -137,3 +139,180 @@ def test_a_sum_dimmer_than_its_parts_together_is_still_within_the_tolerance():
     method = lm.Polychromatic([400e-9, 1e-6, 5e-6], [1, 1, 1], lm.NijboerZernike(1e-7))
     answer = lm.psf(pupil, 33, 2e-6, method=method, dtype="float64", center=(300.0, 200.0), integrate=False)
     assert answer.error_bound <= 1e-7 + 2.0**-53
+
+
+APERTURES = {
+    "disc": {},
+    "annulus": {"obscuration": 0.33},
+    "vanes": {"spider": lm.Spider.equal(3, width=0.15), "obscuration": 0.2},
+    "cat's eye": {"vignetting": lm.CatEye((0.4, 0.1))},
+    "ellipse": {"vignetting": lm.Ellipse(0.9, 0.6)},
+    "mask": {"mask": lm.Mask(np.hypot(*np.mgrid[-1:1:96j, -0.9:1:96j]) < 0.8)},
+}
+WAVEFRONTS = {
+    "defocus": lm.Wavefront(2.0, 0.7),
+    "coma": lm.Wavefront(0.8, nonradial={(3, 1): 2.0}),
+    "stack": lm.Wavefront([0.0, 3.0, 5.0], nonradial={(3, 1): 0.7, (2, -2): 0.5}),
+    # The small window sees none of it, and the chordal rule proves nothing.
+    "tilt": lm.Wavefront(0.8, nonradial={(1, 1): 60.0, (3, 1): 2.0}),
+}
+
+
+def each_alone(wavefront: lm.Wavefront, aperture: str, **window) -> np.ndarray:
+    """Return the intensity of white light, 1 at the peak of the reference without aberration, light by light."""
+    total = 0.0
+    for wave, weight in zip(WAVES, WEIGHTS, strict=True):
+        scale = 550e-9 / wave
+        one = lm.Pupil(scale * wavefront, **APERTURES[aperture], wavelength=wave, f_number=4.0)
+        way = lm.NijboerZernike(1e-10) if one.circular else lm.NonuniformFFT(1e-10)
+        made = lm.psf(one, (7, 9), 1.3e-6, method=way, dtype="float64", **window)
+        total = total + 0.25 * weight * scale**2 * made.values / made.scale[..., None, None]
+    return total
+
+
+@pytest.mark.parametrize("wavefront", WAVEFRONTS)
+@pytest.mark.parametrize("aperture", APERTURES)
+@pytest.mark.parametrize("integrate", [True, False])
+def test_white_light_of_every_pupil_is_within_the_tolerance_whatever_else_is_asked(aperture, wavefront, integrate):
+    phase = WAVEFRONTS[wavefront]
+    pupil = lm.Pupil(phase, **APERTURES[aperture], wavelength=550e-9, f_number=4.0)
+    # Of what peaks elsewhere, the same in the middle of the window.
+    middle = each_alone(lm.Wavefront(0.8, nonradial={(3, 1): 2.0}) if wavefront == "tilt" else phase, aperture)
+    white = lm.Polychromatic(WAVES, WEIGHTS)
+    for turn, center in enumerate((None, (2.0, 5.0), (2.3, 6.6))):
+        exact = each_alone(phase, aperture, integrate=integrate, center=center)
+        highest = exact.max(axis=(-2, -1))
+        every = ("energy", "strehl", "peak")
+        # All where they are cheap.
+        for normalize in every if pupil.circular else every[turn : turn + 1]:
+            tol, dtype = ((1e-4, "float32"), (1e-6, "float32"), (1e-7, "float64"))[turn]
+            asked = {"normalize": normalize, "method": white, "tol": tol, "dtype": dtype}
+            answer = lm.psf(pupil, (7, 9), 1.3e-6, integrate=integrate, center=center, **asked)
+            known = answer.scale if normalize != "peak" else 1.0 / highest
+            error = np.abs(answer.values / known[..., None, None] - exact).max(axis=(-2, -1))
+            peak = highest if normalize == "peak" else np.maximum(highest, middle.max(axis=(-2, -1)))
+            bound = tol if answer.error_bound is None else answer.error_bound
+            assert np.all(error <= (bound + 2e-9) * peak), (center, normalize)
+            assert bound <= tol
+            assert (answer.error_bound is None) == (not pupil.circular)
+            shares = [(w / 4.0) * (550e-9 / wave) ** 2 for w, wave in zip(WEIGHTS, WAVES, strict=True)]
+            light = {
+                "energy": (np.pi * 1.3e-6 / pupil.scale) ** 2 / (4.0 * np.pi * pupil.transmission),
+                "strehl": 1.0 / (pupil.amplitude**2 * sum(shares)),
+                "peak": 1.0 / highest,
+            }[normalize]
+            np.testing.assert_allclose(answer.scale, np.broadcast_to(light, pupil.shape), rtol=2 * tol)
+
+
+def test_a_window_that_the_light_misses_goes_to_the_series_at_each_wavelength():
+    def tilted(by: float) -> lm.Pupil:
+        wavefront = lm.Wavefront(0.8, nonradial={(1, 1): by, (3, 1): 2.0})
+        return lm.Pupil(wavefront, wavelength=550e-9, f_number=4.0)
+
+    assert (
+        lm.psf(tilted(2000.0), 17, 1e-6, method=lm.Polychromatic(WAVES, WEIGHTS), integrate=False).error_bound <= 1e-6
+    )
+    chords = lm.Polychromatic(WAVES, WEIGHTS, lm.ChordalGauss())
+    with pytest.raises(ValueError, match="chords, more than the limit"):
+        lm.psf(tilted(2000.0), 17, 1e-6, method=chords, integrate=False)
+    with pytest.raises(lm.ToleranceError, match="cannot be met by a sum over wavelengths each of which"):
+        lm.psf(tilted(300.0), 5, 2.3e-6, method=chords)
+
+
+def test_wavelets_of_each_colour_of_a_lens_add_up_to_its_white_light():
+    """Huygens' superposition takes the distances of the lens, and no phase; at f/16 the two are close."""
+    lens = {"focal_length": 50e-3, "f_number": 16.0, "focus_distance": 2.0}
+    exact = 0.0
+    for wave, weight in zip(WAVES, WEIGHTS, strict=True):
+        one = lm.psf(
+            lm.Lens(**lens, wavelength=wave).pupil(1.7), 9, 8e-6, method=lm.HuygensFresnel(), integrate=False
+        )
+        exact = exact + 0.25 * weight * one.values
+    pupil = lm.Lens(**lens, wavelength=550e-9).pupil(1.7)
+    for method, tolerance in ((None, 2e-3), (lm.HuygensFresnel(), 1e-6)):
+        white = lm.Polychromatic(WAVES, WEIGHTS, method)
+        answer = lm.psf(pupil, 9, 8e-6, method=white, integrate=False, dtype="float64")
+        assert lm.peak_error(answer, exact) < tolerance
+
+
+def test_the_tolerance_is_that_of_the_sum_however_it_is_named():
+    for white in (
+        lm.Polychromatic(WAVES, WEIGHTS, tol=1e-8),
+        lm.Polychromatic(WAVES, WEIGHTS, lm.NijboerZernike(1e-8)),
+        lm.Polychromatic(WAVES, WEIGHTS, lm.NijboerZernike(1e-3), tol=1e-8),
+        lm.Polychromatic(WAVES, WEIGHTS, lm.NijboerZernike(1e-3)).with_tol(1e-8),
+    ):
+        assert white.tol == 1e-8
+        assert white.method is None or white.method.tol == 1e-8
+        answer = lm.psf(lens().pupil(3.0), 21, 2e-6, method=white)
+        assert answer.values.dtype == np.float64
+        assert answer.error_bound <= 1e-8
+    with pytest.raises(ValueError, match="tol=1e-08 must be left out for Geometric"):
+        lm.Polychromatic(WAVES, WEIGHTS, lm.Geometric(), tol=1e-8)
+    with pytest.raises(ValueError, match=r"tol must be >= 1e-12 and < 0\.1, got 1e-20"):
+        lm.Polychromatic(WAVES, WEIGHTS, tol=1e-20)
+
+
+def test_a_method_whose_tolerance_is_no_contract_is_summed_as_it_is():
+    white = lm.Polychromatic(WAVES, WEIGHTS, lm.Hankel())
+    answer = lm.psf(lens().pupil(3.0), 21, 2e-6, method=white)
+    certified = lm.psf(lens().pupil(3.0), 21, 2e-6, method=lm.Polychromatic(WAVES, WEIGHTS), tol=1e-10)
+    assert lm.peak_error(answer, certified) <= 1e-10
+    assert lm.Hankel().tol < answer.error_bound < 1e-11
+
+
+def test_the_pupils_of_all_wavelengths_are_made_once_however_often_more_is_asked_of_them(monkeypatch):
+    made, asked = [], []
+    components = Spectrum.components
+
+    def counted(spectrum, pupil):
+        made.append(components(spectrum, pupil))
+        return made[-1]
+
+    def one_place(method, pupil, v):
+        """Light of each wavelength elsewhere: the sum is as bright as one of them, its error that of all."""
+        asked.append(method.tol)
+        values = (np.arange(v.size) == round(1e8 * pupil.wavelength)).astype(float)[None]
+        return Intensities(values, np.array([method.tol]), np.ones(1))
+
+    monkeypatch.setattr(Spectrum, "components", counted)
+    monkeypatch.setattr(lm.NijboerZernike, "profile", one_place)
+    found = lm.Polychromatic(WAVES, WEIGHTS).profile(lens().pupil(3.0), np.arange(99.0))
+    assert found.error.max() <= 1e-6
+    assert len(set(asked)) == 2
+    assert len(made) == 1
+
+
+def test_measures_of_white_light_are_those_of_its_parts():
+    radial = lm.Pupil(lm.Wavefront(1.5), wavelength=550e-9, f_number=4.0)
+    vanes = lm.Pupil(lm.Wavefront(1.5), wavelength=550e-9, f_number=4.0, spider=lm.Spider.equal(4, 0.1))
+    white = lm.Polychromatic(WAVES, WEIGHTS)
+    for pupil in (radial, vanes):
+        answer = lm.psf(pupil, 61, 1e-6, method=white, dtype="float64")
+        parts = [lm.psf(part.pupil, 61, 1e-6, dtype="float64") for part in white.components(pupil)]
+        shares = white.weights
+
+        def mean(measure, shares=shares, parts=parts):
+            return sum(share * measure(part) for share, part in zip(shares, parts, strict=True))
+
+        assert answer.energy == pytest.approx(mean(lambda p: p.energy), rel=1e-6)
+        assert answer.encircled_energy(9e-6) == pytest.approx(mean(lambda p: p.encircled_energy(9e-6)), rel=1e-6)
+        assert answer.ensquared_energy(9e-6) == pytest.approx(mean(lambda p: p.ensquared_energy(9e-6)), rel=1e-6)
+        assert answer.mtf(1e5) == pytest.approx(abs(mean(lambda p: p.otf(1e5))), rel=1e-6)
+        weights = [part.weight for part in white.components(pupil)]
+        strehl = np.average([p.strehl for p in parts], weights=weights)
+        assert answer.strehl == pytest.approx(strehl, rel=1e-5)
+        np.testing.assert_allclose(
+            answer.profile()[1], mean(lambda p: p.profile()[1]), atol=2e-6 * answer.values.max()
+        )
+    radii = np.linspace(0.0, 2e-5, 7)
+    expected = sum(
+        share * lm.psf(part.pupil, 9, 1e-6).profile(radii)[1]
+        for share, part in zip(white.weights, white.components(radial), strict=True)
+    )
+    np.testing.assert_allclose(lm.psf(radial, 9, 1e-6, method=white).profile(radii)[1], expected, rtol=1e-4)
+
+
+def test_derivatives_of_white_light_are_refused_with_what_to_do():
+    with pytest.raises(ValueError, match="derivatives are not available from Polychromatic: sum those that Nij"):
+        lm.psf(lens().pupil(3.0), 9, 2e-6, method=lm.Polychromatic(WAVES, WEIGHTS), derivatives=("defocus",))

@@ -194,7 +194,7 @@ def test_there_is_no_profile_and_there_are_no_derivatives_of_such_pupils():
 def test_aberrations_beyond_the_limit_are_refused_with_a_reason():
     with pytest.raises(ValueError, match="Zernike series of degree"):
         lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2000.0})), 2048, 1.0)
-    with pytest.raises(ValueError, match="1e6 rad"):
+    with pytest.raises(ValueError, match="limit of 1000000 rad"):
         lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 2e6})), 9, 0.5)
 
 
@@ -300,7 +300,7 @@ def test_a_tilt_that_moves_the_light_beyond_reach_is_refused_at_once(tilt, messa
 @pytest.mark.parametrize("method", [lm.NijboerZernike(), lm.ChordalGauss()])
 def test_phases_beyond_all_sense_are_refused_as_such(method):
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1e300}))
-    with pytest.raises(ValueError, match="phases must be at most 1e6 radians"):
+    with pytest.raises(ValueError, match="rad exceed the limit of 1000000 rad"):
         lm.psf(pupil, 9, 0.5, method=method)
 
 

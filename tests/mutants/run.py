@@ -115,14 +115,15 @@ def compiled(faults: list[Fault]) -> Path:
     """Build the core with every fault in it; return the folder that it is in."""
     source, build = PLACE / "cpp", PLACE / "cmake"
     by_file = {file: [f for f in faults if f.file == file] for file in {f.file for f in faults}}
-    for path in [ROOT / "CMakeLists.txt", *(ROOT / "cpp").rglob("*.[ch]pp")]:
+    needed = ("CMakeLists.txt", "pyproject.toml", "cmake/*", "cpp/**/*.[ch]pp")
+    for path in itertools.chain.from_iterable(ROOT.glob(pattern) for pattern in needed):
         name = path.relative_to(ROOT).as_posix()
         text = path.read_text(encoding="utf-8")
         write(source / name, switched(text, by_file.get(name, [])).encode())
     write(source / "switch.hpp", SWITCH.encode())
     tools = Path(sys.executable).parent
     configure = [tools / "cmake", "-S", source, "-B", build, "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={tools / 'ninja'}"]
-    configure += [f"-DPython_EXECUTABLE={sys.executable}", "-DCMAKE_BUILD_TYPE=Release"]
+    configure += [f"-DPython_EXECUTABLE={sys.executable}", "-DCMAKE_BUILD_TYPE=Release", "-DLOMMEL_PYTHON=ON"]
     configure += [f"-DCMAKE_CXX_FLAGS=-include {source / 'switch.hpp'}"]
     for command in (configure, [tools / "cmake", "--build", build]):
         done = subprocess.run([str(part) for part in command], capture_output=True, encoding="utf-8", check=False)

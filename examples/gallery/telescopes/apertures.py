@@ -58,7 +58,7 @@ for axes in rows[:, 1:].ravel():
 # Soummer et al. with whole and with grey cells at the edges.
 
 pupil = pupils["four vanes"]
-exact = lm.psf(pupil, 65, 0.5, method=lm.NonuniformFFT(1e-11))
+exact = lm.psf(pupil, 65, 0.5, tol=1e-11)
 samples = np.array([64, 96, 128, 192, 256, 384, 512, 768, 1024])
 figure, axes = plt.subplots(figsize=(7.5, 4.2), layout="constrained")
 for edge in ("binary", "grey"):

@@ -122,7 +122,7 @@ def field_map(
     points = sample_points(_degree(degree))
     tol = _tolerance(tol)
     axis, f_number = fit(trace(0.0, 0.0, *points), degree, tol)
-    scale = {"wavelength": wavelength, "f_number": f_number}
+    aperture = Pupil(wavelength=wavelength, f_number=f_number)
     if fields is not None:
         if not isinstance(fields, Sequence | np.ndarray):
             raise TypeError(f"fields must be a sequence of pairs (hx, hy), got {validation.shown(fields)}")
@@ -130,7 +130,7 @@ def field_map(
         several = [trace(hx, hy, *points) for hx, hy in at]
         wavefront = _stack([fit(one, degree, tol)[0] for one in several])
         x, y = np.array([one.position for one in several]).reshape(-1, 2).T
-        return FieldMap.scattered(x, -y, wavefront, **scale)
+        return FieldMap.scattered(x, -y, wavefront, aperture=aperture)
     count = validation.integer("heights", heights, least=2, most=1000)
     along = [trace(0.0, float(hy), *points) for hy in np.linspace(0.0, 1.0, count)]
     wavefront = _stack([axis, *(fit(one, degree, tol)[0] for one in along[1:])])
@@ -139,7 +139,7 @@ def field_map(
     distances = upwards * position[:, 1]
     if not distances[-1] > 0.0:
         raise ValueError("the field of the lens must not be a single point: its edge is imaged onto the axis")
-    made = FieldMap.radial(distances, wavefront, azimuth=-0.5 * math.pi * upwards, **scale)
+    made = FieldMap.radial(distances, wavefront, azimuth=-0.5 * math.pi * upwards, aperture=aperture)
     _require_symmetry(made, trace(1.0, 0.0, *points), distances[-1], degree, tol)
     return made
 

@@ -43,8 +43,8 @@ def together() -> Iterator[Callable[[Path, bytes], None]]:
             place = _place(target)
             temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
             # 0o666 is what the umask, which belongs to the whole process, takes from.
+            made.append((temporary, place))  # first, lest an interrupt come between
             handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666 if mode is None else 0o600)
-            made.append((temporary, place))
             with os.fdopen(handle, "wb") as file:
                 if mode is not None:
                     os.fchmod(handle, mode)

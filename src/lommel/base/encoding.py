@@ -17,6 +17,20 @@ def to_light(name: str, values: NDArray[Any], encoding: str, dtype: DTypeLike) -
 
     "srgb" is the transfer function of IEC 61966-2-1.
 
+    Parameters
+    ----------
+    name : str
+        What messages call the values.
+    values : ndarray
+        Unsigned integers or floats.
+    encoding : {"srgb", "linear"}
+    dtype : float32 or float64
+        Of the light.
+
+    Returns
+    -------
+    ndarray, of the shape of `values`
+
     Raises
     ------
     TypeError, ValueError
@@ -47,6 +61,18 @@ def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[
 
     In an integer type what is brighter than white is white, as on a sensor that is full, and what is below 0 is 0;
     :func:`lommel.base.encoding.clipped_share` tells how much that is.
+
+    Parameters
+    ----------
+    light : ndarray of float
+        1 is white.
+    encoding : {"srgb", "linear"}
+    dtype : dtype
+        An unsigned integer or a float.
+
+    Returns
+    -------
+    ndarray, of the shape of `light`
     """
     kind = np.dtype(dtype)
     values = light
@@ -61,7 +87,20 @@ def from_light(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> NDArray[
 
 
 def clipped_share(light: NDArray[Any], dtype: DTypeLike) -> float:
-    """Return the share of values that an integer type clips by more than its rounding; 0 for floats."""
+    """Return the share of values that an integer type clips by more than its rounding; 0 for floats.
+
+    Parameters
+    ----------
+    light : ndarray of float
+        1 is white.
+    dtype : dtype
+        Of the values stored.
+
+    Returns
+    -------
+    float
+        0 to 1.
+    """
     kind = np.dtype(dtype)
     if kind.kind != "u" or light.size == 0:
         return 0.0

@@ -18,7 +18,7 @@ def library(name: str, user: str, extra: str) -> Any:
     user : str
         What needs it, with its verb: "plots need".
     extra : str
-        Which extra of this package brings it.
+        Which extra of this package brings it; "" if none does.
 
     Raises
     ------
@@ -34,4 +34,5 @@ def library(name: str, user: str, extra: str) -> Any:
 def how_to_get(name: str, extra: str) -> str:
     """Return what is needed and how to install it, in words that hold wherever this package came from."""
     top = name.partition(".")[0]
-    return f'{top}: pip install {_TO_INSTALL.get(top, top)} (the extra "{extra}" of lommel brings it)'
+    brought = f' (the extra "{extra}" of lommel brings it)' if extra else ""
+    return f"{top}: pip install {_TO_INSTALL.get(top, top)}{brought}"

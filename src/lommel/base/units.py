@@ -40,6 +40,15 @@ def parse_length(text: str | float) -> float:
     Units: km, m, cm, mm, um, nm, pm, angstrom, in. The result is the float nearest to what is written, but for
     inches.
 
+    Parameters
+    ----------
+    text : str or float
+
+    Returns
+    -------
+    float
+        Metres.
+
     Raises
     ------
     ValueError
@@ -49,14 +58,46 @@ def parse_length(text: str | float) -> float:
 
 
 def parse_angle(text: str | float) -> float:
-    """Return radians from ``"0.1 arcsec"``, or a number of radians. Units: rad, mrad, deg, arcmin, arcsec, mas."""
+    """Return radians from ``"0.1 arcsec"``, or a number of radians. Units: rad, mrad, deg, arcmin, arcsec, mas.
+
+    Parameters
+    ----------
+    text : str or float
+
+    Returns
+    -------
+    float
+        Radians.
+
+    Raises
+    ------
+    ValueError
+        If it is not a number, or a text of one with one of these units.
+    """
     if isinstance(text, int | float) and not isinstance(text, bool):
         return real("an angle", text, infinite=True)
     return _parse(text, _ANGLES, "angle", "0.1 arcsec")
 
 
 def parse_radius(text: str | float, focal_length: float) -> float:
-    """Return metres on the sensor from a length, or from an angle on the sky times the focal length."""
+    """Return metres on the sensor from a length, or from an angle on the sky times the focal length.
+
+    Parameters
+    ----------
+    text : str or float
+    focal_length : float
+        Metres.
+
+    Returns
+    -------
+    float
+        Metres.
+
+    Raises
+    ------
+    ValueError
+        If it is neither a length nor an angle.
+    """
     found = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     if found and found[2] in _ANGLES:
         return parse_angle(found[0]) * real("focal_length", focal_length, above=0.0)
@@ -64,7 +105,20 @@ def parse_radius(text: str | float, focal_length: float) -> float:
 
 
 def format_length(metres: float, *, like: float | None = None, digits: int = 4) -> str:
-    """Return a length with a unit that suits it, or that suits another length: ``"3.45 um"``."""
+    """Return a length with a unit that suits it, or that suits another length: ``"3.45 um"``.
+
+    Parameters
+    ----------
+    metres : float
+    like : float, optional
+        The other length, metres.
+    digits : int, default 4
+        Significant ones.
+
+    Returns
+    -------
+    str
+    """
     metres = metres if isinstance(metres, float) else real("metres", metres, infinite=True)
     if math.isinf(metres):
         return "infinity" if metres > 0 else "-infinity"

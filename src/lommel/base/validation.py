@@ -14,6 +14,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lommel.base.arrays import Array
+
 MAX_SIDE = 16384
 """Largest image side, in pixels."""
 
@@ -164,7 +166,7 @@ def number_array(name: str, value: ArrayLike) -> NDArray[Any]:
     return given
 
 
-def real_array(name: str, value: ArrayLike, *, least: float = -math.inf) -> NDArray[np.float64]:
+def real_array(name: str, value: ArrayLike, *, least: float = -math.inf) -> Array:
     """Return `value` as a read-only float64 array of finite numbers ``>= least``."""
     with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, which is told
         found = np.array(number_array(name, value), dtype=np.float64, subok=False)

@@ -15,7 +15,7 @@ from lommel.base.validation import shown
 try:
     import click
 
-    from lommel.cli.methods import METHOD_NAMES, build_method, chosen, methods
+    from lommel.cli.methods import METHOD_NAMES, build_method, methods
     from lommel.cli.parts import Length, Shape, one_line_errors, print_json, progress
     from lommel.cli.photo_commands import blur, focus_pull
 except ImportError as missing:  # pragma: no cover
@@ -123,16 +123,16 @@ def psf(
     from lommel.reports import report
 
     for path in outputs:
-        if field is not None:
-            field_files.check_suffix(path, "--output")
-        elif path.suffix.lower() not in psf_files.SUFFIXES:
-            raise ValueError(f"--output must end in {', '.join(psf_files.SUFFIXES)}, got {shown(str(path))}")
+        (psf_files if field is None else field_files).find(path, "--output")
     if figure is not None:
         _figure_format(figure)
     instrument = _instrument(lens, object_distance, pixel, shape, integrate)
-    method = chosen(instrument, settings, tol) if method_name == "auto" else build_method(method_name, settings, tol)
+    method = build_method(method_name, settings)
+    if tol is not None and any(setting.startswith("tol=") for setting in settings):
+        raise ValueError("tol is given twice, by --tol and by --set")
     if field is not None:
-        options = {"method": method, "normalize": normalize, "dtype": dtype, "integrate": instrument.integrate}
+        options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
+        options["integrate"] = instrument.integrate
         _psf_over_field(instrument, field, options, outputs, figure, as_json)
         return
     with progress(f"{instrument.window[0]} x {instrument.window[1]} pixels"):
@@ -142,6 +142,7 @@ def psf(
             instrument.window,
             instrument.pixel,
             method=method,
+            tol=tol,
             normalize=normalize,
             dtype=dtype,
             integrate=instrument.integrate,
@@ -167,9 +168,9 @@ def psf(
 
 
 def _of_picture(answer: PSF) -> str:
-    from lommel.io.psf_files import png_scale
+    from lommel.io import psf_png
 
-    scale = png_scale(answer)
+    scale = psf_png.scale(answer)
     height, width = (scale * side for side in answer.shape)
     each = f"{scale} x {scale} for each of the PSF, " if scale > 1 else ""
     return f": {width} x {height} pixels, {each}square root of the values, 16 bit"

@@ -11,7 +11,6 @@ from lommel.base.validation import shown
 from lommel.cli.parts import one_line_errors, print_json
 
 if TYPE_CHECKING:
-    from lommel.lensfiles.instrument import Instrument
     from lommel.methods import Method
 
 METHOD_NAMES = (
@@ -56,24 +55,17 @@ def methods(as_json: bool) -> None:
         tables.print_methods(rows)
 
 
-def chosen(instrument: Instrument, settings: tuple[str, ...], tol: float | None) -> Method | None:
-    """Return None, for the choice of :func:`lommel.psf`, or where a tolerance is named a method that keeps it."""
-    from lommel.methods import NijboerZernike, NonuniformFFT
-
-    if settings:
-        raise ValueError(f"--set needs --method, whose option it is, got --set {settings[0]}")
-    if tol is None:
-        return None
-    return NijboerZernike(tol) if instrument.pupil().circular else NonuniformFFT(tol)
-
-
-def build_method(name: str, settings: tuple[str, ...] = (), tol: float | None = None) -> Method:
-    """Return a method from its command-line name and ``NAME=VALUE`` settings."""
+def build_method(name: str, settings: tuple[str, ...] = ()) -> Method | None:
+    """Return a method from its command-line name and ``NAME=VALUE`` settings; None, left to the pupil, for "auto"."""
     from lommel.methods import ERFS, METHODS
 
+    if name == "auto":
+        if settings:
+            raise ValueError(f"--set needs --method, whose option it is, got --set {settings[0]}")
+        return None
     kind = METHODS[name]
     known = {item.name for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
-    options: dict[str, Any] = {} if tol is None else {"tol": tol}
+    options: dict[str, Any] = {}
     for setting in settings:
         key, equals, text = setting.partition("=")
         if not equals:

@@ -13,7 +13,7 @@ from lommel.base.units import format_length
 from lommel.show.plot import HOW, MEANING
 
 if TYPE_CHECKING:
-    from lommel.field.maps import PSFGrid
+    from lommel.field.psf_grid import PSFGrid
     from lommel.lensfiles.instrument import Instrument
     from lommel.psf import PSF
 

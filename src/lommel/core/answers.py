@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
+
 
 class ToleranceError(ArithmeticError):
     """A method cannot meet the tolerance it was given."""
@@ -31,7 +33,7 @@ class FieldValues(NamedTuple):
     """
 
     values: NDArray[np.complex128]
-    error: NDArray[np.float64] | None
+    error: Array | None
 
 
 class Intensities(NamedTuple):
@@ -46,9 +48,9 @@ class Intensities(NamedTuple):
         What the error is related to, where there is one.
     """
 
-    values: NDArray[np.float64]
-    error: NDArray[np.float64] | None
-    peak: NDArray[np.float64] | None = None
+    values: Array
+    error: Array | None
+    peak: Array | None = None
 
 
 class Slopes(NamedTuple):
@@ -62,7 +64,7 @@ class Slopes(NamedTuple):
     """
 
     values: NDArray[Any]
-    error: NDArray[np.float64]
+    error: Array
 
 
 class Images(NamedTuple):
@@ -82,7 +84,7 @@ class Images(NamedTuple):
     """
 
     values: NDArray[Any]
-    scale: NDArray[np.float64]
-    error: NDArray[np.float64] | None
+    scale: Array
+    error: Array | None
     slopes: Slopes | None = None
-    peak: NDArray[np.float64] | None = None
+    peak: Array | None = None

@@ -25,6 +25,7 @@ from lommel._core import (
     scatter,
     spread,
 )
+from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Images, Intensities, Slopes, not_met
 
 __all__ = [
@@ -54,8 +55,6 @@ __all__ = [
     "window_images",
 ]
 
-Floats = NDArray[np.float64]
-
 
 class RadialStack(NamedTuple):
     """Radially symmetric pupils.
@@ -70,9 +69,9 @@ class RadialStack(NamedTuple):
         g_0, g_1, ... of the amplitude ``exp(-(g_0 + g_1 rho^2 + ...))``.
     """
 
-    terms: Floats
+    terms: Array
     obscuration: float
-    amplitude: Floats
+    amplitude: Array
 
 
 class DiskStack(NamedTuple):
@@ -89,9 +88,9 @@ class DiskStack(NamedTuple):
     """
 
     terms: NDArray[np.int32]
-    edge: Floats
+    edge: Array
     obscuration: float
-    amplitude: Floats
+    amplitude: Array
 
 
 class Window(NamedTuple):
@@ -104,7 +103,7 @@ class Window(NamedTuple):
 
 def _places(
     count: int, shape: tuple[int, int], scale: float | None, dtype: DTypeLike, out: NDArray[Any] | None
-) -> tuple[NDArray[Any], Floats, Floats]:
+) -> tuple[NDArray[Any], Array, Array]:
     """Return where the core writes: images, what they are multiplied by, and bounds on their error."""
     scales = np.empty(count)
     scales.fill(0.0 if scale is None else scale)
@@ -219,12 +218,12 @@ def chordal_images(
     return Images(*places, None, peaks)
 
 
-def radial_fields(stack: RadialStack, v: Floats, tol: float) -> FieldValues:
+def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:
     """Return U at rising v, with errors that serve an intensity within `tol` of the peak, likely."""
     return FieldValues(*_core.field(*stack, v, tol))
 
 
-def radial_profiles(stack: RadialStack, v: Floats, tol: float) -> Intensities:
+def radial_profiles(stack: RadialStack, v: Array, tol: float) -> Intensities:
     """Return I at rising v, within `tol` of the peak.
 
     Raises
@@ -237,14 +236,14 @@ def radial_profiles(stack: RadialStack, v: Floats, tol: float) -> Intensities:
     return Intensities(values, bounds, peaks)
 
 
-def radial_means(stack: RadialStack, v: Floats, tol: float, matrix: Floats, threads: int = 0) -> Floats:
+def radial_means(stack: RadialStack, v: Array, tol: float, matrix: Array, threads: int = 0) -> Array:
     """Return ``I(v) @ matrix``, shape ``(n, sums)``, I as of :func:`radial_profiles`."""
     sums, bounds = _core.means(*stack, v, tol, matrix, threads)
     _require_all(bounds, tol)
     return sums
 
 
-def _require_all(bounds: Floats, tol: float) -> None:
+def _require_all(bounds: Array, tol: float) -> None:
     if bounds.min() < 0.0:
         raise not_met(tol, float(-bounds.min()), "the peak")
 
@@ -252,7 +251,7 @@ def _require_all(bounds: Floats, tol: float) -> None:
 class PixelRadii(NamedTuple):
     """Radii at which I tells all pixels of a window, and what becomes of its errors; certificate, section 9."""
 
-    v: Floats
+    v: Array
     error: float
     of_nodes: float
     of_grid: float
@@ -265,8 +264,8 @@ def pixel_radii(window: Window, *, integrate: bool, level: int, threads: int = 0
 
 
 def pixel_values(
-    window: Window, profiles: Floats, *, integrate: bool, level: int, threads: int = 0
-) -> tuple[Floats, Floats]:
+    window: Window, profiles: Array, *, integrate: bool, level: int, threads: int = 0
+) -> tuple[Array, Array]:
     """Return the pixels from I at those radii, shape ``(n, height, width)``, and what their rounding is at most."""
     values = np.empty((len(profiles), *window.shape))
     penalties = _core.pixel_values(

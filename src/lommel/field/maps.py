@@ -1,26 +1,23 @@
-"""The field of a lens: wavefronts that change over the sensor, and the PSFs they make."""
+"""The field of a lens: wavefronts that change over the sensor."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.field import interpolation
-from lommel.io import field_files
-from lommel.measures.answer import AnswerGrid, sides
+from lommel.base.options import shares
+from lommel.field import wavefronts
+from lommel.field.aperture import ApertureKeywords, ApertureOptions, bare_pupil
+from lommel.field.psf_grid import PSFGrid
+from lommel.measures.answer import sides
 from lommel.methods import Method
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
 from lommel.psf import PSF, psf
-from lommel.show import plot
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +34,7 @@ class FieldMap:
     Attributes
     ----------
     pupil_without_wavefront : Pupil
-        Obscuration, wavelength, f-number and apodization, the same over the whole field: vignetting and the change
-        of the f-number towards the edge are not modelled.
+        The aperture, the same over the whole field: that it and the f-number change towards the edge is not modelled.
 
     Notes
     -----
@@ -53,19 +49,17 @@ class FieldMap:
     """
 
     pupil_without_wavefront: Pupil
-    _known: interpolation.Known
+    _wavefronts: wavefronts.WavefrontsOnSensor
     _added: Wavefront
 
     @classmethod
+    @shares(ApertureKeywords, ApertureOptions)
     def on_grid(
         cls,
         x: ArrayLike,
         y: ArrayLike,
         wavefront: Wavefront,
-        *,
-        wavelength: float | None = None,
-        f_number: float | None = None,
-        obscuration: float = 0.0,
+        **options: Unpack[ApertureKeywords],
     ) -> FieldMap:
         """Build a map from wavefronts on a rectangular grid, by bicubic splines.
 
@@ -74,27 +68,28 @@ class FieldMap:
         x, y : array_like, shapes (columns,) and (rows,)
             Rising, at least two each. Along an axis of two or three positions the spline is linear or quadratic.
         wavefront : Wavefront of shape (rows, columns)
-        wavelength, f_number, obscuration
-            As of :class:`lommel.Pupil`.
+        {options}
+
+        Returns
+        -------
+        FieldMap
 
         Raises
         ------
         TypeError, ValueError
             If positions are not finite or do not rise, or if the wavefronts are not one for each.
         """
-        known = interpolation.OnGrid(x, y, wavefront)
-        return cls(_bare(wavelength, f_number, obscuration), known, Wavefront())
+        known = wavefronts.OnGrid(x, y, wavefront)
+        return cls(bare_pupil(cls.on_grid, options), known, Wavefront())
 
     @classmethod
+    @shares(ApertureKeywords, ApertureOptions)
     def scattered(
         cls,
         x: ArrayLike,
         y: ArrayLike,
         wavefront: Wavefront,
-        *,
-        wavelength: float | None = None,
-        f_number: float | None = None,
-        obscuration: float = 0.0,
+        **options: Unpack[ApertureKeywords],
     ) -> FieldMap:
         """Build a map from wavefronts at any positions, by radial basis functions (cubic, with a polynomial).
 
@@ -106,27 +101,29 @@ class FieldMap:
         x, y : array_like, shape (n,)
             3 to 4000 positions, all different, not all on one line.
         wavefront : Wavefront of shape (n,)
-        wavelength, f_number, obscuration
-            As of :class:`lommel.Pupil`.
+        {options}
+
+        Returns
+        -------
+        FieldMap
 
         Raises
         ------
         TypeError, ValueError
             If positions are not finite, come twice or lie on a line, or if the wavefronts are not one for each.
         """
-        known = interpolation.Scattered(x, y, wavefront)
-        return cls(_bare(wavelength, f_number, obscuration), known, Wavefront())
+        known = wavefronts.Scattered(x, y, wavefront)
+        return cls(bare_pupil(cls.scattered, options), known, Wavefront())
 
     @classmethod
+    @shares(ApertureKeywords, ApertureOptions)
     def radial(
         cls,
         height: ArrayLike,
         wavefront: Wavefront,
         *,
         azimuth: float = 0.0,
-        wavelength: float | None = None,
-        f_number: float | None = None,
-        obscuration: float = 0.0,
+        **options: Unpack[ApertureKeywords],
     ) -> FieldMap:
         """Build a map of a rotationally symmetric lens from wavefronts along one direction of the field.
 
@@ -142,8 +139,11 @@ class FieldMap:
             The first, on the axis, must be radially symmetric (to 1e-6 rad).
         azimuth : float, default 0
             Direction of these positions in radians, from x (0) to y (pi / 2, downwards in a picture).
-        wavelength, f_number, obscuration
-            As of :class:`lommel.Pupil`.
+        {options}
+
+        Returns
+        -------
+        FieldMap
 
         Raises
         ------
@@ -151,10 +151,11 @@ class FieldMap:
             If heights are not finite, do not rise or do not begin with 0, if the wavefronts are not one for each,
             or if that on the axis depends on the direction.
         """
-        known = interpolation.Radial(height, wavefront, azimuth)
-        return cls(_bare(wavelength, f_number, obscuration), known, Wavefront())
+        known = wavefronts.Radial(height, wavefront, azimuth)
+        return cls(bare_pupil(cls.radial, options), known, Wavefront())
 
     @classmethod
+    @shares(ApertureKeywords, ApertureOptions)
     def from_seidel(
         cls,
         edge: float,
@@ -167,9 +168,7 @@ class FieldMap:
         W222: float = 0.0,
         W220: float = 0.0,
         W311: float = 0.0,
-        wavelength: float | None = None,
-        f_number: float | None = None,
-        obscuration: float = 0.0,
+        **options: Unpack[ApertureKeywords],
     ) -> FieldMap:
         """Build a map from Seidel coefficients in waves at the edge of the field.
 
@@ -179,13 +178,21 @@ class FieldMap:
             Distance from the axis at which the coefficients hold (H = 1), and where the map ends.
         W020, W040, W060, W080, W131, W222, W220, W311 : float
             As of :meth:`lommel.Wavefront.from_seidel`, which is evaluated at each position.
-        wavelength, f_number, obscuration
-            As of :class:`lommel.Pupil`.
+        {options}
+
+        Returns
+        -------
+        FieldMap
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a coefficient is no number, `edge` is not above 0, or an option of the aperture is out of range.
         """
         waves = {"W020": W020, "W040": W040, "W060": W060, "W080": W080}
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
-        known = interpolation.Seidel(edge, waves)
-        return cls(_bare(wavelength, f_number, obscuration), known, Wavefront())
+        known = wavefronts.Seidel(edge, waves)
+        return cls(bare_pupil(cls.from_seidel, options), known, Wavefront())
 
     @property
     def unit(self) -> str:
@@ -195,15 +202,15 @@ class FieldMap:
     @property
     def seidel(self) -> dict[str, float]:
         """Seidel coefficients in waves at :attr:`reach` of a map made of them, else none; without what was added."""
-        return dict(self._known.waves) if isinstance(self._known, interpolation.Seidel) else {}
+        return dict(self._wavefronts.waves) if isinstance(self._wavefronts, wavefronts.Seidel) else {}
 
     @property
     def reach(self) -> float:
         """Distance from the axis of the farthest position in the map."""
-        return self._known.reach
+        return self._wavefronts.reach
 
     def __repr__(self) -> str:
-        return f"<FieldMap, {self._known.limits(self.unit)}>"
+        return f"<FieldMap, {self._wavefronts.limits(self.unit)}>"
 
     def __add__(self, other: object) -> FieldMap:
         """Return the map with one wavefront added everywhere."""
@@ -215,6 +222,16 @@ class FieldMap:
 
     def pupil(self, x: ArrayLike, y: ArrayLike) -> Pupil:
         """Return the pupil that the position (x, y) of the sensor sees; arrays give a stack.
+
+        Parameters
+        ----------
+        x, y : array_like
+            Positions, in :attr:`unit`; they broadcast.
+
+        Returns
+        -------
+        Pupil
+            A stack of their shape.
 
         Raises
         ------
@@ -228,12 +245,12 @@ class FieldMap:
             raise ValueError(f"x and y must broadcast, got shapes {across.shape} and {down.shape}") from None
         if across.size == 0:
             raise ValueError(f"x and y must not be empty, got shape {across.shape}")
-        outside = ~self._known.contains(across, down)
+        outside = ~self._wavefronts.contains(across, down)
         if outside.any():
             at = f"({across[outside].flat[0]:.6g}, {down[outside].flat[0]:.6g}) {self.unit}"
-            limits = self._known.limits(self.unit)
+            limits = self._wavefronts.limits(self.unit)
             raise ValueError(f"position (x, y) = {at} lies outside of the map, {limits}")
-        wavefront = self._known.wavefront(across, down) + self._added
+        wavefront = self._wavefronts.wavefront(across, down) + self._added
         return replace(self.pupil_without_wavefront, wavefront=wavefront)
 
     def psf(
@@ -255,6 +272,15 @@ class FieldMap:
             As of :func:`lommel.psf`; the middle of the window is at the position.
         method : Method, optional
             By default what :func:`lommel.psf` takes by default.
+
+        Returns
+        -------
+        PSF
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`pupil` and :func:`lommel.psf`.
         """
         return psf(self.pupil(x, y), shape, pixel, method=method, **options)
 
@@ -280,52 +306,17 @@ class FieldMap:
         shape, pixel, method, options
             As of :meth:`psf`.
 
+        Returns
+        -------
+        PSFGrid
+
         Raises
         ------
         TypeError, ValueError
-            Also if a centre lies outside of the map.
+            As :meth:`psf`; also if a centre lies outside of the map.
         """
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
         height_width = sides(sensor, self.unit)
         # Exactly symmetric, so that the middle one of an odd number is on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
         return PSFGrid(self.psf(x, y[:, None], shape, pixel, method=method, **options), x, y, height_width)
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class PSFGrid(AnswerGrid):
-    """PSFs over a sensor; ``grid[row, column]`` is one of them.
-
-    Attributes
-    ----------
-    psf : PSF
-        A stack of shape (rows, columns).
-    x, y : ndarray, shapes (columns,) and (rows,)
-        Where each is, from the optical axis, in :attr:`unit`.
-    sensor : (float, float)
-        Height and width.
-    """
-
-    psf: PSF
-
-    def __getitem__(self, index: Any) -> PSF:
-        """Return part of the stack."""
-        return self.psf[index]
-
-    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
-        """Draw each PSF, enlarged, in its place on the sensor; see :func:`lommel.show.plot.field`."""
-        validation.axes("ax", ax)
-        return plot.field(self, ax, stretch=stretch)
-
-    def save(self, path: str | PathLike[str]) -> None:
-        """Write ``.tif`` (OME), ``.zarr`` or ``.npz``; see :func:`lommel.io.field_files.save`."""
-        field_files.save(self, path)
-
-    @classmethod
-    def load(cls, path: str | PathLike[str]) -> PSFGrid:
-        """Read a file that :meth:`save` wrote."""
-        return cls(*field_files.load(path, PSF))
-
-
-def _bare(wavelength: float | None, f_number: float | None, obscuration: float) -> Pupil:
-    return Pupil(obscuration=obscuration, wavelength=wavelength, f_number=f_number)

@@ -1,14 +1,14 @@
 """What PSFs are for: images as a lens records them."""
 
-from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur
+from lommel.imaging.blur import DepthBlur
+from lommel.imaging.chunks import depth_of_field_of_chunks
 from lommel.imaging.depth_of_field import depth_of_field
-from lommel.imaging.depthmaps import read_depth
-from lommel.imaging.lazy import depth_of_field_of_chunks
-from lommel.imaging.photo_output import write_photo
-from lommel.imaging.photos import Exif, PhotoError, Picture, read_photo
 from lommel.imaging.plan import FocusPlan
 from lommel.imaging.scene import Photograph
+from lommel.imaging.settings import RED_GREEN_BLUE
 from lommel.imaging.tiles import depth_of_field_by_tiles
+from lommel.io.depthmaps import read_depth
+from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
 
 __all__ = [
     "RED_GREEN_BLUE",

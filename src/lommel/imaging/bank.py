@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.imaging.pixel_rule import PixelRule, pixel_rule
-from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.choice import of_profiles
 from lommel.optics.pupil import Pupil
+from lommel.optics.spectrum import in_light
 from lommel.optics.wavefront import Wavefront
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
-_METHOD = NijboerZernike(1e-7)
+_METHOD = of_profiles(1e-7)
 
 
 @dataclass(frozen=True)
@@ -61,17 +62,47 @@ class Bank:
         return int(self.energies.shape[1]) - 1
 
     def positions(self, defocus: ArrayLike) -> NDArray[np.float64]:
-        """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second."""
+        """Return where defocus C_d lies in the bank, 0 at its first window, 1 at its second.
+
+        Parameters
+        ----------
+        defocus : array_like
+            Radians at the wavelength of the lens.
+
+        Returns
+        -------
+        ndarray
+        """
         return (np.asarray(defocus, dtype=np.float64) - self.start) / self.spacing
 
     def used(self, defocus: float) -> NDArray[np.float64]:
-        """Return how much of each pixel is used for one defocus, 0 to 1, shape (side, side)."""
+        """Return how much of each pixel is used for one defocus, 0 to 1, shape (side, side).
+
+        Parameters
+        ----------
+        defocus : float
+            C_d, radians at the wavelength of the lens.
+
+        Returns
+        -------
+        ndarray
+        """
         half = np.interp(self.positions(defocus), np.arange(self.count), self.halves)
         away = np.abs(np.arange(-self.half, self.half + 1))
         return np.asarray(np.clip(half + 1.0 - np.maximum(away[:, None], away), 0.0, 1.0))
 
     def window(self, defocus: float) -> NDArray[np.float64]:
-        """Return the window that the compiled core makes of the bank for one defocus, shape (side, side)."""
+        """Return the window that the compiled core makes of the bank for one defocus, shape (side, side).
+
+        Parameters
+        ----------
+        defocus : float
+            C_d, radians at the wavelength of the lens.
+
+        Returns
+        -------
+        ndarray
+        """
         position = float(np.clip(self.positions(defocus), 0.0, self.count - 1))
         interval = min(int(position), self.count - 2)
         first = min(max(interval - 1, 0), self.count - 4)
@@ -120,6 +151,10 @@ def build_bank(
     dtype : float32 or float64
     threads : int
         At most so many, 0 for as many as there are processors. The result does not depend on it.
+
+    Returns
+    -------
+    Bank
 
     Raises
     ------
@@ -222,7 +257,7 @@ def _enough(
 ) -> int:
     """Return half of a window that holds `energy` of the light at both ends of the range and in its middle."""
     ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
-    blur = replace(pupil, wavefront=phase(ends) + pupil.wavefront, geometry=None).geometric_radius().max()
+    blur = pupil.carrying(phase(ends) + pupil.wavefront, None).geometric_radius().max()
     half = math.ceil(float(blur) / pixel) + 1
     while True:
         if half > largest:
@@ -254,9 +289,7 @@ def _means(
         rule = pixel_rule(half, step)
         if defocus.size == 0:
             break
-        # Phases are path differences.
-        wavefront = (pupil.wavelength / wavelength) * (phase(defocus) + pupil.wavefront)
-        there = replace(pupil, wavefront=wavefront, wavelength=wavelength, geometry=None)
+        there = in_light(pupil.carrying(phase(defocus) + pupil.wavefront, None), wavelength)
         share = weight * step**2 / (4.0 * math.pi * there.transmission)
         total += share * _METHOD.means(there, step * rule.radii, rule.matrix, threads)
     return rule, total

@@ -2,29 +2,24 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
+from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 
-BORDERS = ("reflect", "extend", "zero")
-
 _BEYOND = 16  # columns that the compiled core asks for beyond the image
 
-Spectrum = float | Sequence[tuple[float, float]]
 
-RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
-"""Wavelengths (metres) that stand for the channels of a colour image where none are given."""
-
-
+@shares(BlurKeywords, Settings)
 class DepthBlur:
     r"""What a lens makes of a scene, for one focus: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
 
@@ -42,18 +37,7 @@ class DepthBlur:
         Pixel pitch, metres.
     channels : sequence, default (lens.wavelength,)
         For each channel a wavelength (metres), or its spectrum, pairs of wavelength and weight.
-    border : {"reflect", "extend", "zero"}, default "reflect"
-        What lies beyond the edges: the mirrored image, its last pixels, or darkness. Depth is mirrored or extended
-        alike; light that leaves the image is lost.
-    energy : float, default 0.98
-        Share of the light that a window must hold, 0.5 to 0.9999. :attr:`lost` tells the rest.
-    tol : float, default 1e-4
-        Bound on the error of interpolated windows over their peak, 1e-7 to 1e-1, checked half-way between windows.
-    largest : int, optional
-        Largest half width of a window; by default half of the smaller side of the image.
-    dtype : float32 or float64, default float32
-    threads : int, optional
-        At most so many; by default as many as there are processors. The result does not depend on it.
+    {options}
 
     Attributes
     ----------
@@ -75,12 +59,7 @@ class DepthBlur:
         pixel: float,
         *,
         channels: Sequence[Spectrum] | None = None,
-        border: str = "reflect",
-        energy: float = 0.98,
-        tol: float = 1e-4,
-        largest: int | None = None,
-        dtype: DTypeLike = np.float32,
-        threads: int | None = None,
+        **options: Unpack[BlurKeywords],
     ) -> None:
         require_lens(lens, "lens, depth, pixel")
         if not lens.aberrations.radial or lens.aberrations.shape != ():
@@ -93,17 +72,9 @@ class DepthBlur:
         self.lens = lens
         self.pixel = validation.pixel(pixel, metric=True)
         validation.pixel_on(self.pixel, lens.wavelength * lens.working_f_number, metric=True)
-        self.border = validation.choice("border", border, BORDERS)
-        self.dtype = validation.kind("dtype", dtype, np.float32, np.float64)
-        self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+        settings = Settings.of(DepthBlur, options, BlurKeywords)
+        self.border, self.dtype, self.threads = settings.border, np.dtype(settings.dtype), settings.threads or 0
         self.place(depth)
-        held = validation.real("energy", energy, least=0.5, below=0.9999 + 1e-12)
-        fine = validation.real("tol", tol, least=1e-7, below=0.1 + 1e-12)
-        most = (
-            max(1, min(self.shape) // 2)
-            if largest is None
-            else validation.integer("largest", largest, least=1, most=2048)
-        )
         pupil = Pupil(
             lens.aberrations,
             obscuration=lens.obscuration,
@@ -112,13 +83,9 @@ class DepthBlur:
             apodization=lens.illumination,
         )
         reach = (float(self.defocus.min()), float(self.defocus.max()))
-        if channels is not None and not isinstance(channels, Sequence):
-            raise TypeError(
-                f"channels must be a sequence of wavelengths or spectra, got {validation.shown(channels)}"
-            )
-        spectra = [_spectrum(c) for c in ([lens.wavelength] if channels is None else channels)]
+        colours = spectra("channels", [lens.wavelength] if channels is None else channels)
         known: dict[tuple[tuple[float, float], ...], Bank] = {}
-        for spectrum in spectra:
+        for spectrum in colours:
             if spectrum not in known:
                 known[spectrum] = build_bank(
                     pupil,
@@ -126,16 +93,27 @@ class DepthBlur:
                     spectrum,
                     self.pixel,
                     reach,
-                    tol=fine,
-                    energy=held,
-                    largest=most,
+                    tol=settings.tol,
+                    energy=settings.energy,
+                    largest=settings.largest or max(1, min(self.shape) // 2),
                     dtype=self.dtype,
                     threads=self.threads,
                 )
-        self.banks = tuple(known[spectrum] for spectrum in spectra)
+        self.banks = tuple(known[spectrum] for spectrum in colours)
 
     def place(self, depth: ArrayLike) -> None:
-        """Put the points at other depths, shape (height, width), metres, within the range of those given first."""
+        """Put the points at other depths, within the range of those given first.
+
+        Parameters
+        ----------
+        depth : array_like, shape (height, width)
+            Metres.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a distance is not a number above 0.
+        """
         distances = _depth(depth)
         self.shape = distances.shape
         self.defocus = self.lens.defocus(distances)
@@ -155,6 +133,16 @@ class DepthBlur:
             Light; the last axis holds the channels if there are several.
         weight : ndarray of bool, shape (height, width), optional
             Which points take part: the others spread nothing.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `image`, and of the type of the sums.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `image` is not finite light of the shape of the depth, or `weight` does not fit.
         """
         planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
@@ -171,7 +159,22 @@ class DepthBlur:
     def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
 
-        With the same `weight` in both; points that take no part receive 0.
+        Parameters
+        ----------
+        image : ndarray of float
+            Of the shape that :meth:`forward` takes.
+        weight : ndarray of bool, shape (height, width), optional
+            As of :meth:`forward`: points that take no part receive 0.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `image`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`forward`.
         """
         planes = self._planes(image)
         out = np.empty((len(planes), *self.shape), dtype=self.dtype)
@@ -184,7 +187,17 @@ class DepthBlur:
         return self._shaped(out, image)
 
     def require(self, image: NDArray[Any]) -> None:
-        """Raise TypeError or ValueError, naming `image`, unless it is finite light of the shape of the depth."""
+        """Refuse what is no finite light of the shape of the depth.
+
+        Parameters
+        ----------
+        image : ndarray
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it has another shape, or holds anything but finite floats.
+        """
         array = validation.array("image", image)
         count = len(self.banks)
         wanted = (*self.shape, count) if array.ndim == 3 or count > 1 else self.shape
@@ -252,18 +265,3 @@ def _depth(depth: ArrayLike) -> NDArray[np.float64]:
     if not np.all(metres > 0.0):
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres
-
-
-def _spectrum(channel: Spectrum) -> tuple[tuple[float, float], ...]:
-    if isinstance(channel, Sequence):
-        if not all(isinstance(pair, Sequence) and not isinstance(pair, str) and len(pair) == 2 for pair in channel):
-            raise TypeError(
-                "channels and wavelengths must be numbers, or pairs (wavelength, weight), "
-                f"got {validation.shown(channel)}"
-            )
-        pairs = [(validation.wavelength(w), validation.real("weight", s, least=0.0)) for w, s in channel]
-        total = math.fsum(s for _, s in pairs)
-        if not total > 0.0:
-            raise ValueError(f"a channel must have a wavelength with a weight, got {validation.shown(channel)}")
-        return tuple((w, s / total) for w, s in pairs)
-    return ((validation.wavelength(channel), 1.0),)

@@ -34,7 +34,17 @@ class PixelRule:
     cells: NDArray[np.int64]
 
     def sums(self, means: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the sum over 0, 1, 2, ... pixels from the middle, shape ``(n, half + 1)`` from ``(n, cells)``."""
+        """Return the sum over 0, 1, 2, ... pixels from the middle, shape ``(n, half + 1)`` from ``(n, cells)``.
+
+        Parameters
+        ----------
+        means : ndarray, shape (n, cells)
+            Of the pixels of the octant.
+
+        Returns
+        -------
+        ndarray
+        """
         column, row = self.cells.T
         # How many pixels of the window a cell stands for.
         alike = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
@@ -42,7 +52,19 @@ class PixelRule:
         return np.asarray(np.cumsum(np.add.reduceat(means * alike, starts, axis=1), axis=1))
 
     def unfold(self, means: NDArray[np.float64], half: int) -> NDArray[np.float64]:
-        """Return windows of ``2 half + 1`` pixels a side, shape ``(n, side, side)``."""
+        """Return windows of ``2 half + 1`` pixels a side, shape ``(n, side, side)``.
+
+        Parameters
+        ----------
+        means : ndarray, shape (n, cells)
+            Of the pixels of the octant.
+        half : int
+            At most that of the rule.
+
+        Returns
+        -------
+        ndarray
+        """
         octant = np.zeros((half + 1, half + 1), dtype=np.int64)
         inside = self.cells[:, 0] <= half
         x, y = self.cells[inside].T
@@ -72,6 +94,10 @@ def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:
         Pixel pitch in v.
     margin : int, default 12
         Nodes beyond those that the phase takes, in each of three intervals of each pixel.
+
+    Returns
+    -------
+    PixelRule
     """
     return _rule(half, math.ceil(8.0 * math.log2(step)), margin)
 

@@ -3,37 +3,39 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.encoding import to_light
-from lommel.imaging.blur import DepthBlur, Spectrum, require_lens
+from lommel.base.options import shares
+from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.layers import occlude
-from lommel.imaging.scene import Photograph, channels_of, fill_missing, photograph
+from lommel.imaging.scene import Photograph, fill_missing, photograph
+from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
 
 
+@shares(Keywords, Settings)
 class FocusPlan:
     """A scene, and the lens that is focused on it: for live use, where focus and stop change from frame to frame.
 
     Everything is checked and the image decoded once. A frame computes the windows of its focus, unless that focus is
     among the last ones; then it spreads the light and encodes it. The answer is that of
-    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit.
+    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit. Without `occlusion` a frame takes a
+    fraction of the time; see :func:`lommel.imaging.layers.occlude`.
 
     Parameters
     ----------
     image, depth, lens, pixel, encoding
         As of :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
-    occlusion, wavelengths, missing, border, energy, tol, largest, dtype, threads
-        As there.
     keep : int, default 4
         How many settings of the lens are remembered, 1 to 1000: coming back to one costs no windows. A setting takes
         some MiB, and 8 bytes for each point.
+    {options}
 
     Raises
     ------
@@ -57,44 +59,27 @@ class FocusPlan:
         pixel: float,
         *,
         encoding: str,
-        occlusion: bool = False,
-        wavelengths: Sequence[Spectrum] | None = None,
-        missing: str = "raise",
-        border: str = "reflect",
-        energy: float = 0.98,
-        tol: float = 1e-4,
-        largest: int | None = None,
-        dtype: DTypeLike = np.float32,
-        threads: int | None = None,
         keep: int = 4,
+        **options: Unpack[Keywords],
     ) -> None:
         require_lens(lens, "image, depth, lens, pixel")
-        if not isinstance(occlusion, bool | np.bool_):
-            raise TypeError(f"occlusion must be True or False, got {validation.shown(occlusion)}")
+        self.settings = Settings.of(FocusPlan, options, Keywords)
         given = validation.array("image", image)
         if given.ndim not in (2, 3) or 0 in given.shape:
             raise ValueError(
                 f"image must have the shape (height, width) or (height, width, channels), got {given.shape}"
             )
-        distances = np.array(fill_missing(depth, missing))
+        distances = np.array(fill_missing(depth, self.settings.missing))
         if distances.shape != given.shape[:2]:
             raise ValueError(f"depth must have the shape of the image, {given.shape[:2]}, got {distances.shape}")
         self.lens = lens
         self.shape, self.dtype = given.shape, given.dtype
-        self._encoding, self._occlusion = encoding, bool(occlusion)
-        self._light = to_light("image", given, encoding, dtype)
+        self._encoding = encoding
+        self._light = to_light("image", given, encoding, self.settings.dtype)
         self._depth = distances
         self._keep = validation.integer("keep", keep, least=1, most=1000)
         self._pixel = pixel
-        self._options: dict[str, Any] = {
-            "channels": channels_of(given, lens, wavelengths),
-            "border": border,
-            "energy": energy,
-            "tol": tol,
-            "largest": largest,
-            "dtype": dtype,
-            "threads": threads,
-        }
+        self._channels = self.settings.channels(given.shape, lens)
         self._known: OrderedDict[tuple[float, float], DepthBlur] = OrderedDict()
         self.blur()
 
@@ -102,18 +87,47 @@ class FocusPlan:
         """Return the lens at another focus (metres) or f-number (as engraved); None leaves that of `lens`.
 
         See :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
+
+        Parameters
+        ----------
+        focus_distance, f_number : float, optional
+            Metres, and as engraved.
+
+        Returns
+        -------
+        Lens
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`lommel.Lens.focused` and :meth:`lommel.Lens.stopped`.
         """
         lens = self.lens if f_number is None else self.lens.stopped(f_number)
         return lens if focus_distance is None else lens.focused(focus_distance)
 
     def blur(self, *, focus_distance: float | None = None, f_number: float | None = None) -> DepthBlur:
-        """Return the linear operator at a focus and f-number; the last ones are remembered."""
+        """Return the linear operator at a focus and f-number; the last ones are remembered.
+
+        Parameters
+        ----------
+        focus_distance, f_number : float, optional
+            Metres, and as engraved.
+
+        Returns
+        -------
+        DepthBlur
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`lens_at`, and if the blur exceeds the largest window allowed.
+        """
         lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
         key = (lens.sensor_distance, lens.aperture_diameter)
         if key in self._known:
             self._known.move_to_end(key)
             return self._known[key]
-        made = DepthBlur(lens, self._depth, self._pixel, **self._options)
+        made = DepthBlur(lens, self._depth, self._pixel, channels=self._channels, **self.settings.of_blur)
         self._known[key] = made
         if len(self._known) > self._keep:
             self._known.popitem(last=False)
@@ -138,6 +152,10 @@ class FocusPlan:
         out : ndarray, optional
             Where to write the values: of the shape and type of the image.
 
+        Returns
+        -------
+        Photograph
+
         Raises
         ------
         TypeError, ValueError
@@ -146,7 +164,7 @@ class FocusPlan:
         if out is not None:
             self._check(out)
         blur = self.blur(focus_distance=focus_distance, f_number=f_number)
-        seen = occlude(blur, self._light) if self._occlusion else blur.forward(self._light)
+        seen = occlude(blur, self._light) if self.settings.occlusion else blur.forward(self._light)
         made = photograph(seen, blur, self._encoding, self.dtype)
         if out is None:
             return made

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,10 +10,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.encoding import clipped_share, from_light
-from lommel.imaging.blur import RED_GREEN_BLUE, DepthBlur, Spectrum
-from lommel.optics.lens import Lens
-
-MISSING = ("raise", "nearest", "infinity")
+from lommel.imaging.blur import DepthBlur
+from lommel.imaging.settings import MISSING
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,27 +52,6 @@ def photograph(seen: NDArray[Any], blur: DepthBlur, encoding: str, dtype: DTypeL
         2 * max(bank.half for bank in blur.banks) + 1,
         clipped_share(seen, dtype),
     )
-
-
-def channels_of(image: NDArray[Any], lens: Lens, wavelengths: Sequence[Spectrum] | None) -> Sequence[Spectrum]:
-    """Return the spectrum of each channel of an image."""
-    if not isinstance(lens, Lens):
-        raise TypeError(f"lens must be a Lens, got {validation.shown(lens)}")
-    count = 1 if image.ndim == 2 else image.shape[2]
-    if wavelengths is not None:
-        if not isinstance(wavelengths, Sequence | np.ndarray) or getattr(wavelengths, "ndim", 1) == 0:
-            raise TypeError(
-                f"wavelengths must be a sequence, one for each channel, got {validation.shown(wavelengths)}"
-            )
-        if len(wavelengths) != count:
-            raise ValueError(f"wavelengths must be one for each of the {count} channels, got {len(wavelengths)}")
-        return wavelengths
-    if count == 1:
-        return (lens.wavelength,)
-    if count == 3:
-        return RED_GREEN_BLUE
-    hint = "; drop the alpha channel" if count in (2, 4) else ""
-    raise ValueError(f"an image of {count} channels needs wavelengths, one for each{hint}")
 
 
 def fill_missing(depth: ArrayLike, missing: str) -> NDArray[Any]:

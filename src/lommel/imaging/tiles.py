@@ -3,26 +3,30 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from collections.abc import Callable, Iterator
+from typing import Any, Unpack
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.encoding import clipped_share, from_light, to_light
-from lommel.imaging.blur import DepthBlur, Spectrum, require_lens
-from lommel.imaging.scene import Photograph, channels_of, fill_missing
+from lommel.base.options import shares
+from lommel.imaging.blur import DepthBlur, require_lens
+from lommel.imaging.scene import Photograph, fill_missing
+from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
 
 MISSING = ("raise", "infinity")
 _STRIP = 2**20  # points whose depths are looked at together
 
 
+@shares(Keywords, Settings, occlusion=False)
 class TileBlur:
     """:func:`lommel.imaging.depth_of_field` of any part of a scene, with windows that are made once for all parts.
 
-    Can be sent to other processes.
+    Can be sent to other processes. Points do not hide one another, and `missing` is "raise" or "infinity": what hides
+    a point, or is the nearest to it, may lie in another part.
 
     Parameters
     ----------
@@ -30,10 +34,9 @@ class TileBlur:
         Of the whole image, (height, width) or (height, width, channels).
     depths : (float, float)
         Nearest and farthest distance in the scene, metres; may be infinite.
-    lens, pixel, encoding, wavelengths, border, energy, tol, largest, dtype, threads
+    lens, pixel, encoding
         As of :func:`lommel.imaging.depth_of_field`.
-    missing : {"raise", "infinity"}
-        As there; the nearest known depth may lie in another tile, so that it must be filled in beforehand.
+    {options}
 
     Attributes
     ----------
@@ -49,32 +52,15 @@ class TileBlur:
         pixel: float,
         *,
         encoding: str,
-        wavelengths: Sequence[Spectrum] | None = None,
-        missing: str = "raise",
-        border: str = "reflect",
-        energy: float = 0.98,
-        tol: float = 1e-4,
-        largest: int | None = None,
-        dtype: DTypeLike = np.float32,
-        threads: int | None = None,
+        **options: Unpack[Keywords],
     ) -> None:
         require_lens(lens, "shape, depths, lens, pixel")
-        self.missing = validation.choice("missing", missing, MISSING)
+        settings = of_parts(TileBlur, options)
+        self.missing = settings.missing
         self.encoding = encoding
-        # Of the image only its axes matter here.
-        channels = channels_of(np.broadcast_to(np.float32(0.0), shape), lens, wavelengths)
-        self._whole = DepthBlur(
-            lens,
-            np.array([depths], dtype=np.float64),
-            pixel,
-            channels=channels,
-            border=border,
-            energy=energy,
-            tol=tol,
-            largest=max(1, min(shape[:2]) // 2) if largest is None else largest,
-            dtype=dtype,
-            threads=threads,
-        )
+        keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}
+        extremes = np.array([depths], dtype=np.float64)
+        self._whole = DepthBlur(lens, extremes, pixel, channels=settings.channels(shape, lens), **keywords)
         self._reach = (float(self._whole.defocus.min()), float(self._whole.defocus.max()))
         self.overlap = max(bank.half for bank in self._whole.banks)
 
@@ -111,6 +97,7 @@ class TileBlur:
         return Photograph(values, self._whole.lost, max(errors), 2 * self.overlap + 1, clipped)
 
 
+@shares(Keywords, Settings, occlusion=False)
 def depth_of_field_by_tiles(
     image: NDArray[Any],
     depth: NDArray[Any],
@@ -121,10 +108,12 @@ def depth_of_field_by_tiles(
     side: int = 512,
     out: NDArray[Any] | None = None,
     progress: Callable[[int, int], object] | None = None,
-    missing: str = "raise",
-    **options: Any,
+    **options: Unpack[Keywords],
 ) -> Photograph:
-    """Do as :func:`lommel.imaging.depth_of_field` in little memory; the same but for rounding.
+    """Do as :func:`lommel.imaging.depth_of_field` with ``occlusion=False`` in little memory; equal but for rounding.
+
+    Points do not hide one another, and `missing` is "raise" or "infinity" (fill depths beforehand): what hides a
+    point, or is the nearest to it, may lie in another tile.
 
     Parameters
     ----------
@@ -138,10 +127,11 @@ def depth_of_field_by_tiles(
         Where to write the values, of the shape and type of `image`; may be a memory map. Shares none with them.
     progress : callable, optional
         Called as ``progress(done, tiles)`` after each tile.
-    missing : {"raise", "infinity"}, default "raise"
-        What a NaN in `depth` means. ("nearest" is not on offer: fill the depths beforehand.)
-    **options
-        wavelengths, border, energy, tol, largest, dtype, threads, as of :func:`lommel.imaging.depth_of_field`.
+    {options}
+
+    Returns
+    -------
+    Photograph
 
     Raises
     ------
@@ -164,12 +154,11 @@ def depth_of_field_by_tiles(
         raise ValueError(f"out must be an array of the shape and type of the image, {image.shape} and {image.dtype}")
     elif not out.flags.writeable or np.may_share_memory(out, image) or np.may_share_memory(out, depth):
         raise ValueError("out must be writeable, and must not share memory with image or depth")
-    validation.choice("missing", missing, MISSING)
+    settings = of_parts(depth_of_field_by_tiles, options)
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
-    blur = TileBlur(
-        image.shape, depth_range(depth, missing), lens, pixel, encoding=encoding, missing=missing, **options
-    )
+    depths = depth_range(depth, settings.missing)
+    blur = TileBlur(image.shape, depths, lens, pixel, encoding=encoding, **options)
     tiles = list(_tiles(image.shape[:2], tile, blur.overlap))
     clipped = 0.0
     for done, (inside, around, within) in enumerate(tiles, 1):
@@ -179,6 +168,21 @@ def depth_of_field_by_tiles(
         if progress is not None:
             progress(done, len(tiles))
     return blur.photograph(out, clipped)
+
+
+def of_parts(door: Callable[..., Any], given: Keywords) -> Settings:
+    """Return the settings of a photograph that is made part by part, as `door` was given them.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As :class:`lommel.imaging.settings.Settings`, and for what depends on points of other parts.
+    """
+    validation.choice("missing", given.get("missing", Settings.missing), MISSING)
+    settings = Settings.of(door, {"occlusion": False, **given}, Keywords)
+    if settings.occlusion:
+        raise ValueError("occlusion must be False here: what hides a point may lie in another part of the image")
+    return settings
 
 
 def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, float]:
@@ -196,7 +200,7 @@ def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, flo
     rows = max(1, _STRIP // depth.shape[1])
     low, high = np.inf, -np.inf
     for first in range(0, depth.shape[0], rows):
-        part = fill_missing(np.asarray(depth[first : first + rows]), "infinity" if missing == "infinity" else "raise")
+        part = fill_missing(np.asarray(depth[first : first + rows]), missing)
         low, high = np.minimum(low, part.min()), np.maximum(high, part.max())
     if np.isnan(low):
         raise ValueError("depth is NaN at some points; say what is there by `missing`")

@@ -1,1 +1,1 @@
-"""PSFs, and grids of them, to files and back."""
+"""Files: PSFs, grids of them, photographs, depths and frames, each kind in formats that a registry knows."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+from functools import partial
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -11,26 +12,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import atomic, optional, reading, validation
+from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array
 from lommel.base.checksums import sealed
-from lommel.io import psf_files
+from lommel.io import psf_files, psf_numpy, psf_tiff, registry
 from lommel.io.psf_files import FileError, Made
+from lommel.io.registry import Format
 from lommel.measures.answer import AnswerGrid
 
-SUFFIXES = (".tif", ".tiff", ".zarr", ".npz")
-
 _KEY = "field"  # of what a description says about the positions
-
-
-def check_suffix(path: str | PathLike[str], name: str = "path") -> str:
-    """Return the suffix in small letters; ValueError if it is none of :data:`SUFFIXES`."""
-    suffix = validation.path("path", path).suffix.lower()
-    if suffix not in SUFFIXES:
-        raise ValueError(
-            f"{name} must end in {', '.join(SUFFIXES)} for a grid of PSFs, got {validation.shown(str(path))}"
-        )
-    return suffix
 
 
 def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
@@ -45,6 +35,11 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
     added, so that :meth:`lommel.PSF.load` reads the stack from ``.tif`` and ``.npz``. All is written under a
     temporary name and moved into place; a ``.zarr`` folder that was there is replaced if it is a Zarr store.
 
+    Parameters
+    ----------
+    grid : PSFGrid
+    path : path
+
     Raises
     ------
     ValueError
@@ -55,23 +50,9 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
     OSError
         If it cannot be written.
     """
-    suffix = check_suffix(path)
-    psf, target = grid.psf, validation.path("path", path)
-    if psf.derivatives and suffix != ".npz":
-        raise ValueError(f"path must end in .npz for PSFs with derivatives, got {validation.shown(str(path))}")
+    form = find(path, holding="with derivatives" if grid.psf.derivatives else "")
     field = {"x": grid.x.tolist(), "y": grid.y.tolist(), "sensor": list(grid.sensor), "unit": grid.unit}
-    description = psf_files.describe(psf) | {_KEY: field}
-    if suffix == ".zarr":
-        _write_zarr(grid, target, sealed(description, {"values": grid.values}))
-        return
-    if suffix == ".npz":
-        atomic.write(target, psf_files._npz(psf, description))
-        return
-    factor, unit = (1e6, "µm") if grid.unit == "m" else (1.0, "reference frame")
-    y, x = (part.ravel() * factor for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
-    planes = {"PositionX": x.tolist(), "PositionY": y.tolist()}
-    planes |= dict.fromkeys(("PositionXUnit", "PositionYUnit"), [unit] * x.size)
-    atomic.write(target, psf_files._tiff(psf, description, planes))
+    form.write(grid, psf_files.describe(grid.psf) | {_KEY: field}, Path(path))
 
 
 def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, Array, Array, tuple[float, float]]:
@@ -84,9 +65,8 @@ def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, Array, Arra
     OSError
         If it cannot be read.
     """
-    source = validation.path("path", path)
-    suffix = check_suffix(path)
-    psf, description = _read_zarr(source, kind) if suffix == ".zarr" else psf_files.load_described(source, kind)
+    form, source = find(path, verb="read"), Path(path)
+    psf, description = form.read(source, kind)
     try:
         field = description[_KEY]
         x, y = validation.real_array("x", field["x"]), validation.real_array("y", field["y"])
@@ -102,19 +82,29 @@ def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, Array, Arra
     return psf, x, y, (height, width)
 
 
-def _zarr() -> Any:
-    return optional.library("zarr", "this format needs", "zarr")
+def _write_tiff(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
+    factor, unit = (1e6, "µm") if grid.unit == "m" else (1.0, "reference frame")
+    y, x = (part.ravel() * factor for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
+    planes = {"PositionX": x.tolist(), "PositionY": y.tolist()}
+    planes |= dict.fromkeys(("PositionXUnit", "PositionYUnit"), [unit] * x.size)
+    atomic.write(target, psf_tiff.write(grid.psf, description, planes))
 
 
-def _write_zarr(grid: AnswerGrid, target: Path, description: dict[str, Any]) -> None:
-    zarr = _zarr()
+def _write_npz(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
+    atomic.write(target, psf_numpy.npz(grid.psf, description))
+
+
+def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
+    import zarr
+
+    said = sealed(description, {"values": grid.values})
     if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
         raise ValueError(
             f"path must be new or a Zarr store, got {validation.shown(str(target))}, which is something else"
         )
 
     def fill(folder: Path) -> None:
-        group = zarr.create_group(folder, zarr_format=3, attributes={"lommel": description})
+        group = zarr.create_group(folder, zarr_format=3, attributes={"lommel": said})
         shape = grid.values.shape
         dimensions = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
         # A chunk for each PSF: what is read together.
@@ -141,12 +131,13 @@ def _write_zarr(grid: AnswerGrid, target: Path, description: dict[str, Any]) -> 
 
 
 def _read_zarr(source: Path, kind: type[Made]) -> tuple[Made, dict[str, Any]]:
-    zarr = _zarr()
+    import zarr
+
     if not source.exists():
         raise FileNotFoundError(2, os.strerror(2), str(source))
     try:
         size = _size(source)
-        group = zarr.open_group(source, mode="r")
+        group: Any = zarr.open_group(source, mode="r")
         description: dict[str, Any] = dict(group.attrs["lommel"])
         store = group["values"]
         if store.compressors or store.filters or store.shards or store.nbytes > size:
@@ -172,3 +163,11 @@ def _size(folder: Path) -> int:
             raise ValueError(f"its description has {status.st_size} bytes; the limit is {reading.MAX_PIXELS}")
         total += status.st_size
     return total
+
+
+registry.register(
+    Format("field", (".tif", ".tiff"), _write_tiff, psf_files.load_described, library="tifffile", extra="images"),
+    Format("field", (".zarr",), _write_zarr, _read_zarr, library="zarr", extra="zarr"),
+    Format("field", (".npz",), _write_npz, psf_files.load_described, holds=("with derivatives",)),
+)
+find = partial(registry.find, "field")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from lommel.base import reading, validation
-from lommel.lensfiles.entries import Angle, Length, Number, Section, beside
+from lommel.lensfiles.sections import Angle, Length, Number, Section, beside
 from lommel.optics.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
 
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff")
@@ -136,7 +136,7 @@ def read_transmission(path: Path) -> NDArray[Any]:
             return reading.npy(reading.contents(path), MAX_SIDE**2)[0]
         except ValueError as error:
             raise ValueError(f"{path.name!r} is no array: {reading.reason(error)}") from None
-    from lommel.imaging.photos import PhotoError, read_raster
+    from lommel.io.photos import PhotoError, read_raster
 
     try:
         values = read_raster(path)[0]

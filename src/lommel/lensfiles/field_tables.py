@@ -15,7 +15,7 @@ import numpy as np
 from lommel.base import reading, validation
 from lommel.base.units import parse_length
 from lommel.field.maps import FieldMap
-from lommel.lensfiles.faults import TOLD
+from lommel.lensfiles.messages import TOLD
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
@@ -33,6 +33,11 @@ class FieldTable:
         Coefficients by index, each as long as the positions.
     order : str
         Of the indices: "noll", "ansi" or "fringe".
+
+    Raises
+    ------
+    TypeError, ValueError
+        If these are none such, or differ in length.
     """
 
     positions: dict[str, tuple[float, ...]]
@@ -56,7 +61,7 @@ class FieldTable:
             raise ValueError(f"positions and terms must be equally long, got shapes {[c.shape for c in columns]}")
 
     def field_map(self, pupil: Pupil, *, unit: str, normalization: str, direction: str) -> FieldMap:
-        """Return the map, with the obscuration and the scale of `pupil`.
+        """Return the map, with the aperture and the scale of `pupil`.
 
         Parameters
         ----------
@@ -66,28 +71,44 @@ class FieldTable:
         direction : {"x", "y"}
             Along which heights are given: rising columns, or rising rows (downwards). Coefficients are in the axes
             of the sensor all the same: the coma of heights along y is a sine.
+
+        Returns
+        -------
+        FieldMap
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a unit or a direction does not exist, or as :meth:`lommel.FieldMap.radial` and
+            :meth:`lommel.FieldMap.scattered`.
         """
         validation.choice("direction", direction, ("x", "y"))
         checked(pupil)
         wavefront = Wavefront.zernike(
             self.terms, order=self.order, unit=unit, normalization=normalization, wavelength=pupil.wavelength
         )
-        options: dict[str, Any] = {
-            "wavelength": pupil.wavelength,
-            "f_number": pupil.f_number,
-            "obscuration": pupil.obscuration,
-        }
+        aperture = pupil.unaberrated()
         if "height" in self.positions:
             azimuth = 0.0 if direction == "x" else 0.5 * math.pi
-            return FieldMap.radial(self.positions["height"], wavefront, azimuth=azimuth, **options)
+            return FieldMap.radial(self.positions["height"], wavefront, azimuth=azimuth, aperture=aperture)
         x, y = (np.array(self.positions[name]) for name in ("x", "y"))
-        return FieldMap.scattered(x, y, wavefront, **options)
+        return FieldMap.scattered(x, y, wavefront, aperture=aperture)
 
 
 def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     """Read a table from a CSV file: a line of column names, then a line for each position.
 
     Lines that are empty or begin with ``#`` are skipped. Columns and cells are those of :func:`read_rows`.
+
+    Parameters
+    ----------
+    path : path
+    order : {"noll", "ansi", "fringe"}
+        Of the indices.
+
+    Returns
+    -------
+    FieldTable
 
     Raises
     ------
@@ -121,8 +142,21 @@ def read_rows(columns: Sequence[str], rows: Sequence[Sequence[Any]], order: str)
     The first column is ``height``, or the first two are ``x`` and ``y``: lengths, texts with a unit, or 0. The
     others are Zernike indices such as ``Z4``, with numbers.
 
+    Parameters
+    ----------
+    columns : list of str
+    rows : list of lists
+    order : {"noll", "ansi", "fringe"}
+        Of the indices.
+
+    Returns
+    -------
+    FieldTable
+
     Raises
     ------
+    TypeError
+        If these are no lists, or a name of a column is no text.
     ValueError
         For every fault at once, each with its row.
     """

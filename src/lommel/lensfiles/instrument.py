@@ -9,6 +9,7 @@ from lommel.base import validation
 from lommel.field.maps import FieldMap
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
 
 
 @dataclass(frozen=True)
@@ -51,13 +52,27 @@ class Instrument:
         return self.shape or (max(33, min(wide_enough(self.pupil(), self.pixel), 1025)),) * 2
 
     def pupil(self) -> Pupil:
-        """Return the pupil for the object of the file."""
+        """Return the pupil for the object of the file.
+
+        Returns
+        -------
+        Pupil
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`lommel.Lens.pupil`.
+        """
         return self.lens.pupil(self.object_distance)
 
     def field(self) -> FieldMap:
         """Return the map of the field for the object of the file: the aberrations of the field and of the lens.
 
-        The amplitude of the lens is that of all positions.
+        The aperture of the lens is that of all positions.
+
+        Returns
+        -------
+        FieldMap
 
         Raises
         ------
@@ -66,9 +81,9 @@ class Instrument:
         """
         if self.aberrations_of_field is None:
             raise ValueError(f"the lens file of {self.name!r} must have a section [field] for PSFs over the field")
-        pupil, made = self.pupil(), self.aberrations_of_field
-        lit = replace(made.pupil_without_wavefront, apodization=pupil.apodization)
-        return replace(made, pupil_without_wavefront=lit) + pupil.wavefront
+        pupil = self.pupil()
+        aperture = pupil.carrying(Wavefront(), None)
+        return replace(self.aberrations_of_field, pupil_without_wavefront=aperture) + pupil.wavefront
 
 
 def wide_enough(pupil: Pupil, pixel: float) -> int:

@@ -21,13 +21,15 @@ from pydantic import (
 )
 
 from lommel.base import reading, validation
+from lommel.base.options import near
 from lommel.base.units import parse_radius, with_units
 from lommel.field.maps import FieldMap
-from lommel.lensfiles import faults, field_tables, zernike_tables
+from lommel.lensfiles import field_tables, messages, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
-from lommel.lensfiles.entries import Distance, Length, Number, Section, SignedLength, beside
 from lommel.lensfiles.instrument import Instrument
+from lommel.lensfiles.sections import Distance, Length, Number, Section, SignedLength, beside
 from lommel.lensfiles.zernike_tables import ZernikeTable
+from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
@@ -67,13 +69,17 @@ def _radius(value: Any) -> str | float:
     return found
 
 
-def _amplitude(value: Any) -> str | float:
-    """Return a number, or the name of the only amplitude that has one."""
+def _amplitude(value: Any) -> float | Apodization | str:
+    """Return a number, powers of rho^2, or the name of the only amplitude that has one."""
     if value == "aplanatic":
         return "aplanatic"
-    if isinstance(value, bool) or not isinstance(value, int | float) or not 0.0 <= value <= 100.0:
-        raise ValueError(f'must be a number from 0 to 100, or "aplanatic", got {validation.shown(value)}')
-    return float(value)
+    powers = value if isinstance(value, list) else [value]
+    numbers = not any(isinstance(g, bool) or not isinstance(g, int | float) for g in powers)
+    if numbers and isinstance(value, list):
+        return Apodization(tuple(value))
+    if numbers and 0.0 <= value <= 100.0:
+        return float(value)
+    raise ValueError(f'must be a number from 0 to 100, a list, or "aplanatic", got {validation.shown(value)}')
 
 
 class _Lens(Section):
@@ -102,7 +108,7 @@ class _Aberrations(Section):
     W220: Number = 0.0
     W311: Number = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
-    zernike: dict[str, Any] | None = None  # told by zernike_tables what it may hold
+    zernike: dict[str, Any] | None = None  # told by zernike_files what it may hold
 
 
 class _Object(Section):
@@ -178,7 +184,7 @@ class _Field(Section):
         return self
 
     def map(self, pupil: Pupil) -> FieldMap:
-        """Return the map, with the obscuration and the scale of `pupil`."""
+        """Return the map, with the aperture and the scale of `pupil`."""
         table = self.rows if self.rows is not None else self.file
         if table is not None:
             made: FieldMap = table.field_map(
@@ -189,9 +195,7 @@ class _Field(Section):
         return FieldMap.from_seidel(
             corner if self.edge is None else self.edge,
             **{name: getattr(self, name) for name in _SEIDEL},
-            wavelength=pupil.wavelength,
-            f_number=pupil.f_number,
-            obscuration=pupil.obscuration,
+            aperture=pupil.unaberrated(),
         )
 
 
@@ -217,19 +221,21 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     Lengths are texts with a unit (``"50 mm"``, ``"inf"``), angles also numbers of radians. Sections and keys:
     ``name`` (by default that of the file) and ``source``; ``[lens]`` focal_length, f_number or aperture_diameter,
     focus_distance or sensor_distance, wavelength, obscuration, model ("paraxial" or "aplanatic"), corrected_for
-    ("object" or "focus") and apodization (a number, or "aplanatic"), see :class:`lommel.Lens`; ``[aberrations]``
-    defocus and spherical (C_d, C_s, radians), W020, W040, W060, W080 (waves), spherical_rms (a length: balanced
-    primary spherical over the annulus), W131, W222, W220, W311 (waves at the edge of the field) with field, a pair
-    [x, y] over that edge, and a section ``[aberrations.zernike]``, all of which add; ``[object]`` distance, by
-    default that in focus; ``[sensor]`` pixel, shape (by default a window that holds about 98 % of the light) and
-    integrate, whether its pixels average over their area, which they do by default; ``[report]`` encircled_energy, a
-    list of radii on the sensor or of angles; ``[field]`` what changes over the sensor and adds to all of this.
+    ("object" or "focus") and apodization (a number, a list as of :class:`lommel.Apodization`, or "aplanatic"), see
+    :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians), W020, W040, W060, W080
+    (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131, W222, W220, W311 (waves at
+    the edge of the field) with field, a pair [x, y] over that edge, and a section ``[aberrations.zernike]``, all of
+    which add; ``[object]`` distance, by default that in focus; ``[sensor]`` pixel, shape (by default a window that
+    holds about 98 % of the light) and integrate, whether its pixels average over their area, which they do by
+    default; ``[report]`` encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what changes over
+    the sensor and adds to all of this.
 
     ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
     them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
     b, and an angle, or ``[aperture.cat_eye]`` with shift, a pair [x, y], and radius, all over the radius of the
     aperture; ``[aperture.mask]`` with file, the path of a square array (.npy) or grey picture (.png, .tif) from the
-    folder of the lens file, and holds, "amplitude" or "intensity". A file with ``[field]`` has no such section.
+    folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``, all
+    positions see this aperture.
 
     ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
     the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the
@@ -248,6 +254,10 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
         Refuse what lies outside of the folder of the lens file. A lens file may name tables and masks anywhere, and
         what is wrong with these is told with some of their contents: a service that takes lens files from strangers
         should refuse.
+
+    Returns
+    -------
+    Instrument
 
     Raises
     ------
@@ -274,13 +284,13 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     except ValidationError as error:
         every = error.errors(include_url=False, include_context=False, include_input=False)
         count = len(every) + len(found)
-        found = [_describe(fault, text) for fault in every[: faults.TOLD]] + found
-        raise LensFileError(faults.together(source, found, count)) from None
+        found = [_describe(fault, text) for fault in every[: messages.TOLD]] + found
+        raise LensFileError(messages.together(source, found, count)) from None
     except ArithmeticError as error:
         found.append(f"its numbers lead beyond the range of numbers: {error}")
     except ValueError as error:
         found.append(str(error))
-    raise LensFileError(faults.together(source, found))
+    raise LensFileError(messages.together(source, found))
 
 
 def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[ZernikeTable | None, list[str]]:
@@ -291,10 +301,10 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
         return None, []  # absent, or told by pydantic
 
     def where(keys: Sequence[str]) -> str:
-        return faults.place(text, ["aberrations", "zernike", *keys])
+        return messages.place(text, ["aberrations", "zernike", *keys])
 
     if "file" not in section:
-        return zernike_tables.build_section(section, where)
+        return zernike_files.build_section(section, where)
     name, others = section["file"], [key for key in section if key != "file"]
     if others:
         return None, [f"{where(['file'])}: the file states everything; leave out {', '.join(others)}"]
@@ -302,7 +312,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
         return None, [f"{where(['file'])}: must be the path of a table, got {validation.shown(name)}"]
     try:
         path = beside(context, name)
-        table = zernike_tables.load_zernike(path)
+        table = zernike_files.load_zernike(path)
     except OSError as error:
         return None, [f"{where(['file'])}: {validation.line(path)}: {error.strerror or error}"]
     except ValueError as error:
@@ -326,14 +336,9 @@ def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrumen
     if table is not None:
         own = wavelength if table.wavelength is None else table.wavelength
         aberrations += replace(table, wavelength=own).wavefront(wavelength)
-    given = file.lens.model_dump()
+    given = dict(file.lens)
     radius = 0.5 * Lens(**given).aperture_diameter
     shapes = file.aperture.shapes(radius)
-    if shapes and file.field is not None:
-        raise ValueError(
-            f"aperture: must be left out where there is a section [field], got {', '.join(shapes)}: what narrows the "
-            "aperture is not known over the field"
-        )
     try:
         lens = Lens(**given, aberrations=aberrations, **shapes)
     except ValueError as error:
@@ -364,10 +369,10 @@ def _describe(fault: Any, text: str) -> str:
         for part in keys[:-1]:
             model = model.model_fields[part].annotation
             model = next((kind for kind in get_args(model) if kind is not type(None)), model)
-        message = faults.unknown_key(keys[-1], model.model_fields)
+        message = f"unknown key; {near(keys[-1], model.model_fields)}"
     elif fault["type"] == "missing":
         message = "is missing"
     elif fault["type"] in ("model_type", "dict_type"):
         message = f"must be a section, [{'.'.join(keys)}]"
-    line = faults.line_of(text, keys)
+    line = messages.line_of(text, keys)
     return f"{'.'.join(keys)}{f' (line {line})' if line else ''}: {message}"

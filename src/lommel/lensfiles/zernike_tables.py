@@ -1,38 +1,19 @@
-"""Tables of Zernike coefficients in JSON, TOML and CSV: nothing about them is guessed, every error told at once."""
+"""Zernike coefficients as they were written down, with what is needed to know what they mean."""
 
 from __future__ import annotations
 
-import csv
-import io
-import json
-import re
-import tomllib
-from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from os import PathLike
 from typing import Any
 
-from lommel.base import atomic, reading, validation
-from lommel.base.units import _LENGTHS, parse_length
-from lommel.lensfiles import faults
+from lommel.base import validation
+from lommel.base.units import _LENGTHS
 from lommel.optics.descriptions import NORMALIZATIONS
+from lommel.optics.spectrum import same_path
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
 
-SUFFIXES = (".json", ".toml", ".csv")
-SETTINGS = ("order", "unit", "normalization", "wavelength")
-_UNITS = ("radians", "waves", "metres", *_LENGTHS)
-_INDICES, _VALUES = ("index", "term", "j"), ("value", "coefficient", "coeff", "c")  # names of columns
-_MOST_TERMS = 4096  # more than there are
-_PAIR = re.compile(r"\(?\s*([+-]?\d+)\s*,\s*([+-]?\d+)\s*\)?", re.ASCII)
-
-_Index = int | tuple[int, int]
-_Where = Callable[[str], str]
-
-
-class ZernikeFileError(ValueError):
-    """A table that cannot be used; the message names every fault with its key or line."""
+UNITS = ("radians", "waves", "metres", *_LENGTHS)
 
 
 @dataclass(frozen=True)
@@ -65,7 +46,7 @@ class ZernikeTable:
 
     def __post_init__(self) -> None:
         validation.choice("order", self.order, zernike.ORDERS)
-        validation.choice("unit", self.unit, _UNITS)
+        validation.choice("unit", self.unit, UNITS)
         validation.choice("normalization", self.normalization, NORMALIZATIONS)
         if self.wavelength is not None:
             object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
@@ -85,12 +66,30 @@ class ZernikeTable:
         normalization: str = "rms",
         wavelength: float | None = None,
     ) -> ZernikeTable:
-        """Describe a single wavefront; units of length need `wavelength`, in metres."""
+        """Describe a single wavefront; units of length need `wavelength`, in metres.
+
+        Parameters
+        ----------
+        wavefront : Wavefront
+        order, unit, normalization : str
+            Of the table.
+        wavelength : float, optional
+            Metres.
+
+        Returns
+        -------
+        ZernikeTable
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it is a stack, if there is no such order, unit or normalization, or if a wavelength is missing.
+        """
         if not isinstance(wavefront, Wavefront):
             raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
         if wavefront.shape != ():
             raise ValueError(f"wavefront must be a single one, got a stack of shape {wavefront.shape}")
-        plain, size = _unit(validation.choice("unit", unit, _UNITS))
+        plain, size = _unit(validation.choice("unit", unit, UNITS))
         found = wavefront.to_zernike(order=order, unit=plain, normalization=normalization, wavelength=wavelength)
         return cls({i: float(c) / size for i, c in found.items()}, order, unit, normalization, wavelength)
 
@@ -99,6 +98,15 @@ class ZernikeTable:
 
         A path length is the same at every wavelength (dispersion is left out): at another one, waves and radians
         change by the ratio of the wavelengths.
+
+        Parameters
+        ----------
+        wavelength : float, optional
+            Metres.
+
+        Returns
+        -------
+        Wavefront
 
         Raises
         ------
@@ -118,261 +126,7 @@ class ZernikeTable:
         )
         if plain == "metres" or at is None or self.wavelength is None or at == self.wavelength:
             return made
-        return made * (self.wavelength / at)
-
-
-def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
-    """Read a table of Zernike coefficients from a ``.json``, ``.toml`` or ``.csv`` file.
-
-    ``order`` (nm, noll, ansi, fringe), ``unit`` (waves, radians, or a length: nm, um, m, ...) and ``normalization``
-    (rms, edge) must be stated; ``wavelength``, a length with a unit, may be. TOML::
-
-        order = "noll"
-        unit = "nm"
-        normalization = "rms"
-        wavelength = "632.8 nm"
-
-        [terms]
-        4 = -12.5
-        7 = 31.0
-
-    JSON: ``{"order": "nm", "unit": "waves", "normalization": "edge", "terms": {"3,1": 0.25}}``. CSV, where other
-    lines that begin with ``#`` and hold no colon are comments::
-
-        # order: nm
-        # unit: waves
-        # normalization: rms
-        n, m, value
-        3, 1, 0.25
-
-    For the other orders, the columns are ``index,value``. An index may also be called term, j, or by its order, and a
-    value coefficient, coeff or c.
-
-    Raises
-    ------
-    ZernikeFileError
-        For every missing, unknown, doubled or impossible entry, with key or line.
-    ValueError
-        If the suffix is unknown.
-    OSError
-        If the file cannot be read.
-    """
-    source = validation.path("path", path)
-    read = {".json": _read_json, ".toml": _read_toml, ".csv": _read_csv}.get(source.suffix.lower())
-    if read is None:
-        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
-    try:
-        table, found = read(reading.text(source))
-    except ValueError as error:
-        raise ZernikeFileError(f"{validation.line(source)}: {reading.reason(error)}") from None
-    if table is None:
-        raise ZernikeFileError(faults.together(source, found))
-    return table
-
-
-def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> None:
-    """Write a table; the suffix chooses the format, and :func:`load_zernike` reads the very same numbers.
-
-    A single wavefront is written as a table of Noll's terms in waves rms; :meth:`ZernikeTable.from_wavefront` makes
-    those of other orders and units. The file is written under a temporary name and moved into place.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If `table` is neither, or a stack, or if the suffix is unknown.
-    OSError
-        If the file cannot be written.
-    """
-    if isinstance(table, Wavefront):
-        table = ZernikeTable.from_wavefront(table)
-    if not isinstance(table, ZernikeTable):
-        raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {validation.shown(table)}")
-    target = validation.path("path", path)
-    suffix = target.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
-    settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
-    if table.wavelength is not None:
-        settings["wavelength"] = f"{table.wavelength!r} m"
-    pair = table.order == "nm"
-    terms = {(f"{i[0]},{i[1]}" if pair else str(i)): c for i, c in table.terms.items()}
-    if suffix == ".json":
-        text = json.dumps(settings | {"terms": terms}, indent=2, allow_nan=False) + "\n"
-    elif suffix == ".toml":
-        head = [f'{key} = "{value}"' for key, value in settings.items()]
-        text = "\n".join([*head, "", "[terms]", *(f'"{key}" = {c!r}' for key, c in terms.items()), ""])
-    else:
-        head = [f"# {key}: {value}" for key, value in settings.items()]
-        text = "\n".join(
-            [*head, "n,m,value" if pair else "index,value", *(f"{k},{c!r}" for k, c in terms.items()), ""]
-        )
-    atomic.write(target, text.encode())
-
-
-def build(
-    settings: Mapping[str, Any], terms: Sequence[tuple[str, Any, str]], where: _Where
-) -> tuple[ZernikeTable | None, list[str]]:
-    """Build a table from what a file says, or tell every fault in it.
-
-    Parameters
-    ----------
-    settings : mapping
-        By the names of `SETTINGS`; others are faults.
-    terms : sequence of (str, object, str)
-        Index as text, value, and where it stands.
-    where : callable
-        From the name of a setting to where it stands.
-    """
-    stray = [key for key in settings if key not in SETTINGS]
-    found = [f"{where(key)}: {faults.unknown_key(key, (*SETTINGS, 'terms'))}" for key in stray[: faults.TOLD]]
-    found += ["unknown keys"] * len(stray[faults.TOLD :])
-    allowed = {"order": zernike.ORDERS, "unit": _UNITS, "normalization": NORMALIZATIONS}
-    for key, options in allowed.items():
-        if key not in settings:
-            found.append(f"{where(key)}: is missing; it is one of {', '.join(options)}")
-        elif settings[key] not in options:
-            found.append(f"{where(key)}: must be one of {', '.join(options)}, got {validation.shown(settings[key])}")
-    wavelength = None
-    if "wavelength" in settings:
-        try:
-            wavelength = validation.wavelength(parse_length(settings["wavelength"]))
-        except ValueError as error:
-            found.append(f"{where('wavelength')}: {error}")
-    order = settings.get("order")
-    known = order if isinstance(order, str) and order in zernike.ORDERS else None
-    if len(terms) > _MOST_TERMS:
-        found.append(f"{where('terms')}: must be at most {_MOST_TERMS} coefficients, got {len(terms)}")
-        terms = terms[:1]
-    values: dict[_Index, float] = {}
-    places: dict[tuple[int, int], str] = {}
-    for text, value, at in terms:
-        try:
-            number = validation.real("the coefficient", value)
-        except (ValueError, TypeError) as error:
-            found.append(f"{at}: {error}")
-            number = 0.0
-        if known is None:
-            continue  # What an index means is not known.
-        try:
-            index = _index(text, known)
-            term = zernike.term(index, known)
-            if term in places:
-                raise ValueError(f"the term {text} was given before, {places[term]}")
-            Wavefront.zernike({index: number}, order=known)
-        except (ValueError, TypeError) as error:
-            found.append(f"{at}: {error}")
-            continue
-        values[index], places[term] = number, at
-    if not terms:
-        found.append(f"{where('terms')}: is missing or empty; it holds the coefficients by index")
-    if found:
-        return None, found
-    return ZernikeTable(values, settings["order"], settings["unit"], settings["normalization"], wavelength), []
-
-
-def build_section(
-    raw: Mapping[str, Any], where: Callable[[Sequence[str]], str]
-) -> tuple[ZernikeTable | None, list[str]]:
-    """Build a table from a section of a TOML or JSON file; `where` turns keys into where they stand."""
-    settings = {key: value for key, value in raw.items() if key != "terms"}
-    terms = raw.get("terms", {})
-    entries = terms.items() if isinstance(terms, Mapping) else ()
-    table, found = build(settings, [(k, c, where(["terms", k])) for k, c in entries], lambda key: where([key]))
-    if not isinstance(terms, Mapping):
-        # Instead of the last fault, that it is empty.
-        found[-1] = f"{where(['terms'])}: must map indices to coefficients, got {validation.shown(terms)}"
-    return table, found
-
-
-def _read_toml(text: str) -> tuple[ZernikeTable | None, list[str]]:
-    try:
-        raw = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
-        return None, [f"not valid TOML: {reading.reason(error)}"]
-    return build_section(raw, lambda keys: faults.place(text, keys))
-
-
-def _read_json(text: str) -> tuple[ZernikeTable | None, list[str]]:
-    twice: list[str] = []
-
-    def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        counts = Counter(key for key, _ in pairs)
-        twice.extend(f"{key}: is given twice" for key, count in counts.items() if count > 1)
-        return dict(pairs)
-
-    try:
-        raw = json.loads(text, object_pairs_hook=once)
-    except (ValueError, RecursionError) as error:
-        return None, [f"not valid JSON: {reading.reason(error)}"]
-    if not isinstance(raw, dict):
-        return None, [f"must hold an object, got {type(raw).__name__}"]
-    table, found = build_section(raw, ".".join)
-    return (None if twice else table), [*twice, *found]
-
-
-def _read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
-    settings: dict[str, str] = {}
-    lines: dict[str, int] = {}
-    found: list[str] = []
-    columns: list[str] | None = None
-    terms: list[tuple[str, Any, str]] = []
-    for number, line in enumerate(text.splitlines(), 1):
-        if line.lstrip().startswith("#"):
-            key, colon, value = line.lstrip()[1:].partition(":")
-            key = key.strip()
-            if colon and key in settings:
-                found.append(f"{key} (line {number}): is given twice, first in line {lines[key]}")
-            elif colon:
-                settings[key], lines[key] = value.strip(), number
-            continue
-        cells = _cells(line)
-        if not any(cells):
-            continue
-        if columns is None:
-            columns = cells
-            *index, value = (cell.lower() for cell in cells)
-            order = settings.get("order")
-            known = index == ["n", "m"] if order == "nm" else index in [[name] for name in (*_INDICES, str(order))]
-            if not (known and value in _VALUES):
-                wanted = "n,m,value" if order == "nm" else "index,value"
-                found.append(f"line {number}: the columns must be {wanted}, got {line.strip()}")
-            continue
-        if len(cells) != len(columns):
-            found.append(f"line {number}: must have {len(columns)} cells, got {len(cells)}: {line.strip()}")
-            continue
-        terms.append((",".join(cells[:-1]), _number(cells[-1]), f"line {number}"))
-
-    def where(key: str) -> str:
-        return f"{key} (line {lines[key]})" if key in lines else key
-
-    table, more = build(settings, terms, where)
-    return (None if found else table), [*found, *more]
-
-
-def _cells(line: str) -> list[str]:
-    try:
-        return [cell.strip() for cell in next(csv.reader(io.StringIO(line)), [])]
-    except csv.Error:  # of an endless cell
-        return [line]
-
-
-def _number(text: str) -> Any:
-    """Return the number that a cell holds; what is none stays as it is, to be told."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def _index(text: str, order: str) -> _Index:
-    if order == "nm":
-        pair = _PAIR.fullmatch(text.strip())
-        if not pair:
-            raise ValueError(f'an index of the order "nm" is written "n,m", got {validation.shown(text)}')
-        return int(pair[1]), int(pair[2])
-    if not re.fullmatch(r"\s*[+-]?\d+\s*", text, re.ASCII):
-        raise ValueError(f"an index of the order {order!r} is an integer, got {validation.shown(text)}")
-    return int(text)
+        return same_path(made, self.wavelength, at)
 
 
 def _unit(unit: str) -> tuple[str, float]:

@@ -25,7 +25,7 @@ class Answer:
     method: Method
     normalize: str
     error_bound: float | None
-    scale: NDArray[np.float64] = field(repr=False)
+    scale: Array = field(repr=False)
     derivatives: dict[str, NDArray[Any]] = field(default_factory=dict, repr=False)
     derivative_bounds: dict[str, float] = field(default_factory=dict, repr=False)
 
@@ -68,7 +68,7 @@ class Answer:
         """The method where a profile describes the whole PSF (pupil and method are radial), else None."""
         return self.method.along_radius(self.pupil)
 
-    def profile(self, radius: ArrayLike | None = None) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def profile(self, radius: ArrayLike | None = None) -> tuple[Array, Array]:
         """Return radii (in :attr:`unit`) and the values there, normalised like `values`.
 
         Parameters

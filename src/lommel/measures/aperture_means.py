@@ -12,10 +12,9 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Numbers
+from lommel.base.arrays import Array, Numbers
 from lommel.core.answers import ToleranceError
 from lommel.optics.opening import degree_needed
 from lommel.optics.pupil import Pupil, checked, ray_height
@@ -64,6 +63,10 @@ def marechal(pupil: Pupil) -> Numbers:
     :func:`lommel.strehl` to second order in the phase; for primary aberrations Mahajan finds it within 10 % of that
     where it exceeds 0.3.
 
+    Parameters
+    ----------
+    pupil : Pupil
+
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
@@ -81,7 +84,11 @@ def strehl(pupil: Pupil) -> Numbers:
     """Return the Strehl ratio: intensity on the axis over that of the same aperture without aberration.
 
     ``abs(mean of exp(i phase))^2``, weighted by the amplitude. The brightest point of the image may lie elsewhere:
-    a tilt moves it away (:func:`lommel.measures.spot.peak_strehl`).
+    a tilt moves it away (:func:`lommel.measures.spot.peak_strehl`). :attr:`lommel.PSF.strehl` is that of an image.
+
+    Parameters
+    ----------
+    pupil : Pupil
 
     Returns
     -------
@@ -103,11 +110,15 @@ def strehl(pupil: Pupil) -> Numbers:
     return result
 
 
-def centroid(pupil: Pupil) -> NDArray[np.float64]:
+def centroid(pupil: Pupil) -> Array:
     """Return the centroid of the light, from the wavefront: the mean gradient of the phase, weighted by intensity.
 
     The centroid of the rays and that of the light are one. That of a window, :attr:`lommel.PSF.centroid`, approaches
     it as the window grows.
+
+    Parameters
+    ----------
+    pupil : Pupil
 
     Returns
     -------
@@ -126,6 +137,10 @@ def spot_radius(pupil: Pupil) -> Numbers:
     Rays meet the sensor at the gradient of the phase. Diffraction is left out: the rms radius of the light itself
     is infinite behind any hard edge.
 
+    Parameters
+    ----------
+    pupil : Pupil
+
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
@@ -139,7 +154,7 @@ def spot_radius(pupil: Pupil) -> Numbers:
     return result
 
 
-def _variance(pupil: Pupil) -> NDArray[np.float64]:
+def _variance(pupil: Pupil) -> Array:
     """Return the variance of the phase, weighted by amplitude, shape ``pupil.shape``."""
     rho, theta, weight = _polynomial_rule(pupil, 1.0)
     phase = pupil.wavefront.phase(rho, theta)
@@ -147,9 +162,7 @@ def _variance(pupil: Pupil) -> NDArray[np.float64]:
     return np.asarray((away**2 * weight).sum(axis=-1))
 
 
-def _polynomial_rule(
-    pupil: Pupil, power: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def _polynomial_rule(pupil: Pupil, power: float) -> tuple[Array, Array, Array]:
     """Return rho, theta and weights, shape (points,), exact for the square of the phase or of its gradient.
 
     The weights are those of the amplitude to the `power`, and sum to 1.
@@ -165,9 +178,7 @@ def _polynomial_rule(
     return _rule(pupil, power, radial, 2 * order + 2)
 
 
-def _rule(
-    pupil: Pupil, power: float, radial: int, around: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def _rule(pupil: Pupil, power: float, radial: int, around: int) -> tuple[Array, Array, Array]:
     low = pupil.obscuration**2
     t, weight = gauss_legendre(radial, low, 1.0)
     # Relative to the brightest zone: a strong fall underflows otherwise.
@@ -178,9 +189,7 @@ def _rule(
     return rho, np.tile(theta, radial), np.repeat(weight / (weight.sum() * around), around)
 
 
-def _clear_rule(
-    pupil: Pupil, power: float, degree: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def _clear_rule(pupil: Pupil, power: float, degree: int) -> tuple[Array, Array, Array]:
     """Return the same over what vanes, vignetting and a mask leave clear, exact to a degree in x and y."""
     x, y, weight = pupil.rule(degree)
     # The rule carries the amplitude of the mask once.
@@ -191,7 +200,7 @@ def _clear_rule(
     return rho, np.arctan2(y, x), weight / weight.sum()
 
 
-def _gradient(wavefront: Wavefront, rho: NDArray[np.float64], theta: NDArray[np.float64]) -> NDArray[np.float64]:
+def _gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
     """Return ``(dPhi/dx, dPhi/dy)`` at points with rho > 0, shape ``(n, 2, points)`` for the flattened stack."""
     flat = wavefront.flattened()
     outward = ray_height(flat.edge[:, : flat.symmetric], rho)
@@ -205,7 +214,7 @@ def _gradient(wavefront: Wavefront, rho: NDArray[np.float64], theta: NDArray[np.
     return np.stack([outward * cos - sideways * sin, outward * sin + sideways * cos], axis=1)
 
 
-def _radial_slope(n: int, m: int, rho: NDArray[np.float64]) -> NDArray[np.float64]:
+def _radial_slope(n: int, m: int, rho: Array) -> Array:
     """Return ``dR_n^m/drho`` by ``R_n^m' = n (R_(n-1)^|m-1| + R_(n-1)^(m+1)) + R_(n-2)^m'``, R = 0 for m > n."""
     total = np.zeros_like(rho)
     for degree in range(n, max(m, 1) - 1, -2):

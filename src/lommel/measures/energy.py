@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Numbers
+from lommel.base.arrays import Array, Numbers
 from lommel.measures.answer import Answer, checked
 from lommel.methods.method import RadialMethod
 from lommel.optics.pupil import Pupil
@@ -33,6 +33,11 @@ def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis") 
         Where pupil and method are radial, by quadrature of the profile, to the tolerance of the method, whatever the
         pixels. Else the sum over pixels, each by the exact part of its area inside: as if its value held all over
         it, which errs by about the square of the pixel over the width of the image, and limited to the window.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a radius is no number, negative or not finite, or `about` is neither.
     """
     checked(answer)
     at = validation.real_array("radius", radius, least=0.0)
@@ -66,6 +71,11 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
     Returns
     -------
     float or ndarray, shape ``pupil.shape + half_width.shape``
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a width is no number, negative or not finite, or `about` is neither.
     """
     checked(answer)
     at = validation.real_array("half_width", half_width, least=0.0)
@@ -81,7 +91,7 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
     grid = answer.grid
     share = energy_per_pixel(answer).reshape(-1, *grid.shape)
 
-    def covered(places: NDArray[np.float64]) -> NDArray[np.float64]:
+    def covered(places: Array) -> Array:
         low, high = places - 0.5 * grid.pixel, places + 0.5 * grid.pixel
         a = at.ravel()[:, None]
         return np.asarray(np.maximum(np.minimum(high, a) - np.maximum(low, -a), 0.0) / grid.pixel)
@@ -94,11 +104,15 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
     return result
 
 
-def window_centroid(answer: Answer) -> NDArray[np.float64]:
+def window_centroid(answer: Answer) -> Array:
     """Return the centroid of the values in the window, (x, y) from the axis.
 
     :func:`lommel.centroid` is that of all light, from the wavefront; the two differ by what lies outside the window,
     which falls with its size only slowly, like the reciprocal.
+
+    Parameters
+    ----------
+    answer : PSF
 
     Returns
     -------
@@ -119,7 +133,7 @@ def window_centroid(answer: Answer) -> NDArray[np.float64]:
     return np.stack([x / total, y / total], axis=-1)
 
 
-def _center(answer: Answer, about: str) -> NDArray[np.float64]:
+def _center(answer: Answer, about: str) -> Array:
     """Return the points (x, y) that `about` names, shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
     if about == "axis" or answer.radial_method is not None:
@@ -128,7 +142,26 @@ def _center(answer: Answer, about: str) -> NDArray[np.float64]:
 
 
 def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numbers:
-    """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 (1 - eps^2))``, by quadrature."""
+    """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 (1 - eps^2))``, by quadrature.
+
+    Parameters
+    ----------
+    method : RadialMethod
+    pupil : Pupil
+        A radial one.
+    radius : array_like
+        Metres if the pupil has a wavelength, else units of lambda*N; >= 0.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape + radius.shape``
+        To the tolerance of the method.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the method is not radial or does not support the pupil, or a radius is negative or not finite.
+    """
     validation.instance("method", method, RadialMethod)
     at = validation.real_array("radius", radius, least=0.0)
     method.require(pupil)
@@ -150,7 +183,7 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
     return result
 
 
-def _within_reach(pupil: Pupil, name: str, at: NDArray[np.float64], stretch: float) -> NDArray[np.float64]:
+def _within_reach(pupil: Pupil, name: str, at: Array, stretch: float) -> Array:
     """Return `at` in v, flat, if that is no farther from the axis than there is light worth computing."""
     far = float(at.max(initial=0.0))
     validation.reach(f"{name}={far:g}", stretch * (math.pi / pupil.scale * far), pupil.scale / stretch, pupil.unit)
@@ -158,7 +191,16 @@ def _within_reach(pupil: Pupil, name: str, at: NDArray[np.float64], stretch: flo
 
 
 def window_energy(answer: Answer) -> Numbers:
-    """Return the fraction of all light inside the window, to the edges of its outer pixels."""
+    """Return the fraction of all light inside the window, to the edges of its outer pixels.
+
+    Parameters
+    ----------
+    answer : PSF
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape``
+    """
     checked(answer)
     if answer.radial_method is None:
         summed: Numbers = energy_per_pixel(answer).sum(axis=(-2, -1))[()]
@@ -177,9 +219,7 @@ def window_energy(answer: Answer) -> Numbers:
     return total
 
 
-def _rectangles(
-    method: RadialMethod, pupil: Pupil, rectangles: list[tuple[float, float, float]]
-) -> NDArray[np.float64]:
+def _rectangles(method: RadialMethod, pupil: Pupil, rectangles: list[tuple[float, float, float]]) -> Array:
     """Return the light in rectangles from the axis to (a, b) in v, each (weight, a, b), shape (n,)."""
     nodes, weights = [np.zeros(1)], [np.zeros(1)]
     for factor, a, b in rectangles:
@@ -193,7 +233,7 @@ def _rectangles(
     return np.asarray(intensity @ w[order] / (4.0 * math.pi * pupil.transmission))
 
 
-def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
     """Return nodes v and weights that integrate a radial function over the rectangle [0, a] x [0, b].
 
     The function is of exponential type ``2 stretch``.
@@ -211,7 +251,7 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[NDArray[np.float
     return np.concatenate(nodes), np.concatenate(weights)
 
 
-def energy_per_pixel(answer: Answer) -> NDArray[np.float64]:
+def energy_per_pixel(answer: Answer) -> Array:
     """Return the values as fractions of all light per pixel, whatever their normalisation."""
     factor = answer.grid.step(answer.pupil) ** 2 / (4.0 * math.pi * answer.pupil.transmission)
     return np.asarray(answer.values * (factor / answer.scale)[..., None, None], dtype=np.float64)

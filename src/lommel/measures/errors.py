@@ -3,24 +3,45 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 
 
 def mse(values: ArrayLike, reference: ArrayLike) -> float:
-    """Return the mean squared error over the squared peak of the reference, as the paper reports it."""
+    """Return the mean squared error over the squared peak of the reference, as the paper reports it.
+
+    Parameters
+    ----------
+    values, reference : array_like
+        Of one shape; a :class:`lommel.PSF` is one.
+
+    Returns
+    -------
+    float
+    """
     a, b = _pair(values, reference)
     return float(np.mean((a - b) ** 2) / b.max() ** 2)
 
 
 def peak_error(values: ArrayLike, reference: ArrayLike) -> float:
-    """Return the largest absolute error over the peak of the reference."""
+    """Return the largest absolute error over the peak of the reference.
+
+    Parameters
+    ----------
+    values, reference : array_like
+        Of one shape; a :class:`lommel.PSF` is one.
+
+    Returns
+    -------
+    float
+    """
     a, b = _pair(values, reference)
     return float(np.abs(a - b).max() / b.max())
 
 
-def _pair(values: ArrayLike, reference: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _pair(values: ArrayLike, reference: ArrayLike) -> tuple[Array, Array]:
     a, b = validation.real_array("values", values), validation.real_array("reference", reference)
     if a.shape != b.shape:
         raise ValueError(f"values and reference must have the same shape, got {a.shape} and {b.shape}")

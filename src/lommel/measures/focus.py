@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.measures.energy import radial_energy
+from lommel.methods.choice import of_profiles
 from lommel.methods.method import RadialMethod
-from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
@@ -26,7 +26,18 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
         A single pupil.
     radius : float
         Metres if the pupil has a wavelength, else units of lambda*N.
+        Above 0.
     method : RadialMethod, default NijboerZernike(tol=1e-6)
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, the pupil is a stack or not radially symmetric, or the method does not support
+        it.
 
     Notes
     -----
@@ -35,7 +46,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     """
     from scipy.optimize import minimize_scalar
 
-    way = validation.instance("method", NijboerZernike() if method is None else method, RadialMethod)
+    way = validation.instance("method", of_profiles() if method is None else method, RadialMethod)
     at = validation.real("radius", radius, above=0.0)
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")

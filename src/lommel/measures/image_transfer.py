@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lommel.base.arrays import Array
 from lommel.measures.answer import Answer, checked
 from lommel.measures.energy import energy_per_pixel
 from lommel.measures.transfer import Complexes, frequencies
@@ -51,10 +52,14 @@ def image_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     return result
 
 
-def image_spectrum(answer: Answer) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.complex128]]:
+def image_spectrum(answer: Answer) -> tuple[Array, Array, NDArray[np.complex128]]:
     """Return the frequencies of the window and its transfer function there, by FFT.
 
     See :func:`lommel.measures.image_transfer.image_otf`.
+
+    Parameters
+    ----------
+    answer : PSF
 
     Returns
     -------

@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
 from lommel.core.answers import ToleranceError
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
@@ -34,7 +35,7 @@ _CHUNK = 2**20
 _MAX_NODES = 4096
 
 
-def autocorrelation(pupil: Pupil, f: NDArray[np.float64], tol: float) -> NDArray[np.complex128]:
+def autocorrelation(pupil: Pupil, f: Array, tol: float) -> NDArray[np.complex128]:
     """Return the OTF at frequencies f over the cutoff, shape (points, 2), for the flattened stack."""
     if pupil.radial:
         # It depends on the length of f only.
@@ -61,9 +62,7 @@ def autocorrelation(pupil: Pupil, f: NDArray[np.float64], tol: float) -> NDArray
     return np.where(mirrored, values.conj(), values)
 
 
-def _refined(
-    pupil: Pupil, f: NDArray[np.float64], shift: NDArray[np.float64], blur: float, tol: float
-) -> NDArray[np.complex128]:
+def _refined(pupil: Pupil, f: Array, shift: Array, blur: float, tol: float) -> NDArray[np.complex128]:
     """Return the OTF at few frequencies with as many nodes as it takes."""
     # Half of the phase that a line of the overlap sees, about; too few nodes are found out by those that follow.
     swing = 2.0 * blur * (1.0 - float(shift.min())) * min(1.0, 2.0 * float(shift.max()))
@@ -77,9 +76,7 @@ def _refined(
     raise ToleranceError(f"the OTF to tol={tol:g} takes more than {_MAX_NODES} nodes along a line")
 
 
-def _overlap_integral(
-    pupil: Pupil, f: NDArray[np.float64], shift: NDArray[np.float64], nodes: int
-) -> NDArray[np.complex128]:
+def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArray[np.complex128]:
     """Return the autocorrelation at f by `nodes` Gauss nodes along and across each part of the overlap."""
     x, w = gauss_legendre(nodes)
     which, y, low, width, weight = _lines(shift, pupil.obscuration, x, w)
@@ -104,7 +101,7 @@ def _overlap_integral(
     return out / (math.pi * pupil.transmission)
 
 
-def _radial_product(pupil: Pupil, s: NDArray[np.float64], t: NDArray[np.float64]) -> NDArray[Any]:
+def _radial_product(pupil: Pupil, s: Array, t: Array) -> NDArray[Any]:
     """Return the real part of ``P(s) conj(P(t))``, s and t being rho^2; the imaginary one is odd in u."""
     product = np.cos(pupil.radial_phase(s) - pupil.radial_phase(t))
     if not pupil.illumination.uniform:
@@ -112,9 +109,7 @@ def _radial_product(pupil: Pupil, s: NDArray[np.float64], t: NDArray[np.float64]
     return np.asarray(product)
 
 
-def _lines(
-    shift: NDArray[np.float64], eps: float, x: NDArray[np.float64], w: NDArray[np.float64]
-) -> tuple[NDArray[Any], ...]:
+def _lines(shift: Array, eps: float, x: Array, w: Array) -> tuple[NDArray[Any], ...]:
     """Return the lines of constant y > 0 that cover the overlaps: frequency, y, begin in u, length, weight in y.
 
     Each overlap is symmetric in y, and its upper half covered with twice the weight. Within a panel its ends are
@@ -138,13 +133,13 @@ def _lines(
 
 
 def _panel(
-    first: NDArray[np.float64],
-    last: NDArray[np.float64],
+    first: Array,
+    last: Array,
     radius: float,
-    shift: NDArray[np.float64],
+    shift: Array,
     eps: float,
-    x: NDArray[np.float64],
-    w: NDArray[np.float64],
+    x: Array,
+    w: Array,
 ) -> tuple[NDArray[Any], ...]:
     """Return the lines with ``y = radius sin(theta)``, theta from `first` to `last`, one of each a frequency."""
     theta = first[:, None] + (last - first)[:, None] * x

@@ -5,13 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Numbers
+from lommel.base.arrays import Array, Numbers
 from lommel.measures import aperture_means
 from lommel.measures.answer import Answer, checked
-from lommel.measures.colours import colours
 from lommel.measures.energy import encircled_energy, radial_energy
 from lommel.methods.method import RadialMethod
 from lommel.optics.pupil import Pupil
@@ -23,8 +21,12 @@ _ORDER = 6
 _MAX_RADII = 2**16
 
 
-def peak_position(answer: Answer) -> NDArray[np.float64]:
+def peak_position(answer: Answer) -> Array:
     """Return where the largest value is, (x, y) from the axis.
+
+    Parameters
+    ----------
+    answer : PSF
 
     Returns
     -------
@@ -46,7 +48,7 @@ def peak_position(answer: Answer) -> NDArray[np.float64]:
     return out.reshape(*answer.pupil.shape, 2)
 
 
-def _vertex(line: NDArray[np.float64], at: int) -> float:
+def _vertex(line: Array, at: int) -> float:
     """Return how far from `at` the parabola through three values is largest, at most half a step."""
     if not 0 < at < line.size - 1:
         return 0.0
@@ -62,6 +64,19 @@ def axis_strehl(answer: Answer) -> Numbers:
     wavefront (:func:`lommel.strehl`) for others that sample the intensity; `Geometric`, which has no diffraction,
     gives that of the pixel on the axis. :func:`lommel.measures.spot.peak_strehl` looks for the brightest point
     instead.
+
+    Parameters
+    ----------
+    answer : PSF
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape``
+
+    Raises
+    ------
+    ValueError
+        If the axis is outside of the window of a method that has values on the grid only.
     """
     checked(answer)
     method, pupil = answer.method, answer.pupil
@@ -71,9 +86,9 @@ def axis_strehl(answer: Answer) -> Numbers:
         v = np.array([0.0, *np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 64)[1:]])
         center = radial.profile(pupil, v).values[:, 0].reshape(pupil.shape)
     elif method.sampling == "center":
-        shares = [(share / colour**2, part) for colour, share, part in colours(method, pupil)]
-        total = sum(share * np.asarray(aperture_means.strehl(part)) for share, part in shares)
-        mean: Numbers = np.asarray(total / sum(share for share, _ in shares))[()]
+        parts = method.components(pupil)
+        total = sum(part.weight * np.asarray(aperture_means.strehl(part.pupil)) for part in parts)
+        mean: Numbers = np.asarray(total / sum(part.weight for part in parts))[()]
         return mean
     else:
         row, column = (round(c) for c in answer.grid.center)
@@ -90,6 +105,10 @@ def peak_strehl(answer: Answer) -> Numbers:
     The Strehl ratio by its other definition: that of the brightest pixel wherever it is, not of the axis
     (:func:`lommel.measures.spot.axis_strehl`). A pixel that samples beside the peak sees less of it: below
     ``(pi pixel / (4 lambda N))^2`` of the peak in focus.
+
+    Parameters
+    ----------
+    answer : PSF
 
     Returns
     -------
@@ -139,7 +158,7 @@ def fwhm(answer: Answer, along: str = "mean") -> Numbers:
     return result
 
 
-def _width(line: NDArray[np.float64], name: str) -> float:
+def _width(line: Array, name: str) -> float:
     """Return the width at half of the largest value of a line, in pixels."""
     from scipy.interpolate import CubicSpline
 
@@ -266,10 +285,10 @@ def _require_radial(method: RadialMethod, pupil: Pupil) -> None:
 class _Even:
     """An even function known at 0, 1, 2, ..., between them by the polynomial through the twelve nearest."""
 
-    def __init__(self, values: NDArray[np.float64]) -> None:
+    def __init__(self, values: Array) -> None:
         self.values = np.concatenate([values[_ORDER:0:-1], values])
 
-    def __call__(self, at: NDArray[np.float64]) -> NDArray[np.float64]:
+    def __call__(self, at: Array) -> Array:
         """Return the values at places >= 0, up to the sixth last known."""
         first = np.floor(at).astype(np.int64) + 1
         offset = at - np.floor(at)

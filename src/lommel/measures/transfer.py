@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Numbers
-from lommel.measures.colours import colours
+from lommel.base.arrays import Array, Numbers
 from lommel.measures.overlap import autocorrelation
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.pupil import Pupil, checked
+from lommel.optics.spectrum import Component
 
 Complexes = np.complex128 | NDArray[np.complex128]
 
@@ -77,9 +77,9 @@ def otf(
     total = np.zeros((math.prod(pupil.shape), across.size), dtype=np.complex128)
     if spectrum is not None and not isinstance(spectrum, Polychromatic):
         raise TypeError(f"spectrum must be a Polychromatic, got {validation.shown(spectrum)}")
-    for _, weight, part in colours(spectrum, pupil):
+    for share, _, part in [Component(1.0, 1.0, pupil)] if spectrum is None else spectrum.components(pupil):
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
-        total += weight * autocorrelation(part, f, goal)
+        total += share * autocorrelation(part, f, goal)
     result: Complexes = (total.reshape(pupil.shape + across.shape) * blur)[()]
     return result
 
@@ -94,6 +94,19 @@ def mtf(
     tol: float = 1e-10,
 ) -> Numbers:
     """Return the modulation transfer function ``abs(OTF)``; see :func:`lommel.otf`.
+
+    Parameters
+    ----------
+    pupil : Pupil
+    fx, fy : array_like
+        Cycles per metre if the pupil has a wavelength, else per lambda*N.
+    pixel, spectrum, tol
+        As of :func:`lommel.otf`.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape + s``
+        With s what `fx` and `fy` broadcast to.
 
     Examples
     --------
@@ -117,6 +130,19 @@ def ptf(
 
     The error is `tol` over the MTF. Where the MTF is `tol` or less there is no phase to speak of, and 0 is returned.
     See :func:`lommel.otf`.
+
+    Parameters
+    ----------
+    pupil : Pupil
+    fx, fy : array_like
+        Cycles per metre if the pupil has a wavelength, else per lambda*N.
+    spectrum, tol
+        As of :func:`lommel.otf`.
+
+    Returns
+    -------
+    float or ndarray, shape ``pupil.shape + s``
+        Radians; with s what `fx` and `fy` broadcast to.
     """
     value = otf(pupil, fx, fy, spectrum=spectrum, tol=tol)
     result: Numbers = np.where(np.abs(value) > tol, np.angle(value), 0.0)[()]
@@ -128,6 +154,7 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
 
     Parameters
     ----------
+    pupil : Pupil
     level : float, default 0.5
         Above 0 and below 1.
     angle : float, default 0
@@ -140,6 +167,11 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
     float or ndarray, shape ``pupil.shape``
         Cycles per metre or per lambda*N. The first crossing is bracketed by steps of 1/128 of the cutoff or, behind
         a large blur, of a quarter of an oscillation or less, and found in the bracket to 1e-10 of the cutoff.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
     """
     from scipy.optimize import brentq
 
@@ -186,7 +218,7 @@ def _round(pupil: Pupil) -> None:
         )
 
 
-def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
     """Return frequencies along columns and rows, broadcast."""
     across, down = validation.real_array("fx", fx), validation.real_array("fy", fy)
     try:

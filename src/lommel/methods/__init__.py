@@ -40,7 +40,21 @@ ERFS: dict[str, type[Any]] = {"abramowitz": AbramowitzErf, "table": TableErf, "f
 
 
 def method_from_dict(description: dict[str, Any]) -> Method:
-    """Rebuild a method from :meth:`Method.to_dict`; ValueError if its name is unknown."""
+    """Rebuild a method from :meth:`Method.to_dict`.
+
+    Parameters
+    ----------
+    description : dict
+
+    Returns
+    -------
+    Method
+
+    Raises
+    ------
+    ValueError
+        If its name is unknown, or that of something else.
+    """
     kinds: list[type[Any]] = [*METHODS.values(), Polychromatic, *ERFS.values()]
     known = {kind.__name__: kind for kind in kinds}
 

@@ -1,43 +1,174 @@
-"""Which method answers where none was named."""
+"""The choice of a method: by the pupil and the window where none was named, and what is tried next."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import lru_cache
 from importlib.util import find_spec
+from typing import Any, NamedTuple, TypeVar
 
+from lommel.core.answers import ToleranceError
 from lommel.methods.averaging import samples_across
 from lommel.methods.chordal_gauss import ChordalGauss
+from lommel.methods.hankel import Hankel
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import Pupil, checked
 
-SERIES, _MATRIX, _SUM = NijboerZernike(), ChordalGauss(), NonuniformFFT()
+_SMALL, _SMALL_OF_STACK, _STACK = 64, 128, 8  # samples a side, and from how many pupils on
+_Answer = TypeVar("_Answer")
 
 
-def choose(pupil: Pupil, grid: Grid) -> Method:
-    """Return the method for a pupil and a window, each with a tolerance of 1e-6 of the peak.
+class Rule(NamedTuple):
+    """What answers for some pupils and windows, in words and in code; methods as they are tried, one by one."""
 
-    The series for circular apertures; the chordal rule where their wavefront is not radially symmetric and the window
-    is small, up to 64 samples a side or, of eight pupils or more, 128; the non-uniform FFT for other apertures.
+    pupils: str
+    applies: Callable[[Pupil, Grid], bool]
+    methods: tuple[type[Any], ...]
+    costs: str
+
+
+def _small(pupil: Pupil, grid: Grid) -> bool:
+    if not pupil.circular:
+        return False
+    # Averages are made of finer samples.
+    side = max(grid.shape) * (samples_across(grid.step(pupil)) if grid.integrate else 1)
+    return side <= _SMALL or (side <= _SMALL_OF_STACK and math.prod(pupil.shape) >= _STACK)
+
+
+RULES = (
+    Rule(
+        "radially symmetric",
+        lambda pupil, _: pupil.radial,
+        (NijboerZernike,),
+        "about what writing the image does",
+    ),
+    Rule(
+        f"round, any wavefront, windows up to {_SMALL} samples a side ({_SMALL_OF_STACK} of {_STACK} pupils or more)",
+        _small,
+        (ChordalGauss, NijboerZernike),
+        "two matrix products; grows with the square of the number of chords",
+    ),
+    Rule(
+        "round, any wavefront, larger windows",
+        lambda pupil, _: pupil.circular,
+        (NijboerZernike,),
+        "a sum over azimuthal orders at every eighth of the pixels",
+    ),
+    Rule(
+        "any other aperture",
+        lambda *_: True,
+        (NonuniformFFT,),
+        "nodes over the clear aperture and one transform; no proven bound",
+    ),
+)
+"""The first that applies."""
+
+
+def table() -> str:
+    """Return the rules as a table in Markdown; the page on how to choose a method has it."""
+    rows = [("pupil", "method", "what it costs"), ("---",) * 3]
+    rows += [(r.pupils, ", else ".join(f"`{m.__name__}`" for m in r.methods), r.costs) for r in RULES]
+    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
+def candidates(pupil: Pupil, grid: Grid, tol: float = Method.tol) -> tuple[Method, ...]:
+    """Return what answers for a pupil and a window where no method was named, by :data:`RULES`.
+
+    Parameters
+    ----------
+    pupil : Pupil
+    grid : Grid
+    tol : float, default 1e-6
+        Tolerance over the peak.
+
+    Returns
+    -------
+    tuple of Method
+        In the order in which they are to be tried; see :func:`first_proven`.
 
     Raises
     ------
-    ValueError
-        If the pupil needs finufft, which is not installed.
+    TypeError, ValueError
+        If the pupil is none, if it needs finufft, which is not installed, or if no method for it takes the tolerance.
     """
-    # What is no pupil is refused by the method, as ever.
-    if getattr(pupil, "radial", True):
-        return SERIES
-    if pupil.circular:
-        # Averages are made of finer samples.
-        side = max(grid.shape) * (samples_across(grid.step(pupil)) if grid.integrate else 1)
-        small = side <= 64 or (side <= 128 and math.prod(pupil.shape) >= 8)
-        return _MATRIX if small else SERIES
-    if find_spec("finufft") is None:
+    checked(pupil)
+    methods = next(rule.methods for rule in RULES if rule.applies(pupil, grid))
+    if NonuniformFFT in methods and find_spec("finufft") is None:
         raise ValueError(
             "method must be named for a pupil with a spider, vignetting or a mask where finufft is missing: "
             "pip install finufft, or pass method=MatrixFourier(...)"
         )
-    return _SUM
+    return _made(methods, tol)
+
+
+@lru_cache(maxsize=64)
+def _made(methods: tuple[type[Any], ...], tol: float) -> tuple[Method, ...]:
+    return tuple(method(tol) for method in methods)
+
+
+def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
+    """Return the first of some methods that proves its tolerance, and what it answers.
+
+    The chordal rule judges errors by the window alone and takes a limited number of chords: a window that the light
+    misses is for the series.
+
+    Parameters
+    ----------
+    ways : tuple of Method
+    ask : callable
+        What is asked of a method; raises where it does not prove its tolerance.
+
+    Returns
+    -------
+    method : Method
+    answer : object
+        What `ask` returned for it.
+
+    Raises
+    ------
+    ToleranceError, ValueError
+        What the last one raises.
+    """
+    *others, last = ways
+    for way in others:
+        try:
+            return way, ask(way)
+        except (ToleranceError, ValueError):
+            continue
+    return last, ask(last)
+
+
+def of_profiles(tol: float = Method.tol) -> NijboerZernike:
+    """Return the method for profiles along the radius of radial pupils, and for what is integrated from these.
+
+    Parameters
+    ----------
+    tol : float, default 1e-6
+        Tolerance over the peak.
+
+    Returns
+    -------
+    NijboerZernike
+    """
+    return NijboerZernike(tol)
+
+
+def reference(pupil: Pupil) -> Method:
+    """Return what other methods are judged by: plain quadrature, or the certified series where that does not apply.
+
+    Parameters
+    ----------
+    pupil : Pupil
+
+    Returns
+    -------
+    Method
+        For apertures that are not round, `NonuniformFFT` at its finest.
+    """
+    if pupil.radial:
+        return Hankel()
+    return NijboerZernike(tol=1e-9) if pupil.circular else NonuniformFFT(tol=NonuniformFFT.least_tol)

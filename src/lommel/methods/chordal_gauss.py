@@ -17,8 +17,6 @@ from lommel.methods.terms import disk_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-_LEAST_TOL = 1e-12
-
 
 @dataclass(frozen=True)
 class ChordalGauss(Method):
@@ -67,7 +65,7 @@ class ChordalGauss(Method):
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=_LEAST_TOL, below=1e-1))
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return None: every pupil is supported."""
@@ -80,10 +78,6 @@ class ChordalGauss(Method):
             return averaged(sample, pupil, grid, self.tol, normalize=False)
         made = sample(pupil, grid, self.tol)
         return Intensities(made.values, made.error, made.peak)
-
-    def tightened(self) -> ChordalGauss:
-        """Return the same method with half the tolerance, or with the least that there is."""
-        return ChordalGauss(max(0.5 * self.tol, _LEAST_TOL))
 
     def images(
         self,

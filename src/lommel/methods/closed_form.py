@@ -54,6 +54,11 @@ class ClosedForm(FieldMethod):
     piston : bool, default True
         Whether they have the constants gamma_i, which Eq. (17) leaves out.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     Errata of the printed paper, found against adaptive quadrature of its integrands:
@@ -165,7 +170,9 @@ class ClosedForm(FieldMethod):
         return result
 
     def sub_integrals(self, defocus: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
-        r"""Return the integrals of the appendix at v > 0, shape ``(terms + 3, len(v))``; U is twice their sum.
+        r"""Return the integrals of the appendix for a `defocus` C_d at `v` above 0; U is twice their sum.
+
+        Their shape is ``(terms + 3, len(v))``.
 
         In rho = R / R_max, so ``alpha = 2 C_d``, ``beta = v`` and ``T = transition / v``, at most 1. The first
         `terms` are 1, 2, 3 ... of the appendix (Eq. 18-20), with their coefficients from Eq. (6); the last three

@@ -37,6 +37,11 @@ class Fraunhofer(Method):
         "binary": a sample counts if its centre is inside; "grey": by the part of its cell that is, exact for discs
         and annuli, counted on 16 x 16 points of the cell for other apertures.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     The FFT of M samples spaced delta in rho has the spacing ``2 pi / (M delta)`` in v. delta is chosen so that

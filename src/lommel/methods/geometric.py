@@ -32,6 +32,11 @@ class Geometric(Method):
     rings : int, default 8
         Rings a pixel, 1 to 64: the light of each is spread evenly over its area, and each pixel receives exactly
         the part of the ring that it covers.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
     """
 
     sampling: ClassVar[str] = "pixel"

@@ -31,6 +31,11 @@ class Hankel(FieldMethod):
         The number of nodes is the smallest whose proven quadrature error in U (relative to U(0) = 1 of the
         unaberrated aperture) is below `tol`, 1e-15 to 1e-2. Rounding adds about ``2^-53`` times the phase.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     In t a quartic phase is exactly quadratic and ``J0(v sqrt t)`` is entire, so convergence is geometric

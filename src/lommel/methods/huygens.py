@@ -16,8 +16,9 @@ from lommel.core.engine import huygens_sum
 from lommel.methods.averaging import filtered, filtered_by
 from lommel.methods.method import FieldMethod
 from lommel.optics.aplanatic import expansion, path
+from lommel.optics.geometry import Geometry
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Geometry, Pupil
+from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
@@ -52,6 +53,11 @@ class HuygensFresnel(FieldMethod):
     nodes : (int, int), optional
         Radial Gauss-Legendre nodes in rho^2 and azimuthal points over the full circle. By default as many as
         carry the phase to about 1e-10 of the unaberrated field.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
 
     Notes
     -----

@@ -40,6 +40,11 @@ class MatrixFourier(Method):
         "grey": a sample counts by the part of its cell that is clear, exact for discs and annuli, counted on 16 x 16
         points of the cell for others. "binary": it counts if its centre is clear.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     ``U = (4 / (pi n^2)) E_y P E_x`` with ``E = exp(-i v x)``. `integrate` averages over Gauss-Legendre points within

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any, ClassVar, Self
 
 import numpy as np
@@ -15,6 +15,7 @@ from lommel.core.answers import FieldValues, Images, Intensities, ToleranceError
 from lommel.methods.subpixel import subpixel_intensity
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
+from lommel.optics.spectrum import Component
 from lommel.optics.wavefront import MAX_HIGHER
 from lommel.special.bessel import _radii
 
@@ -41,6 +42,9 @@ class Method(ABC):
     keeps_tol: ClassVar[bool] = True
     """Whether a bound, where there is one, counts everything, storing included, and never exceeds `tol`."""
 
+    least_tol: ClassVar[float] = 1e-12
+    """The least tolerance that a method with one takes."""
+
     tol: float = 1e-6
 
     @abstractmethod
@@ -49,22 +53,76 @@ class Method(ABC):
 
     @abstractmethod
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
-        """Return I on `grid` for the flattened stack.
+        """Return I on `grid` for the flattened stack of `pupil`, by at most so many `threads`.
 
         Shape ``(n, len(grid.radii))``, at the distinct radii, or ``(n, height, width)``.
         """
 
     def unaberrated_peak(self, pupil: Pupil) -> float:
-        """Return the peak of the same aperture without aberration, to which "strehl" relates."""
+        """Return the peak of the aperture of `pupil` without aberration, to which "strehl" relates."""
         return pupil.amplitude**2
 
     def stretch(self, pupil: Pupil) -> float:
-        """Return the exponential type of U in v: how much faster than at the wavelength of the pupil it varies."""
+        """Return the exponential type of U in v: how much faster than at the wavelength of `pupil` it varies."""
         return 1.0
 
-    def tightened(self) -> Self:
-        """Return the same method with half the tolerance, if it has one."""
-        return self
+    def with_tol(self, tol: float) -> Self:
+        """Return the same method with another tolerance.
+
+        Parameters
+        ----------
+        tol : float
+            As the method itself takes it.
+
+        Returns
+        -------
+        Method
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it has none, or takes none such.
+        """
+        if not self._has_tol:
+            raise ValueError(
+                f"tol={validation.shown(tol)} must be left out for {type(self).__name__}, which has no tolerance"
+            )
+        changed: Self = replace(self, tol=tol)  # type: ignore[type-var]
+        return changed
+
+    def tightened(self, tol: float | None = None) -> Self:
+        """Return the same method with half the tolerance, or with another.
+
+        Parameters
+        ----------
+        tol : float, optional
+            The least there is where it is below that.
+
+        Returns
+        -------
+        Method
+            The method itself where no tolerance is kept.
+        """
+        if not (self._has_tol and self.keeps_tol):
+            return self
+        return self.with_tol(max(0.5 * self.tol if tol is None else tol, self.least_tol))
+
+    @property
+    def _has_tol(self) -> bool:
+        return "tol" in getattr(self, "__dataclass_fields__", ())
+
+    def components(self, pupil: Pupil) -> list[Component]:
+        """Return the parts whose intensities add up to that of `pupil`: one, unless the method sums several.
+
+        Parameters
+        ----------
+        pupil : Pupil
+
+        Returns
+        -------
+        list of Component
+        """
+        return [Component(1.0, 1.0, pupil)]
 
     def along_radius(self, pupil: Pupil) -> RadialMethod | None:
         """Return the method where a profile along the radius describes the whole PSF of `pupil`, else None."""
@@ -95,33 +153,30 @@ class Method(ABC):
             k of each derivative with respect to the coefficient of t^k that is wanted.
         threads : int
             At most so many, 0 for as many as there are processors. Methods that are not compiled use one.
+
+        Returns
+        -------
+        Images
+
+        Raises
+        ------
+        ValueError
+            If derivatives are wanted of a method, or of a pupil, that has none.
+        ToleranceError
+            If the tolerance of the method cannot be met.
         """
         if powers:
             raise ValueError(f"derivatives are not available from {type(self).__name__}; use NijboerZernike")
         way = self
-        intensity, error = way._bounded(pupil, grid, scale, dtype, threads)
-        while self.keeps_tol and error is not None and error.max() > self.tol:
+        made = way.intensity(pupil, grid, threads)
+        while self.keeps_tol and (error := once_stored(made, scale, dtype)) is not None and error.max() > self.tol:
             # Values divided by their own largest one are off by twice as much.
             finer = way.tightened() if scale is not None else way.tightened().tightened()
             if finer == way:
                 raise not_met(self.tol, float(error.max()), "the peak")
             way = finer
-            intensity, error = way._bounded(pupil, grid, scale, dtype, threads)
-        scales = np.full(len(intensity), scale) if scale is not None else 1.0 / _largest(intensity)
-        values = np.empty((intensity.shape[0], *grid.shape), dtype=dtype) if out is None else out
-        grid.paint(intensity, scales, values)
-        return Images(values, scales, error)
-
-    def _bounded(
-        self, pupil: Pupil, grid: Grid, scale: float | None, dtype: DTypeLike, threads: int
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64] | None]:
-        """Return the intensity, and the bound on what images of it are off by once they are scaled and stored."""
-        intensity, error, _ = self.intensity(pupil, grid, threads)
-        if scale is None and not np.all(_largest(intensity) > 0):
-            raise ValueError('normalize="peak" is impossible: no light falls into the window')
-        if error is None:
-            return intensity, None
-        return intensity, stored(normalized_error(error) if scale is None else error, dtype)
+            made = way.intensity(pupil, grid, threads)
+        return painted(made, grid, scale, dtype, out)
 
     def require(self, pupil: Pupil) -> None:
         """Raise ValueError if `pupil` is not supported."""
@@ -158,7 +213,10 @@ class RadialMethod(Method):
 
     @abstractmethod
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
-        """Return I at rising v for the flattened stack, shape ``(n, len(v))``."""
+        """Return I at rising `v` for the flattened stack of `pupil`, shape ``(n, len(v))``.
+
+        ValueError or ToleranceError where the method cannot answer as it promises.
+        """
 
     def along_radius(self, pupil: Pupil) -> RadialMethod | None:
         """Return the method itself for a radial pupil, else None."""
@@ -169,10 +227,6 @@ class RadialMethod(Method):
         if not grid.symmetric:
             return subpixel_intensity(self, pupil, grid, threads)
         return self.profile(pupil, grid.v(pupil))
-
-    def window_intensity(self, pupil: Pupil, grid: Grid, threads: int, tol: float) -> Intensities:
-        """Return I on the pixels of a `grid` that is not symmetric, to `tol` of the largest value in the window."""
-        return subpixel_intensity(self, pupil, grid, threads, tol=tol, window=True)
 
     def images(
         self,
@@ -189,11 +243,9 @@ class RadialMethod(Method):
         if grid.symmetric or scale is not None or powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, scale, dtype, out=out, powers=powers, threads=threads)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
-        made = self.window_intensity(pupil, grid, threads, 0.48 * (self.tol - 1.1 * storing(dtype)))
-        scales = 1.0 / made.values.max(axis=(1, 2))
-        values = np.empty((len(scales), *grid.shape), dtype=dtype) if out is None else out
-        grid.paint(made.values, scales, values)
-        return Images(values, scales, None if made.error is None else stored(normalized_error(made.error), dtype))
+        aim = 0.48 * (self.tol - 1.1 * storing(dtype))
+        made = subpixel_intensity(self, pupil, grid, threads, tol=aim, window=True)
+        return painted(made, grid, None, dtype, out)
 
 
 class FieldMethod(RadialMethod):
@@ -201,10 +253,16 @@ class FieldMethod(RadialMethod):
 
     @abstractmethod
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
-        """Return U at rising v for the flattened stack, shape ``(n, len(v))``, with a bound on its error."""
+        """Return U at rising `v` for the flattened `pupil`, shape ``(n, len(v))``, with a bound on its error.
+
+        ValueError or ToleranceError where the method cannot answer as it promises.
+        """
 
     def field(self, pupil: Pupil, v: ArrayLike) -> NDArray[np.complex128]:
-        """Return the complex field U at optical coordinates `v`, shape ``pupil.shape + v.shape``."""
+        """Return the complex field U of a `pupil` at optical coordinates `v`, shape ``pupil.shape + v.shape``.
+
+        TypeError or ValueError unless these are numbers, finite and >= 0.
+        """
         self.require(pupil)
         at = validation.real_array("v", v, least=0.0) + 0.0  # no -0
         values, where = np.unique(_radii(at.ravel()), return_inverse=True)
@@ -239,8 +297,22 @@ def stored(relative: NDArray[np.float64], dtype: DTypeLike) -> NDArray[np.float6
     return np.asarray(relative + (1.0 + relative) * storing(dtype))
 
 
-def _largest(intensity: NDArray[np.float64]) -> NDArray[np.float64]:
-    return np.asarray(intensity.reshape(len(intensity), -1).max(axis=1))
+def once_stored(made: Intensities, scale: float | None, dtype: DTypeLike) -> NDArray[np.float64] | None:
+    """Bound what images of intensities are off by once they are scaled, where by None to a peak of 1, and stored."""
+    if made.error is None:
+        return None
+    return stored(normalized_error(made.error) if scale is None else made.error, dtype)
+
+
+def painted(made: Intensities, grid: Grid, scale: float | None, dtype: DTypeLike, out: NDArray[Any] | None) -> Images:
+    """Return intensities, at the radii of `grid` or on its pixels, as images; see :meth:`Method.images`."""
+    largest = made.values.reshape(len(made.values), -1).max(axis=1)
+    if scale is None and not np.all(largest > 0):
+        raise ValueError('normalize="peak" is impossible: no light falls into the window')
+    scales = np.full(len(largest), scale) if scale is not None else 1.0 / largest
+    values = np.empty((len(largest), *grid.shape), dtype=dtype) if out is None else out
+    grid.paint(made.values, scales, values)
+    return Images(values, scales, once_stored(made, scale, dtype))
 
 
 def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:

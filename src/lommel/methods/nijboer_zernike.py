@@ -24,8 +24,6 @@ from lommel.methods.terms import disk_stack, radial_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-_LEAST_TOL = 1e-12
-
 
 @dataclass(frozen=True)
 class NijboerZernike(FieldMethod):
@@ -40,6 +38,11 @@ class NijboerZernike(FieldMethod):
         Bound on ``max|I - I_exact| / max I`` over the window, max I being the peak of the PSF, 1e-12 to 1e-1. It is
         a contract: truncation, quadrature, interpolation and rounding are bounded, the bound is checked against
         the peak that was found, and :class:`ToleranceError` is raised where it cannot be brought below `tol`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
 
     Notes
     -----
@@ -66,7 +69,7 @@ class NijboerZernike(FieldMethod):
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=_LEAST_TOL, below=1e-1))
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return None: every pupil is supported."""
@@ -83,12 +86,11 @@ class NijboerZernike(FieldMethod):
     def means(
         self, pupil: Pupil, v: NDArray[np.float64], matrix: NDArray[np.float64], threads: int = 0
     ) -> NDArray[np.float64]:
-        """Return ``I(v) @ matrix`` for the flattened stack, shape ``(n, sums)`` from a matrix ``(len(v), sums)``."""
-        return radial_means(radial_stack(pupil), v, self.tol, matrix, threads)
+        """Return ``I(v) @ matrix`` for the flattened stack of a `pupil`, shape ``(n, sums)``.
 
-    def tightened(self) -> NijboerZernike:
-        """Return the same method with half the tolerance, or with the least that there is."""
-        return NijboerZernike(max(0.5 * self.tol, _LEAST_TOL))
+        `v` rises, `matrix` has the shape ``(len(v), sums)``; by at most so many `threads`.
+        """
+        return radial_means(radial_stack(pupil), v, self.tol, matrix, threads)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
@@ -38,6 +38,11 @@ class NonuniformFFT(Method):
         What the error of the intensity is to be below, relative to the peak of the PSF, 1e-11 to below 0.1. A
         target that tests sweep, not a bound: see the notes. `PSF.error_bound` is None.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     The nodes (:meth:`lommel.optics.opening.Opening.rule`) are exact to a total degree for which the error of U is
@@ -59,18 +64,15 @@ class NonuniformFFT(Method):
     nonradial: ClassVar[bool] = True
     apodized: ClassVar[bool] = True
     any_aperture: ClassVar[bool] = True
+    least_tol: ClassVar[float] = 1e-11
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-11, below=1e-1))
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return None: every pupil is supported."""
         return None
-
-    def tightened(self) -> NonuniformFFT:
-        """Return the same method with half the tolerance."""
-        return replace(self, tol=max(0.5 * self.tol, 1e-11))
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.

@@ -1,24 +1,25 @@
-"""Light of several wavelengths: the weighted sum of what each makes."""
+"""Light of several wavelengths: the weighted sum of what each makes, by any method."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.core.answers import Intensities, not_met
-from lommel.methods.choice import SERIES, choose
-from lommel.methods.method import Method, RadialMethod
+from lommel.core.answers import Images, Intensities, ToleranceError, not_met
+from lommel.methods.choice import candidates, first_proven, of_profiles
+from lommel.methods.method import Method, RadialMethod, painted, storing
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
+from lommel.optics.spectrum import Component, Spectrum
 
 
 @dataclass(frozen=True, init=False)
-class Polychromatic(RadialMethod):
+class Polychromatic(Spectrum, RadialMethod):
     r"""Incoherent sum over a spectrum, each wavelength by another method.
 
     Supports pupils with a wavelength, the reference: their phases are optical path differences, which at another
@@ -32,56 +33,58 @@ class Polychromatic(RadialMethod):
         Share of the light at each wavelength, >= 0; made to sum to 1.
     method : Method, optional
         By default what :func:`lommel.psf` would take for the pupil at each wavelength, so that every pupil is
-        supported. Its tolerance is that of the sum.
+        supported.
+    tol : float, optional
+        Tolerance of the sum, over its peak: where all parts have a bound it is a contract, as theirs are. By default
+        that of the method, or 1e-6.
+
+    Raises
+    ------
+    TypeError, ValueError
+        On what is no wavelength, if the weights are not one for each, negative or all 0, or if `method` is none of
+        one wavelength, or has no such tolerance.
 
     Notes
     -----
-    Each wavelength is sampled or averaged over the pixels on its own. ``normalize="strehl"`` is relative to the same
-    spectrum without aberration.
+    Each wavelength is sampled or averaged over the pixels on its own, and asked for a smaller error where the errors
+    together would exceed the tolerance. ``normalize="strehl"`` is relative to the same spectrum without aberration.
     """
 
     apodized: ClassVar[bool] = True
     nonradial: ClassVar[bool] = True
     any_aperture: ClassVar[bool] = True
-    wavelengths: tuple[float, ...]
-    weights: tuple[float, ...]
     method: Method | None = None
+    tol: float = Method.tol
 
-    def __init__(self, wavelengths: Sequence[float], weights: Sequence[float], method: Method | None = None) -> None:
-        waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
-        shares = validation.real_array("weights", weights, least=0.0)
-        if shares.shape != (len(waves),) or not waves or not shares.max() > 0:
-            raise ValueError(
-                f"weights must be one for each of the {len(waves)} wavelengths, and not all 0, "
-                f"got {validation.shown(weights)}"
-            )
+    def __init__(
+        self,
+        wavelengths: Sequence[float],
+        weights: Sequence[float],
+        method: Method | None = None,
+        tol: float | None = None,
+    ) -> None:
+        super().__init__(wavelengths, weights)
         if not (method is None or isinstance(method, Method)) or isinstance(method, Polychromatic):
             raise TypeError(
                 f"method must be a Method of one wavelength such as NijboerZernike(), got {validation.shown(method)}"
             )
-        shares = shares / shares.max()  # whose sum cannot overflow
-        object.__setattr__(self, "wavelengths", waves)
-        object.__setattr__(self, "weights", tuple((shares / shares.sum()).tolist()))
+        if method is not None and tol is not None and tol != method.tol:
+            method = method.with_tol(tol)
+        tol = (method or Method).tol if tol is None else tol
+        if method is None:
+            tol = validation.real("tol", tol, least=self.least_tol, below=1e-1)
         object.__setattr__(self, "method", method)
+        object.__setattr__(self, "tol", tol)
 
     @property
     def keeps_tol(self) -> bool:  # type: ignore[override]
         """That of the method."""
-        return (self.method or SERIES).keeps_tol
-
-    @property
-    def tol(self) -> float:  # type: ignore[override]
-        """Tolerance of the method."""
-        return (self.method or SERIES).tol
+        return (self.method or Method).keeps_tol
 
     @property
     def sampling(self) -> str:  # type: ignore[override]
         """That of the method."""
-        return (self.method or SERIES).sampling
-
-    def tightened(self) -> Polychromatic:
-        """Return the same sum with half the tolerance; by the series, if no method was named."""
-        return replace(self, method=(self.method or SERIES).tightened())
+        return (self.method or Method).sampling
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return the reason where the reference wavelength is unknown, or where the method gives one."""
@@ -98,91 +101,101 @@ class Polychromatic(RadialMethod):
 
     def unaberrated_peak(self, pupil: Pupil) -> float:
         """Return the peak of the same spectrum without aberration."""
-        return pupil.amplitude**2 * sum(share * scale**2 for share, scale, _ in self.parts(pupil))
+        return pupil.amplitude**2 * sum(part.weight for part in self.components(pupil))
 
     def stretch(self, pupil: Pupil) -> float:
         """Return the reference wavelength over the shortest."""
-        return max(scale for _, scale, _ in self.parts(pupil))
+        return max(part.stretch for part in self.components(pupil))
 
     def along_radius(self, pupil: Pupil) -> RadialMethod | None:
         """Return the sum itself where pupil and method are radial."""
-        return self if pupil.radial and isinstance(self.method or SERIES, RadialMethod) else None
-
-    def parts(self, pupil: Pupil) -> list[tuple[float, float, Pupil]]:
-        """Return the share of each wavelength, the reference over it, and the pupil there.
-
-        Phases are path differences: in radians they grow as the wavelength falls.
-        """
-        if pupil.wavelength is None:
-            raise ValueError(f"pupil {self.unsupported(pupil)}")
-        wavefront = pupil.wavefront
-        return [
-            (share, pupil.wavelength / w, replace(pupil, wavefront=pupil.wavelength / w * wavefront, wavelength=w))
-            for w, share in zip(self.wavelengths, self.weights, strict=True)
-        ]
+        return self if pupil.radial and isinstance(self.method, RadialMethod | None) else None
 
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return the weighted sum of I at rising v (of the reference wavelength)."""
-        way = self.method or SERIES
-        if not isinstance(way, RadialMethod):
-            raise ValueError(
-                f"{type(way).__name__} has no radial profile; name a RadialMethod such as NijboerZernike()"
-            )
-        made = _summed((share * scale**2, way.profile(part, v * scale)) for share, scale, part in self.parts(pupil))
-        return self._proven(made)
+
+        def ask(part: Component, tol: float) -> Intensities:
+            way = of_profiles(tol) if self.method is None else self.method.tightened(tol)
+            if not isinstance(way, RadialMethod):
+                raise ValueError(
+                    f"{type(way).__name__} has no radial profile; name a RadialMethod such as NijboerZernike()"
+                )
+            return way.profile(part.pupil, v * part.stretch)
+
+        return self._summed(pupil, ask, self.tol)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
-        for halvings in range(8):
-            made = self._sum(pupil, grid, threads, halvings)
-            # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
-            if made.error is None or made.error.max() <= self.tol:
-                break
-        return self._proven(made)
+        return self._recorded(pupil, grid, threads, self.tol)
 
-    def window_intensity(self, pupil: Pupil, grid: Grid, threads: int, tol: float) -> Intensities:
-        """Return the sum on the pixels of `grid`, to `tol` of the largest value in the window."""
-        for halvings in range(12):
-            made = self._sum(pupil, grid, threads, halvings)
-            if made.error is None or made.peak is None:
+    def images(
+        self,
+        pupil: Pupil,
+        grid: Grid,
+        scale: float | None,
+        dtype: DTypeLike,
+        *,
+        out: NDArray[Any] | None = None,
+        powers: tuple[int, ...] = (),
+        threads: int = 0,
+    ) -> Images:
+        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        if powers:
+            raise ValueError(
+                "derivatives are not available from Polychromatic: sum those that NijboerZernike makes of the pupil "
+                "at each wavelength"
+            )
+        aim = self.tol - 1.1 * storing(dtype)
+        # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
+        aim = aim if scale is not None else 0.48 * aim
+        made = self._recorded(pupil, grid, threads, aim, window=scale is None)
+        return painted(made, grid, scale, dtype, out)
+
+    def _recorded(self, pupil: Pupil, grid: Grid, threads: int, tol: float, *, window: bool = False) -> Intensities:
+        def ask(part: Component, tol: float) -> Intensities:
+            ways = candidates(part.pupil, grid, tol) if self.method is None else (self.method.tightened(tol),)
+            return first_proven(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
+
+        return self._summed(pupil, ask, tol, window=window)
+
+    def _summed(
+        self, pupil: Pupil, ask: Callable[[Component, float], Intensities], tol: float, *, window: bool = False
+    ) -> Intensities:
+        """Return the sum of what is asked for each wavelength, to `tol` of its peak or of its largest value."""
+        parts, asked = self.components(pupil), tol
+        least = (self.method or Method).least_tol
+        while True:
+            try:
+                made = _sum(parts, [ask(part, asked) for part in parts], window=window)
+            except ToleranceError as fault:
+                raise ToleranceError(
+                    f"tol={self.tol:g} cannot be met by a sum over wavelengths each of which must be exact to "
+                    f"{asked:.2g} of its peak: {fault}"
+                ) from None
+            if made.error is None or not self.keeps_tol or (worst := float(made.error.max())) <= tol:
                 return made
-            off = made.error * made.peak
-            least = made.values.max(axis=(1, 2)) - off
-            relative = np.divide(off, least, out=np.full(off.shape, np.inf), where=least > 0)
-            if relative.max() <= tol:
-                return Intensities(made.values, relative, least)
-        raise not_met(self.tol, float(relative.max()), "the largest value in the window")
-
-    def _sum(self, pupil: Pupil, grid: Grid, threads: int, halvings: int) -> Intensities:
-        return _summed(
-            (share * scale**2, self._way(part, grid, halvings).intensity(part, grid, threads))
-            for share, scale, part in self.parts(pupil)
-        )
-
-    def _way(self, part: Pupil, grid: Grid, halvings: int) -> Method:
-        way = choose(part, grid) if self.method is None else self.method
-        for _ in range(halvings):
-            way = way.tightened()
-        return way
-
-    def _proven(self, made: Intensities) -> Intensities:
-        if made.error is not None and made.error.max() > self.tol:
-            raise not_met(self.tol, float(made.error.max()), "the peak")
-        return made
+            # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
+            if asked <= least:
+                raise not_met(self.tol, worst, "the largest value in the window" if window else "the peak")
+            asked = max(least, asked * max(1e-3, min(0.5, 0.5 * tol / worst)))
 
 
-def _summed(parts: Iterable[tuple[float, Intensities]]) -> Intensities:
-    """Return the sum of weighted intensities, its error over a lower bound on its peak, and that."""
-    values: Any = 0.0
-    error: Any = 0.0
-    peak: Any = 0.0
-    for weight, part in parts:
-        top = weight * (part.values.reshape(len(part.values), -1).max(axis=1) if part.peak is None else part.peak)
-        values = values + weight * part.values
-        # Nothing is negative, so the sum is at least as bright as any part of it.
-        peak = np.maximum(peak, top)
-        error = None if error is None or part.error is None else error + part.error * top
-    peak = np.maximum(peak, values.reshape(len(values), -1).max(axis=1))
-    if error is not None:
-        error = np.divide(error, peak, out=np.full(peak.shape, np.inf), where=peak > 0)
-    return Intensities(values, error, peak)
+def _sum(parts: list[Component], found: list[Intensities], *, window: bool) -> Intensities:
+    """Return the sum of weighted intensities, and its error over what its peak is at least.
+
+    Or, with `window`, over what the largest value in the window is at least.
+    """
+    weights = [part.weight for part in parts]
+    values = np.sum([weight * made.values for weight, made in zip(weights, found, strict=True)], axis=0)
+    highest = values.reshape(len(values), -1).max(axis=1)
+    peak, off = highest, (len(parts) + 8) * 2.0**-53 * highest  # what weights, products and the sum are rounded by
+    for weight, made in zip(weights, found, strict=True):
+        if made.error is None:
+            return Intensities(values, None, highest)
+        top = made.values.reshape(len(values), -1).max(axis=1) if made.peak is None else made.peak
+        off = off + weight * made.error * top
+        if not window:
+            # Nothing is negative, so the sum is at least as bright as any part of it.
+            peak = np.maximum(peak, weight * top)
+    least = peak - off
+    return Intensities(values, np.divide(off, least, out=np.full(off.shape, np.inf), where=least > 0), least)

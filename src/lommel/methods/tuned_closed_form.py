@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +35,11 @@ class TunedClosedForm(FieldMethod):
         Bound on ``max|I - I_exact| / max I`` over the window, 1e-6 to 1e-1. :class:`ToleranceError` is raised where
         it is not met: near 1e-6, and for phases of hundreds of radians.
 
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+
     Notes
     -----
     Eq. (8) with the transition at a = 10 and ten terms of Hankel's expansion (DLMF 10.17.3) instead of one; Eq. (9)
@@ -47,18 +53,15 @@ class TunedClosedForm(FieldMethod):
     Roundings and the Fresnel polynomial (1e-10) are estimated, not proven.
     """
 
+    least_tol: ClassVar[float] = 1e-6
     tol: float = 1e-4
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-6, below=1e-1))
+        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
     def unsupported(self, pupil: Pupil) -> str | None:
         """Return the reason where powers of rho do not hold the phase."""
         return powers_cancel(pupil)
-
-    def tightened(self) -> TunedClosedForm:
-        """Return the same method with half the tolerance."""
-        return TunedClosedForm(max(1e-6, 0.5 * self.tol))
 
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v with the bound on its error."""

@@ -65,13 +65,32 @@ class Spider:
 
     @classmethod
     def equal(cls, count: int, width: float, first: float = 0.0) -> Spider:
-        """Return `count` vanes at equal angles, one of them at the angle `first` (radians)."""
+        """Return `count` vanes at equal angles, one of them at the angle `first`.
+
+        Parameters
+        ----------
+        count : int
+            1 to 64.
+        width : float
+            Of each, over the radius of the pupil.
+        first : float, default 0
+            Radians.
+
+        Returns
+        -------
+        Spider
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range.
+        """
         number = validation.integer("count", count, least=1, most=MAX_VANES)
         start = validation.real("first", first)
         return cls(width, tuple(start + 2.0 * math.pi * k / number for k in range(number)))
 
     def margin(self, x: Array, y: Array) -> Array:
-        """Return how far a point is from the nearest vane; negative inside one."""
+        """Return how far points (`x`, `y`) are from the nearest vane; negative inside one."""
         least = np.full(np.broadcast_shapes(x.shape, y.shape), np.inf)
         for angle in self.angles:
             c, s = math.cos(angle), math.sin(angle)
@@ -84,7 +103,7 @@ class Spider:
 
     @classmethod
     def from_dict(cls, description: Mapping[str, Any]) -> Spider:
-        """Rebuild a spider from :meth:`to_dict`."""
+        """Rebuild a spider from a `description` by :meth:`to_dict`."""
         return cls(**description)
 
 
@@ -124,7 +143,7 @@ class Ellipse:
         return np.array([[self.a * c, -self.b * s], [self.a * s, self.b * c]])
 
     def margin(self, x: Array, y: Array) -> Array:
-        """Return at most the distance from the edge; negative outside of the ellipse."""
+        """Return at most the distance of points (`x`, `y`) from the edge; negative outside of the ellipse."""
         c, s = math.cos(self.angle), math.sin(self.angle)
         scaled = np.hypot((x * c + y * s) / self.a, (y * c - x * s) / self.b)
         return np.asarray(min(self.a, self.b) * (1.0 - scaled))
@@ -169,7 +188,7 @@ class CatEye:
         object.__setattr__(self, "radius", radius)
 
     def margin(self, x: Array, y: Array) -> Array:
-        """Return the distance from the edge of the second circle; negative outside of it."""
+        """Return the distance of points (`x`, `y`) from the edge of the second circle; negative outside of it."""
         return np.asarray(self.radius - np.hypot(x - self.shift[0], y - self.shift[1]))
 
     def to_dict(self) -> dict[str, Any]:
@@ -237,6 +256,15 @@ class Mask:
             to (side, side).
         side : int
             2 to 8192.
+
+        Returns
+        -------
+        Mask
+
+        Raises
+        ------
+        TypeError, ValueError
+            If `side` is out of range, or the function returns no amplitudes of such a shape.
         """
         n = validation.integer("side", side, least=2, most=MAX_SIDE)
         if not callable(function):
@@ -250,7 +278,10 @@ class Mask:
         return len(self.values)
 
     def at(self, x: Array, y: Array) -> Array:
-        """Return the amplitude of the cell that each point lies in, 0 outside of the square."""
+        """Return the amplitude of the cell that each point (`x`, `y`) lies in, 0 outside of the square.
+
+        TypeError or ValueError if these are not real and finite.
+        """
         x, y = (np.clip(validation.real_array(name, part), -2.0, 2.0) for name, part in (("x", x), ("y", y)))
         row, column = (np.floor(0.5 * (part + 1.0) * self.side) for part in (y, x))
         # The far edge belongs to the last cell.
@@ -278,7 +309,7 @@ class Mask:
 
     @classmethod
     def from_dict(cls, description: Mapping[str, Any]) -> Mask:
-        """Rebuild a mask from :meth:`to_dict`."""
+        """Rebuild a mask from a `description` by :meth:`to_dict`; KeyError, TypeError or ValueError if it is none."""
         side = validation.integer("side", description["side"], least=2, most=MAX_SIDE)
         packed = base64.b64decode(description["values"], validate=True)
         data = zlib.decompressobj().decompress(packed, 8 * side * side + 1)

@@ -24,8 +24,8 @@ import math
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
 from lommel.special import zernike
 
 _DEGREE = 80  # of the series that is cut
@@ -34,7 +34,7 @@ _ROUNDING = 2.0**-47
 
 
 @cache
-def _chebyshev_to_legendre(degree: int) -> NDArray[np.float64]:
+def _chebyshev_to_legendre(degree: int) -> Array:
     """Return the coefficients of P_j in T_k, shape ``(degree + 1, degree + 1)``, [k, j].
 
     B. K. Alpert and V. Rokhlin, SIAM J. Sci. Stat. Comput. 12, 158 (1991), Eq. 2.20, doi:10.1137/0912009.
@@ -51,8 +51,8 @@ def _chebyshev_to_legendre(degree: int) -> NDArray[np.float64]:
     return found
 
 
-def path(t: NDArray[np.float64], radius: float, sphere: float, vergence: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return W at ``rho^2 = t``, metres, shape ``(n, t)``: how much farther than the vertex points of the sphere are.
+def path(t: Array, radius: float, sphere: float, vergence: Array) -> Array:
+    """Return W at ``rho^2 = t``, metres: how much farther than the vertex points of the sphere are.
 
     Parameters
     ----------
@@ -63,6 +63,11 @@ def path(t: NDArray[np.float64], radius: float, sphere: float, vergence: NDArray
         Curvature a of the reference sphere, 1/metres: positive where light diverges from its centre.
     vergence : ndarray, shape (n,)
         What the curvature of the wave is more, delta.
+
+    Returns
+    -------
+    ndarray, shape (n, t)
+        Metres.
     """
     square = radius**2 * t
     p = square / (1.0 + np.sqrt(1.0 - sphere**2 * square))
@@ -70,14 +75,19 @@ def path(t: NDArray[np.float64], radius: float, sphere: float, vergence: NDArray
     return np.asarray(2.0 * p * delta / (1.0 + np.sqrt(1.0 + 2.0 * p * (sphere + delta) * delta)))
 
 
-def expansion(
-    radius: float, sphere: float, vergence: NDArray[np.float64], wavelength: float
-) -> tuple[NDArray[np.float64], float]:
+def expansion(radius: float, sphere: float, vergence: Array, wavelength: float) -> tuple[Array, float]:
     """Return the phase ``2 pi W / wavelength`` as coefficients of R_2^0, R_4^0, ..., and what they leave out at most.
 
     The constant is left out, and no error. Of a series of degree 80 the terms up to the thirtieth are kept, or fewer
     where the others are below rounding; the bound, in radians, is the sum of those cut off, what the series itself
     may leave, and what rounding may do.
+
+    Parameters
+    ----------
+    radius, sphere, vergence
+        As of :func:`lommel.optics.aplanatic.path`.
+    wavelength : float
+        Metres.
 
     Returns
     -------

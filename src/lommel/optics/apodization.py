@@ -23,9 +23,10 @@ from typing import Any
 import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.polynomial.chebyshev import chebder, chebroots, chebtrim, chebval, poly2cheb
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.special.legendre import gauss_legendre
 
 _MOST = 10  # powers of t: as many as the compiled core and a wavefront hold
@@ -65,7 +66,7 @@ class Apodization:
 
     powers: tuple[float, ...] = ()
     error: float = field(default=0.0, kw_only=True)
-    exponent: NDArray[np.float64] = field(init=False, repr=False, compare=False)
+    exponent: Array = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         powers = [float(g) + 0.0 for g in validation.real_array("powers", self.powers).ravel()]
@@ -86,15 +87,15 @@ class Apodization:
 
     @classmethod
     def gaussian(cls, g: float) -> Apodization:
-        """Return ``exp(-g rho^2)``, g from 0 to 100."""
+        """Return ``exp(-g rho^2)``, `g` from 0 to 100; TypeError or ValueError otherwise."""
         return _gaussian(validation.real("g", g, least=0.0, below=_LARGEST + 1e-9))
 
     @classmethod
     def cosine(cls, sine: float, power: float) -> Apodization:
         """Return ``cos(theta)^power``, with ``sin(theta) = sine * rho``, over its largest value.
 
-        The sine is from 0 to below 1. Its logarithm is expanded in powers of rho^2, ten at most; `error` bounds
-        what they leave out, and what rounding may do.
+        `sine` is from 0 to below 1, `power` any number. Its logarithm is expanded in powers of rho^2, ten at most;
+        `error` bounds what they leave out, and what rounding may do.
 
         Raises
         ------
@@ -125,26 +126,29 @@ class Apodization:
         """Bound on how fast the exponent changes with t, which tells how many nodes it takes; g of a Gaussian."""
         return float(sum(k * abs(g) for k, g in enumerate(self.powers, 1)))
 
-    def value(self, rho: ArrayLike) -> NDArray[np.float64]:
-        """Return the amplitude at radii over that of the aperture, 0 to 1."""
+    def value(self, rho: ArrayLike) -> Array:
+        """Return the amplitude at radii `rho` over that of the aperture; ValueError unless they are from 0 to 1."""
         at = validation.real_array("rho", rho, least=0.0)
         if (at > 1.0).any():
             raise ValueError(f"rho must be at most 1, got {at.max()}")
         return self.at(at * at)
 
-    def at(self, t: NDArray[np.float64], power: float = 1.0) -> NDArray[np.float64]:
-        """Return the amplitude to a power at ``t = rho^2``."""
+    def at(self, t: Array, power: float = 1.0) -> Array:
+        """Return the amplitude to a `power` at `t`, rho^2."""
         return np.asarray(np.exp(-power * self.exponent_at(t)))
 
-    def exponent_at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return ``g_0 + g_1 t + ...``."""
+    def exponent_at(self, t: Array) -> Array:
+        """Return ``g_0 + g_1 t + ...`` at `t`, rho^2."""
         total = np.full(np.shape(t), self.exponent[-1])
         for g in self.exponent[-2::-1]:
             total = total * t + g
         return np.asarray(total)
 
     def integral(self, obscuration: float = 0.0, power: float = 1.0) -> float:
-        """Return ``int A^power dt`` over an annulus: a closed form of a Gaussian, else quadrature to about 1e-14."""
+        """Return the integral over t of the amplitude to a `power`, from `obscuration` squared to 1.
+
+        A closed form of a Gaussian, else quadrature to about 1e-14.
+        """
         low = obscuration**2
         area = 1.0 - low
         if len(self.powers) > 1 or self.exponent[0]:
@@ -153,17 +157,20 @@ class Apodization:
         g = power * self.slope
         return area if g < 1e-12 else math.exp(-g * low) * -math.expm1(-g * area) / g
 
-    def growth(self, cosh: NDArray[np.float64], low: float = 0.0) -> NDArray[np.float64]:
-        """Bound the logarithm of the amplitude within ellipses around ``[low, 1]`` in t.
+    def growth(self, cosh: Array, low: float = 0.0) -> Array:
+        """Return a bound on the logarithm of the amplitude within ellipses around ``[low, 1]`` in t.
 
-        `cosh` is their longer axis over ``1 - low``. With the exponent as ``sum_k a_k T_k``, where T_k is at most
-        ``T_k(cosh)``, that is ``sum_(k>0) |a_k| T_k(cosh) - a_0``.
+        `cosh` is their longer axis over ``1 - low``, `low` from 0 to below 1. With the exponent as
+        ``sum_k a_k T_k``, where T_k is at most ``T_k(cosh)``, that is ``sum_(k>0) |a_k| T_k(cosh) - a_0``.
         """
         series = _chebyshev(self.exponent, low)
         return np.asarray(chebval(cosh, np.concatenate(([-series[0]], np.abs(series[1:])))))
 
     def scaled(self, ratio: float) -> Apodization:
-        """Return that of the middle of the aperture, up to `ratio` of its radius, over its own largest value."""
+        """Return that of the middle of the aperture, up to `ratio` of its radius, over its own largest value.
+
+        TypeError or ValueError unless it is a number above 0 and at most 1.
+        """
         area = validation.real("ratio", ratio, above=0.0, below=1.0 + 1e-12) ** 2
         return Apodization(tuple(g * area**k for k, g in enumerate(self.powers, 1)), error=self.error)
 
@@ -173,11 +180,11 @@ class Apodization:
 
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> Apodization:
-        """Rebuild an apodization from :meth:`to_dict`."""
+        """Rebuild an apodization from a `description` by :meth:`to_dict`."""
         return cls(tuple(description["powers"]), error=description["error"])
 
 
-def _chebyshev_to_powers(degree: int) -> NDArray[np.float64]:
+def _chebyshev_to_powers(degree: int) -> Array:
     """Return the coefficients of t^j in T_k(2t - 1), shape ``(degree + 1, degree + 1)``: whole numbers, exact."""
     matrix = np.zeros((degree + 1, degree + 1))
     matrix[0, 0], matrix[1, :2] = 1.0, (-1.0, 2.0)
@@ -199,7 +206,7 @@ def _constant(powers: list[float]) -> float:
     return max(0.0, -least) + _ROUNDING * sum(k * abs(g) for k, g in enumerate(powers, 1))
 
 
-def _chebyshev(powers: NDArray[np.float64], low: float) -> NDArray[np.float64]:
+def _chebyshev(powers: Array, low: float) -> Array:
     """Return a polynomial of t in Chebyshev polynomials on ``[low, 1]``."""
     inside = Polynomial(powers)(Polynomial([0.5 * (1.0 + low), 0.5 * (1.0 - low)]))
     return np.asarray(poly2cheb(inside.coef))

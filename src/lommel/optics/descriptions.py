@@ -7,22 +7,22 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.optics.terms import Terms
 from lommel.special import zernike
 
 UNITS = ("radians", "waves", "metres")
 NORMALIZATIONS = ("rms", "edge")
 
 
-class Descriptions:
+class Descriptions(Terms):
     """What :class:`lommel.Wavefront` is made from, and what it can be told in."""
 
     if TYPE_CHECKING:
         # Of Wavefront.
-        shape: tuple[int, ...]
-
         def __init__(
             self,
             defocus: ArrayLike = 0.0,
@@ -30,13 +30,6 @@ class Descriptions:
             higher: Sequence[ArrayLike] = (),
             nonradial: Mapping[tuple[int, int], ArrayLike] | None = None,
         ) -> None: ...
-
-        @classmethod
-        def from_edge(cls, given: Mapping[tuple[int, int], NDArray[np.float64]], error: float = 0.0) -> Self:
-            """Build a wavefront from coefficients in radians at the edge."""
-
-        def edge_terms(self) -> dict[tuple[int, int], NDArray[np.float64]]:
-            """Return all Zernike coefficients, radians at the edge."""
 
     @classmethod
     def zernike(
@@ -69,6 +62,10 @@ class Descriptions:
         error : float, default 0
             Bound on what the terms leave out of the phase, radians; see :class:`lommel.Wavefront`.
 
+        Returns
+        -------
+        Wavefront
+
         Raises
         ------
         TypeError, ValueError
@@ -85,7 +82,7 @@ class Descriptions:
         """
         scale = radians_per(unit, wavelength)
         validation.choice("normalization", normalization, NORMALIZATIONS)
-        found: dict[tuple[int, int], NDArray[np.float64]] = {}
+        found: dict[tuple[int, int], Array] = {}
         for index, value in _pairs(terms):
             n, m = zernike.term(index, order)
             if (n, m) in found:
@@ -101,11 +98,20 @@ class Descriptions:
         unit: str = "radians",
         normalization: str = "rms",
         wavelength: float | None = None,
-    ) -> dict[Any, NDArray[np.float64]]:
+    ) -> dict[Any, Array]:
         """Return the Zernike coefficients, by index; the inverse of :meth:`zernike`.
 
         Every coefficient has the shape of the stack. Exact but for rounding. Without the constant term (piston),
         which a wavefront does not hold. Terms that are zero throughout a stack are left out.
+
+        Parameters
+        ----------
+        order, unit, normalization, wavelength
+            As of :meth:`zernike`.
+
+        Returns
+        -------
+        dict of index to ndarray
 
         Raises
         ------
@@ -149,6 +155,15 @@ class Descriptions:
             Coma, astigmatism, field curvature and distortion, waves at the edge of the field (H = 1).
         field : (array_like, array_like), default (1, 0)
             Position in the field as (x, y), columns and rows, over that of the edge. Arrays describe a stack.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a coefficient is not real and finite, or they do not broadcast.
 
         References
         ----------
@@ -199,6 +214,15 @@ class Descriptions:
             Root mean square phase over the annulus, radians; its sign is that of C_s.
         obscuration : float
             eps, 0 to below 1.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an argument is out of range, or the coefficient overflows.
 
         References
         ----------

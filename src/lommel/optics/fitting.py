@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.optics.descriptions import radians_per
 from lommel.optics.wavefront import MAX_HIGHER, Wavefront
 from lommel.special import zernike
@@ -22,8 +23,6 @@ MAX_CONDITION = 1e4
 
 _BLOCK = 16384  # samples at a time, so that a fit to a large map needs little memory
 _RADIAL_NODES = 400
-
-_Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,17 +48,17 @@ class WavefrontFit:
     """
 
     wavefront: Wavefront
-    piston: _Floats
-    rms: _Floats
-    peak_to_valley: _Floats
-    residual: _Floats
+    piston: Array
+    rms: Array
+    peak_to_valley: Array
+    residual: Array
     samples: NDArray[np.int64]
     condition: float
     unit: str
 
 
 def fit_radial(
-    phase: Callable[[_Floats], ArrayLike] | ArrayLike,
+    phase: Callable[[Array], ArrayLike] | ArrayLike,
     rho: ArrayLike | None = None,
     *,
     degree: int = MAX_RADIAL,
@@ -79,7 +78,9 @@ def fit_radial(
     degree : int, default 20
         Highest power of rho, even, 2 to 20.
     unit : {"radians", "waves", "metres"}, default "radians"
-        Of `phase`; metres of optical path need `wavelength`, in metres.
+        Of `phase`; metres of optical path need `wavelength`.
+    wavelength : float, optional
+        Metres.
     tol : float, optional
         Largest rms of the residual that is accepted, in `unit`. In radians it bounds the error of the field
         relative to an unaberrated peak, ``abs(dU) <= mean abs(d phase) <= rms``.
@@ -199,7 +200,7 @@ def opd_map(
     wavelength: float | None = None,
     center: tuple[float, float] | None = None,
     radius: float | None = None,
-) -> _Floats:
+) -> Array:
     """Sample a wavefront at the pixels of a map, as :func:`fit_opd` reads them.
 
     Parameters
@@ -214,6 +215,11 @@ def opd_map(
     -------
     ndarray, shape ``wavefront.shape + (height, width)``
         In `unit`, without the constant; NaN at pixels whose middle lies outside of the pupil.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
     """
     if not isinstance(wavefront, Wavefront):
         raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
@@ -228,8 +234,8 @@ def opd_map(
 
 
 def _least_squares(
-    rho: _Floats, theta: _Floats, values: _Floats, terms: list[tuple[int, int]], weights: _Floats | None = None
-) -> tuple[_Floats, _Floats, float]:
+    rho: Array, theta: Array, values: Array, terms: list[tuple[int, int]], weights: Array | None = None
+) -> tuple[Array, Array, float]:
     """Return coefficients (maps, terms) normalised to their rms, residuals (maps, samples), and the condition.
 
     By the normal equations of terms that are nearly orthonormal, block by block, with one step of refinement: the
@@ -260,7 +266,7 @@ def _least_squares(
     return coefficients, residual, condition
 
 
-def _basis(rho: _Floats, theta: _Floats, terms: list[tuple[int, int]]) -> Iterator[tuple[slice, _Floats]]:
+def _basis(rho: Array, theta: Array, terms: list[tuple[int, int]]) -> Iterator[tuple[slice, Array]]:
     """Yield slices of the samples with the terms there, normalised to their rms, shape (terms, samples)."""
     for start in range(0, rho.size, _BLOCK):
         block = slice(start, start + _BLOCK)
@@ -272,15 +278,15 @@ def _basis(rho: _Floats, theta: _Floats, terms: list[tuple[int, int]]) -> Iterat
 
 def _finish(
     terms: list[tuple[int, int]],
-    coefficients: _Floats,
-    flat: _Floats,
-    residual: _Floats,
+    coefficients: Array,
+    flat: Array,
+    residual: Array,
     condition: float,
     stack: tuple[int, ...],
     unit: str,
     scale: float,
     tol: float,
-    weights: _Floats | None = None,
+    weights: Array | None = None,
 ) -> WavefrontFit:
     """Return the answer, if its residuals (first axis the flattened stack, NaN where unused) are within `tol`."""
     rest = flat.reshape(len(flat), -1)
@@ -308,7 +314,7 @@ def _tolerance(tol: float | None) -> float:
     return math.inf if tol is None else validation.real("tol", tol, above=0.0)
 
 
-def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[_Floats, ArrayLike | None]:
+def _maps(opd: ArrayLike, mask: ArrayLike | None) -> tuple[Array, ArrayLike | None]:
     """Return the maps, and where they count: the mask that is given, less what the maps mask themselves."""
     if isinstance(opd, np.ma.MaskedArray) and np.ma.is_masked(opd):
         bare = ~np.ma.getmaskarray(opd)
@@ -331,7 +337,7 @@ def _truths(mask: ArrayLike, shape: tuple[int, ...]) -> NDArray[np.bool_]:
     return given
 
 
-def _valid(maps: _Floats, mask: ArrayLike | None, inside: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _valid(maps: Array, mask: ArrayLike | None, inside: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return which pixels count: inside the pupil, and in the mask or else not NaN."""
     used = inside & ~np.isnan(maps) if mask is None else inside & _truths(mask, maps.shape)
     bad = np.argwhere(used & ~np.isfinite(maps))
@@ -355,7 +361,7 @@ def _groups(used: NDArray[np.bool_]) -> Iterator[tuple[NDArray[np.bool_], list[i
 
 def _pupil_coordinates(
     shape: tuple[int, int], center: tuple[float, float] | None, radius: float | None
-) -> tuple[_Floats, _Floats]:
+) -> tuple[Array, Array]:
     """Return x and y of the pixel centres, over the radius of the pupil."""
     height, width = shape
     row, column = ((height - 1) / 2, (width - 1) / 2) if center is None else validation.position("center", center)

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
 from lommel.core import engine
 from lommel.optics.pupil import Pupil
 
@@ -30,6 +32,11 @@ class Grid:
         pixel ``(height // 2, width // 2)``.
     integrate : bool, default False
         Whether pixels average the intensity over their area instead of sampling it at their centre.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
     """
 
     height: int
@@ -65,17 +72,17 @@ class Grid:
         return self.height, self.width
 
     @property
-    def x(self) -> NDArray[np.float64]:
+    def x(self) -> Array:
         """Column positions, in the unit of `pixel`; 0 at the axis, rising to the right."""
         return self.pixel * (np.arange(self.width, dtype=np.float64) - self.center[1])
 
     @property
-    def y(self) -> NDArray[np.float64]:
+    def y(self) -> Array:
         """Row positions, in the unit of `pixel`; 0 at the axis, rising downwards."""
         return self.pixel * (np.arange(self.height, dtype=np.float64) - self.center[0])
 
     @property
-    def radii(self) -> NDArray[np.float64]:
+    def radii(self) -> Array:
         """Distinct distances of pixel centres from a centred axis, rising, in the unit of `pixel`."""
         return np.sqrt(_quadrant(*self.shape)[0]) * self.pixel
 
@@ -86,11 +93,11 @@ class Grid:
         return np.bincount(ranks.ravel())
 
     def step(self, pupil: Pupil) -> float:
-        """Return the pixel pitch in v, ``pi pixel / (lambda N)``."""
+        """Return the pixel pitch in v of a `pupil`, ``pi pixel / (lambda N)``."""
         return math.pi * self.pixel / pupil.scale
 
     def require_reach(self, pupil: Pupil) -> None:
-        """Raise ValueError if the farthest pixel is farther from the axis than there is light worth computing."""
+        """Raise ValueError if pixels are farther from the axis than a `pupil` sends light that is worth computing."""
         v = self._farthest * self.step(pupil)
         if not v <= validation.MAX_REACH:
             center = "" if self.centered else f" around center={self.center}"
@@ -104,17 +111,17 @@ class Grid:
         sides = zip(self.center, self.shape, strict=True)
         return math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in sides))
 
-    def v(self, pupil: Pupil) -> NDArray[np.float64]:
-        """Return the optical coordinate of the distinct :attr:`radii`."""
+    def v(self, pupil: Pupil) -> Array:
+        """Return the optical coordinate v, for a `pupil`, of the distinct :attr:`radii`."""
         return pupil.v(self.radii)
 
     def unfold(self, quadrant: NDArray[Any]) -> NDArray[Any]:
-        """Return images from their quadrants, ``(..., height // 2 + 1, width // 2 + 1)`` from the axis outwards."""
+        """Return images from a `quadrant` of each, ``(..., height // 2 + 1, width // 2 + 1)`` from the axis on."""
         rows = np.abs(np.arange(self.height) - self.height // 2)
         columns = np.abs(np.arange(self.width) - self.width // 2)
         return quadrant[..., rows[:, None], columns]
 
-    def paint(self, values: NDArray[np.float64], scale: NDArray[np.float64], out: NDArray[Any]) -> None:
+    def paint(self, values: Array, scale: Array, out: NDArray[Any]) -> None:
         """Write a stack of images, each multiplied by its scale.
 
         Parameters

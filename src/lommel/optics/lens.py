@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.cached import cached_property
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
 from lommel.optics.aplanatic import expansion
 from lommel.optics.apodization import Apodization, illumination
-from lommel.optics.pupil import Geometry, Pupil
+from lommel.optics.geometry import Geometry
+from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
 
 MODELS = ("paraxial", "aplanatic")
@@ -58,10 +59,9 @@ class Lens:
     apodization : float, Apodization or "aplanatic", default 0
         The amplitude across the pupil, as of :class:`lommel.Pupil`: over rho the light is even by default.
         "aplanatic", of an aplanatic lens only, is ``cos(theta)^(-1/2)``, theta being the angle whose sine the model
-        states. An evenly lit entrance pupil has the amplitude ``cos(theta)^(1/2)`` on the reference sphere, and
-        ``1 / cos(theta)`` is from the solid angle (Richards and Wolf 1959, doi:10.1098/rspa.1959.0200, of whom this
-        is the scalar part). Light that a point sends out evenly in all directions of that angle has the same. It
-        rises towards the rim.
+        states, and rises towards the rim. An evenly lit entrance pupil has the amplitude ``cos(theta)^(1/2)`` on the
+        reference sphere, and ``1 / cos(theta)`` is from the solid angle (Richards and Wolf 1959, the scalar part,
+        doi:10.1098/rspa.1959.0200). Light that a point sends out evenly in all directions has the same.
 
     Raises
     ------
@@ -175,7 +175,22 @@ class Lens:
         return math.inf if abs(vergence) < 1e-15 / self.focal_length else 1.0 / vergence
 
     def focused(self, focus_distance: float) -> Lens:
-        """Return the lens focused at a distance (metres, may be infinite): the sensor moves, all else stays."""
+        """Return the lens focused at another distance: the sensor moves, all else stays.
+
+        Parameters
+        ----------
+        focus_distance : float
+            Metres from the lens, more than the focal length; may be infinite.
+
+        Returns
+        -------
+        Lens
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the distance is no number, or none that the lens can focus on.
+        """
         s = validation.real("focus_distance", focus_distance, above=0.0, infinite=True, unit="metres")
         return self._with(focus_distance=s, sensor_distance=None)
 
@@ -185,6 +200,15 @@ class Lens:
         What else there is keeps its size: wavefront and amplitude are those of the middle of the aperture, and the
         obscuration and the vanes are larger over its radius. A Gaussian beam, stated as a number, is known beyond
         the rim too, and an amplitude "aplanatic" is that of the angles that there are.
+
+        Parameters
+        ----------
+        f_number : float
+            Focal length over the diameter of the aperture.
+
+        Returns
+        -------
+        Lens
 
         Raises
         ------
@@ -199,20 +223,16 @@ class Lens:
                 "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
                 "the aperture: make a lens with those of the other stop"
             )
-        known = not self.aberrations.edge.any()
-        if ratio < 1.0 - 1e-9 and not known:
-            raise ValueError(
-                f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its aberrations are "
-                f"known, got f/{stop:g}"
-            )
-        light = self.apodization
-        if isinstance(light, Apodization) and not light.uniform:
-            if ratio < 1.0 - 1e-9:
+        light, flat = self.apodization, not self.aberrations.edge.any()
+        shaped = isinstance(light, Apodization) and not light.uniform
+        for there, what in ((not flat, "aberrations are"), (shaped, "apodization is")):
+            if there and ratio < 1.0 - 1e-9:
                 raise ValueError(
-                    f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its apodization "
-                    f"is known, got f/{stop:g}"
+                    f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its {what} known, "
+                    f"got f/{stop:g}"
                 )
-            light = light.scaled(min(1.0, 1.0 / ratio))
+        if isinstance(light, Apodization):
+            light = light.scaled(min(1.0, 1.0 / ratio)) if shaped else light
         elif isinstance(light, float):
             light = light / ratio**2
         return self._with(
@@ -220,7 +240,7 @@ class Lens:
             apodization=light,
             aperture_diameter=None,
             obscuration=self.obscuration * ratio,
-            aberrations=self.aberrations if known else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
+            aberrations=self.aberrations if flat else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
             spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
         )
 
@@ -229,11 +249,26 @@ class Lens:
         return replace(self, **changes)
 
     def defocus(self, object_distance: ArrayLike | None = None) -> NDArray[np.float64]:
-        """Return C_d in radians for objects at `object_distance` (metres from the lens, may be infinite).
+        """Return C_d in radians for objects, by default for one in focus.
 
-        By default for one in focus. ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, with the 1/s
+        ``2 C_d = (pi / lambda) (1/d - 1/f + 1/s) R_max^2`` (paper, Eq. 3, with the 1/s
         of a finite object distance s). Positive where the sensor, at d, lies between the lens and the image of the
         object. The aberrations of the lens are not included; nor is what makes a lens aplanatic, see :meth:`phase`.
+
+        Parameters
+        ----------
+        object_distance : array_like, optional
+            Metres from the lens, may be infinite.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `object_distance`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a distance is not above 0; without one, if no object is in focus.
         """
         return self._defocus(self._object_distance(object_distance))
 
@@ -246,6 +281,21 @@ class Lens:
 
         The defocus itself if the model is paraxial. Else the Zernike terms in which the exact path difference is
         expanded, with a bound on what they leave out; see :func:`lommel.optics.aplanatic.expansion`.
+
+        Parameters
+        ----------
+        defocus : array_like
+            C_d, radians.
+
+        Returns
+        -------
+        Wavefront
+            A stack of the shape of `defocus`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a defocus is not finite; of an aplanatic lens, if it lies beyond what a sphere can reach.
         """
         return self._phase(validation.real_array("defocus", defocus))
 
@@ -276,6 +326,10 @@ class Lens:
         ----------
         object_distance : array_like, optional
             Metres from the lens, may be infinite. By default the distance in focus.
+
+        Returns
+        -------
+        Pupil
 
         Raises
         ------

@@ -9,7 +9,6 @@ straight.
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -22,18 +21,25 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.optics.aperture import CatEye, Ellipse, Spider
 from lommel.optics.apodization import Apodization
+from lommel.optics.kinks import Kinks, graded
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
 
 _SUB = 16  # points along each side of a cell at an edge
 _DIGITS = 30.0  # log(1e13): what the rules converge to
-_NEAR = 1e-9
 MAX_DEGREE = 2**12
 """Highest degree of a quadrature rule."""
 
 
 class Rule(NamedTuple):
-    """Nodes and weights of ``(1/pi) int dx dy`` over a clear aperture; the weights sum to its area over pi."""
+    """Nodes and weights of ``(1/pi) int dx dy`` over a clear aperture; the weights sum to its area over pi.
+
+    Parameters
+    ----------
+    x, y : ndarray, shape (n,)
+        In units of the radius of the pupil.
+    weight : ndarray, shape (n,)
+    """
 
     x: Array
     y: Array
@@ -67,6 +73,15 @@ def degree_needed(
         Of U, relative to U(0) = 1 of the unaberrated disc.
     power : float, default 1
         To which the amplitude is taken.
+
+    Returns
+    -------
+    int
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or if no degree that is allowed will do.
     """
     v, light = validation.real("v", v, least=0.0), validation.instance("light", light, Apodization)
     error = validation.real("error", error, above=0.0)
@@ -100,7 +115,20 @@ def degree_needed(
 
 @dataclass(frozen=True)
 class Opening:
-    """The region where light passes: the unit disc less obscuration, vanes and vignetting."""
+    """The region where light passes: the unit disc less obscuration, vanes and vignetting.
+
+    Parameters
+    ----------
+    obscuration : float, default 0
+        Its radius over that of the pupil, 0 to below 1.
+    spider : Spider, optional
+    vignetting : Ellipse or CatEye, optional
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a part is of another type or out of range.
+    """
 
     obscuration: float = 0.0
     spider: Spider | None = None
@@ -122,7 +150,10 @@ class Opening:
         return self.spider is None and self.vignetting is None
 
     def margin(self, x: Array, y: Array) -> Array:
-        """Return a function that is positive where light passes and changes by at most the distance of points."""
+        """Return at (`x`, `y`) what is positive where light passes and changes by at most the distance of points.
+
+        TypeError or ValueError if these are not real and finite.
+        """
         return self._margin(validation.real_array("x", x), validation.real_array("y", y))
 
     def _margin(self, x: Array, y: Array) -> Array:
@@ -134,7 +165,9 @@ class Opening:
         return np.asarray(least)
 
     def coverage(self, x: Array, y: Array, half: float) -> Array:
-        """Return the part of each square cell, with the centre (x, y) and the side ``2 half``, where light passes.
+        """Return the part of each square cell, with centre (`x`, `y`) and side twice `half`, where light passes.
+
+        TypeError or ValueError if these are not real, finite, and `half` above 0.
 
         Exact for discs and annuli; else counted on 16 x 16 points of each cell that an edge may cross, those next to
         an edge by their distance from it.
@@ -166,7 +199,7 @@ class Opening:
         return part
 
     def rule(self, degree: int) -> Rule:
-        """Return nodes and weights for polynomials in x and y of a total degree.
+        """Return nodes and weights for polynomials in x and y of a total `degree`; ValueError if that is too large.
 
         Exact to rounding for discs, annuli, and ellipses without obscuration or vanes. For the others the radial sums
         are exact or, on short intervals, converged to about 1e-13, as those over the angle are: no proof is claimed.
@@ -207,7 +240,7 @@ class Opening:
 
     def _panels(self) -> tuple[Array, list[tuple[float, float, int]]]:
         """Return the frame, and clear panels ``(from, to, root)``; root tells at which end a square root begins."""
-        geometry = _Kinks(self)
+        geometry = Kinks(self.obscuration, self.spider, self.vignetting)
         kinks, poles, roots = geometry.kinks, geometry.poles, geometry.roots
         full = 2.0 * math.pi
         edges = np.unique(np.mod([*kinks, *roots, 0.0 if not kinks else kinks[0]], full))
@@ -218,113 +251,8 @@ class Opening:
             low, high = self._interval(geometry.frame, a + (b - a) * np.array([0.1, 0.3, 0.5, 0.7, 0.9]))
             if np.any(high > low):
                 arcs = bool(np.all(high == 1.0)) and np.ptp(low) < 1e-13  # around the axis: no singularity is felt
-                panels += [(float(a), float(b), 0)] if arcs else _graded(float(a), float(b), poles, roots)
+                panels += [(float(a), float(b), 0)] if arcs else graded(float(a), float(b), poles, roots)
         return geometry.frame, panels
-
-
-class _Kinks:
-    """Angles in the frame of an opening where its edges have kinks, and the singularities that slow convergence."""
-
-    def __init__(self, opening: Opening) -> None:
-        ellipse = opening.vignetting if isinstance(opening.vignetting, Ellipse) else None
-        eye = opening.vignetting if isinstance(opening.vignetting, CatEye) else None
-        self.frame = np.eye(2) if ellipse is None else ellipse.frame
-        self.back = np.linalg.inv(self.frame)
-        self.kinks: list[float] = []
-        self.poles: list[complex] = []
-        self.roots: list[float] = []
-        eps = opening.obscuration
-        circles = [((0.0, 0.0), 1.0)] if ellipse is None else []
-        circles += [((0.0, 0.0), eps)] if eps > 0.0 else []
-        circles += [(eye.shift, eye.radius)] if eye is not None else []
-        if opening.spider is not None:
-            self._vanes(opening.spider, circles, ellipse is not None)
-        if ellipse is not None and eps > 0.0:
-            self._ellipse(ellipse.a, ellipse.b, eps)
-        if eye is not None and any(eye.shift):
-            self._eye(eye, eps)
-
-    def _point(self, x: float, y: float) -> float:
-        u, w = self.back @ (x, y)
-        return math.atan2(w, u)
-
-    def _vanes(self, spider: Spider, circles: list[tuple[tuple[float, float], float]], skewed: bool) -> None:
-        half = 0.5 * spider.width
-        edges = []
-        for angle in spider.angles:
-            d = np.array([math.cos(angle), math.sin(angle)])
-            n = np.array([-d[1], d[0]])
-            self.poles.append(self._point(*d))
-            self.kinks += [self._point(*n), self._point(*-n)]
-            edges += [(half * n, d), (-half * n, d)]
-        for start, d in edges:
-            for center, radius in circles:
-                self._crossings(start - center, d, radius, start)
-            if skewed:
-                self._crossings(self.back @ start, self.back @ d, 1.0, start, d)
-        for i, (p, d) in enumerate(edges):
-            for q, e in edges[:i]:
-                turn = d[0] * e[1] - d[1] * e[0]
-                if abs(turn) > 1e-12:
-                    s = ((q - p)[0] * e[1] - (q - p)[1] * e[0]) / turn
-                    self.kinks.append(self._point(*(p + s * d)))
-
-    def _crossings(self, p: Array, d: Array, radius: float, start: Array, along: Array | None = None) -> None:
-        """Add where the line ``p + s d`` crosses a circle around the origin; s leads along the vane from `start`."""
-        a, b, c = d @ d, p @ d, p @ p - radius**2
-        if b * b >= a * c:
-            for sign in (-1.0, 1.0):
-                s = (-b + sign * math.sqrt(b * b - a * c)) / a
-                if s > 0.0:
-                    self.kinks.append(self._point(*(start + s * (d if along is None else along))))
-
-    def _ellipse(self, a: float, b: float, eps: float) -> None:
-        """Add what obscuring the middle of an ellipse brings: ``eps / |e(theta)|`` is its edge in the frame."""
-        if a == b:
-            return
-        depth = math.atanh(min(a, b) / max(a, b))
-        base = 0.5 * math.pi if a > b else 0.0
-        self.poles += [base + k * math.pi + sign * 1j * depth for k in (0, 1) for sign in (-1, 1)]
-        square = (eps**2 - b**2) / (a**2 - b**2)
-        if 0.0 <= square <= 1.0:
-            angle = math.acos(math.sqrt(square))
-            self.kinks += [angle, math.pi - angle, math.pi + angle, -angle]
-
-    def _eye(self, eye: CatEye, eps: float) -> None:
-        distance, toward = math.hypot(*eye.shift), math.atan2(eye.shift[1], eye.shift[0])
-        for radius in (1.0, eps):
-            cosine = (distance**2 + radius**2 - eye.radius**2) / (2.0 * distance * radius) if radius > 0.0 else 2.0
-            if abs(cosine) <= 1.0:
-                self.kinks += [toward + math.acos(cosine), toward - math.acos(cosine)]
-        # Branch points of sqrt(radius^2 - distance^2 sin^2): the tangents from the axis, if it is outside.
-        tangent = cmath.asin(eye.radius / distance)
-        turns = [tangent, -tangent, math.pi - tangent, math.pi + tangent]
-        self.poles += [toward + angle for angle in [*turns, *(angle.conjugate() for angle in turns)]]
-        if eye.radius <= distance:
-            self.roots += [toward + tangent.real, toward - tangent.real]
-
-
-def _graded(a: float, b: float, poles: list[complex], roots: list[float]) -> list[tuple[float, float, int]]:
-    """Split an interval of angles until each part is no longer than its distance from every singularity."""
-    ends = [any(abs(math.remainder(end - root, 2.0 * math.pi)) < _NEAR for root in roots) for end in (a, b)]
-    others = []
-    for pole in poles:
-        for turn in (-2, -1, 0, 1, 2):
-            z = pole + 2.0 * math.pi * turn
-            at_end = (ends[0] and abs(z - a) < 2 * _NEAR) or (ends[1] and abs(z - b) < 2 * _NEAR)
-            if not at_end:
-                others.append(z)
-    done, todo = [], [(a, b, ends[0], ends[1])]
-    while todo:
-        low, high, left, right = todo.pop()
-        length = high - low
-        near = min((abs(z - min(max(z.real, low), high)) for z in others), default=math.inf)
-        if length > 1e-12 and (near < length or length > 0.5 * math.pi or (left and right)):
-            middle = 0.5 * (low + high)
-            todo += [(low, middle, left, False), (middle, high, False, right)]
-        else:
-            done.append((low, high, -1 if left else 1 if right else 0))
-    return done
 
 
 def _count(rate: float) -> int:

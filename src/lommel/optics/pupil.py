@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
@@ -13,64 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider, cell_centers, vignetting_from_dict
 from lommel.optics.apodization import Apodization, illumination
+from lommel.optics.geometry import Geometry
 from lommel.optics.opening import Opening, Rule, degree_needed
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
-
-
-@dataclass(frozen=True)
-class Geometry:
-    """Distances that the Fresnel approximation reduces to C_d; Huygens' superposition needs them exactly.
-
-    A paraxial lens is stigmatic (free of aberration) for the plane it is focused on, the conjugate of the sensor:
-    ``1/focus_distance = 1/focal_length - 1/sensor_distance``.
-
-    Attributes
-    ----------
-    aperture_radius, focal_length, sensor_distance : float
-        Metres; the sensor distance is measured from the lens.
-    object_distance : tuple of float
-        Metres, one for each pupil of the (flattened) stack; may be infinite.
-    model, corrected_for : str
-        As of :class:`lommel.Lens`.
-    """
-
-    aperture_radius: float
-    focal_length: float
-    sensor_distance: float
-    object_distance: tuple[float, ...]
-    model: str = "paraxial"
-    corrected_for: str = "object"
-
-    @property
-    def in_focus(self) -> float:
-        """One over the distance in focus, 1/metres; negative for a point behind the lens."""
-        return 1.0 / self.focal_length - 1.0 / self.sensor_distance
-
-    @property
-    def vergence(self) -> NDArray[np.float64]:
-        """``1/s - 1/focus_distance`` for each object, 1/metres."""
-        return 1.0 / np.asarray(self.object_distance) - self.in_focus
-
-    @property
-    def sphere(self) -> float:
-        """Curvature of an aplanatic lens's reference sphere, 1/metres: see :func:`lommel.optics.aplanatic.path`."""
-        return self.in_focus if self.corrected_for == "focus" else -1.0 / self.sensor_distance
-
-    def focused(self) -> Geometry:
-        """Return the same lens with one object, in focus: behind the lens where its distance is negative."""
-        return replace(self, object_distance=(1.0 / self.in_focus if self.in_focus else math.inf,))
-
-    def to_dict(self) -> dict[str, Any]:
-        """Return everything in plain types, an infinite distance as None (JSON has no infinity)."""
-        distances = [None if math.isinf(s) else s for s in self.object_distance]
-        return asdict(self) | {"object_distance": distances}
-
-    @classmethod
-    def from_dict(cls, description: dict[str, Any]) -> Geometry:
-        """Rebuild a geometry from :meth:`to_dict`."""
-        distances = tuple(math.inf if s is None else float(s) for s in description["object_distance"])
-        return cls(**{**description, "object_distance": distances})
 
 
 @dataclass(frozen=True)
@@ -179,7 +125,7 @@ class Pupil:
 
     @property
     def scale(self) -> float:
-        """One unit of lambda*N in the unit of lengths on the sensor: metres, or 1."""
+        """One lambda*N, in metres or 1; ``PSF.scale`` is something else, a factor of its values."""
         if self.wavelength is None or self.f_number is None:
             return 1.0
         return self.wavelength * self.f_number
@@ -236,7 +182,10 @@ class Pupil:
         return 1.0 / self.scale
 
     def v(self, radius: ArrayLike) -> NDArray[np.float64]:
-        """Return the optical coordinate ``v = pi radius / (lambda N)`` of radii on the sensor."""
+        """Return the optical coordinate ``v = pi radius / (lambda N)`` of each `radius` on the sensor.
+
+        TypeError or ValueError if these are not real and finite.
+        """
         at = validation.real_array("radius", radius)
         with np.errstate(over="ignore"):
             return validation.real_array("radius over lambda*N", math.pi / self.scale * at)
@@ -252,7 +201,7 @@ class Pupil:
         return terms.reshape(-1, terms.shape[-1])
 
     def radial_phase(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the radially symmetric part of the phase at ``rho^2 = t``, 0 at t = 0, shape ``(n, ...)``."""
+        """Return the radially symmetric part of the phase at `t`, rho^2, 0 at t = 0, shape ``(n, ...)``."""
         return zernike.legendre_sum(self.radial_terms(), 2.0 * t - 1.0)
 
     def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
@@ -269,6 +218,11 @@ class Pupil:
         -------
         ndarray, shape ``(n, ...)``
             The flattened stack, at the points that x and y broadcast to.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If they are not real and finite.
         """
         across, down = np.broadcast_arrays(validation.real_array("x", x), validation.real_array("y", y))
         rho = np.hypot(across, down)
@@ -316,11 +270,15 @@ class Pupil:
         slopes = np.hypot(phase(h, 0.0) - phase(-h, 0.0), phase(0.0, h) - phase(0.0, -h)) / (2.0 * h)
         return np.asarray(slopes.max(axis=1))
 
-    def carrying(self, wavefront: Wavefront, geometry: Geometry | None) -> Pupil:
-        """Return the same aperture with another wavefront; nothing is checked that was checked before."""
+    def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
+        """Return the aperture with another `wavefront` and `geometry`, and in another `wavelength` if one is named.
+
+        Nothing is checked that was checked before.
+        """
         made = object.__new__(Pupil)
         vars(made).update(vars(self))
         vars(made).update(wavefront=wavefront, geometry=geometry, radial=self.circular and wavefront.radial)
+        vars(made).update(wavelength=wavelength or self.wavelength)
         return made
 
     def unaberrated(self) -> Pupil:
@@ -351,7 +309,7 @@ class Pupil:
 
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> Pupil:
-        """Rebuild a pupil from :meth:`to_dict`."""
+        """Rebuild a pupil from a `description` by :meth:`to_dict`."""
         parts = dict(description)
         geometry = parts.pop("geometry")
         for name, build in _SHAPES.items():

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
 from lommel.optics.descriptions import Descriptions
+from lommel.optics.terms import symmetric_terms
 from lommel.special import zernike
 
 _FAR = 1e3  # the pupil ends at 1; beyond this, powers of rho overflow
@@ -21,7 +23,7 @@ MAX_HIGHER = 8
 """Most coefficients beyond rho^4."""
 
 
-@dataclass(frozen=True, eq=False, init=False)
+@dataclass(frozen=True, eq=False, init=False, repr=False)
 class Wavefront(Descriptions):
     r"""The phase across the pupil, radians: ``2 C_d rho^2 + C_s rho^4 + c_6 rho^6 + ...`` and Zernike terms.
 
@@ -72,12 +74,6 @@ class Wavefront(Descriptions):
     Wavefront(defocus=1.0, spherical=0.0, nonradial={(3, 1): 2.0})
     """
 
-    terms: tuple[tuple[int, int], ...]
-    edge: NDArray[np.float64]
-    error: float
-    shape: tuple[int, ...]
-    _powers: NDArray[np.float64] | None = field(repr=False)
-
     def __init__(
         self,
         defocus: ArrayLike = 0.0,
@@ -108,126 +104,39 @@ class Wavefront(Descriptions):
         for j, c in enumerate(others.values(), len(columns)):
             edge[..., j] = c
         with np.errstate(over="ignore", invalid="ignore"):  # what is not finite then is told
-            self._set((*_radial(len(columns)), *others), edge, validation.real("error", error, least=0.0), powers)
-
-    def _set(
-        self,
-        terms: tuple[tuple[int, int], ...],
-        edge: NDArray[np.float64],
-        error: float,
-        powers: NDArray[np.float64] | None,
-    ) -> None:
-        """Take what was checked. Of powers that are given the radial terms are made, into `edge`."""
-        if powers is not None:
-            edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
-            powers.flags.writeable = False
-        if edge.size == 0:
-            raise ValueError(f"the coefficients of a wavefront must not be empty, got shape {edge.shape[:-1]}")
-        if not np.isfinite(edge).all():
-            raise ValueError("the coefficients of a wavefront must be finite, and so must their multiples and sums")
-        edge.flags.writeable = False
-        # As object.__setattr__ would, but all at once.
-        vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=edge.shape[:-1])
+            self._set(
+                (*symmetric_terms(len(columns)), *others), edge, validation.real("error", error, least=0.0), powers
+            )
 
     @classmethod
-    def trusted(
-        cls,
-        terms: tuple[tuple[int, int], ...],
-        edge: NDArray[np.float64],
-        error: float = 0.0,
-        powers: NDArray[np.float64] | None = None,
-    ) -> Self:
-        """Return the wavefront of what was checked before, and takes the arrays: nobody else may write into them."""
-        made = cls.__new__(cls)
-        made._set(terms, edge, error, powers)
-        return made
-
-    @classmethod
-    def from_edge(cls, given: Mapping[tuple[int, int], NDArray[np.float64]], error: float = 0.0) -> Self:
-        """Build a wavefront from coefficients in radians at the edge, radial terms and the constant among them."""
-        try:
-            # With the constant, lest a stack whose terms are all constant lose its axes.
-            shape = np.broadcast_shapes(*(c.shape for c in given.values()))
-        except ValueError:
-            shapes = {term: c.shape for term, c in given.items()}
-            raise ValueError(f"the coefficients of the terms (n, m) must broadcast, got shapes {shapes}") from None
-        count = max([2, *(n // 2 for (n, m), c in given.items() if m == 0 and np.any(c))])
-        terms = (*_radial(count), *sorted(term for term in given if term[1]))
-        edge = np.zeros((*shape, len(terms)))
-        for j, term in enumerate(terms):
-            edge[..., j] = given.get(term, 0.0)
-        symmetric = any(np.any(c) for (n, m), c in given.items() if m == 0 and n > 0)
-        return cls.trusted(terms, edge, error, None if symmetric else np.zeros((*shape, count)))
-
-    @classmethod
-    def of_defocus(cls, defocus: NDArray[np.float64]) -> Self:
-        """Build a wavefront from a checked C_d, radians."""
+    def of_defocus(cls, defocus: Array) -> Self:
+        """Build a wavefront from a checked C_d, `defocus`, radians."""
         powers = np.zeros((*defocus.shape, 2))
         powers[..., 0] = 2.0 * defocus
-        return cls.trusted(_radial(2), np.empty_like(powers), 0.0, powers)
-
-    @classmethod
-    def radial_sum(cls, edge: NDArray[np.float64], error: float = 0.0) -> Self:
-        """Build a wavefront from checked coefficients of R_2^0, R_4^0, ..., two or more, along the last axis."""
-        return cls.trusted(_radial(edge.shape[-1]), edge, error)
+        return cls.trusted(symmetric_terms(2), np.empty_like(powers), 0.0, powers)
 
     @cached_property
-    def symmetric(self) -> int:
-        """How many of the terms, the first, are radially symmetric: those of n = 2, 4, ..."""
-        return sum(m == 0 for _, m in self.terms)
-
-    @cached_property
-    def radial_terms(self) -> NDArray[np.float64]:
-        """Coefficients of R_2^0, R_4^0, ..., shape ``shape + (terms,)``."""
-        return self.edge if self.symmetric == len(self.terms) else self.edge[..., : self.symmetric].copy()
-
-    @cached_property
-    def indices(self) -> NDArray[np.int32]:
-        """The n and m of each term, shape ``(terms, 2)``."""
-        found = np.array(self.terms, dtype=np.int32)
-        found.flags.writeable = False
-        return found
-
-    @cached_property
-    def coefficients(self) -> NDArray[np.float64]:
-        """Coefficients of t, t^2, ... with t = rho^2, radians: the radially symmetric part."""
-        if self._powers is not None:
-            return self._powers
-        powers = zernike.powers_of_edge(self.radial_terms)
-        powers.flags.writeable = False
-        return powers
-
-    @cached_property
-    def defocus(self) -> NDArray[np.float64]:
+    def defocus(self) -> Array:
         """C_d, radians."""
         half = np.asarray(0.5 * self.coefficients[..., 0])
         half.flags.writeable = False
         return half
 
     @property
-    def spherical(self) -> NDArray[np.float64]:
+    def spherical(self) -> Array:
         """C_s, radians."""
         return np.asarray(self.coefficients[..., 1])
 
     @property
-    def higher(self) -> tuple[NDArray[np.float64], ...]:
+    def higher(self) -> tuple[Array, ...]:
         """Coefficients of rho^6, rho^8, ..., radians."""
         return tuple(np.moveaxis(self.coefficients[..., 2:], -1, 0))
 
     @cached_property
-    def nonradial(self) -> Mapping[tuple[int, int], NDArray[np.float64]]:
+    def nonradial(self) -> Mapping[tuple[int, int], Array]:
         """Coefficients of the other terms, radians at the edge, by (n, m)."""
         others = enumerate(self.terms[self.symmetric :], self.symmetric)
         return MappingProxyType({term: np.asarray(self.edge[..., j]) for j, term in others})
-
-    def edge_terms(self) -> dict[tuple[int, int], NDArray[np.float64]]:
-        """Return all Zernike coefficients, radians at the edge, by (n, m), without the constant."""
-        return dict(zip(self.terms, np.moveaxis(self.edge, -1, 0), strict=True))
-
-    @cached_property
-    def flat(self) -> bool:
-        """Whether there is no phase at all, and no stack of it."""
-        return not (self.edge.any() or self.error or self.shape)
 
     @property
     def radial(self) -> bool:
@@ -235,48 +144,30 @@ class Wavefront(Descriptions):
         return not self.nonradial or not any(np.any(c) for c in self.nonradial.values())
 
     @property
-    def waves(self) -> dict[str, NDArray[np.float64]]:
+    def waves(self) -> dict[str, Array]:
         """Seidel coefficients W020, W040, W060, ... in waves: the radially symmetric part."""
         names = [f"W0{2 * k}0" for k in range(1, 1 + self.coefficients.shape[-1])]
         return {name: self.coefficients[..., k] / (2 * math.pi) for k, name in enumerate(names)}
 
-    @cached_property
-    def left_out(self) -> float:
-        """Bound on what the terms leave out of the phase: `error`, and what they lose where powers of rho cancel.
+    def phase(self, rho: ArrayLike, theta: ArrayLike = 0.0) -> Array:
+        """Return the phase at points of the pupil.
 
-        A rounding of each term is not counted here: engines count it.
-        """
-        if self._powers is None or self.symmetric <= 2:
-            return self.error
-        lost = zernike.conversion_error(self._powers)
-        rounded = 2.0**-53 * np.abs(self.radial_terms).sum(axis=-1)
-        return self.error + (float(lost.max()) if np.any(lost > rounded) else 0.0)
+        Parameters
+        ----------
+        rho : array_like
+            Pupil radius, 0 to 1.
+        theta : array_like, default 0
+            Angle, radians from x towards y.
 
-    def __getitem__(self, index: Any) -> Wavefront:
-        """Return part of a stack, as NumPy indexes arrays of its shape."""
-        if self.shape == ():
-            raise TypeError("a single wavefront cannot be indexed")
+        Returns
+        -------
+        ndarray, shape ``shape + s``
+            Radians; s is what `rho` and `theta` broadcast to.
 
-        def part(columns: NDArray[np.float64]) -> NDArray[np.float64]:
-            return np.stack([column[index] for column in np.moveaxis(columns, -1, 0)], axis=-1)
-
-        return self._each(part)
-
-    def _each(self, change: Callable[[NDArray[np.float64]], NDArray[np.float64]], growth: float = 1.0) -> Wavefront:
-        """Return the wavefront whose coefficients went through `change`, its error `growth` times as large."""
-        powers = None if self._powers is None else change(self._powers)
-        return self.trusted(self.terms, change(self.edge), growth * self.error, powers)
-
-    def flattened(self) -> Wavefront:
-        """Return the same stack with the shape ``(n,)``; a single wavefront becomes a stack of one."""
-        if self.edge.ndim == 2:
-            return self
-        return self._each(lambda c: c.reshape(-1, c.shape[-1]).copy())
-
-    def phase(self, rho: ArrayLike, theta: ArrayLike = 0.0) -> NDArray[np.float64]:
-        """Return the phase in radians at pupil radii `rho` (0 to 1) and angles `theta`.
-
-        Shape ``shape + s``, with s what `rho` and `theta` broadcast to.
+        Raises
+        ------
+        TypeError, ValueError
+            If they are not real and finite, do not broadcast, or a radius is negative or above 1000.
         """
         r, angle = validation.real_array("rho", rho, least=0.0), validation.real_array("theta", theta)
         try:
@@ -291,12 +182,26 @@ class Wavefront(Descriptions):
             total += c.reshape(self.shape + at) * zernike.polynomial(n, m, r, angle)
         return total
 
-    def rotated(self, angle: ArrayLike) -> Wavefront:
-        """Return the wavefront turned by `angle`, radians from x towards y: clockwise in a picture.
+    def rotated(self, angle: ArrayLike) -> Self:
+        """Return the wavefront turned from x towards y: clockwise in a picture.
 
         ``phase'(rho, theta) = phase(rho, theta - angle)``, and the image turns by the same angle. Exact but for
         rounding: each pair of terms (n, m) and (n, -m) turns in its plane by m times the angle. Arrays of angles
         broadcast with the stack.
+
+        Parameters
+        ----------
+        angle : array_like
+            Radians.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an angle is not real and finite, or they do not broadcast.
         """
         turn = validation.real_array("angle", angle)
         try:
@@ -310,8 +215,23 @@ class Wavefront(Descriptions):
         edge = np.stack([*np.moveaxis(edge, -1, 0)[: self.symmetric], *(turned[t] for t in sorted(turned))], axis=-1)
         return self.trusted(terms, edge, self.error, powers)
 
-    def flipped(self, axis: str) -> Wavefront:
-        """Return the mirror image: x changes its sign for "x" (left and right), y for "y" (up and down). Exact."""
+    def flipped(self, axis: str) -> Self:
+        """Return the mirror image. Exact.
+
+        Parameters
+        ----------
+        axis : {"x", "y"}
+            What changes its sign: left and right, or up and down.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        ValueError
+            If it is neither.
+        """
         validation.choice("axis", axis, ("x", "y"))
 
         def sign(m: int) -> float:
@@ -321,7 +241,7 @@ class Wavefront(Descriptions):
         signs = np.array([sign(m) if m else 1.0 for _, m in self.terms])
         return self.trusted(self.terms, signs * self.edge, self.error, self._powers)
 
-    def scaled(self, radius: ArrayLike) -> Wavefront:
+    def scaled(self, radius: ArrayLike) -> Self:
         """Return the wavefront across a smaller, concentric pupil: ``phase'(rho, theta) = phase(radius rho, theta)``.
 
         Exact but for rounding, and but for the constant. Arrays of radii broadcast with the stack.
@@ -330,6 +250,15 @@ class Wavefront(Descriptions):
         ----------
         radius : array_like
             Radius of the smaller pupil over that of this one, above 0 and at most 1.
+
+        Returns
+        -------
+        Wavefront
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a radius is out of range, or they do not broadcast.
 
         References
         ----------
@@ -345,86 +274,12 @@ class Wavefront(Descriptions):
         except ValueError:
             raise ValueError(f"radius must broadcast with the stack, got {eps.shape} and {self.shape}") from None
         found = zernike.scaled(self.edge_terms(), np.broadcast_to(eps, shape))
-        terms = (*_radial(self.symmetric), *sorted(term for term in found if term[1]))
+        terms = (*symmetric_terms(self.symmetric), *sorted(term for term in found if term[1]))
         edge = np.stack([np.broadcast_to(found[term], shape) for term in terms], axis=-1)
         powers = None
         if self._powers is not None:
             powers = self._powers * eps[..., None] ** (2.0 * np.arange(1, 1 + self.symmetric))
         return self.trusted(terms, edge, self.error, powers)
-
-    def __add__(self, other: object) -> Wavefront:
-        """Return the sum of two wavefronts."""
-        if not isinstance(other, Wavefront):
-            return NotImplemented
-        try:
-            shape = np.broadcast_shapes(self.shape, other.shape)
-        except ValueError:
-            raise ValueError(f"wavefronts must broadcast to add, got shapes {self.shape} and {other.shape}") from None
-        terms = self.terms
-        if other.terms != terms:
-            others = {*terms[self.symmetric :], *other.terms[other.symmetric :]}
-            terms = (*_radial(max(self.symmetric, other.symmetric)), *sorted(others))
-        edge = np.zeros((*shape, len(terms)))
-        powers = None
-        if self._powers is not None and other._powers is not None:
-            powers = np.zeros((*shape, max(self.symmetric, other.symmetric)))
-        with np.errstate(over="ignore", invalid="ignore"):
-            for each in (self, other):
-                if each.terms == terms:
-                    edge += each.edge
-                else:
-                    edge[..., [terms.index(term) for term in each.terms]] += each.edge
-                if powers is not None and each._powers is not None:
-                    powers[..., : each.symmetric] += each._powers
-        return self.trusted(terms, edge, self.error + other.error, powers)
-
-    def __mul__(self, factor: float) -> Wavefront:
-        """Return the wavefront times a number."""
-        f = validation.real("factor", factor)
-        with np.errstate(over="ignore"):  # what is not finite then is told
-            return self._each(lambda c: f * c, abs(f))
-
-    __rmul__ = __mul__
-    # NumPy is not to multiply each element of an array with a wavefront, but to leave that to __rmul__.
-    __array_ufunc__ = None
-
-    def __truediv__(self, divisor: float) -> Wavefront:
-        """Return the wavefront divided by a number."""
-        d = validation.real("divisor", divisor)
-        if d == 0 or math.isinf(1.0 / d):
-            raise ValueError(f"divisor must not be 0, nor so close to it, got {d:g}")
-        return self * (1.0 / d)
-
-    def __neg__(self) -> Wavefront:
-        """Return the conjugate wavefront."""
-        return -1.0 * self
-
-    def __sub__(self, other: object) -> Wavefront:
-        """Return the difference of two wavefronts."""
-        if not isinstance(other, Wavefront):
-            return NotImplemented
-        return self + -other
-
-    def __eq__(self, other: object) -> bool:
-        """Two wavefronts are equal if their shapes, all their coefficients and their errors are."""
-        if not isinstance(other, Wavefront):
-            return NotImplemented
-        if self.shape != other.shape or self.error != other.error:
-            return False
-        return self._content() == other._content()
-
-    def _content(self) -> tuple[Any, ...]:
-        """Return what wavefronts that are equal share: no term that is zero throughout, no sign of a zero."""
-        return self.shape, *((t, (c + 0.0).tobytes()) for t, c in self.edge_terms().items() if np.any(c))
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        # Without the views, of which that of `nonradial` cannot be pickled.
-        powers = None if self._powers is None else self._powers.copy()
-        return Wavefront.trusted, (self.terms, self.edge.copy(), self.error, powers)
-
-    def __hash__(self) -> int:
-        """Hash what :meth:`__eq__` compares."""
-        return hash(self._content())
 
     def __repr__(self) -> str:
         if self._powers is None:
@@ -458,8 +313,8 @@ class Wavefront(Descriptions):
         return plain
 
     @classmethod
-    def from_dict(cls, description: Mapping[str, Any]) -> Wavefront:
-        """Rebuild a wavefront from :meth:`to_dict`."""
+    def from_dict(cls, description: Mapping[str, Any]) -> Self:
+        """Rebuild a wavefront from a `description` by :meth:`to_dict`; TypeError or ValueError if it is none."""
         parts = dict(description)
         if "terms" in parts:
             found = {zernike.check_term(n, m): c for (n, m), c in _once("terms", parts.pop("terms")).items()}
@@ -469,7 +324,7 @@ class Wavefront(Descriptions):
         return cls(**parts, nonradial=others)
 
 
-def _once_or_all(value: NDArray[np.float64]) -> Any:
+def _once_or_all(value: Array) -> Any:
     return float(value.flat[0]) if value.min() == value.max() else value.tolist()
 
 
@@ -482,19 +337,14 @@ def _once(name: str, listed: Iterable[Sequence[Any]]) -> dict[tuple[int, int], A
     return terms
 
 
-@lru_cache(maxsize=64)
-def _radial(count: int) -> tuple[tuple[int, int], ...]:
-    return tuple((2 * k, 0) for k in range(1, count + 1))
-
-
-def _broadcast(columns: NDArray[np.float64], shape: tuple[int, ...]) -> NDArray[np.float64]:
+def _broadcast(columns: Array, shape: tuple[int, ...]) -> Array:
     return np.broadcast_to(columns, (*shape, columns.shape[-1])).copy()
 
 
-def _nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[tuple[int, int], NDArray[np.float64]]:
+def _nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[tuple[int, int], Array]:
     if not isinstance(terms, Mapping):
         raise TypeError(f"nonradial must map (n, m) to coefficients, got {validation.shown(terms)}")
-    found: dict[tuple[int, int], NDArray[np.float64]] = {}
+    found: dict[tuple[int, int], Array] = {}
     for key in terms:
         n, m = zernike.term(key, "nm")
         if m == 0:
@@ -503,11 +353,11 @@ def _nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[tuple[int, int], NDArr
     return dict(sorted(found.items()))
 
 
-def _listed(terms: Mapping[tuple[int, int], NDArray[np.float64]]) -> str:
+def _listed(terms: Mapping[tuple[int, int], Array]) -> str:
     return f"{{{', '.join(f'{t}: {_short(c)}' for t, c in terms.items())}}}"
 
 
-def _short(value: NDArray[np.float64], *, shape: bool = False) -> str:
+def _short(value: Array, *, shape: bool = False) -> str:
     if value.ndim == 0 or (not shape and value.min() == value.max()):
         return repr(float(value.flat[0]))
     return f"<array {value.shape} from {value.min():g} to {value.max():g}>"

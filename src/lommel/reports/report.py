@@ -10,15 +10,17 @@ from typing import Any
 
 import numpy as np
 
-from lommel.field.maps import PSFGrid
+from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.measures import aperture_means, errors, spot, transfer
-from lommel.methods import Hankel, HuygensFresnel, Method, NijboerZernike, NonuniformFFT
+from lommel.measures.answer import Answer
+from lommel.measures.encircled import MAX_RADIUS, encircled
+from lommel.methods import HuygensFresnel, Method
+from lommel.methods.choice import of_profiles, reference
 from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.psf import PSF, psf
-from lommel.reports.encircled import MAX_RADIUS, encircled
 from lommel.special import zernike
 
 
@@ -27,7 +29,7 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
 
     Lengths in metres (None for infinity), phases in radians, energies as fractions of all light, frequencies in
     cycles per metre along x. Each encircled energy stands beside that of the same aperture in focus and without
-    aberration; see :func:`lommel.reports.encircled.encircled`, which refuses wide circles where the pupil is not
+    aberration; see :func:`lommel.measures.encircled.encircled`, which refuses wide circles where the pupil is not
     radially symmetric: these are None. "encircled_energy_error" bounds the error of all, None where the method has no
     bound or the pupil is radial, whose energies are within 1e-6. The "fwhm" is the mean of those along x and y.
     "mtf_at_nyquist" is that of the lens, "mtf_at_nyquist_with_pixel" that of the lens and of pixels that average;
@@ -41,7 +43,6 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     radii.setdefault("Airy radius", airy)
     if blur > 0:
         radii.setdefault("geometric blur radius", blur)
-    way = NijboerZernike()
     refused: dict[str, None] = {}
     at = list(radii.values())
 
@@ -84,7 +85,7 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "strehl": known(lambda: float(aperture_means.strehl(pupil))),
         "marechal": float(aperture_means.marechal(pupil)),
         "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
-        "fwhm": known(lambda: float(spot.radial_fwhm(way, pupil) if image is None else image.fwhm())),
+        "fwhm": known(lambda: float(spot.radial_fwhm(of_profiles(), pupil) if image is None else spot.fwhm(image))),
         "cutoff": pupil.cutoff,
         "mtf50": known(lambda: float(transfer.mtf_frequency(pupil))) if round_ else None,
         "nyquist": nyquist,
@@ -170,7 +171,7 @@ def _magnifies(lens: Lens) -> bool:
     return 0.0 < lens.focus_distance < lens.sensor_distance
 
 
-def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None, PSF | None]:
+def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None, Answer | None]:
     """Return encircled energies, None for circles that are too wide, the bound on their error, and their image."""
     most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
     found = encircled(pupil, [r for r in radii if r <= most])
@@ -295,16 +296,6 @@ def compare(
             against = answer(judge, False)
         row["mse"], row["peak_error"] = errors.mse(found, against), errors.peak_error(found, against)
     return rows, answers
-
-
-def reference(pupil: Pupil) -> Method:
-    """Return what other methods are judged by: plain quadrature, or the certified series where that does not apply.
-
-    Apertures that are not round are judged by `NonuniformFFT` at its finest.
-    """
-    if pupil.radial:
-        return Hankel()
-    return NijboerZernike(tol=1e-9) if pupil.circular else NonuniformFFT(tol=1e-11)
 
 
 def reference_name(pupil: Pupil) -> str:

@@ -121,6 +121,17 @@ def compare(answers: Mapping[str, Answer], reference: str) -> Figure:
         Each with the same grid; drawn in their order.
     reference : str
         The one that the errors are taken from.
+
+    Returns
+    -------
+    matplotlib Figure
+
+    Raises
+    ------
+    ValueError
+        If there is no such reference.
+    ImportError
+        If matplotlib is not installed.
     """
     if reference not in answers:
         raise ValueError(f"reference must be one of {', '.join(answers)}, got {validation.shown(reference)}")
@@ -175,6 +186,17 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
         By default those of a new figure.
     stretch : {"sqrt", "linear", "log"}
         Of the levels; "log" goes down to 1e-5 of the largest value.
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    ValueError
+        If there is no such `stretch`.
+    ImportError
+        If matplotlib is not installed.
     """
     mpl = library("matplotlib", *_USER)
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))

@@ -5,27 +5,57 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from lommel.base.arrays import Array
 from lommel.base.validation import MAX_REACH
 from lommel.core import engine
 
 
-def bessel_sequence(v: ArrayLike, count: int) -> NDArray[np.float64]:
-    """Return ``J_0(v), ..., J_{count-1}(v)`` for ``0 <= v <= 1e6``, shape ``(len(v), count)``.
+def bessel_sequence(v: ArrayLike, count: int) -> Array:
+    """Return ``J_0(v), ..., J_{count-1}(v)`` for ``0 <= v <= 1e6``.
 
     Miller's backward recurrence (DLMF 3.6(vi)); absolute error a few units of 2^-53.
+
+    Parameters
+    ----------
+    v : array_like, shape (n,)
+    count : int
+
+    Returns
+    -------
+    ndarray, shape (n, count)
     """
     return engine.bessel_sequence(_radii(v), count)
 
 
-def legendre_transforms(v: ArrayLike, terms: int) -> NDArray[np.float64]:
-    """Return ``2 (-1)^n J_{2n+1}(v) / v``, the transforms of ``P_n(2t - 1)``, shape ``(len(v), terms)``."""
+def legendre_transforms(v: ArrayLike, terms: int) -> Array:
+    """Return ``2 (-1)^n J_{2n+1}(v) / v``, the transforms of ``P_n(2t - 1)``.
+
+    Parameters
+    ----------
+    v : array_like, shape (n,)
+    terms : int
+
+    Returns
+    -------
+    ndarray, shape (n, terms)
+    """
     return engine.legendre_transforms(_radii(v), terms)
 
 
-def j0_series(a: ArrayLike, terms: int = 3) -> NDArray[np.float64]:
-    """Return the first `terms` terms of the power series of J0 (paper, Eq. 6; DLMF 10.2.2)."""
+def j0_series(a: ArrayLike, terms: int = 3) -> Array:
+    """Return the first terms of the power series of J0 (paper, Eq. 6; DLMF 10.2.2).
+
+    Parameters
+    ----------
+    a : array_like
+    terms : int, default 3
+
+    Returns
+    -------
+    ndarray
+    """
     q = -0.25 * np.asarray(a, dtype=np.float64) ** 2
     total = np.zeros_like(q)
     for m in reversed(range(terms)):
@@ -33,18 +63,37 @@ def j0_series(a: ArrayLike, terms: int = 3) -> NDArray[np.float64]:
     return total
 
 
-def j0_asymptotic(a: ArrayLike) -> NDArray[np.float64]:
-    """Return ``sqrt(2 / (pi a)) cos(a - pi/4)`` for a > 0 (paper, Eq. 7; DLMF 10.17.3, leading term)."""
+def j0_asymptotic(a: ArrayLike) -> Array:
+    """Return ``sqrt(2 / (pi a)) cos(a - pi/4)`` for a > 0 (paper, Eq. 7; DLMF 10.17.3, leading term).
+
+    Parameters
+    ----------
+    a : array_like
+
+    Returns
+    -------
+    ndarray
+    """
     x = np.asarray(a, dtype=np.float64)
     return np.asarray(np.sqrt(2 / (np.pi * x)) * np.cos(x - np.pi / 4))
 
 
 def tangent_line(center: float) -> tuple[float, float]:
-    """Return A and B of ``1/sqrt(a) ~ A a + B + 1/a``, tangent to ``1/sqrt(a)`` at `center` (Eq. 9-11)."""
+    """Return A and B of ``1/sqrt(a) ~ A a + B + 1/a``, tangent to ``1/sqrt(a)`` at `center` (Eq. 9-11).
+
+    Parameters
+    ----------
+    center : float
+        Above 0.
+
+    Returns
+    -------
+    A, B : float
+    """
     return -0.5 * center**-1.5, 1.5 * center**-0.5
 
 
-def _radii(v: ArrayLike) -> NDArray[np.float64]:
+def _radii(v: ArrayLike) -> Array:
     radii = np.ascontiguousarray(v, dtype=np.float64)
     bad = ~(np.isfinite(radii) & (radii >= 0))
     if radii.ndim != 1 or bad.any():

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from lommel.base.arrays import Array
 from lommel.special.erf import Erf, FresnelErf
 from lommel.special.fresnel import HALF
 from lommel.special.legendre import gauss_legendre, gauss_panels
@@ -18,7 +19,7 @@ _BLOCK = 2**20
 def chirp_moments(
     a: float, b: ArrayLike, low: ArrayLike, high: ArrayLike, *, erf: Erf | None = None
 ) -> NDArray[np.complex128]:
-    r"""Return ``int_low^high R^m exp(i (a R^2 + b R)) dR`` for m = 0, 1, 2, shape ``(3,) + b.shape``.
+    r"""Return ``int_low^high R^m exp(i (a R^2 + b R)) dR`` for m = 0, 1, 2.
 
     The m = 0 moment is the error function of the paper's Eq. (13); the others follow by parts:
     ``M_1 = [e]/(2ia) - (b/2a) M_0`` and ``M_2 = [R e]/(2ia) - M_0/(2ia) - (b/2a) M_1``. The error function is
@@ -33,6 +34,10 @@ def chirp_moments(
     b, low, high : array_like
         Slope and limits, ``low <= high``, broadcast together.
     erf : Erf, default FresnelErf()
+
+    Returns
+    -------
+    ndarray of complex, shape ``(3,) + b.shape``
     """
     slope, start, end = np.broadcast_arrays(*(np.asarray(x, dtype=np.float64) for x in (b, low, high)))
     if a < 0:
@@ -47,9 +52,7 @@ def chirp_moments(
     return out
 
 
-def _by_erf(
-    a: float, b: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64], erf: Erf
-) -> NDArray[np.complex128]:
+def _by_erf(a: float, b: Array, low: Array, high: Array, erf: Erf) -> NDArray[np.complex128]:
     root = math.sqrt(a)
     s = root * (np.stack([low, high]) + b / (2.0 * a))
     side = np.where(s < 0, -1.0, 1.0)
@@ -63,9 +66,7 @@ def _by_erf(
     return np.stack([zeroth, first, second])
 
 
-def _by_quadrature(
-    a: float, b: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64]
-) -> NDArray[np.complex128]:
+def _by_quadrature(a: float, b: Array, low: Array, high: Array) -> NDArray[np.complex128]:
     length = high - low
     span = (a * (low + high) + np.abs(b)) * length
     nodes = int(0.5 * span.max() + 3.0 * span.max() ** (1.0 / 3.0)) + 20
@@ -84,20 +85,42 @@ def _by_quadrature(
 
 
 def disk_moments(alpha: float, limit: ArrayLike, count: int) -> NDArray[np.complex128]:
-    r"""Return ``int_0^T R^(2m+1) exp(i alpha R^2) dR`` for m = 0, ..., count-1, shape ``(count,) + T.shape``.
+    r"""Return ``int_0^T R^(2m+1) exp(i alpha R^2) dR`` for m = 0, ..., count-1.
 
     The paper's Eq. (18)-(20) and their continuation: ``T^(2m+2)`` times :func:`unit_moments` of ``alpha T^2``.
+
+    Parameters
+    ----------
+    alpha : float
+        Radians, either sign or zero.
+    limit : array_like
+        T, >= 0.
+    count : int
+
+    Returns
+    -------
+    ndarray of complex, shape ``(count,) + T.shape``
     """
     square = np.asarray(limit, dtype=np.float64) ** 2
     powers = square ** np.arange(1, count + 1).reshape(-1, *(1,) * square.ndim)
     return np.asarray(powers * unit_moments(alpha * square, count))
 
 
-def unit_moments(phase: NDArray[np.float64], count: int) -> NDArray[np.complex128]:
-    r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0, ..., count-1, shape ``(count,) + phase.shape``.
+def unit_moments(phase: Array, count: int) -> NDArray[np.complex128]:
+    r"""Return ``int_0^1 x^(2m+1) exp(i phase x^2) dx`` for m = 0, ..., count-1.
 
     With u = x^2, ``int_0^1 u^m e^{i phase u} du / 2``. By parts, ``J_m = (e^{i phase}/2 - m J_{m-1}) / (i phase)``,
     where the phase exceeds the number of moments; by Gauss-Legendre quadrature below, where that recurrence cancels.
+
+    Parameters
+    ----------
+    phase : ndarray
+        Radians.
+    count : int
+
+    Returns
+    -------
+    ndarray of complex, shape ``(count,) + phase.shape``
     """
     turns = np.abs(phase)
     out = np.empty((count, *phase.shape), dtype=np.complex128)

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.special.fresnel import HALF, fresnel_auxiliary
 
 _RAY = np.exp(-0.25j * math.pi)
@@ -24,17 +25,17 @@ class Erf(ABC):
     """An evaluation of ``erf(e^{-i pi/4} s)`` for real s."""
 
     @abstractmethod
-    def auxiliary(self, s: NDArray[np.float64]) -> NDArray[np.complex128]:
-        """Return ``G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau`` for ``s >= 0``."""
+    def auxiliary(self, s: Array) -> NDArray[np.complex128]:
+        """Return ``G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau`` for `s` of 0 or more."""
 
     def on_ray(self, s: ArrayLike) -> NDArray[np.complex128]:
-        """Return ``erf(e^{-i pi/4} s)`` for real s of either sign."""
+        """Return ``erf(e^{-i pi/4} s)`` for real `s` of either sign."""
         at = _arguments(s)
         size = np.abs(at)
         return np.asarray(np.where(at < 0, -1.0, 1.0) * (1.0 - np.exp(1j * size**2) * self.auxiliary(size) / HALF))
 
 
-def _arguments(s: ArrayLike) -> NDArray[np.float64]:
+def _arguments(s: ArrayLike) -> Array:
     at = validation.real_array("s", s)
     if at.size and np.abs(at).max() > 1e150:
         raise ValueError(f"s must be at most 1e150, got {np.abs(at).max():g}")
@@ -45,7 +46,7 @@ def _arguments(s: ArrayLike) -> NDArray[np.float64]:
 class FresnelErf(Erf):
     """Exact to about 1e-13, through the real Fresnel integrals (Faddeeva's function)."""
 
-    def auxiliary(self, s: NDArray[np.float64]) -> NDArray[np.complex128]:
+    def auxiliary(self, s: Array) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0``."""
         return fresnel_auxiliary(s)
 
@@ -61,6 +62,11 @@ class TableErf(Erf):
     ----------
     samples : int, default 4096
         Length of the table, 2 to 10 million.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `samples` is out of range.
     """
 
     samples: int = 4096
@@ -68,7 +74,7 @@ class TableErf(Erf):
     def __post_init__(self) -> None:
         object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=2, most=10**7))
 
-    def auxiliary(self, s: NDArray[np.float64]) -> NDArray[np.complex128]:
+    def auxiliary(self, s: Array) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0`` from the table."""
         grid, table = _table(self.samples)
         values = np.interp(s / (s + 2.0), grid, table)
@@ -76,7 +82,7 @@ class TableErf(Erf):
 
 
 @lru_cache(maxsize=4)
-def _table(samples: int) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
+def _table(samples: int) -> tuple[Array, NDArray[np.complex128]]:
     y = np.linspace(0.0, 1.0, samples)
     s = 2.0 * y[:-1] / (1.0 - y[:-1])
     return y, np.append((s + 2.0) * fresnel_auxiliary(s), 0.5j)
@@ -93,6 +99,11 @@ class AbramowitzErf(Erf):
     ----------
     terms : int, default 10
         N of Eq. (14), 1 to 100000.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `terms` is out of range.
     """
 
     terms: int = 10
@@ -143,6 +154,6 @@ class AbramowitzErf(Erf):
         """Return Eq. (14) at ``e^{-i pi/4} s``."""
         return self(_RAY * _arguments(s))
 
-    def auxiliary(self, s: NDArray[np.float64]) -> NDArray[np.complex128]:
+    def auxiliary(self, s: Array) -> NDArray[np.complex128]:
         """Return G(s) for ``s >= 0`` as the complement of Eq. (14)."""
         return np.asarray(HALF * (1.0 - self.on_ray(s)) * np.exp(-1j * s * s))

@@ -16,6 +16,15 @@ def fresnel_auxiliary(s: ArrayLike) -> NDArray[np.complex128]:
 
     ``G(s) = (sqrt(pi)/2) e^{i pi/4} w(e^{i pi/4} s)`` with the Faddeeva function w (DLMF 7.5.8-10);
     smooth, ``~ i / (2s)`` at large s. Relative error about 1e-13.
+
+    Parameters
+    ----------
+    s : array_like
+        >= 0.
+
+    Returns
+    -------
+    ndarray of complex
     """
     from scipy.special import wofz
 

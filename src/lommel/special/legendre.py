@@ -6,8 +6,8 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
 from lommel.core import engine
 
 _MAX_NODES = 20_000  # they take time in proportion to the square, then half a second
@@ -15,7 +15,7 @@ _PANEL, _PANEL_NODES = 200, 256
 
 
 @lru_cache(maxsize=64)
-def _rule(n: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _rule(n: int) -> tuple[Array, Array]:
     if n > _MAX_NODES:
         raise ValueError(f"phases and radii must be smaller: they take {n:.6g} nodes, more than {_MAX_NODES}")
     nodes, weights = engine.gauss_legendre(n)
@@ -23,17 +23,26 @@ def _rule(n: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     return nodes, weights
 
 
-def gauss_legendre(n: int, low: float = 0.0, high: float = 1.0) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def gauss_legendre(n: int, low: float = 0.0, high: float = 1.0) -> tuple[Array, Array]:
     """Return the nodes (rising) and weights of the n-point Gauss-Legendre rule on ``[low, high]``.
 
     Newton's method in extended precision: nodes are correct to rounding, and so is any weighted sum of order one.
+
+    Parameters
+    ----------
+    n : int
+    low, high : float, default 0, 1
+
+    Returns
+    -------
+    nodes, weights : ndarray, shape (n,)
     """
     nodes, weights = _rule(n)
     half = 0.5 * (high - low)
     return low + half * (1.0 + nodes), half * weights
 
 
-def gauss_panels(n: int, low: float = 0.0, high: float = 1.0) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def gauss_panels(n: int, low: float = 0.0, high: float = 1.0) -> tuple[Array, Array]:
     """Return the rule of n nodes, or where they are many one of panels that resolves as many waves.
 
     256 nodes take the place of 200: rules are exact to rounding once they have a node for two radians, and some.

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 
 SPLITS = ("linear", "sqrt", "log", "optimal")
 FITS = ("interpolation", "least-squares", "sweep")
@@ -33,30 +34,48 @@ class PiecewiseQuadratic:
         Proven bound on the error of the phase; None where the fit has none.
     """
 
-    edges: NDArray[np.float64]
-    alpha: NDArray[np.float64]
-    beta: NDArray[np.float64]
-    gamma: NDArray[np.float64]
+    edges: Array
+    alpha: Array
+    beta: Array
+    gamma: Array
     bound: float | None
 
-    def phase(self, rho: ArrayLike) -> NDArray[np.float64]:
+    def phase(self, rho: ArrayLike) -> Array:
         """Return the phase at pupil radii `rho` (0 to 1)."""
         at = np.asarray(rho, dtype=np.float64)
         i = np.clip(np.searchsorted(self.edges, at, side="right") - 1, 0, self.alpha.size - 1)
         return np.asarray((self.alpha[i] * at + self.beta[i]) * at + self.gamma[i])
 
     def mse(self, coefficients: Sequence[float]) -> float:
-        """Return the mean of ``|exp(i fit) - exp(i phase)|^2`` over the radius, as the paper reports it."""
+        """Return the mean of ``|exp(i fit) - exp(i phase)|^2`` over the radius, as the paper reports it.
+
+        The phase has the `coefficients` of :func:`lommel.special.piecewise.fit_quadratics`.
+        """
         rho = (np.arange(20_000) + 0.5) / 20_000
         return float(np.mean(2.0 - 2.0 * np.cos(self.phase(rho) - _derivative(coefficients, rho, 0))))
 
 
-def split_edges(segments: int, split: str = "optimal") -> NDArray[np.float64]:
-    r"""Return the edges of `segments` segments of [0, 1].
+def split_edges(segments: int, split: str = "optimal") -> Array:
+    r"""Return the edges of segments of [0, 1].
 
     "linear": ``i/S``. "sqrt": ``sqrt(i/S)``. "log": ``log(1 + (e-1) i/S)``. "optimal":
     ``((i - 0.123) / (S - 0.123))^(3/4)`` for i > 0, which makes the errors of a quartic phase equal: they go like
     ``rho h^3`` but in the first segment, where they go like ``0.625 h^4``; hence the shift.
+
+    Parameters
+    ----------
+    segments : int
+        S, 1 to 4096.
+    split : {"optimal", "linear", "sqrt", "log"}
+
+    Returns
+    -------
+    ndarray, shape (segments + 1,)
+
+    Raises
+    ------
+    TypeError, ValueError
+        If there are none such.
     """
     count = validation.integer("segments", segments, least=1, most=4096)
     validation.choice("split", split, SPLITS)
@@ -97,6 +116,10 @@ def fit_quadratics(
     sweep : (float, float), optional
         Largest magnitudes of alpha and beta to search; by default 1.5 times those of the phase itself.
 
+    Returns
+    -------
+    PiecewiseQuadratic
+
     Raises
     ------
     TypeError, ValueError
@@ -124,16 +147,14 @@ def fit_quadratics(
     return PiecewiseQuadratic(edges, alpha, beta, gamma, bound)
 
 
-def _derivative(
-    coefficients: Sequence[float] | NDArray[np.float64], rho: ArrayLike, order: int
-) -> NDArray[np.float64]:
+def _derivative(coefficients: Sequence[float] | Array, rho: ArrayLike, order: int) -> Array:
     """Return a derivative of the phase."""
     polynomial = np.zeros(2 * len(coefficients) + 1)
     polynomial[2::2] = coefficients
     return np.asarray(np.polynomial.Polynomial(polynomial).deriv(order)(np.asarray(rho)))
 
 
-def _interpolation_error(c: NDArray[np.float64], edges: NDArray[np.float64]) -> NDArray[np.float64]:
+def _interpolation_error(c: Array, edges: Array) -> Array:
     """Bound the error on each segment: at most h^3 / 32 times the third divided difference of the phase.
 
     That of rho^4 is the sum of its four points, 1.5 (low + high) of them the nodes; that of rho^(2k) at most its
@@ -146,7 +167,7 @@ def _interpolation_error(c: NDArray[np.float64], edges: NDArray[np.float64]) -> 
     return np.asarray((high - low) ** 3 / 32.0 * difference)
 
 
-def _interpolated(c: NDArray[np.float64], low: float, high: float) -> NDArray[np.float64]:
+def _interpolated(c: Array, low: float, high: float) -> Array:
     x = 0.5 * (low + high) + 0.5 * (high - low) * np.cos(np.pi * np.array([5, 3, 1]) / 6)
     value = _derivative(c, x, 0)
     first = np.diff(value) / np.diff(x)
@@ -155,7 +176,7 @@ def _interpolated(c: NDArray[np.float64], low: float, high: float) -> NDArray[np
     return np.array([alpha, beta, value[0] - (alpha * x[0] + beta) * x[0]])
 
 
-def _osculating(c: NDArray[np.float64], low: float, high: float) -> NDArray[np.float64]:
+def _osculating(c: Array, low: float, high: float) -> Array:
     """Return alpha and beta through the value, up to whole turns, and the slope in the middle."""
     middle = 0.5 * (low + high)
     value, slope, bend = (float(_derivative(c, middle, k)) for k in range(3))
@@ -165,9 +186,7 @@ def _osculating(c: NDArray[np.float64], low: float, high: float) -> NDArray[np.f
     return np.array([alpha, slope - 2.0 * alpha * middle, 0.0])
 
 
-def _least_squares(
-    c: NDArray[np.float64], low: float, high: float, start: NDArray[np.float64], piston: bool
-) -> NDArray[np.float64]:
+def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool) -> Array:
     from scipy.optimize import least_squares
 
     rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
@@ -177,7 +196,7 @@ def _least_squares(
     free = 3 if piston else 2
     powers = (rho**2, rho, np.ones_like(rho)) if not piston else (x**2, x, np.ones_like(x))
 
-    def residual(p: NDArray[np.float64]) -> NDArray[np.float64]:
+    def residual(p: Array) -> Array:
         off = sum(q * power for q, power in zip(p, powers, strict=False)) - phase
         return np.concatenate([np.cos(off) - 1.0, np.sin(off)])
 
@@ -190,9 +209,7 @@ def _least_squares(
     return np.array([best[0], best[1] - 2 * best[0] * m, best[2] - (best[1] - best[0] * m) * m])
 
 
-def _swept(
-    c: NDArray[np.float64], low: float, high: float, piston: bool, ranges: tuple[float, float] | None
-) -> NDArray[np.float64]:
+def _swept(c: Array, low: float, high: float, piston: bool, ranges: tuple[float, float] | None) -> Array:
     from scipy.ndimage import maximum_filter
 
     rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
@@ -210,7 +227,7 @@ def _swept(
     counts = [min(1201, max(_SWEEP, math.ceil(4.0 * size) | 1)) for size in (alpha * reach**2, beta * reach)]
     a, b = np.linspace(-alpha, alpha, counts[0]), np.linspace(-beta, beta, counts[1])
 
-    def scores(a: NDArray[np.float64], b: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def scores(a: Array, b: Array) -> tuple[Array, Array]:
         overlap = np.exp(-1j * np.outer(a, rho**2)) * wave @ np.exp(-1j * np.outer(rho, b)) / _SAMPLES
         return (np.abs(overlap) if piston else overlap.real), np.angle(overlap)
 

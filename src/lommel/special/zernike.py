@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 
 ORDERS = ("nm", "noll", "ansi", "fringe")
 MAX_DEGREE = 60
@@ -100,6 +101,15 @@ def rms_factor(n: int, m: int) -> float:
     """Return what a coefficient normalised to its rms is multiplied by to have the value 1 at the edge.
 
     ``Z = sqrt((2 - delta_m0) (n + 1)) R(rho) cos(m theta)`` has unit variance (Noll, Eq. 1).
+
+    Parameters
+    ----------
+    n, m : int
+        A term; m < 0 is a sine.
+
+    Returns
+    -------
+    float
     """
     return math.sqrt((n + 1) * (1 if m == 0 else 2))
 
@@ -108,6 +118,15 @@ def name(n: int, m: int) -> str:
     """Return what opticians call a term: ``"coma x"``, ``"secondary astigmatism 45"``, ``"spherical"``.
 
     x and y stand for the cosine and the sine, except with astigmatism, where the axes at 0 and 45 degrees do.
+
+    Parameters
+    ----------
+    n, m : int
+        A term; m < 0 is a sine.
+
+    Returns
+    -------
+    str
     """
     n, m = check_term(n, m)
     if n <= 2 and m in (0, 1, -1):
@@ -125,7 +144,7 @@ def name(n: int, m: int) -> str:
     return f"{prefix}{noun} {'x' if m > 0 else 'y'}"
 
 
-def radial(n: int, m: int, rho: NDArray[np.float64]) -> NDArray[np.float64]:
+def radial(n: int, m: int, rho: Array) -> Array:
     """Return ``R_n^|m|(rho)``, 1 at rho = 1: ``rho^|m| P_k^(0,|m|)(2 rho^2 - 1)`` with ``k = (n - |m|) / 2``."""
     a = float(abs(m))
     x = 2.0 * rho * rho - 1.0
@@ -144,15 +163,25 @@ def radial(n: int, m: int, rho: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(rho ** abs(m) * here)
 
 
-def polynomial(n: int, m: int, rho: NDArray[np.float64], theta: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return ``R_n^|m|(rho)`` times ``cos(m theta)``, or ``sin(|m| theta)`` for m < 0; at most 1."""
+def polynomial(n: int, m: int, rho: Array, theta: Array) -> Array:
+    """Return ``R_n^|m|(rho)`` times ``cos(m theta)``, or ``sin(|m| theta)`` for m < 0; at most 1.
+
+    Parameters
+    ----------
+    n, m : int
+        A term; m < 0 is a sine.
+    rho, theta : ndarray
+        Radius over that of the pupil, and angle in radians; they broadcast.
+
+    Returns
+    -------
+    ndarray
+    """
     azimuth = np.cos(m * theta) if m >= 0 else np.sin(-m * theta)
     return np.asarray(radial(n, m, rho) * azimuth)
 
 
-def scaled(
-    terms: Mapping[tuple[int, int], NDArray[np.float64]], radius: NDArray[np.float64] | float
-) -> dict[tuple[int, int], NDArray[np.float64]]:
+def scaled(terms: Mapping[tuple[int, int], Array], radius: Array | float) -> dict[tuple[int, int], Array]:
     """Return the coefficients of the same function over a concentric disk of another `radius`, the constant included.
 
     ``R_n^m(a rho) = sum_k (R_n^k(a) - R_n^(k+2)(a)) R_k^m(rho)``, k = m, m + 2, ..., n. Radii broadcast with the
@@ -164,7 +193,7 @@ def scaled(
     J. Microlith. Microfab. Microsyst. 5, 030501 (2006).
     """
     at = np.asarray(radius, dtype=np.float64)
-    found: dict[tuple[int, int], NDArray[np.float64]] = {}
+    found: dict[tuple[int, int], Array] = {}
     for (n, m), c in terms.items():
         values = [radial(n, k, at) for k in range(abs(m), n + 1, 2)] + [np.zeros(())]
         for i, k in enumerate(range(abs(m), n + 1, 2)):
@@ -172,15 +201,13 @@ def scaled(
     return found
 
 
-def rotated(
-    terms: Mapping[tuple[int, int], NDArray[np.float64]], angle: NDArray[np.float64]
-) -> dict[tuple[int, int], NDArray[np.float64]]:
+def rotated(terms: Mapping[tuple[int, int], Array], angle: Array) -> dict[tuple[int, int], Array]:
     """Return the coefficients of the function turned by `angle` from x towards y: ``f(rho, theta - angle)``.
 
     Each pair (n, m) and (n, -m) turns in its plane by m times the angle. Angles broadcast with the coefficients.
     """
     zero = np.zeros(())
-    turned: dict[tuple[int, int], NDArray[np.float64]] = {}
+    turned: dict[tuple[int, int], Array] = {}
     for n, m in sorted({(n, abs(m)) for n, m in terms}):
         a, b = terms.get((n, m), zero), terms.get((n, -m), zero)
         cosine, sine = np.cos(m * angle), np.sin(m * angle)
@@ -190,7 +217,7 @@ def rotated(
     return turned
 
 
-def legendre_sum(coefficients: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
+def legendre_sum(coefficients: Array, x: Array) -> Array:
     """Return ``sum_j a_j (P_j(x) - P_j(-1))``, j = 1, 2, ..., shape ``a.shape[:-1] + x.shape``: at x = -1 it is 0.
 
     With ``x = 2 rho^2 - 1`` the P_j are the radially symmetric terms R_2j^0.
@@ -203,7 +230,7 @@ def legendre_sum(coefficients: NDArray[np.float64], x: NDArray[np.float64]) -> N
     return total
 
 
-def legendre_slope(coefficients: NDArray[np.float64], x: NDArray[np.float64]) -> NDArray[np.float64]:
+def legendre_slope(coefficients: Array, x: Array) -> Array:
     """Return the derivative by x of :func:`legendre_sum`."""
     total = np.zeros(coefficients.shape[:-1] + x.shape)
     before, here = np.zeros_like(x), np.ones_like(x)
@@ -216,7 +243,7 @@ def legendre_slope(coefficients: NDArray[np.float64], x: NDArray[np.float64]) ->
     return total
 
 
-def edge_of_powers(powers: NDArray[np.float64]) -> NDArray[np.float64]:
+def edge_of_powers(powers: Array) -> Array:
     """Return the coefficients of R_2^0, R_4^0, ... from those of t, t^2, ..., t = rho^2: shape ``(..., terms)``."""
     if powers.shape[-1] == 2:
         # 2 t = 1 + P_1 and 6 t^2 = 2 + 3 P_1 + P_2: a rounding each.
@@ -227,7 +254,7 @@ def edge_of_powers(powers: NDArray[np.float64]) -> NDArray[np.float64]:
     return (powers @ powers_to_legendre(powers.shape[-1])[1:].T).astype(np.float64)
 
 
-def conversion_error(powers: NDArray[np.float64]) -> NDArray[np.float64]:
+def conversion_error(powers: Array) -> Array:
     """Bound the sum of what :func:`edge_of_powers` gets wrong, but for the last rounding of each coefficient.
 
     Every power is at most 1, and so is the sum of its coefficients, none of which is negative.
@@ -236,7 +263,7 @@ def conversion_error(powers: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray((powers.shape[-1] + 3) * unit * np.abs(powers).sum(axis=-1))
 
 
-def powers_of_edge(coefficients: NDArray[np.float64]) -> NDArray[np.float64]:
+def powers_of_edge(coefficients: Array) -> Array:
     """Return the coefficients of t, t^2, ... from those of R_2^0, R_4^0, ...: the inverse of :func:`edge_of_powers`.
 
     They alternate and grow like 5.8^terms; so do roundings.

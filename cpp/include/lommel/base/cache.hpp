@@ -1,21 +1,33 @@
 // Tables that all calls share.
 #pragma once
 
-#include <atomic>
-#include <chrono>
 #include <cstddef>
+#include <iterator>
 #include <list>
 #include <memory>
-#include <mutex>
-#include <thread>
 
 #include "lommel/base/fork.hpp"
+#include "lommel/base/lock.hpp"
 #include "lommel/base/watch.hpp"
+
+#if !defined(LOMMEL_SINGLE_THREADED)
+#include <atomic>
+#include <chrono>
+#include <thread>
+#endif
 
 namespace lommel {
 
 // One thread's turn to make something that takes long. Those who wait for theirs can be stopped, which a mutex does not
 // let them; and a child finds it free whoever had it.
+#if defined(LOMMEL_SINGLE_THREADED)
+struct Turn {
+    struct Taken {
+        explicit Taken(Turn&) {}
+    };
+    void free() {}
+};
+#else
 class Turn {
    public:
     class Taken {
@@ -38,12 +50,13 @@ class Turn {
    private:
     std::atomic<bool> taken_{false};
 };
+#endif
 
 // What is shared has a mutex, held for the moment of a look or a change, never while something is made (who makes may wait
 // for Python's lock, which who forks holds); and a turn for that.
 class Shared : protected ForkAware {
    protected:
-    std::mutex mutex_;
+    Mutex mutex_;
     Turn turn_;
 
    private:
@@ -71,7 +84,7 @@ class Cache final : Shared {
             return found;
         }
         const auto made = std::make_shared<const Table>(key...);
-        const std::lock_guard<std::mutex> lock(mutex_);
+        const Lock lock(mutex_);
         recent_.push_front(made);
         std::size_t bytes = 0;
         for (auto at = recent_.begin(); at != recent_.end();) {
@@ -84,7 +97,7 @@ class Cache final : Shared {
    private:
     template <class... Key>
     std::shared_ptr<const Table> held(const Key&... key) {
-        const std::lock_guard<std::mutex> lock(mutex_);
+        const Lock lock(mutex_);
         for (auto at = recent_.begin(); at != recent_.end(); ++at) {
             if ((*at)->is(key...)) {
                 recent_.splice(recent_.begin(), recent_, at);

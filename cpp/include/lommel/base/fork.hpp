@@ -3,8 +3,12 @@
 
 #include <vector>
 
-#if defined(__unix__) || defined(__APPLE__)
+#include "lommel/base/lock.hpp"
+
+// Where there is one thread, it has done what it began.
+#if !defined(LOMMEL_SINGLE_THREADED) && (defined(__unix__) || defined(__APPLE__))
 #include <pthread.h>
+#define LOMMEL_FORKS
 #endif
 
 namespace lommel {
@@ -18,11 +22,21 @@ class ForkAware {
 
    protected:
     ForkAware() {
-#if defined(__unix__) || defined(__APPLE__)
+#if defined(LOMMEL_FORKS)
         if (all().empty()) {
-            pthread_atfork([] { for (ForkAware* one : all()) one->before_fork(); },
-                           [] { for (ForkAware* one : all()) one->after_fork(false); },
-                           [] { for (ForkAware* one : all()) one->after_fork(true); });
+            pthread_atfork(
+                [] {
+                    for (ForkAware* one : all())
+                        one->before_fork();
+                },
+                [] {
+                    for (ForkAware* one : all())
+                        one->after_fork(false);
+                },
+                [] {
+                    for (ForkAware* one : all())
+                        one->after_fork(true);
+                });
         }
 #endif
         all().push_back(this);

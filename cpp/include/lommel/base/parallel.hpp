@@ -1,24 +1,29 @@
 // Threads that never outnumber the processors, however many callers there are.
 #pragma once
 
+#include <cstddef>
+
+#include "lommel/base/fork.hpp"
+#include "lommel/base/lock.hpp"
+#include "lommel/base/watch.hpp"
+
+#if !defined(LOMMEL_SINGLE_THREADED)
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <cstddef>
 #include <exception>
-#include <mutex>
 #include <thread>
 #include <vector>
-
-#include "lommel/base/fork.hpp"
-#include "lommel/base/watch.hpp"
-
 #if defined(__linux__)
 #include <sched.h>
+#endif
 #endif
 
 namespace lommel {
 
+#if defined(LOMMEL_SINGLE_THREADED)
+inline int processors() { return 1; }
+#else
 // Processors this process may run on.
 inline int processors() {
 #if defined(__linux__)
@@ -43,18 +48,9 @@ struct Helpers final : ForkAware {
 };
 inline Helpers& helpers = *new Helpers;
 
-// Runs work(worker, task) for every task below `tasks`, each once, on at most `threads` threads including the
-// caller's (0: as many as there are processors). `worker` is below the number of processors and 1.
-// The first exception is passed on after all threads have stopped. All look between tasks.
+// parallel_for() with helpers.
 template <class Work>
-void parallel_for(std::size_t tasks, int threads, const Work& work) {
-    if (tasks < 2 || threads == 1) {
-        for (std::size_t task = 0; task < tasks; ++task) {
-            look();
-            work(std::size_t{0}, task);
-        }
-        return;
-    }
+void share_out(std::size_t tasks, int threads, const Work& work) {
     const int limit = processors();
     int wanted = std::min<int>(threads > 0 ? threads : limit, static_cast<int>(std::min<std::size_t>(tasks, 1024))) - 1;
     // Take from the common pool no more than is left in it.
@@ -72,12 +68,12 @@ void parallel_for(std::size_t tasks, int threads, const Work& work) {
     }
     std::atomic<std::size_t> next{0};
     std::exception_ptr failure;
-    std::mutex mutex;  // of the failure and of the number of helpers that are done
+    Mutex mutex;  // of the failure and of the number of helpers that are done
     std::condition_variable finished;
     std::size_t done = 0;
     const auto fail = [&] {
         next = tasks;
-        const std::lock_guard<std::mutex> lock(mutex);
+        const Lock lock(mutex);
         failure = failure ? failure : std::current_exception();
     };
     const auto run = [&](std::size_t worker) {
@@ -97,7 +93,7 @@ void parallel_for(std::size_t tasks, int threads, const Work& work) {
             others.emplace_back([&, i] {
                 Watch::help(watch);
                 run(static_cast<std::size_t>(i + 1));
-                const std::lock_guard<std::mutex> lock(mutex);
+                const Lock lock(mutex);
                 ++done;
                 finished.notify_one();
             });
@@ -107,7 +103,7 @@ void parallel_for(std::size_t tasks, int threads, const Work& work) {
     }
     run(0);
     // The caller alone is asked to stop: it goes on looking while others work.
-    std::unique_lock<std::mutex> lock(mutex);
+    std::unique_lock<Mutex> lock(mutex);
     while (watch != nullptr && !finished.wait_for(lock, Watch::interval, [&] { return done == others.size(); })) {
         lock.unlock();
         try {
@@ -124,6 +120,23 @@ void parallel_for(std::size_t tasks, int threads, const Work& work) {
     busy -= taken;
     if (failure) {
         std::rethrow_exception(failure);
+    }
+}
+#endif
+
+// Runs work(worker, task) for every task below `tasks`, each once, on at most `threads` threads including the
+// caller's (0: as many as there are processors). `worker` is below the number of processors and 1.
+// The first exception is passed on after all threads have stopped. All look between tasks.
+template <class Work>
+void parallel_for(std::size_t tasks, [[maybe_unused]] int threads, const Work& work) {
+#if !defined(LOMMEL_SINGLE_THREADED)
+    if (tasks > 1 && threads != 1) {
+        return share_out(tasks, threads, work);
+    }
+#endif
+    for (std::size_t task = 0; task < tasks; ++task) {
+        look();
+        work(std::size_t{0}, task);
     }
 }
 

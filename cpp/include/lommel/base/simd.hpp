@@ -1,6 +1,12 @@
 // Vectors of doubles, compiled for the widest instructions that the processor turns out to have.
 #pragma once
 
+#if defined(__FAST_MATH__)
+#error "the error bounds assume IEEE arithmetic: leave -ffast-math out"
+#endif
+
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -81,9 +87,15 @@ LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
 template <class Real, std::size_t Lanes>
 struct Pack {
     Real v[Lanes];
-    friend Pack operator+(Pack a, Pack b) { return each(a, b, [](Real x, Real y) { return x + y; }); }
-    friend Pack operator-(Pack a, Pack b) { return each(a, b, [](Real x, Real y) { return x - y; }); }
-    friend Pack operator*(Pack a, Pack b) { return each(a, b, [](Real x, Real y) { return x * y; }); }
+    friend Pack operator+(Pack a, Pack b) {
+        return each(a, b, [](Real x, Real y) { return x + y; });
+    }
+    friend Pack operator-(Pack a, Pack b) {
+        return each(a, b, [](Real x, Real y) { return x - y; });
+    }
+    friend Pack operator*(Pack a, Pack b) {
+        return each(a, b, [](Real x, Real y) { return x * y; });
+    }
     Real operator[](std::size_t i) const { return v[i]; }
     template <class F>
     static Pack each(Pack a, Pack b, F f) {
@@ -141,6 +153,14 @@ template <class V, class Real>
 LOMMEL_INLINE void store(Real* to, V p) {
     std::memcpy(to, &p, sizeof p);
 }
+template <class V>
+LOMMEL_INLINE double lane_sum(V v) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(double); ++i) {
+        sum += v[i];
+    }
+    return sum;
+}
 
 // What a kernel is compiled for: its vectors, and how many of them its registers hold in each of three arrays.
 template <std::size_t Lanes, std::size_t Unroll>
@@ -158,8 +178,8 @@ constexpr std::size_t widest_step = 32;  // most values a kernel handles, and so
 enum class Level { portable, avx2, avx512 };
 
 // Lowers what is used, for tests and comparisons.
-inline Level& level_limit() {
-    static Level limit = Level::avx512;
+inline std::atomic<Level>& level_limit() {
+    static std::atomic<Level> limit{Level::avx512};
     return limit;
 }
 
@@ -167,13 +187,13 @@ inline Level processor_level() {
 #ifdef LOMMEL_X86
     static const Level found = [] {
         __builtin_cpu_init();
-        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-            __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw")) {
+        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+            __builtin_cpu_supports("avx512bw")) {
             return Level::avx512;
         }
         return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? Level::avx2 : Level::portable;
     }();
-    return found < level_limit() ? found : level_limit();
+    return std::min(found, level_limit().load(std::memory_order_relaxed));
 #else
     return Level::portable;
 #endif
@@ -217,9 +237,13 @@ struct AlignedAllocator {
     T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
     void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
     template <class U>
-    bool operator==(const AlignedAllocator<U>&) const { return true; }
+    bool operator==(const AlignedAllocator<U>&) const {
+        return true;
+    }
     template <class U>
-    bool operator!=(const AlignedAllocator<U>&) const { return false; }
+    bool operator!=(const AlignedAllocator<U>&) const {
+        return false;
+    }
 };
 using Doubles = std::vector<double, AlignedAllocator<double>>;
 using Floats = std::vector<float, AlignedAllocator<float>>;

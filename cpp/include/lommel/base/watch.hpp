@@ -47,7 +47,8 @@ class Watch {
         clock_gettime(CLOCK_MONOTONIC_COARSE, &t);
         return std::int64_t{t.tv_sec} * 1000 + t.tv_nsec / 1000000;
 #else
-        return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+        return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now().time_since_epoch())
+            .count();
 #endif
     }
 

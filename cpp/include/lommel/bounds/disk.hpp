@@ -1,4 +1,4 @@
-// How many degrees and nodes an accuracy takes for any polynomial phase on the disk.
+// How far off the chords of the disk any pupil function grows, M(b), and what that bounds; derived in docs/certificate.md.
 //
 // On the line of points cos(phi) xi + eta sin(phi) xi', xi and xi' orthonormal and |eta| <= 1, a Zernike polynomial of
 // degree n is a real trigonometric polynomial of degree n in phi, at most 1. At phi = a + ib its imaginary part is
@@ -12,132 +12,169 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
-#include "lommel/bounds/ellipse.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/bounds/amplitude.hpp"
+#include "lommel/bounds/settle.hpp"
+#include "lommel/question.hpp"
 
 namespace lommel {
 
-class DiskBounds {
-   public:
-    DiskBounds() {
-        for (std::size_t i = 0; i < count; ++i) {
-            b_[i] = 2e-3 * std::pow(2000.0, static_cast<double>(i) / (count - 1));
-            log_m_[i] = std::log1p(std::exp(-2.0 * b_[i]));
-            log_turn_[i] = 0.0;
+// Terms with the cosines and sines of the same n and |m|, which turn together: their amplitude is the hypotenuse.
+struct TermPairs {
+    static constexpr std::size_t none = ~std::size_t{0};
+    struct Pair {
+        std::size_t n, m, cosine, sine;  // places among the terms, or none
+        double square(const double* c) const {  // of the amplitude
+            return (cosine == none ? 0.0 : c[cosine] * c[cosine]) + (sine == none ? 0.0 : c[sine] * c[sine]);
+        }
+    };
+
+    std::vector<ZernikeTerm> terms;
+    std::vector<Pair> pairs;  // by rising degree
+    std::size_t curved;       // the first of them that is neither constant nor tilt
+    std::size_t degree = 1;   // the highest
+
+    explicit TermPairs(const std::vector<ZernikeTerm>& list) : terms(list) {
+        for (std::size_t j = 0; j < terms.size(); ++j) {
+            const std::size_t n = static_cast<std::size_t>(terms[j].n), m = static_cast<std::size_t>(std::abs(terms[j].m));
+            degree = std::max(degree, n);
+            const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return p.n == n && p.m == m; });
+            Pair& pair = at == pairs.end() ? (pairs.push_back({n, m, none, none}), pairs.back()) : *at;
+            (terms[j].m < 0 ? pair.sine : pair.cosine) = j;
+        }
+        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.n < b.n; });
+        curved = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.n < 2; }));
+    }
+};
+
+// The values of b that are tried, and what depends on nothing else.
+struct ChordCurves {
+    static constexpr std::size_t count = 64;
+    using Values = std::array<double, count>;
+    Values b, inverse, decay, cosh, constant, closed;  // 1 / b, e^-b, cosh 2b, log(1 + e^-2b), -log(1 - e^-b)
+    std::vector<Values> growth;                        // sinh(n b), for each n
+
+    ChordCurves() : growth(max_degree + 1) {
+        for (std::size_t k = 0; k < count; ++k) {
+            b[k] = 2e-3 * std::pow(2000.0, static_cast<double>(k) / (count - 1));
+            inverse[k] = 1.0 / b[k];
+            decay[k] = std::exp(-b[k]);
+            cosh[k] = std::cosh(2.0 * b[k]);
+            constant[k] = std::log1p(std::exp(-2.0 * b[k]));
+            closed[k] = -std::log(-std::expm1(-b[k]));
+            for (std::size_t n = 0; n <= max_degree; ++n) {
+                growth[n][k] = std::sinh(std::min(600.0, static_cast<double>(n) * b[k]));
+            }
         }
     }
+};
+// Made when the program is loaded: a fork must not find it half done.
+inline const ChordCurves chord_curves;
 
-    // A term of degree n and azimuthal order m whose value is at most `amplitude`: cosine and sine are one term.
-    void add(double amplitude, std::size_t n, std::size_t m) {
-        for (std::size_t i = 0; i < count; ++i) {
-            log_m_[i] += amplitude * std::sinh(std::min(600.0, static_cast<double>(n) * b_[i]));
-            log_turn_[i] += amplitude * std::sinh(std::min(600.0, static_cast<double>(m) * b_[i]));
+// Where the least of values is: its size in eight chains that compilers vectorise, then its place.
+LOMMEL_INLINE std::size_t least_at(const ChordCurves::Values& values) {
+    std::array<double, 8> low;
+    std::copy_n(values.begin(), 8, low.begin());
+    for (std::size_t k = 8; k < ChordCurves::count; k += 8) {
+        for (std::size_t j = 0; j < 8; ++j) {
+            low[j] = values[k + j] < low[j] ? values[k + j] : low[j];
         }
     }
+    const double least = *std::min_element(low.begin(), low.end());
+    return static_cast<std::size_t>(std::find(values.begin(), values.end() - 1, least) - values.begin());
+}
 
+// On each curve, a bound on the logarithm of a pupil function, or of its means.
+struct ChordGrowth {
+    ChordCurves::Values size{};
+
+    // A term of degree n whose value is at most `amplitude`: cosine and sine are one term.
+    LOMMEL_INLINE void add(double amplitude, std::size_t n) {
+        const ChordCurves::Values& growth = chord_curves.growth.at(n);
+        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+            size[k] += amplitude * growth[k];
+        }
+    }
     // The amplitude: on the line rho^2 = cos(phi)^2 + eta^2 sin(phi)^2 stays within the ellipse of cosh 2b around [0, 1].
-    void add(const Amplitude& amplitude) {
-        for (std::size_t i = 0; i < count && !amplitude.uniform(); ++i) {
-            log_m_[i] += amplitude.growth(std::cosh(2.0 * b_[i]));
+    void add(const Amplitude& light) {
+        for (std::size_t k = 0; k < ChordCurves::count && !light.uniform(); ++k) {
+            size[k] += light.growth(chord_curves.cosh[k]);
         }
     }
 
-    // Bound on what the degrees from n on add to U at every v: |2 (n+1) J_{n+1}(v) / v| <= 1.
+    // Bound on the sum of coefficients from n on, each at most e^(size - n b).
     double tail(std::size_t n) const {
-        double best = 1e300;
-        for (std::size_t i = 0; i < count; ++i) {
-            best = std::min(best, log_m_[i] - static_cast<double>(n) * b_[i] - std::log(-std::expm1(-b_[i])));
-        }
+        double best = 0.0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            ChordCurves::Values sums;
+            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+                sums[k] = size[k] - static_cast<double>(n) * chord_curves.b[k] + chord_curves.closed[k];
+            }
+            best = sums[least_at(sums)];
+        });
         return std::exp(std::min(best, 690.0));
-    }
-
-    // Bound on what the azimuthal orders from m on add to U: on a ring the pupil function is analytic in theta, so its Fourier
-    // coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
-    double orders_tail(std::size_t m) const {
-        double best = 1e300;
-        for (std::size_t i = 0; i < count; ++i) {
-            best = std::min(best, log_turn_[i] - static_cast<double>(m) * b_[i] - std::log(-std::expm1(-b_[i])));
-        }
-        return 2.0 * std::exp(std::min(best, 690.0));
     }
 
     // Bound on the distance of the pupil function from a polynomial of degree d, everywhere on the disk: component n is
     // a mean of U_n(x . xi) b_n, at most (n+1)^(3/2) times its Chebyshev coefficient.
     double distance(std::size_t d) const {
         const double first = static_cast<double>(d) + 2.0;  // n + 1 of the first degree that is missing
+        const double next = (first + 1.0) / first, widening = next * std::sqrt(next);
+        ChordCurves::Values exponents;
+        std::size_t least = 0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+                const double exponent = size[k] - (first - 1.0) * chord_curves.b[k];
+                exponents[k] = chord_curves.decay[k] * widening < 1.0 ? exponent : 1e300;
+            }
+            least = least_at(exponents);
+        });
+        // A logarithm only where it may matter: first of the least exponent.
         double best = 1e300;
-        for (std::size_t i = 0; i < count; ++i) {
-            const double ratio = std::exp(-b_[i]) * std::pow((first + 1.0) / first, 1.5);
-            if (ratio < 1.0) {
-                best = std::min(best, log_m_[i] + 1.5 * std::log(first) - (first - 1.0) * b_[i] - std::log(1.0 - ratio));
+        const auto add = [&](std::size_t k) {
+            best = std::min(best, exponents[k] - std::log(1.0 - chord_curves.decay[k] * widening));
+        };
+        add(least);
+        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+            if (exponents[k] < best) {
+                add(k);
             }
         }
-        return std::exp(std::min(best, 690.0));
+        return first * std::sqrt(first) * std::exp(std::min(best, 690.0));
     }
-
-    // Fewest degrees and orders for which their tails are at most `error`, and least degree for which distance() is.
-    std::size_t degrees(double error) const {
-        return least([&](std::size_t n) { return tail(n) <= error; });
-    }
-    std::size_t orders(double error) const {
-        return least([&](std::size_t m) { return orders_tail(m) <= error; });
-    }
-    std::size_t degree(double error) const {
-        return least([&](std::size_t d) { return distance(d) <= error; });
-    }
-
-    static constexpr std::size_t limit = 1 << 20;
-
-   private:
-    template <class Enough>
-    static std::size_t least(const Enough& enough) {
-        std::size_t high = 1;
-        while (high < limit && !enough(high)) {
-            high *= 2;
-        }
-        std::size_t low = high / 2;  // not enough, or 0
-        while (high - low > 1) {
-            const std::size_t middle = (low + high) / 2;
-            (enough(middle) ? high : low) = middle;
-        }
-        return high;
-    }
-
-    static constexpr std::size_t count = 48;
-    std::array<double, count> b_, log_m_, log_turn_;
 };
 
-// Bound on sum_{n >= degrees} 2 (n+1) |J_{n+1}(v) / v| for all v <= reach: what those degrees can add to U whatever the
-// pupil, because high orders vanish near the axis.
-inline double disk_window_tail(std::size_t degrees, double reach) {
-    const double m = static_cast<double>(degrees) + 1.0;
-    if (reach < 1e-100) {
-        return degrees > 0 ? 0.0 : 1.0;
-    }
-    if (m <= reach) {
-        return 1e300;
-    }
-    double rate = 0.0;
-    const double top = kapteyn(m, reach, rate);
-    const double ratio = std::exp(-rate) * (m + 1.0) / m;
-    if (ratio >= 1.0 || rate * m < 1.2) {
-        return 1e300;
-    }
-    return 2.0 * m / reach * std::exp(top) / (1.0 - ratio);
-}
+class DiskBounds {
+   public:
+    DiskBounds() { chords_.size = chord_curves.constant; }
 
-// Fewest degrees for which disk_window_tail() is at most `error`.
-inline std::size_t disk_window_degrees(double reach, double error) {
-    std::size_t n = static_cast<std::size_t>(reach) + 1, step = 1;
-    while (disk_window_tail(n + step, reach) > error) {
-        step *= 2;
+    // A term of degree n and azimuthal order m.
+    void add(double amplitude, std::size_t n, std::size_t m) {
+        chords_.add(amplitude, n);
+        turns_.add(amplitude, m);
     }
-    for (std::size_t half = step; half > 0; half /= 2) {
-        if (disk_window_tail(n + half, reach) > error) {
-            n += half;
-        }
+    void add(const Amplitude& light) { chords_.add(light); }
+
+    // Bound on what the degrees from n on add to U at every v: |2 (n+1) J_{n+1}(v) / v| <= 1.
+    double tail(std::size_t n) const { return chords_.tail(n); }
+    // Bound on what the azimuthal orders from m on add to U: on a ring the pupil function is analytic in theta, so its Fourier
+    // coefficients fall like exp(-m b), and |2 int J_m(v rho) rho d rho| <= 1.
+    double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
+    double distance(std::size_t d) const { return chords_.distance(d); }
+
+    // Fewest degrees and orders for which their tails are at most `error`, and least degree for which distance() is.
+    std::size_t degrees(double error) const { return fewest_for(&DiskBounds::tail, error); }
+    std::size_t orders(double error) const { return fewest_for(&DiskBounds::orders_tail, error); }
+    std::size_t degree(double error) const { return fewest_for(&DiskBounds::distance, error); }
+
+   private:
+    std::size_t fewest_for(double (DiskBounds::*bound)(std::size_t) const, double error) const {
+        return fewest(1, [&](std::size_t n) { return (this->*bound)(n) <= error; }, std::size_t{1} << 20);
     }
-    return n + 1;
-}
+
+    ChordGrowth chords_, turns_;
+};
 
 }  // namespace lommel

@@ -13,13 +13,14 @@
 #include <vector>
 
 #include "lommel/bounds/amplitude.hpp"
+#include "lommel/bounds/settle.hpp"
 
 namespace lommel {
 
 // The ellipses that are tried, and angles around them.
 struct EllipseGrid {
     static constexpr std::size_t count = 40, steps = 96;
-    std::array<double, count> eta, sinh, cosh, decay, perimeter, quadrature;
+    std::array<double, count> eta, sinh, cosh, decay, closed, perimeter, quadrature;
     std::array<double, steps + 1> sin, cos;
 
     EllipseGrid() {
@@ -28,10 +29,11 @@ struct EllipseGrid {
             sinh[i] = std::sinh(eta[i]);
             cosh[i] = std::cosh(eta[i]);
             decay[i] = std::exp(-eta[i]);
-            const double closed = std::log(-std::expm1(-2.0 * eta[i]));
+            closed[i] = -std::log(1.0 - decay[i]);
+            const double both = std::log(-std::expm1(-2.0 * eta[i]));
             // log(l / pi) <= log sqrt(2 cosh 2 eta)
-            perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - closed;
-            quadrature[i] = std::log(32.0 / 15.0) - closed - std::log(std::expm1(eta[i]));
+            perimeter[i] = 0.5 * std::log(2.0 * std::cosh(2.0 * eta[i])) - both;
+            quadrature[i] = std::log(32.0 / 15.0) - both - std::log(std::expm1(eta[i]));
         }
         for (std::size_t j = 0; j <= steps; ++j) {
             sin[j] = std::sin(pi() * static_cast<double>(j) / steps);
@@ -104,9 +106,11 @@ class Ellipses {
         double best = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
             const double q = grid.decay[i];
-            const double sums = 1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q));
-            best = std::min(best, g_[i] + grid.perimeter[i] + std::log(sums) -
-                                      (static_cast<double>(terms) + 1.0) * grid.eta[i]);
+            const double exponent = g_[i] + grid.perimeter[i] - (static_cast<double>(terms) + 1.0) * grid.eta[i];
+            // The sum is more than 1; its logarithm only where it may matter.
+            if (exponent < best) {
+                best = std::min(best, exponent + std::log(1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q))));
+            }
         }
         return std::sqrt(order) * std::exp(std::min(best, 700.0));
     }
@@ -114,11 +118,11 @@ class Ellipses {
     // Fewest terms for which tail() is at most `error`.
     std::size_t terms(double error) const {
         const EllipseGrid& grid = the_grid;
+        const double target = std::log(error);
         double needed = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
             // From below: sums >= 1 / (1 - q), order >= 1.
-            needed = std::min(needed, (g_[i] + grid.perimeter[i] - std::log(1.0 - grid.decay[i]) - std::log(error)) /
-                                              grid.eta[i] - 1.0);
+            needed = std::min(needed, (g_[i] + grid.perimeter[i] + grid.closed[i] - target) / grid.eta[i] - 1.0);
         }
         std::size_t n = static_cast<std::size_t>(std::max(1.0, std::min(needed, 1e9)));
         while (tail(n) > error && n < 1000000) {
@@ -145,8 +149,8 @@ class Ellipses {
         const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
         double needed = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
-            needed = std::min(needed, 0.5 * (static_cast<double>(terms) +
-                                             (g_[i] + grid.quadrature[i] - log_error) / grid.eta[i]));
+            needed =
+                std::min(needed, 0.5 * (static_cast<double>(terms) + (g_[i] + grid.quadrature[i] - log_error) / grid.eta[i]));
         }
         return static_cast<std::size_t>(std::ceil(std::max(1.0, std::min(needed, 1e9))));
     }
@@ -177,7 +181,8 @@ class Ellipses {
                 top = std::max(top, std::abs(sum));
             }
             // A trigonometric polynomial of this degree between grid points (Ehlich and Zeller, 1964).
-            g_[i] = top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
+            g_[i] =
+                top / std::cos(0.5 * static_cast<double>(terms) * EllipseGrid::pi() / static_cast<double>(EllipseGrid::steps));
         }
     }
 
@@ -197,9 +202,6 @@ class Ellipses {
     std::array<double, count> g_;
 };
 
-// How far from the axis, in v: beyond, light is less than 1e-17 of that of an aperture in focus, and roundings of v show.
-constexpr double max_reach = 1e6;
-
 // log of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and the rate at which it falls with m.
 inline double kapteyn(double m, double v, double& rate) {
     const double x = v / m, root = std::sqrt(std::max(0.0, 1.0 - x * x));
@@ -207,40 +209,41 @@ inline double kapteyn(double m, double v, double& rate) {
     return m * (root - rate);
 }
 
-// Bound on sum_{n >= terms} sqrt(2n+1) |2 J_{2n+1}(v) / v| for all v <= reach: what the terms beyond can add whatever
-// the pupil (|beta_n| <= sqrt(2n+1) by Parseval), because high orders vanish near the axis.
-inline double window_tail(std::size_t terms, double reach) {
-    const double m = 2.0 * static_cast<double>(terms) + 1.0;
+// Bound on the sum over m, m + step, m + 2 step, ... of m^power 2 |J_m(v) / v| for all v <= reach: high orders vanish near the
+// axis.
+inline double beyond_window(double m, double step, double power, double reach) {
     if (reach < 1e-100) {
-        return terms > 0 ? 0.0 : 1.0;
+        return m > 1.0 ? 0.0 : 1.0;
     }
     if (m <= reach) {
         return 1e300;
     }
     double rate = 0.0;
     const double top = kapteyn(m, reach, rate);
-    const double ratio = std::exp(-2.0 * rate) * std::sqrt((m + 2.0) / m);
+    const double ratio = std::exp(-step * rate) * std::pow((m + step) / m, power);
     // Near m = v the bound is not yet rising with v.
     if (ratio >= 1.0 || rate * m < 1.2) {
         return 1e300;
     }
     // 2/v |J_m(v)| grows with v up to the reach, for m > v.
-    return 2.0 / reach * std::sqrt(m) * std::exp(top) / (1.0 - ratio);
+    return 2.0 / reach * std::pow(m, power) * std::exp(top) / (1.0 - ratio);
 }
 
-// Fewest terms for which window_tail() is at most `error`; the reach is at most max_reach.
+// What the terms of a Legendre series from so many on, J_{2n+1}, can add to U whatever the pupil: |beta_n| <= sqrt(2n+1) by
+// Parseval. And the fewest terms for which that is at most `error`.
+inline double window_tail(std::size_t terms, double reach) {
+    return beyond_window(2.0 * static_cast<double>(terms) + 1.0, 2.0, 0.5, reach);
+}
 inline std::size_t window_terms(double reach, double error) {
-    std::size_t n = static_cast<std::size_t>(0.5 * reach) + 1;
-    std::size_t step = 1;
-    while (window_tail(n + step, reach) > error) {
-        step *= 2;
-    }
-    for (std::size_t half = step; half > 0; half /= 2) {
-        if (window_tail(n + half, reach) > error) {
-            n += half;
-        }
-    }
-    return n + 1;
+    return fewest(static_cast<std::size_t>(0.5 * reach) + 2, [&](std::size_t n) { return window_tail(n, reach) <= error; });
+}
+
+// What the degrees of a Zernike series from so many on, (n+1) J_{n+1}, can add, and the fewest of them.
+inline double disk_window_tail(std::size_t degrees, double reach) {
+    return beyond_window(static_cast<double>(degrees) + 1.0, 1.0, 1.0, reach);
+}
+inline std::size_t disk_window_degrees(double reach, double error) {
+    return fewest(static_cast<std::size_t>(reach) + 2, [&](std::size_t n) { return disk_window_tail(n, reach) <= error; });
 }
 
 }  // namespace lommel

@@ -55,14 +55,4 @@ inline double harmonics_error(double side, std::size_t angles) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// The fewest points for which error(points) is at most `allowed`.
-template <class Error>
-std::size_t fewest(std::size_t least, double allowed, const Error& error) {
-    std::size_t points = least;
-    while (error(points) > allowed) {
-        ++points;
-    }
-    return points;
-}
-
 }  // namespace lommel

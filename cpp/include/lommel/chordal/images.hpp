@@ -9,74 +9,81 @@
 #include <stdexcept>
 #include <vector>
 
+#include "lommel/base/parallel.hpp"
+#include "lommel/bounds/chords.hpp"
+#include "lommel/bounds/settle.hpp"
 #include "lommel/chordal/sharp.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/chordal/transform.hpp"
+#include "lommel/pixels/render.hpp"
 #include "lommel/zernike/disk_stack.hpp"
-#include "lommel/base/parallel.hpp"
 
 namespace lommel {
 
 constexpr double max_table_bytes = 268435456.0;  // of the kernel for one window
 
+// What the error of an image is spent on.
+struct ChordalBudget {
+    // Of the tolerance times the peak of |U|, on U, which counts twice in I; the rest is a margin, for the peak is a guess.
+    static constexpr double field = 0.4;
+    static_assert(2.0 * field <= 1.0);
+    // Of the error of U, on the disk and the obscured one where there is one.
+    static constexpr double outer = 0.6, inner = 0.4;
+    static_assert(outer + inner <= 1.0);
+    // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked.
+    static constexpr double again = 0.3, least = 1e-3;
+};
 
 template <class T>
 class ChordalRenderer {
    public:
     ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
-        : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column),
-          step_(window.step), tol_(tol), threads_(threads), answer_(answer), curves_(stack.terms),
+        : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column), step_(window.step), tol_(tol),
+          threads_(threads), answer_(answer), terms_(stack.terms),
           box_{step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
-          area_(stack.obscuration * stack.obscuration), inner_amplitude_(stack.amplitude.scaled(area_)),
-          states_(stack.count) {}
+          area_(stack.obscuration * stack.obscuration), inner_amplitude_(stack.amplitude.scaled(area_)), states_(stack.count) {}
 
     void run() {
-        const double bright = stack_.amplitude.integral(stack_.obscuration);
-        ChordBound outer, inner;
-        std::vector<std::size_t> pending(stack_.count);
-        std::iota(pending.begin(), pending.end(), std::size_t{0});
-        for (const std::size_t p : pending) {
-            look();
-            prepare(p, outer, inner);
-            check(outer);
-            // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
-            states_[p].error = 0.4 * tol_ * 0.5 * bright / std::sqrt(1.0 + outer.variance());
-        }
         sharpen(stack_.outer.data(), 1.0, &State::far);
         if (area_ > 0.0) {
             sharpen(stack_.inner.data(), stack_.obscuration, &State::near);
         }
-        while (!pending.empty()) {
+        ChordBound outer, inner;
+        std::vector<std::size_t> pending(stack_.count);
+        std::iota(pending.begin(), pending.end(), std::size_t{0});
+        const auto attempt = [&] {
             for (const std::size_t p : pending) {
                 look();
                 State& s = states_[p];
                 prepare(p, outer, inner);
                 const double rounding = outer.rounding(0) + stack_.lost[p];
-                if (s.error < rounding) {
-                    if (s.at_rounding) {
-                        throw ToleranceNotMet(s.relative);
-                    }
-                    s.at_rounding = true;
-                    s.error = rounding;
-                }
-                s.chords = outer.chords(area_ > 0.0 ? 0.6 * s.error : s.error);
-                s.inner = area_ > 0.0 ? inner.chords(0.4 * s.error / area_) : 0;
+                s.at_rounding = s.error < rounding;
+                s.error = std::max(s.error, rounding);
+                s.chords = outer.chords(area_ > 0.0 ? ChordalBudget::outer * s.error : s.error);
+                s.inner = area_ > 0.0 ? inner.chords(ChordalBudget::inner * s.error / area_) : 0;
             }
             std::sort(pending.begin(), pending.end(), [&](std::size_t a, std::size_t b) {
                 return states_[a].chords != states_[b].chords ? states_[a].chords < states_[b].chords : a < b;
             });
             dispatch_batches(pending);
-            std::vector<std::size_t> again;
+            double worst = 0.0;
             for (const std::size_t p : pending) {
-                if (!(states_[p].relative <= tol_)) {
-                    // What the peak that was found asks for, or simply much less.
-                    const double wanted = 0.4 * tol_ * std::sqrt(states_[p].peak);
-                    states_[p].error = std::min(0.3 * states_[p].error, std::max(wanted, 1e-3 * states_[p].error));
-                    again.push_back(p);
-                }
+                worst = std::max(worst, states_[p].relative);
             }
-            pending.swap(again);
-        }
+            return worst;
+        };
+        settle(tol_, attempt, [&](double) {
+            const auto done = [&](std::size_t p) { return states_[p].relative <= tol_; };
+            pending.erase(std::remove_if(pending.begin(), pending.end(), done), pending.end());
+            bool more = true;
+            for (const std::size_t p : pending) {
+                State& s = states_[p];
+                more = more && !s.at_rounding;
+                const double wanted = ChordalBudget::field * tol_ * std::sqrt(s.peak);
+                s.error = std::min(ChordalBudget::again * s.error, std::max(wanted, ChordalBudget::least * s.error));
+            }
+            return more;
+        });
     }
 
    private:
@@ -93,39 +100,41 @@ class ChordalRenderer {
         Sharp far, near;  // of the whole disk and of the obscured one
     };
 
-    static void check(const ChordBound& bound) {
-        if (!(bound.size() <= max_phase)) {
-            throw PhaseTooLarge("phases must be at most 1e6 radians");
-        }
-    }
-
     void prepare(std::size_t p, ChordBound& outer, ChordBound& inner) const {
-        outer.prepare(curves_, stack_.outer.data() + p * stack_.terms.size(), stack_.amplitude, box_);
+        outer.prepare(terms_, stack_.outer.data() + p * stack_.terms.size(), stack_.amplitude, box_);
         if (area_ > 0.0) {
-            inner.prepare(curves_, stack_.inner.data() + p * stack_.terms.size(), inner_amplitude_,
+            inner.prepare(terms_, stack_.inner.data() + p * stack_.terms.size(), inner_amplitude_,
                           box_.scaled(stack_.obscuration));
             inner.sharpen(states_[p].near.curve, states_[p].near.phase);
         }
         outer.sharpen(states_[p].far.curve, states_[p].far.phase);
     }
 
-    // Roughly the vector operations for a vector of pupils.
+    // Roughly the vector operations for a vector of pupils, counted, not measured, as those of samples are.
     double work(std::size_t chords) const {
         const double n = static_cast<double>(chords), rows = static_cast<double>(rows_.at.size());
         return n * n * (45.0 + static_cast<double>(stack_.terms.size()) + 2.0 * rows) +
                2.0 * n * static_cast<double>(rows_.count * columns_.at.size());
     }
 
-    // Bounds the phases of one disk by samples, on the curve that suits each, where that is worth its work.
+    // Bounds the phases of one disk by samples, on the curve that suits each, where that is worth its work; before that, of the
+    // whole disk, the first error.
     void sharpen(const double* coefficients, double scale, Sharp State::* which) {
         std::vector<std::size_t> worth;
-        const double samples = SharpTable::work(stack_.terms);
+        const double samples = SharpTable::work(terms_), bright = stack_.amplitude.integral(stack_.obscuration);
+        const Amplitude light = stack_.amplitude.scaled(scale * scale);
+        const VBox box = box_.scaled(scale);
         ChordBound bound;
         const std::size_t terms = stack_.terms.size();
         for (std::size_t p = 0; p < stack_.count; ++p) {
             look();
-            bound.prepare(curves_, coefficients + p * terms, stack_.amplitude.scaled(scale * scale), box_.scaled(scale));
-            const double error = states_[p].error;
+            bound.prepare(terms_, coefficients + p * terms, light, box);
+            double& error = states_[p].error;
+            if (scale == 1.0) {
+                check_phase(bound.size());
+                // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
+                error = ChordalBudget::field * tol_ * 0.5 * bright / std::sqrt(1.0 + bound.variance());
+            }
             const std::size_t curve = bound.best_curve(error, expected_share), plain = bound.estimate(curve, error, 1.0);
             const double gain = work(plain) - work(bound.estimate(curve, error, expected_share));
             if (gain > 1.5 * samples) {
@@ -141,8 +150,8 @@ class ChordalRenderer {
         std::vector<std::shared_ptr<const SharpTable>> tables(batches);
         for (std::size_t b = 0; b < batches; ++b) {
             const std::size_t curve = (states_[worth[b * lanes]].*which).curve;
-            const bool same = b > 0 && tables[b - 1]->b == curves_.b[curve];
-            tables[b] = same ? tables[b - 1] : cache<SharpTable>.get(stack_.terms, curves_.b[curve]);
+            const bool same = b > 0 && tables[b - 1]->b == chord_curves.b[curve];
+            tables[b] = same ? tables[b - 1] : cache<SharpTable>.get(stack_.terms, chord_curves.b[curve]);
         }
         parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
             thread_local Doubles given, room;
@@ -207,9 +216,8 @@ class ChordalRenderer {
         parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch scratch;
             const std::size_t first = b * lanes, here = std::min(lanes, pending.size() - first);
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                batch(isa, pending.data() + first, here, outer[b], inner[b], scratch);
-            });
+            dispatch([&](auto isa)
+                         LOMMEL_INLINE_LAMBDA { batch(isa, pending.data() + first, here, outer[b], inner[b], scratch); });
         });
     }
 
@@ -237,8 +245,7 @@ class ChordalRenderer {
             scratch.inner.resize(pixels * 2 * lanes);
             double* kept = scratch.inner.data();
             gather(isa, stack_.inner.data(), pupils, here, *inner.terms, scratch);
-            chordal_fields(isa, *inner.terms, *inner.kernel, scratch, [&](std::size_t y, const double* u)
-                                                                          LOMMEL_INLINE_LAMBDA {
+            chordal_fields(isa, *inner.terms, *inner.kernel, scratch, [&](std::size_t y, const double* u) LOMMEL_INLINE_LAMBDA {
                 for (std::size_t j = 0; j < 2 * width * lanes; j += lanes) {
                     store(kept + 2 * y * width * lanes + j, load<V>(u + j) * splat<V>(area_));
                 }
@@ -253,8 +260,7 @@ class ChordalRenderer {
         double* intensity = scratch.intensity.data();
         V top = splat<V>(0.0);
         gather(isa, stack_.outer.data(), pupils, here, *outer.terms, scratch);
-        chordal_fields(isa, *outer.terms, *outer.kernel, scratch, [&](std::size_t y, const double* u)
-                                                                      LOMMEL_INLINE_LAMBDA {
+        chordal_fields(isa, *outer.terms, *outer.kernel, scratch, [&](std::size_t y, const double* u) LOMMEL_INLINE_LAMBDA {
             const double* less = area_ > 0.0 ? scratch.inner.data() + 2 * y * width * lanes : nullptr;
             for (std::size_t x = 0; x < width; ++x) {
                 V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
@@ -278,11 +284,11 @@ class ChordalRenderer {
         store(peaks, top);
         thread_local ChordBound far, near;
         for (std::size_t lane = 0; lane < here; ++lane) {
-            settle_one(pupils[lane], peaks[lane], outer, inner, far, near);
+            finish(pupils[lane], peaks[lane], outer, inner, far, near);
         }
     }
 
-    void settle_one(std::size_t p, double peak, const Tables& outer, const Tables& inner, ChordBound& far, ChordBound& near) {
+    void finish(std::size_t p, double peak, const Tables& outer, const Tables& inner, ChordBound& far, ChordBound& near) {
         State& s = states_[p];
         prepare(p, far, near);
         double error = stack_.lost[p] + far.bound(outer.terms->chords) + far.rounding(outer.terms->chords);
@@ -290,21 +296,17 @@ class ChordalRenderer {
             error += area_ * (near.bound(inner.terms->chords) + near.rounding(inner.terms->chords));
         }
         s.peak = peak;
-        const bool normalize = answer_.scales[p] == 0.0;
-        s.relative = relative_error(peak, error);
-        s.relative = stored(normalize ? normalized_error(s.relative) : s.relative, storing<T>(normalize));
+        const bool divide = answer_.scales[p] == 0.0;
+        s.relative = finished_error<T>(relative_error(peak, error), divide, true);
         if (!(s.relative <= tol_)) {
             return;
         }
         answer_.bounds[p] = s.relative;
         answer_.peaks[p] = peak;
-        if (normalize) {
-            const double scale = answer_.scales[p] = 1.0 / peak;
+        if (divide) {
             const std::size_t pixels = rows_.count * columns_.count;
             T* image = answer_.images + p * pixels;
-            for (std::size_t i = 0; i < pixels; ++i) {
-                image[i] = static_cast<T>(scale * static_cast<double>(image[i]));
-            }
+            store_scaled(image, answer_.scales[p] = 1.0 / peak, pixels, image);
         }
     }
 
@@ -313,7 +315,7 @@ class ChordalRenderer {
     double step_, tol_;
     int threads_;
     DiskAnswer<T> answer_;
-    ChordCurves curves_;
+    TermPairs terms_;
     VBox box_;
     double area_;
     Amplitude inner_amplitude_;

@@ -8,101 +8,71 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/chordal/tables.hpp"
+#include "lommel/base/cache.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/bounds/chords.hpp"
+#include "lommel/special/radial_polynomials.hpp"
 
 namespace lommel {
 
 // For one b: terms at the samples (phi, eta), and harmonics at the samples of the direction theta of the chords.
 struct SharpTable {
-    struct Pair {
-        std::size_t cosine, sine;  // places among the terms, or none
-        std::size_t m;
-    };
-    static constexpr std::size_t none = ~std::size_t{0};
-
-    std::vector<ZernikeTerm> terms;
-    double b, margin;               // what the largest sample is multiplied by
-    std::vector<Pair> pairs;        // of the same n and |m|, those of the same |m| together; tilts are not among them
+    TermPairs list;
+    std::vector<TermPairs::Pair> pairs;  // of them, those of degree 2 and more
+    double b, margin = 1.0;  // what the largest sample is multiplied by
     std::size_t points, directions, harmonics;
     Doubles values;                 // [point][pair][cosine, sine]
     Doubles waves;                  // [direction][m][cos, sin]
 
-    SharpTable(const std::vector<ZernikeTerm>& list, double curve) : terms(list), b(curve), margin(1.0) {
-        const std::size_t degree = top_degree(list);
+    SharpTable(const std::vector<ZernikeTerm>& terms, double curve)
+        : list(terms), pairs(list.pairs.begin() + static_cast<std::ptrdiff_t>(list.curved), list.pairs.end()), b(curve) {
+        const std::size_t degree = std::max<std::size_t>(2, list.degree);
         harmonics = degree + 1;
-        for (std::size_t m = 0; m <= degree; ++m) {
-            for (std::size_t n = std::max<std::size_t>(m, 2); n <= degree; ++n) {
-                const Pair pair{find(n, static_cast<std::int32_t>(m)), m > 0 ? find(n, -static_cast<std::int32_t>(m)) : none, m};
-                if (pair.cosine != none || pair.sine != none) {
-                    pairs.push_back(pair);
-                }
-            }
-        }
         // A whole turn has 2 `across` samples of phi, 4 `turns` of theta; eta those of Chebyshev, of which half suffice:
         // the others, like the other half turns, are the same points or their opposites or conjugates.
         const std::size_t across = samples(degree), half = (samples(degree) + 1) / 2, turns = half;
         points = across * half;
         directions = turns + 1;
-        const long double pi = std::acos(-1.0L);
+        const wide pi = std::acos(wide(-1));
         values.resize(points * pairs.size() * 2);
         double* to = values.data();
         for (std::size_t p = 0; p < across; ++p) {
-            const std::complex<long double> angle(pi * static_cast<long double>(p) / static_cast<long double>(across), b);
+            const std::complex<wide> angle(pi * static_cast<wide>(p) / static_cast<wide>(across), b);
             for (std::size_t q = 0; q < half; ++q) {
                 look();
-                const long double eta =
-                    std::cos(pi * static_cast<long double>(2 * q + 1) / static_cast<long double>(4 * half));
-                const std::complex<long double> x = std::cos(angle), y = eta * std::sin(angle);
-                for (const Pair& pair : pairs) {
-                    const ZernikeTerm& term = terms[pair.cosine != none ? pair.cosine : pair.sine];
-                    const std::int32_t m = std::abs(term.m);
-                    *to++ = static_cast<double>(zernike_value(ZernikeTerm{term.n, m}, x, y).imag());
-                    *to++ = m == 0 ? 0.0 : static_cast<double>(zernike_value(ZernikeTerm{term.n, -m}, x, y).imag());
+                const wide eta = std::cos(pi * static_cast<wide>(2 * q + 1) / static_cast<wide>(4 * half));
+                const std::complex<wide> x = std::cos(angle), y = eta * std::sin(angle);
+                for (const TermPairs::Pair& pair : pairs) {
+                    const std::int32_t n = static_cast<std::int32_t>(pair.n), m = static_cast<std::int32_t>(pair.m);
+                    *to++ = static_cast<double>(zernike_value(ZernikeTerm{n, m}, x, y).imag());
+                    *to++ = m == 0 ? 0.0 : static_cast<double>(zernike_value(ZernikeTerm{n, -m}, x, y).imag());
                 }
             }
         }
         waves.resize(directions * harmonics * 2);
         for (std::size_t d = 0; d < directions; ++d) {
             for (std::size_t m = 0; m < harmonics; ++m) {
-                const long double angle = pi * static_cast<long double>(d * m) / static_cast<long double>(2 * turns);
+                const wide angle = pi * static_cast<wide>(d * m) / static_cast<wide>(2 * turns);
                 waves[2 * (d * harmonics + m)] = static_cast<double>(std::cos(angle));
                 waves[2 * (d * harmonics + m) + 1] = static_cast<double>(std::sin(angle));
             }
         }
         // Half a step from a sample, a polynomial of that degree has not fallen below this share of its largest value.
         const double d = static_cast<double>(degree), quarter = 0.5 * std::acos(-1.0) * d;
-        margin = (1.0 + 1e-9) / (std::cos(quarter / static_cast<double>(across)) *
-                                 std::cos(quarter / static_cast<double>(2 * half)) *
-                                 std::cos(quarter / static_cast<double>(2 * turns)));
+        margin = (1.0 + 1e-9) /
+                 (std::cos(quarter / static_cast<double>(across)) * std::cos(quarter / static_cast<double>(2 * half)) *
+                  std::cos(quarter / static_cast<double>(2 * turns)));
     }
 
-    static std::size_t top_degree(const std::vector<ZernikeTerm>& list) {
-        std::size_t degree = 2;
-        for (const ZernikeTerm& t : list) {
-            degree = std::max(degree, static_cast<std::size_t>(t.n));
-        }
-        return degree;
-    }
     static std::size_t samples(std::size_t degree) { return (7 * degree + 1) / 2; }
     // Vector operations for a vector of pupils.
-    static double work(const std::vector<ZernikeTerm>& list) {
-        const double degree = static_cast<double>(top_degree(list)), s = 3.5 * degree;
-        return 0.5 * s * s * (2.0 * static_cast<double>(list.size()) + 0.5 * s * (2.0 * degree + 11.0));
+    static double work(const TermPairs& list) {
+        const double degree = static_cast<double>(std::max<std::size_t>(2, list.degree)), s = 3.5 * degree;
+        return 0.5 * s * s * (2.0 * static_cast<double>(list.terms.size()) + 0.5 * s * (2.0 * degree + 11.0));
     }
-    bool is(const std::vector<ZernikeTerm>& list, double curve) const { return b == curve && terms == list; }
+    bool is(const std::vector<ZernikeTerm>& terms, double curve) const { return b == curve && list.terms == terms; }
     std::size_t bytes() const { return (values.size() + waves.size()) * sizeof(double); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
-
-   private:
-    std::size_t find(std::size_t n, std::int32_t m) const {
-        for (std::size_t j = 0; j < terms.size(); ++j) {
-            if (terms[j] == ZernikeTerm{static_cast<std::int32_t>(n), m}) {
-                return j;
-            }
-        }
-        return none;
-    }
 };
 
 // Bounds |Im Phi| on the curve of the table: coefficients[pair][cosine, sine], `room` for 2 * harmonics vectors.
@@ -148,9 +118,9 @@ LOMMEL_INLINE typename I::pack sharp_size(I, const SharpTable& table, const doub
 // Puts the coefficients of one pupil into a lane of those that sharp_size takes.
 inline void sharp_lane(const SharpTable& table, const double* given, std::size_t lane, std::size_t lanes, double* to) {
     for (std::size_t k = 0; k < table.pairs.size(); ++k) {
-        const SharpTable::Pair& pair = table.pairs[k];
-        to[2 * k * lanes + lane] = pair.cosine == SharpTable::none ? 0.0 : given[pair.cosine];
-        to[(2 * k + 1) * lanes + lane] = pair.sine == SharpTable::none ? 0.0 : given[pair.sine];
+        const TermPairs::Pair& pair = table.pairs[k];
+        to[2 * k * lanes + lane] = pair.cosine == TermPairs::none ? 0.0 : given[pair.cosine];
+        to[(2 * k + 1) * lanes + lane] = pair.sine == TermPairs::none ? 0.0 : given[pair.sine];
     }
 }
 

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/bounds/chords.hpp"
-#include "lommel/special/legendre.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/bounds/amplitude.hpp"
+#include "lommel/special/legendre.hpp"
+#include "lommel/special/radial_polynomials.hpp"
 
 namespace lommel {
 
@@ -28,48 +29,17 @@ LOMMEL_INLINE void for_tiles(std::size_t count, std::size_t most, const F& f) {
 
 constexpr std::size_t node_tile = 4, row_tile = 3, column_tile = 6;
 
-// R_n^|m|(rho) cos(m theta) or sin(|m| theta), as a polynomial in x and y: Jacobi's recurrence for alpha = 0,
-// beta = |m| (DLMF 18.9.1-2).
-template <class Number>
-Number zernike_value(const ZernikeTerm& term, Number x, Number y) {
-    using real = long double;
-    const std::int64_t a = std::abs(term.m);
-    const real order = static_cast<real>(a);
-    const Number z = real(2) * (x * x + y * y) - real(1);
-    Number before = real(0), here = real(1);
-    for (std::int64_t j = 0; j < (term.n - a) / 2; ++j) {
-        const real k = static_cast<real>(j), s = 2 * k + order;
-        if (j == 0) {
-            before = here;
-            here = ((order + 2) * z - order) / real(2);
-            continue;
-        }
-        const Number next = (((s + 1) * (s + 2) * s * z - (s + 1) * order * order) * here -
-                             2 * k * (k + order) * (s + 2) * before) /
-                            (2 * (k + 1) * (k + 1 + order) * s);
-        before = here;
-        here = next;
-    }
-    Number re = real(1), im = real(0);  // the parts of (x + i y)^|m|
-    for (std::int64_t j = 0; j < a; ++j) {
-        const Number next = re * x - im * y;
-        im = re * y + im * x;
-        re = next;
-    }
-    return here * (term.m < 0 ? im : re);
-}
-
 // Nodes x_i = cos(i pi / (N+1)), y = s_i eta_k with s_i = sqrt(1 - x_i^2), of the quadrant x, y > 0; N is even.
 struct ChordRule {
     std::size_t half;  // N / 2: chords with x > 0, and nodes with eta > 0
-    std::vector<long double> x, s, eta, gauss;
+    std::vector<wide> x, s, eta, gauss;
 
     explicit ChordRule(std::size_t chords) : half(chords / 2), x(half), s(half), eta(half), gauss(half) {
-        const long double pi = std::acos(-1.0L);
-        std::vector<long double> nodes(chords), weights(chords);
+        const wide pi = std::acos(wide(-1));
+        std::vector<wide> nodes(chords), weights(chords);
         gauss_legendre(chords, nodes.data(), weights.data());
         for (std::size_t i = 0; i < half; ++i) {
-            const long double angle = pi * static_cast<long double>(i + 1) / static_cast<long double>(chords + 1);
+            const wide angle = pi * static_cast<wide>(i + 1) / static_cast<wide>(chords + 1);
             x[i] = std::cos(angle);
             s[i] = std::sin(angle);
             eta[i] = nodes[half + i];
@@ -77,9 +47,7 @@ struct ChordRule {
         }
     }
     // Weights sum to 1 over the disk.
-    long double weight(std::size_t i, std::size_t k) const {
-        return s[i] * s[i] * gauss[k] / static_cast<long double>(2 * half + 1);
-    }
+    wide weight(std::size_t i, std::size_t k) const { return s[i] * s[i] * gauss[k] / static_cast<wide>(2 * half + 1); }
 };
 
 // Terms at the nodes of a quadrant, sorted into four classes: even or odd in x (second bit), in y (first bit).
@@ -111,15 +79,14 @@ struct TermTable {
                 double* tile = values.data() + (i * half + first) * list.size();
                 for (std::size_t j = 0; j < list.size(); ++j) {
                     for (std::size_t r = 0; r < size; ++r) {
-                        tile[j * size + r] = static_cast<double>(
-                            zernike_value(list[order[j]], rule.x[i], rule.s[i] * rule.eta[first + r]));
+                        tile[j * size + r] =
+                            static_cast<double>(zernike_value(list[order[j]], rule.x[i], rule.s[i] * rule.eta[first + r]));
                     }
                 }
             });
             for (std::size_t k = 0; k < half; ++k) {
-                const long double y = rule.s[i] * rule.eta[k];
-                weights[i * half + k] = static_cast<double>(
-                    rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
+                const wide y = rule.s[i] * rule.eta[k];
+                weights[i * half + k] = static_cast<double>(rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
             }
         }
     }
@@ -172,7 +139,7 @@ struct KernelTable {
             fill(rows.at, row_tile, rule.eta, rule.s[i], row_cos.data() + i * half * rows.at.size(),
                  row_sin.data() + i * half * rows.at.size());
         }
-        fill(columns.at, column_tile, rule.x, 1.0L, column_cos.data(), column_sin.data());
+        fill(columns.at, column_tile, rule.x, 1, column_cos.data(), column_sin.data());
     }
     bool is(std::size_t n, const WindowAxis& down, const WindowAxis& across, double pixel_step) const {
         return chords == n && step == pixel_step && rows == down && columns == across;
@@ -184,13 +151,13 @@ struct KernelTable {
     }
 
    private:
-    void fill(const std::vector<double>& at, std::size_t tile, const std::vector<long double>& nodes, long double factor,
-              double* cosines, double* sines) const {
+    void fill(const std::vector<double>& at, std::size_t tile, const std::vector<wide>& nodes, wide factor, double* cosines,
+              double* sines) const {
         for_tiles(at.size(), tile, [&](std::size_t first, std::size_t size) {
             look();
             for (std::size_t k = 0; k < half; ++k) {
                 for (std::size_t r = 0; r < size; ++r) {
-                    const long double angle = static_cast<long double>(at[first + r] * step) * factor * nodes[k];
+                    const wide angle = static_cast<wide>(at[first + r] * step) * factor * nodes[k];
                     const std::size_t place = first * half + k * size + r;
                     cosines[place] = static_cast<double>(std::cos(angle));
                     sines[place] = static_cast<double>(std::sin(angle));

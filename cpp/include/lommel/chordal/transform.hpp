@@ -12,14 +12,8 @@ namespace lommel {
 
 // sum += table[k][r] * data[k][c] for every vector c of `data`: R * C chains of multiply-adds.
 template <std::size_t R, std::size_t C, class I>
-LOMMEL_INLINE void multiply(I, const double* table, const double* data, std::size_t count,
-                            typename I::pack (&sum)[R][C]) {
+LOMMEL_INLINE void multiply(I, const double* table, const double* data, std::size_t count, typename I::pack (&sum)[R][C]) {
     using V = typename I::pack;
-    for (std::size_t r = 0; r < R; ++r) {
-        for (std::size_t c = 0; c < C; ++c) {
-            sum[r][c] = splat<V>(0.0);
-        }
-    }
     for (std::size_t k = 0; k < count; ++k, table += R, data += C * I::lanes) {
         V d[C];
         for (std::size_t c = 0; c < C; ++c) {
@@ -47,12 +41,24 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
             return f(first, Size<Most>{});
         }
         switch (size) {
-            case 1: return f(first, Size<1>{});
-            case 2: return f(first, Size<2>{});
-            case 3: if constexpr (Most > 3) return f(first, Size<3>{}); break;
-            case 4: if constexpr (Most > 4) return f(first, Size<4>{}); break;
-            case 5: if constexpr (Most > 5) return f(first, Size<5>{}); break;
-            default: break;
+            case 1:
+                return f(first, Size<1>{});
+            case 2:
+                return f(first, Size<2>{});
+            case 3:
+                if constexpr (Most > 3)
+                    return f(first, Size<3>{});
+                break;
+            case 4:
+                if constexpr (Most > 4)
+                    return f(first, Size<4>{});
+                break;
+            case 5:
+                if constexpr (Most > 5)
+                    return f(first, Size<5>{});
+                break;
+            default:
+                break;
         }
     });
 }
@@ -65,8 +71,7 @@ struct ChordalScratch {
 // The pupil function of a pair of chords at +-x: nodes[even, odd in y][node][even, odd in x][re, im], weighted. Bound
 // by the sines.
 template <class I>
-LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients,
-                                  double* nodes) {
+LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, double* nodes) {
     using V = typename I::pack;
     constexpr std::size_t lanes = I::lanes;
     const std::size_t half = table.half, terms = table.order.size();
@@ -74,7 +79,7 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
     for_fixed_tiles<node_tile>(half, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
         const double* values = table.values.data() + (chord * half + first) * terms;
-        V parts[4][R][1];
+        V parts[4][R][1] = {};
         for (std::size_t parity = 0, from = 0; parity < 4; from = table.ends[parity], ++parity) {
             multiply<R, 1>(isa, values + from * R, coefficients + from * lanes, table.ends[parity] - from, parts[parity]);
         }
@@ -119,7 +124,7 @@ LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTab
         for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;
             const std::size_t at = (i * rows + first) * half;
-            V a[R][4], b[R][4];
+            V a[R][4] = {}, b[R][4] = {};
             multiply<R, 4>(isa, kernel.row_cos.data() + at, nodes, half, a);
             multiply<R, 4>(isa, kernel.row_sin.data() + at, nodes + half * 4 * lanes, half, b);
             for (std::size_t r = 0; r < R; ++r) {
@@ -143,7 +148,7 @@ LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTab
         const double* from = chords + y * 2 * line;
         for_fixed_tiles<column_tile>(columns, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;
-            V a[R][2], b[R][2];
+            V a[R][2] = {}, b[R][2] = {};
             multiply<R, 2>(isa, kernel.column_cos.data() + first * half, from, half, a);
             multiply<R, 2>(isa, kernel.column_sin.data() + first * half, from + line, half, b);
             for (std::size_t r = 0; r < R; ++r) {

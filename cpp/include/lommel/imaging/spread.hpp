@@ -71,7 +71,8 @@ class Spreader {
     // that stay as they are: [height + 2 widest][width + 2 widest + beyond]. Of tiles no smaller than what a pixel writes to,
     // those of one parity do not meet: the threads write side by side, and every sum is in the same sequence however many.
     void forward(const T* image, T* out) const {
-        const std::size_t tall = std::max(least_rows, 2 * bank_.widest), broad = std::max(least_columns, 2 * bank_.widest + beyond);
+        const std::size_t tall = std::max(least_rows, 2 * bank_.widest),
+                          broad = std::max(least_columns, 2 * bank_.widest + beyond);
         const std::size_t down = (height_ + tall - 1) / tall, across = (width_ + broad - 1) / broad;
         for (std::size_t parity = 0; parity < 4; ++parity) {
             const std::size_t top = parity / 2, left = parity % 2;
@@ -220,9 +221,8 @@ class Spreader {
                 rows.at_rim();
             }
             rows.down(), below += wide, above -= wide;
-            rows.each([&](std::size_t i, V mixed) LOMMEL_INLINE_LAMBDA {
-                total = total + mixed * (load<V>(below + i) + load<V>(above + i));
-            });
+            rows.each([&](std::size_t i, V mixed)
+                          LOMMEL_INLINE_LAMBDA { total = total + mixed * (load<V>(below + i) + load<V>(above + i)); });
         }
         T sum = 0;
         for (std::size_t i = 0; i < Row::lanes; ++i) {

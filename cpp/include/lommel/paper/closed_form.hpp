@@ -9,7 +9,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/radial/field.hpp"
+#include "lommel/base/watch.hpp"
+#include "lommel/question.hpp"
 #include "lommel/special/fresnel.hpp"
 #include "lommel/special/legendre.hpp"
 
@@ -89,8 +90,8 @@ class ClosedFormField {
                 }
                 const bool last = piece + 1 == hankel_.coefficients.size();
                 // Rounding must not keep the same place from being left.
-                const double to = std::max(last ? high : std::min(high, hankel_.edges[piece + 1] / v),
-                                           std::nextafter(from, 2.0));
+                const double to =
+                    std::max(last ? high : std::min(high, hankel_.edges[piece + 1] / v), std::nextafter(from, 2.0));
                 sum += outer(v, i, piece, from, to);
                 from = to;
             }
@@ -101,30 +102,32 @@ class ClosedFormField {
    private:
     static constexpr std::size_t node_count = 12;
 
-    // Of at most six radians.
-    static std::size_t panels_for(double span) {
+    // Calls add(R, weight) for the nodes of a Gauss rule on panels of at most six radians each.
+    template <class Add>
+    void integrate(double low, double high, double span, const Add& add) const {
         if (!(span <= 4.0 * (max_phase + max_reach))) {
             throw PhaseTooLarge("phases and radii this large take more panels of quadrature than there may be");
         }
-        return static_cast<std::size_t>(span / 6.0) + 1;
-    }
-
-    // Within the transition, by Gauss quadrature of the power series: panels of at most six radians.
-    std::complex<double> inner(double v, std::size_t i, double low, double high) const {
-        const double a = phase_.alpha[i], b = phase_.beta[i];
-        const double span = (std::abs(a) * (low + high) + std::abs(b) + v) * (high - low);
-        const std::size_t panels = panels_for(span);
+        const std::size_t panels = static_cast<std::size_t>(span / 6.0) + 1;
         const double width = (high - low) / static_cast<double>(panels);
-        std::complex<double> sum = 0.0;
         Glance glance;
         for (std::size_t p = 0; p < panels; ++p) {
             glance(64 * node_count);
             const double middle = low + (static_cast<double>(p) + 0.5) * width;
             for (std::size_t k = 0; k < node_count; ++k) {
-                const double r = middle + 0.5 * width * nodes_[k], angle = (a * r + b) * r + phase_.gamma[i];
-                sum += 0.5 * width * weights_[k] * r * power_series(v * r) * std::complex<double>(std::cos(angle), std::sin(angle));
+                add(middle + 0.5 * width * nodes_[k], 0.5 * width * weights_[k]);
             }
         }
+    }
+
+    // Within the transition, by Gauss quadrature of the power series.
+    std::complex<double> inner(double v, std::size_t i, double low, double high) const {
+        const double a = phase_.alpha[i], b = phase_.beta[i];
+        std::complex<double> sum = 0.0;
+        integrate(low, high, (std::abs(a) * (low + high) + std::abs(b) + v) * (high - low), [&](double r, double weight) {
+            const double angle = (a * r + b) * r + phase_.gamma[i];
+            sum += weight * r * power_series(v * r) * std::complex<double>(std::cos(angle), std::sin(angle));
+        });
         return sum;
     }
 
@@ -172,7 +175,14 @@ class ClosedFormField {
         const double h = high - low;
         const double span = (a * (low + high) + std::abs(b)) * h;
         if (span < 6.0 || a * h * h < 1e-3) {
-            return quadrature(a, b, low, high, span, moments);
+            moments[0] = moments[1] = moments[2] = 0.0;
+            return integrate(low, high, span, [&](double r, double weight) {
+                const double angle = (a * r + b) * r;
+                const std::complex<double> wave = weight * std::complex<double>(std::cos(angle), std::sin(angle));
+                moments[0] += wave;
+                moments[1] += r * wave;
+                moments[2] += r * r * wave;
+            });
         }
         const double root = std::sqrt(a), shift = b / (2.0 * a);
         const double s[2] = {root * (low + shift), root * (high + shift)};
@@ -196,32 +206,14 @@ class ClosedFormField {
         moments[2] = by * (high * end[1] - low * end[0] - zeroth) - shift * moments[1];
     }
 
-    void quadrature(double a, double b, double low, double high, double span, std::complex<double>* moments) const {
-        const std::size_t panels = panels_for(span);
-        const double width = (high - low) / static_cast<double>(panels);
-        moments[0] = moments[1] = moments[2] = 0.0;
-        Glance glance;
-        for (std::size_t p = 0; p < panels; ++p) {
-            glance(64 * node_count);
-            const double middle = low + (static_cast<double>(p) + 0.5) * width;
-            for (std::size_t k = 0; k < node_count; ++k) {
-                const double r = middle + 0.5 * width * nodes_[k], angle = (a * r + b) * r;
-                const std::complex<double> wave = 0.5 * width * weights_[k] * std::complex<double>(std::cos(angle), std::sin(angle));
-                moments[0] += wave;
-                moments[1] += r * wave;
-                moments[2] += r * r * wave;
-            }
-        }
-    }
-
     PhasePieces phase_;
     const HankelPieces& hankel_;
     std::vector<double> nodes_, weights_;
 };
 
 // |U|^2 at v from 16 Chebyshev coefficients of U on each piece of the v axis, by Clenshaw's recurrence.
-inline void chebyshev_intensity(const std::complex<double>* pieces, std::size_t count, double width, const double* v, std::size_t n,
-                               double* intensity) {
+inline void chebyshev_intensity(const std::complex<double>* pieces, std::size_t count, double width, const double* v,
+                                std::size_t n, double* intensity) {
     constexpr std::size_t terms = 16;
     const double last = static_cast<double>(count - 1);
     Glance glance;

@@ -14,9 +14,9 @@ namespace lommel {
 // belongs to the amplitude a. One factor d / rho is the spherical wave, the other the obliquity
 // (Rayleigh-Sommerfeld, first kind). rho - rho_0 is taken from the difference of squares, which keeps all
 // digits where k rho itself is 10^5 to 10^7 radians. Bound by one sine and cosine per source and point.
-inline void huygens_sum(const double* x, const double* y, const std::complex<double>* amplitude,
-                        std::size_t sources, const double* sx, const double* sy, std::size_t points,
-                        double distance, double wavenumber, std::complex<double>* out) {
+inline void huygens_sum(const double* x, const double* y, const std::complex<double>* amplitude, std::size_t sources,
+                        const double* sx, const double* sy, std::size_t points, double distance, double wavenumber,
+                        std::complex<double>* out) {
     const double d2 = distance * distance;
     Glance glance;
     for (std::size_t p = 0; p < points; ++p) {

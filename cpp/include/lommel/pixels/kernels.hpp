@@ -41,9 +41,8 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
                 above[u] = above[u] * (twice[u] - b);
             }
         };
-        const auto add = [&](std::size_t n, V value) LOMMEL_INLINE_LAMBDA {
-            store(sums + n * lanes, load<V>(sums + n * lanes) + value);
-        };
+        const auto add = [&](std::size_t n, V value)
+                             LOMMEL_INLINE_LAMBDA { store(sums + n * lanes, load<V>(sums + n * lanes) + value); };
         for (std::size_t n = 0; n < half; ++n) {
             const std::size_t other = count - 1 - n;
             for (std::size_t u = 0; u < 2; ++u) {
@@ -65,11 +64,7 @@ LOMMEL_INLINE void lagrange_row(I, const double* z, const double* share, std::si
         }
     }
     for (std::size_t n = 0; n < count; ++n) {
-        double sum = 0.0;
-        for (std::size_t l = 0; l < lanes; ++l) {
-            sum += sums[n * lanes + l];
-        }
-        row[n] = scale[n] * sum;
+        row[n] = scale[n] * lane_sum(load<V>(sums + n * lanes));
     }
 }
 
@@ -82,14 +77,7 @@ LOMMEL_INLINE void weighted_sums(I, const double* weights, std::size_t nodes, co
     constexpr std::size_t packs = Together == 1 && 4 * I::lanes <= block_outputs ? 4 : 2;
     constexpr std::size_t chains = Together == 1 ? 2 : 1;  // of sums, for multiply-adds to overlap
     for (std::size_t j = 0; j < block_outputs; j += packs * I::lanes) {
-        V sum[Together][chains][packs];
-        for (auto& pupil : sum) {
-            for (auto& chain : pupil) {
-                for (V& pack : chain) {
-                    pack = splat<V>(0.0);
-                }
-            }
-        }
+        V sum[Together][chains][packs] = {};
         const auto add = [&](std::size_t chain, std::size_t n) LOMMEL_INLINE_LAMBDA {
             V row[packs];
             for (std::size_t k = 0; k < packs; ++k) {
@@ -132,22 +120,17 @@ LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* 
         const V c = load<V>(coefficients + k);
         sum = sum + larger(c, splat<V>(0.0) - c) * load<V>(penalty + k);
     }
-    double total = 0.0;
-    for (std::size_t l = 0; l < I::lanes; ++l) {
-        total += sum[l];
-    }
-    return total;
+    return lane_sum(sum);
 }
 
 // Clenshaw's recurrence along the radius for `Orders` harmonics of two vectors of pixels.
 template <std::size_t Orders, class V>
 LOMMEL_INLINE void along_radius(const double* coefficients, const V (&x)[2], V (&out)[Orders][2]) {
-    V now[Orders][2], before[Orders][2];
+    V now[Orders][2], before[Orders][2] = {};
     const V twice[2] = {x[0] + x[0], x[1] + x[1]};
     for (std::size_t j = 0; j < Orders; ++j) {
         for (std::size_t u = 0; u < 2; ++u) {
             now[j][u] = splat<V>(coefficients[j * radial_degree + radial_degree - 1]);
-            before[j][u] = splat<V>(0.0);
         }
     }
     for (std::size_t k = radial_degree - 2; k > 0; --k) {
@@ -171,8 +154,8 @@ LOMMEL_INLINE void along_radius(const double* coefficients, const V (&x)[2], V (
 // Values of `count` pixels of a ring from coefficients [harmonic][radial_degree]: x from -1 to 1 across the ring, the
 // cosine of four times the angle. Bound by arithmetic.
 template <class I>
-LOMMEL_INLINE void sum_harmonics(I, const double* coefficients, std::size_t harmonics, const double* x,
-                                 const double* cosine, std::size_t count, double* out) {
+LOMMEL_INLINE void sum_harmonics(I, const double* coefficients, std::size_t harmonics, const double* x, const double* cosine,
+                                 std::size_t count, double* out) {
     using V = typename I::pack;
     for (std::size_t i = 0; i < count; i += 2 * I::lanes) {
         const V at[2] = {load<V>(x + i), load<V>(x + i + I::lanes)};

@@ -1,6 +1,7 @@
-// From a radial profile to a pixel grid.
+// From a radial profile to a pixel grid, and from intensities to values that are stored.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -37,6 +38,29 @@ inline std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t co
         }
     }
     return squares;
+}
+
+// The largest of values >= 0, in eight chains that compilers vectorise.
+LOMMEL_INLINE double largest(const double* values, std::size_t count) {
+    double top[8] = {};
+    std::size_t i = 0;
+    for (; i + 8 <= count; i += 8) {
+        for (std::size_t j = 0; j < 8; ++j) {
+            top[j] = values[i + j] > top[j] ? values[i + j] : top[j];
+        }
+    }
+    for (; i < count; ++i) {
+        top[0] = values[i] > top[0] ? values[i] : top[0];
+    }
+    return *std::max_element(top, top + 8);
+}
+
+// Values times a scale, as the answer stores them; they may be replaced.
+template <class From, class T>
+LOMMEL_INLINE void store_scaled(const From* values, double scale, std::size_t count, T* out) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = static_cast<T>(scale * static_cast<double>(values[i]));
+    }
 }
 
 // Rows [first, last) of the quadrant, and their mirror images, of one image of height x width from the values at the

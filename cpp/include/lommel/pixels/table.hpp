@@ -13,56 +13,27 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
-#include "lommel/pixels/layout.hpp"
-#include "lommel/special/legendre.hpp"
 #include "lommel/base/parallel.hpp"
-#include "lommel/special/bessel_table.hpp"
-#include "lommel/bounds/pixels.hpp"
-#include "lommel/pixels/kernels.hpp"
-#include "lommel/pixels/window.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/bounds/pixels.hpp"
+#include "lommel/bounds/settle.hpp"
+#include "lommel/pixels/kernels.hpp"
+#include "lommel/pixels/layout.hpp"
+#include "lommel/pixels/nodes.hpp"
+#include "lommel/pixels/window.hpp"
 
 namespace lommel {
 
-// Chebyshev points for I at all distances within `slack` of [least, most]. Near the axis I is taken as a polynomial in the
-// square of the distance, which is to interpolate it as an even function on both sides.
-struct RingNodes {
-    double low, high;
-    bool even;
-    std::size_t count;
-    double error;
-
-    RingNodes(double least, double most, double slack, double allowed) : low(least - slack), high(most + slack) {
-        even = low < 0.25 * high;
-        low = even ? 0.0 : low;
-        const double half = even ? high : 0.5 * (high - low);
-        const std::size_t share = even ? 2 : 1;
-        const auto off = [&](std::size_t n) { return interpolation_error(half, share * n); };
-        count = fewest(static_cast<std::size_t>(2.0 * half) / share + 1, allowed, off);
-        error = off(count);
-    }
-
-    double point(std::size_t i) const { return chebyshev_point(count - 1 - i, count); }
-    double radius(std::size_t i) const {
-        return even ? high * std::sqrt(0.5 * (1.0 + point(i))) : 0.5 * (low + high + (high - low) * point(i));
-    }
-    // Where distances, given by their squares, lie between -1 and 1.
-    LOMMEL_INLINE void squeeze(double* squares, std::size_t length) const {
-        if (even) {
-            const double slope = high > 0.0 ? 2.0 / (high * high) : 0.0;
-            for (std::size_t i = 0; i < length; ++i) {
-                squares[i] = slope * squares[i] - 1.0;
-            }
-        } else {
-            const double slope = high > low ? 2.0 / (high - low) : 0.0, middle = 0.5 * (low + high);
-            for (std::size_t i = 0; i < length; ++i) {
-                squares[i] = slope * (std::sqrt(squares[i]) - middle);
-            }
-        }
-    }
-};
-
 struct PixelTable : Radii {  // where I is wanted, in v
+    // Shares of the error that is asked of a table.
+    struct Budget {
+        static constexpr double gauss = 0.1;      // the rule over a pixel
+        static constexpr double harmonics = 0.2;  // interpolation along the angle,
+        static constexpr double rings = 0.3;      // and across a ring,
+        static constexpr double nodes = 0.2;      // of I between the radii of a ring, magnified by these two
+        static constexpr double window = 0.5;     // of I between the radii where one ring does for the window
+        static_assert(gauss + harmonics + rings + nodes <= 1.0 && gauss + window <= 1.0);
+    };
     static constexpr std::size_t most_nodes = 900;  // of a ring: the products of Lagrange's polynomials stay in range
     static constexpr std::size_t most_weights = std::size_t{1} << 27;
 
@@ -92,41 +63,41 @@ struct PixelTable : Radii {  // where I is wanted, in v
         const auto ends = std::minmax_element(groups.v.begin(), groups.v.end());
         const double least = *ends.first, most = *ends.second, slack = w.side() * 0.70710678118654752;
         const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
-        gauss = fewest(1, 0.1 * allowed, [&](std::size_t q) { return gauss_error(w.side(), q); });
-        harmonics = fewest(1, 0.2 * allowed, [&](std::size_t j) { return harmonics_error(w.side(), j); });
+        gauss = fewest(1, [&](std::size_t q) { return gauss_error(w.side(), q) <= Budget::gauss * allowed; });
+        harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(w.side(), j) <= Budget::harmonics * allowed; });
         const double by_angle = lebesgue(harmonics);
         double half = 6.0;
-        while (by_angle * interpolation_error(half, radial_degree) > 0.3 * allowed) {
+        while (by_angle * interpolation_error(half, radial_degree) > Budget::rings * allowed) {
             half *= 0.98;
         }
 
-        // Multiply-adds of one image, and a share of those of the table: rings so narrow that `radial_degree` coefficients
-        // do, the window as one ring, or I at the pixels.
-        const double within = 0.2 * allowed / (by_angle * lebesgue(radial_degree));
+        // Multiply-adds of one image, and a share of those of the table, counted, not measured: rings so narrow that
+        // `radial_degree` coefficients do, the window as one ring, or I at the pixels.
+        const double within = Budget::nodes * allowed / (by_angle * lebesgue(radial_degree));
         const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
-        const RingNodes whole(least, most, slack, 0.5 * allowed);
+        const RingNodes whole(least, most, slack, Budget::window * allowed);
         const double ring_count = std::ceil((most - least) / (2.0 * half)) + 1.0;
         const double coefficients = static_cast<double>(radial_degree * harmonics), of_ring = values / ring_count;
         const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
-        const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
-                                (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
+        const double by_rings =
+            ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
+            (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
         const double by_one = static_cast<double>(whole.count) * (64.0 + values * sum);
         if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {
             at_pixels();
             return;
         }
         const bool one = by_one <= by_rings && whole.count <= most_nodes;
-        make_rings(least, one ? 0.5 * (most - least) : half, slack, one, one ? 0.5 * allowed : within);
+        make_rings(least, one ? 0.5 * (most - least) : half, slack, one, one ? Budget::window * allowed : within);
         const std::size_t entries = rings.back().first_weight + rings.back().nodes.count * rings.back().outputs;
         const std::size_t nodes = std::max(narrow.count, rings.front().nodes.count);
         if (entries > most_weights || nodes > most_nodes) {
-            throw std::invalid_argument("averages over pixels of " + std::to_string(w.step / 3.14159265358979324) +
-                                        " lambda*N take " +
-                                        (nodes > most_nodes ? std::to_string(nodes) + " radii a pixel, more than the limit of " +
-                                                                  std::to_string(most_nodes)
-                                                            : std::to_string(entries) + " weights, more than the limit of " +
-                                                                  std::to_string(most_weights)) +
-                                        "; take smaller pixels, and average blocks of them");
+            throw std::invalid_argument(
+                "averages over pixels of " + std::to_string(w.step / 3.14159265358979324) + " lambda*N take " +
+                (nodes > most_nodes
+                     ? std::to_string(nodes) + " radii a pixel, more than the limit of " + std::to_string(most_nodes)
+                     : std::to_string(entries) + " weights, more than the limit of " + std::to_string(most_weights)) +
+                "; take smaller pixels, and average blocks of them");
         }
         weights.resize(entries);
         const Square square(w.side(), gauss);
@@ -154,8 +125,8 @@ struct PixelTable : Radii {  // where I is wanted, in v
     // Values of `Together` windows from I at the radii, for rings [first, last); raises `penalties` to what evaluating
     // the harmonics may be off by, in units of roundoff.
     template <std::size_t Together, class I>
-    LOMMEL_INLINE void apply(I isa, std::size_t first, std::size_t last, const double* const* intensity,
-                             double* const* out, double* penalties, Doubles& scratch) const {
+    LOMMEL_INLINE void apply(I isa, std::size_t first, std::size_t last, const double* const* intensity, double* const* out,
+                             double* penalties, Doubles& scratch) const {
         for (std::size_t r = first; r < last; ++r) {
             const Ring& ring = rings[r];
             const std::size_t nodes = ring.nodes.count, room = ring.direct ? 0 : ring.outputs;
@@ -180,37 +151,15 @@ struct PixelTable : Radii {  // where I is wanted, in v
     }
 
    private:
-    // Gauss's nodes in a square, and their weights, which sum to 1; padded to vectors.
-    struct Square {
-        std::size_t padded;
-        Doubles across, down, share;
-
-        Square(double side, std::size_t q) : padded((q * q + position_step - 1) / position_step * position_step), across(padded), down(padded), share(padded) {
-            std::vector<double> nodes(q), weight(q);
-            gauss_legendre(q, nodes.data(), weight.data());
-            for (std::size_t i = 0; i < q * q; ++i) {
-                down[i] = 0.5 * side * nodes[i / q];
-                across[i] = 0.5 * side * nodes[i % q];
-                share[i] = 0.25 * weight[i / q] * weight[i % q];
-            }
-        }
-    };
-
-    static std::vector<std::int32_t> order_of(const std::vector<double>& v) {
-        std::vector<std::int32_t> order(v.size());
-        std::iota(order.begin(), order.end(), 0);
-        std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t k) {
-            return v[static_cast<std::size_t>(i)] < v[static_cast<std::size_t>(k)];
-        });
-        return order;
-    }
-
     // Takes `v` for the radii; returns the place of each among them.
     std::vector<std::int32_t> sort_radii(const std::vector<double>& v) {
+        std::vector<std::size_t> order(v.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t k) { return v[i] < v[k]; });
         std::vector<std::int32_t> place(v.size());
-        for (const std::int32_t i : order_of(v)) {
-            place[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(radii.size());
-            radii.push_back(v[static_cast<std::size_t>(i)]);
+        for (const std::size_t i : order) {
+            place[i] = static_cast<std::int32_t>(radii.size());
+            radii.push_back(v[i]);
         }
         count = v.size();
         radii.resize(count + widest_step, radii.back());
@@ -289,8 +238,7 @@ struct PixelTable : Radii {  // where I is wanted, in v
     }
 
     template <class I>
-    LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Square& square, const Doubles& radial,
-                             const Doubles& angular) {
+    LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Square& square, const Doubles& radial, const Doubles& angular) {
         const std::size_t count_here = ring.nodes.count;
         Doubles points(count_here), scale(count_here), scratch;
         for (std::size_t i = 0; i < count_here; ++i) {
@@ -331,8 +279,8 @@ struct PixelTable : Radii {  // where I is wanted, in v
         for (std::size_t k = 0; k < points; ++k) {
             for (std::size_t i = 0; i < points; ++i) {
                 const double angle = 3.14159265358979323846 * static_cast<double>(k) * (static_cast<double>(i) + 0.5);
-                matrix[k * points + i] = (k == 0 ? 1.0 : 2.0) / static_cast<double>(points) *
-                                         std::cos(angle / static_cast<double>(points));
+                matrix[k * points + i] =
+                    (k == 0 ? 1.0 : 2.0) / static_cast<double>(points) * std::cos(angle / static_cast<double>(points));
             }
         }
         return matrix;

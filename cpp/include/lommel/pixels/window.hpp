@@ -19,8 +19,8 @@ struct PixelWindow {
     bool integrate;                   // average over the pixels, or sample their centres
 
     bool operator==(const PixelWindow& o) const {
-        return height == o.height && width == o.width && center_y == o.center_y && center_x == o.center_x &&
-               step == o.step && integrate == o.integrate;
+        return height == o.height && width == o.width && center_y == o.center_y && center_x == o.center_x && step == o.step &&
+               integrate == o.integrate;
     }
     double side() const { return integrate ? step : 0.0; }
 };
@@ -38,8 +38,8 @@ struct Fold {
         std::sort(distances.begin(), distances.end());
         distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
         for (std::size_t i = 0; i < count; ++i) {
-            rank[i] = static_cast<std::int32_t>(std::lower_bound(distances.begin(), distances.end(), away(i)) -
-                                                distances.begin());
+            rank[i] =
+                static_cast<std::int32_t>(std::lower_bound(distances.begin(), distances.end(), away(i)) - distances.begin());
         }
     }
 };

@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "lommel/radial/field.hpp"
 #include "lommel/base/parallel.hpp"
-#include "lommel/pixels/table.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/pixels/table.hpp"
+#include "lommel/question.hpp"
 
 namespace lommel {
 

@@ -7,10 +7,12 @@
 #include <memory>
 #include <vector>
 
-#include "lommel/special/bessel.hpp"
 #include "lommel/base/cache.hpp"
-#include "lommel/pixels/layout.hpp"
+#include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/pixels/layout.hpp"
+#include "lommel/radial/disk.hpp"
+#include "lommel/special/bessel.hpp"
 
 namespace lommel {
 
@@ -21,8 +23,7 @@ struct RadiusTable {
     Doubles rows;  // [n][radius], rows padded to two of the widest vectors
 
     RadiusTable(const std::shared_ptr<const Radii>& l, double pixel_step, std::size_t n)
-        : layout(l), step(pixel_step), terms(n), stride((l->count + 15) / 16 * 16),
-          rows(terms * stride) {
+        : layout(l), step(pixel_step), terms(n), stride((l->count + 15) / 16 * 16), rows(terms * stride) {
         std::vector<double> values(terms), scratch;
         for (std::size_t i = 0; i < l->count; ++i) {
             look();
@@ -40,8 +41,7 @@ struct RadiusTable {
 
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
     // With terms rounded up, so that a little more defocus does not mean a new table.
-    static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Radii>& layout, double step,
-                                                  std::size_t terms) {
+    static std::shared_ptr<const RadiusTable> get(const std::shared_ptr<const Radii>& layout, double step, std::size_t terms) {
         return cache<RadiusTable>.get(layout, step, (terms + 7) / 8 * 8);
     }
 };
@@ -55,12 +55,7 @@ LOMMEL_INLINE void block_intensities(I, const RadiusTable& table, std::size_t te
                                      const double* beta_im, std::size_t beta_stride, double* out) {
     using V = typename I::pack;
     for (std::size_t i = 0; i < table.stride; i += 2 * I::lanes) {
-        V re[block_pupils][2], im[block_pupils][2];
-        for (std::size_t p = 0; p < block_pupils; ++p) {
-            for (std::size_t j = 0; j < 2; ++j) {
-                re[p][j] = im[p][j] = splat<V>(0.0);
-            }
-        }
+        V re[block_pupils][2] = {}, im[block_pupils][2] = {};
         const double* row = table.rows.data() + i;
         for (std::size_t n = 0; n < terms; ++n, row += table.stride) {
             const V t[2] = {load<V>(row), load<V>(row + I::lanes)};
@@ -79,5 +74,67 @@ LOMMEL_INLINE void block_intensities(I, const RadiusTable& table, std::size_t te
         }
     }
 }
+
+// A stack without obscuration, by one such table for all pupils.
+class Batch {
+   public:
+    static constexpr std::size_t group = 32;  // pupils a task
+
+    static bool fits(const Stack& stack) { return stack.count >= 4 && stack.terms <= 4 && stack.obscuration == 0.0; }
+
+    // Whether that takes fewer multiply-adds than pupils one by one: a pupil by pieces, and by the table at the exact radii,
+    // whose making is shared by the stack. Counted from the
+    // loops, not measured.
+    static bool pays(const Stack& stack, const Phase& worst, const Radii& at, double step) {
+        const double reach = at.reach() * step, radii = static_cast<double>(at.count);
+        const double terms = std::min(worst.size() + 12.0, 0.5 * reach + 12.0);
+        const double pieces = 32.0 * (terms * (reach / 8.0 + 1.0) + radii) + 4000.0;
+        const double table = 2.0 * terms * radii + 4.0 * radii * (reach + terms + 60.0) / static_cast<double>(stack.count);
+        // Far corners of a stack might be refused where no pupil is.
+        return table < pieces && terms * radii < 4e6 && worst.size() < 1e3;
+    }
+
+    Batch(const Stack& stack, const Box& box, const std::shared_ptr<const Radii>& radii, double step, double error)
+        : stack_(stack), plan_(Ellipses(box.least, box.most, stack.amplitude), radii->reach() * step, error),
+          table_(RadiusTable::get(radii, step, plan_.terms)),
+          rounding_(series_rounding(plan_.terms) + radius_rounding(radii->reach() * step)) {}
+
+    // Bound on the error of U of one pupil.
+    double error(std::size_t pupil) const { return plan_.error(stack_[pupil]) + rounding_; }
+
+    // Hands I at the radii to take(first, count, values, stride) for each group of pupils.
+    template <class Take>
+    void run(int threads, const Take& take) const {
+        const std::size_t room = plan_.room(), stride = table_->stride;
+        parallel_for((stack_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
+            thread_local SeriesScratch scratch;
+            thread_local Doubles re, im, values;
+            // A group at a time through each stage, so that one table at a time fills the first cache.
+            const std::size_t first = task * group, here = std::min(group, stack_.count - first);
+            constexpr std::size_t rounded = (group + block_pupils - 1) / block_pupils * block_pupils;
+            re.resize(rounded * room);
+            im.resize(rounded * room);
+            values.resize(rounded * stride);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t p = 0; p < here; ++p) {
+                    const Phase phase = stack_[first + p];
+                    legendre_coefficients(isa, *plan_.rule, phase.coefficients, phase.terms, *phase.amplitude, 0, plan_.terms,
+                                          re.data() + p * room, im.data() + p * room, scratch);
+                }
+                for (std::size_t p = 0; p < here; p += block_pupils) {
+                    block_intensities(isa, *table_, plan_.terms, re.data() + p * room, im.data() + p * room, room,
+                                      values.data() + p * stride);
+                }
+            });
+            take(first, here, values.data(), stride);
+        });
+    }
+
+   private:
+    const Stack& stack_;
+    Expansion plan_;
+    std::shared_ptr<const RadiusTable> table_;
+    double rounding_;
+};
 
 }  // namespace lommel

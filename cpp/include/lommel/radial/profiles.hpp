@@ -6,8 +6,8 @@
 #include <complex>
 #include <cstddef>
 
-#include "lommel/radial/field.hpp"
-#include "lommel/radial/images.hpp"
+#include "lommel/radial/intensity.hpp"
+#include "lommel/radial/stack.hpp"
 
 namespace lommel {
 
@@ -16,16 +16,6 @@ inline Doubles padded(const double* v, std::size_t count) {
     Doubles radii(v, v + count);
     radii.resize(count + widest_step, count > 0 ? v[count - 1] : 0.0);
     return radii;
-}
-
-// Calls f(first, last) for parts of 0 .. count - 1 whose values stay in the first cache, looking in between.
-template <class F>
-void in_parts(std::size_t count, const F& f) {
-    constexpr std::size_t part = 4096;
-    for (std::size_t first = 0; first < count; first += part) {
-        look();
-        f(first, std::min(count, first + part));
-    }
 }
 
 // U at rising v, out[pupil * count + i], of the phase that is 0 in the middle of the pupil, with an error that serves an intensity
@@ -37,17 +27,18 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
     Field field;
     for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
         const Phase phase = stack[pupil];
-        bounds[pupil] = field.prepare(phase, 0, stack.obscuration, {radii.data(), count, 1.0},
-                                      first_error(phase, stack.obscuration, tol));
-        in_parts(count, [&](std::size_t first, std::size_t last) {
+        bounds[pupil] =
+            field.prepare(phase, 0, stack.obscuration, {radii.data(), count, 1.0}, first_error(phase, stack.obscuration, tol));
+        for (std::size_t first = 0; first < count; first += chunk_radii) {
+            look();
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                field.evaluate(isa, radii.data(), first, last, 1.0,
+                field.evaluate(isa, radii.data(), first, std::min(count, first + chunk_radii), 1.0,
                                [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
                                    store(re.data() + first + i, a);
                                    store(im.data() + first + i, b);
                                });
             });
-        });
+        }
         // There the terms are -1, 1, -1, ...
         double middle = 0.0;
         for (std::size_t k = 0; k < phase.terms; ++k) {
@@ -66,28 +57,19 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
 inline void profiles(const Stack& stack, const double* v, std::size_t count, double tol, double* out, double* bounds,
                      double* peaks) {
     const Doubles radii = padded(v, count);
-    Doubles values(count + widest_step);
+    const Places places(radii.data(), count, 1.0);
     Field field;
     for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
-        const auto evaluate = [&] {
-            in_parts(count, [&](std::size_t first, std::size_t last) {
-                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                    field.evaluate(isa, radii.data(), first, last, 1.0,
-                                   [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
-                                       store(values.data() + first + i, a * a + b * b);
-                                   });
-                });
-            });
-            return largest(values.data(), count);
-        };
+        const auto take = [&](std::size_t first, std::size_t here, const double* values)
+                              LOMMEL_INLINE_LAMBDA { std::copy_n(values, here, out + pupil * count + first); };
         try {
-            const Settled s = settle(field, stack[pupil], stack.obscuration, {radii.data(), count, 1.0}, tol, false, evaluate);
+            const Settled s = settle_field<double>(field, stack[pupil], stack.obscuration, places, tol, false,
+                                                   [&] { return intensities(field, places, 1, take); });
             bounds[pupil] = s.relative;
             peaks[pupil] = s.peak;
         } catch (const ToleranceNotMet& failure) {
             bounds[pupil] = -failure.bound;
         }
-        std::copy_n(values.data(), count, out + pupil * count);
     }
 }
 

@@ -47,7 +47,9 @@ struct LegendreRule {
         }
     }
 
-    bool is(std::size_t nodes, std::size_t terms) const { return 2 * half == nodes && blocks == (terms + 2 * row_lanes - 1) / (2 * row_lanes); }
+    bool is(std::size_t nodes, std::size_t terms) const {
+        return 2 * half == nodes && blocks == (terms + 2 * row_lanes - 1) / (2 * row_lanes);
+    }
     std::size_t bytes() const { return sizeof(double) * (even.size() + odd.size() + polynomials.size() + 2 * half); }
 
     static constexpr std::size_t most_bytes = std::size_t{32} << 20;
@@ -113,12 +115,7 @@ LOMMEL_INLINE void legendre_coefficients(I isa, const LegendreRule& rule, const 
             const double* even = &rule.even[b * half * row_lanes + lane];
             const double* odd = &rule.odd[b * half * row_lanes + lane];
             // Two nodes at a time: eight chains of multiply-adds hide the latency of one.
-            V sums[2][4];
-            for (auto& chains : sums) {
-                for (V& chain : chains) {
-                    chain = splat<V>(0.0);
-                }
-            }
+            V sums[2][4] = {};
             for (std::size_t q = 0; q < half; q += 2) {
                 for (std::size_t j = 0; j < 2; ++j) {
                     const V e = load<V>(even + (q + j) * row_lanes), o = load<V>(odd + (q + j) * row_lanes);

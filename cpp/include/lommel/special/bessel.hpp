@@ -95,8 +95,7 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
 // 2 (-1)^k J_{2k+1+parity}(v) / v for k = 0 .. terms-1: the transforms of the radial Zernike polynomials of degrees
 // 2k + parity, of any azimuthal order; for parity 0, of the Legendre polynomials P_k(2t - 1).
 // `scratch` is reused from call to call.
-inline void zernike_transforms(std::size_t parity, double v, std::size_t terms, double* out,
-                               std::vector<double>& scratch) {
+inline void zernike_transforms(std::size_t parity, double v, std::size_t terms, double* out, std::vector<double>& scratch) {
     if (v < 1e-150) {
         std::fill(out, out + terms, 0.0);
         if (terms > 0 && parity == 0) {

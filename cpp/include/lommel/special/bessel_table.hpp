@@ -8,13 +8,13 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "lommel/special/bessel.hpp"
 #include "lommel/base/cache.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/base/wide.hpp"
 
 namespace lommel {
 
@@ -60,29 +60,42 @@ inline double chebyshev_point(std::size_t j, std::size_t count) {
     return std::cos(3.14159265358979323846 * (static_cast<double>(j) + 0.5) / static_cast<double>(count));
 }
 
-// From values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ...: [power][point].
-template <std::size_t Count>
-struct ChebyshevToMonomials : std::array<std::array<long double, Count>, Count> {
-    ChebyshevToMonomials() : std::array<std::array<long double, Count>, Count>{} {
-        // Monomial coefficients of T_0, T_1, ...
-        std::array<std::array<long double, Count>, Count> t{};
-        t[0][0] = 1;
-        t[1][1] = 1;
+// From values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ... By way of those of T_0, T_1, ..., whose errors
+// the integers of the second step leave as they are; one matrix for both would lose five digits in double.
+template <std::size_t Count, class Real = wide>
+class ChebyshevToMonomials {
+   public:
+    ChebyshevToMonomials() {
+        monomials_[0][0] = monomials_[1][1] = 1;
         for (std::size_t i = 2; i < Count; ++i) {
             for (std::size_t k = 0; k < Count; ++k) {
-                t[i][k] = (k > 0 ? 2 * t[i - 1][k - 1] : 0) - t[i - 2][k];
+                monomials_[i][k] = (k > 0 ? 2 * monomials_[i - 1][k - 1] : 0) - monomials_[i - 2][k];
             }
         }
-        const long double pi = std::acos(-1.0L);
-        for (std::size_t j = 0; j < Count; ++j) {
-            for (std::size_t i = 0; i < Count; ++i) {
-                const long double c = (i == 0 ? 1.0L : 2.0L) / Count * std::cos(pi * i * (j + 0.5L) / Count);
-                for (std::size_t k = 0; k < Count; ++k) {
-                    (*this)[k][j] += c * t[i][k];
-                }
+        const Real unit = std::acos(Real(-1)) / (2 * Count);
+        for (std::size_t i = 0; i < Count; ++i) {
+            for (std::size_t j = 0; j < Count; ++j) {
+                cosines_[i][j] = std::cos(unit * static_cast<Real>(i * (2 * j + 1) % (4 * Count))) * (i == 0 ? 1 : 2) / Count;
             }
         }
     }
+    template <class Out>
+    void operator()(const double* values, std::size_t stride, Out* out) const {
+        std::array<Real, Count> sums{};
+        for (std::size_t i = 0; i < Count; ++i) {
+            Real c = 0;
+            for (std::size_t j = 0; j < Count; ++j) {
+                c += cosines_[i][j] * static_cast<Real>(values[j * stride]);
+            }
+            for (std::size_t k = i % 2; k <= i; k += 2) {
+                sums[k] += c * monomials_[i][k];
+            }
+        }
+        std::transform(sums.begin(), sums.end(), out, [](Real sum) { return static_cast<Out>(sum); });
+    }
+
+   private:
+    std::array<std::array<Real, Count>, Count> cosines_{}, monomials_{};
 };
 template <std::size_t Count>
 inline const ChebyshevToMonomials<Count> chebyshev_to_monomials;
@@ -106,7 +119,7 @@ class PieceTables final : Shared {
             return old;
         }
         const std::shared_ptr<const PieceTable> table = extended(old.get(), widths[width_index], wanted, terms);
-        const std::lock_guard<std::mutex> lock(mutex_);
+        const Lock lock(mutex_);
         tables_[width_index] = table;
         if (bytes() > (std::size_t{128} << 20)) {
             tables_ = {};
@@ -116,7 +129,7 @@ class PieceTables final : Shared {
 
    private:
     std::shared_ptr<const PieceTable> held(std::size_t width_index) {
-        const std::lock_guard<std::mutex> lock(mutex_);
+        const Lock lock(mutex_);
         return tables_[width_index];
     }
 
@@ -176,7 +189,6 @@ class PieceTables final : Shared {
         return table;
     }
 
-    // Values at Chebyshev points to monomials, in extended precision: in double, the conversion would lose five digits.
     std::shared_ptr<const Piece> made(double width, std::size_t s, std::size_t terms, std::vector<double>& scratch) const {
         constexpr std::size_t m = degree_count;
         auto piece = std::make_shared<Piece>();
@@ -188,13 +200,7 @@ class PieceTables final : Shared {
             zernike_transforms(parity_, v, terms, &values[j * terms], scratch);
         }
         for (std::size_t n = 0; n < terms; ++n) {
-            for (std::size_t k = 0; k < m; ++k) {
-                long double sum = 0;
-                for (std::size_t j = 0; j < m; ++j) {
-                    sum += chebyshev_to_monomials<m>[k][j] * static_cast<long double>(values[j * terms + n]);
-                }
-                piece->rows[n * m + k] = static_cast<double>(sum);
-            }
+            chebyshev_to_monomials<m>(&values[n], terms, &piece->rows[n * m]);
         }
         for (std::size_t k = 0; k < m; ++k) {
             double sum = 0.0, all = 0.0;
@@ -219,20 +225,15 @@ inline PieceTables& odd_pieces = *new PieceTables(1);
 // The 16 complex coefficients of U on one piece: sum over n < terms of beta_n times row first + n. Bound by reading the
 // table once.
 template <class I>
-LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im,
-                           double* re, double* im, std::size_t first = 0) {
+LOMMEL_INLINE void combine(I, const Piece& piece, std::size_t terms, const double* beta_re, const double* beta_im, double* re,
+                           double* im, std::size_t first = 0) {
     using V = typename I::pack;
     constexpr std::size_t at_once = 2 * I::lanes < degree_count ? 2 * I::lanes : degree_count;
     constexpr std::size_t packs = at_once / I::lanes;
     terms = std::min(terms, piece.terms() - std::min(first, piece.terms()));
     for (std::size_t k = 0; k < degree_count; k += at_once) {
         const double* column = piece.rows.data() + first * degree_count + k;
-        V a[2][packs], b[2][packs];  // two rows at once, for their chains of multiply-adds to overlap
-        for (std::size_t j = 0; j < 2; ++j) {
-            for (std::size_t p = 0; p < packs; ++p) {
-                a[j][p] = b[j][p] = splat<V>(0.0);
-            }
-        }
+        V a[2][packs] = {}, b[2][packs] = {};  // two rows at once, for their chains of multiply-adds to overlap
         const auto add = [&](std::size_t j, std::size_t n) LOMMEL_INLINE_LAMBDA {
             for (std::size_t p = 0; p < packs; ++p) {
                 const V c = load<V>(column + n * degree_count + p * I::lanes);

@@ -6,6 +6,8 @@
 #include <complex>
 #include <cstddef>
 
+#include "lommel/base/wide.hpp"
+
 namespace lommel {
 
 // G(s) = exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0: (s + 2) G(s) as one polynomial in (s - a) / (s + a). It does
@@ -35,9 +37,9 @@ class FresnelAuxiliary {
     static const FresnelAuxiliary kernel;
     static constexpr double center = 2.1;
 
-    // Interpolates at Chebyshev points; the conversion to monomials is done in extended precision.
+    // Interpolates at Chebyshev points; the conversion to monomials is done where possible in wider numbers.
     FresnelAuxiliary() {
-        using real = long double;
+        using real = wide;
         const real pi = std::acos(real(-1));
         std::array<std::complex<real>, terms> value;
         std::array<std::array<real, terms>, terms> chebyshev{};
@@ -71,8 +73,8 @@ class FresnelAuxiliary {
 
     // On the turned path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s x): the trapezoidal rule in
     // x = e^{w - e^{-w}} (double exponential, for a half line) converges to the last digit.
-    static std::complex<long double> by_quadrature(long double s) {
-        using real = long double;
+    static std::complex<wide> by_quadrature(wide s) {
+        using real = wide;
         const real root2 = std::sqrt(real(2)), h = real(1) / 64;
         std::complex<real> sum = 0;
         for (int k = -64 * 5; k <= 64 * 3; ++k) {

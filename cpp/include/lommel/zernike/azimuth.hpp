@@ -43,8 +43,8 @@ struct ActiveOrders {
 // Intensities of Unroll vectors of groups at x (-1 to 1 across the ring), with cos(psi) and sin(psi), psi in the first
 // octant: out[j][u] belongs to the direction (a, b), (a, -b), (-a, b), (-a, -b), (b, a), (b, -a), (-b, a), (-b, -a).
 template <std::size_t Degree, bool Sines, std::size_t Unroll, class V, class Real>
-LOMMEL_INLINE void sum_orders(const ActiveOrders& orders, const Real* coefficients, const V* x, const V* cosine,
-                              const V* sine, V (*out)[Unroll]) {
+LOMMEL_INLINE void sum_orders(const ActiveOrders& orders, const Real* coefficients, const V* x, const V* cosine, const V* sine,
+                              V (*out)[Unroll]) {
     constexpr std::size_t parts = Sines ? 4 : 2;
     // [remainder][A cos, A sin, B cos, B sin][re, im]
     V sums[4][4][2][Unroll];
@@ -119,11 +119,11 @@ LOMMEL_INLINE void sum_orders(const ActiveOrders& orders, const Real* coefficien
     for (std::size_t u = 0; u < Unroll; ++u) {
         V square[8];
         for (std::size_t part = 0; part < 2; ++part) {
-            const V a0 = sums[0][0][part][u], a1c = sums[1][0][part][u], a2 = sums[2][0][part][u],
-                    a3c = sums[3][0][part][u], a1s = sums[1][1][part][u], a3s = sums[3][1][part][u];
+            const V a0 = sums[0][0][part][u], a1c = sums[1][0][part][u], a2 = sums[2][0][part][u], a3c = sums[3][0][part][u],
+                    a1s = sums[1][1][part][u], a3s = sums[3][1][part][u];
             const V even = a0 + a2, odd = a1c + a3c, swap = a0 - a2, turned = a1s - a3s;
-            V field[8] = {even + odd, even + odd, even - odd, even - odd, swap + turned, swap + turned, swap - turned,
-                          swap - turned};
+            V field[8] = {even + odd,    even + odd,    even - odd,    even - odd,
+                          swap + turned, swap + turned, swap - turned, swap - turned};
             if constexpr (Sines) {
                 const V b0 = sums[0][3][part][u], b1s = sums[1][3][part][u], b2 = sums[2][3][part][u],
                         b3s = sums[3][3][part][u], b1c = sums[1][2][part][u], b3c = sums[3][2][part][u];

@@ -9,37 +9,25 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/simd.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/special/legendre.hpp"
 #include "lommel/special/radial_polynomials.hpp"
-#include "lommel/base/simd.hpp"
 #include "lommel/special/sincos.hpp"
 
 namespace lommel {
 
-// Phase of one pupil: coefficients, radians at the edge, of R_n^|m| cos(m theta), or sin(|m| theta) for m < 0; and the
-// its amplitude.
+// Phase of one pupil: coefficients, radians at the edge, of terms; and its amplitude.
 struct ZernikePhase {
-    const std::int32_t *n, *m;
+    const TermPairs& list;
     const double* coefficients;
-    std::size_t terms;
     Amplitude amplitude;
 
     // Calls f(amplitude, n, |m|) for every pair of cosine and sine.
     template <class F>
     void amplitudes(const F& f) const {
-        for (std::size_t j = 0; j < terms; ++j) {
-            double square = coefficients[j] * coefficients[j];
-            bool seen = false;
-            for (std::size_t i = 0; i < terms; ++i) {
-                if (i != j && n[i] == n[j] && m[i] == -m[j]) {
-                    seen = i < j;
-                    square += coefficients[i] * coefficients[i];
-                }
-            }
-            if (!seen && square > 0.0) {
-                f(std::sqrt(square), static_cast<std::size_t>(n[j]), static_cast<std::size_t>(std::abs(m[j])));
-            }
+        for (const TermPairs::Pair& pair : list.pairs) {
+            f(std::sqrt(pair.square(coefficients)), pair.n, pair.m);
         }
     }
 
@@ -89,16 +77,18 @@ struct DiskRule {
             cosines[parity].resize(orders / 2 * quarter);
             sines[parity].resize(orders / 2 * quarter);
         }
-        const double unit = 3.14159265358979323846 / static_cast<double>(4 * quarter);
         for (std::size_t m = 0; m < orders; ++m) {
             look();
             for (std::size_t i = 0; i < quarter; ++i) {
-                // m theta modulo a turn, exactly.
-                const double angle = unit * static_cast<double>(m * (2 * i + 1) % (8 * quarter));
-                cosines[m % 2][i * (orders / 2) + m / 2] = std::cos(angle);
-                sines[m % 2][i * (orders / 2) + m / 2] = std::sin(angle);
+                cosines[m % 2][i * (orders / 2) + m / 2] = std::cos(angle(m, i));
+                sines[m % 2][i * (orders / 2) + m / 2] = std::sin(angle(m, i));
             }
         }
+    }
+
+    // m theta at angle i, modulo a turn, exactly.
+    double angle(std::size_t m, std::size_t i) const {
+        return 3.14159265358979323846 / static_cast<double>(4 * quarter) * static_cast<double>(m * (2 * i + 1) % (8 * quarter));
     }
 
     bool is(std::size_t exact, std::size_t order_count) const { return degree == exact && orders >= order_count; }
@@ -158,36 +148,30 @@ class ZernikeAnalysis {
         const std::size_t q = rule.quarter, rings = rule.rings;
         folded_.resize(rings * 8 * q);
         orders_.clear();
-        for (std::size_t j = 0; j < phase.terms; ++j) {
-            const std::int32_t m = std::abs(phase.m[j]);
-            if (std::find(orders_.begin(), orders_.end(), m) == orders_.end()) {
-                orders_.push_back(m);
+        for (const TermPairs::Pair& pair : phase.list.pairs) {
+            if (std::find(orders_.begin(), orders_.end(), pair.m) == orders_.end()) {
+                orders_.push_back(pair.m);
             }
         }
         turns_.resize(2 * orders_.size() * q);
         for (std::size_t g = 0; g < orders_.size(); ++g) {
-            const double unit = 3.14159265358979323846 / static_cast<double>(4 * q);
             for (std::size_t i = 0; i < q; ++i) {
-                const double angle = unit * static_cast<double>(static_cast<std::size_t>(orders_[g]) * (2 * i + 1) % (8 * q));
-                turns_[2 * g * q + i] = std::cos(angle);
-                turns_[(2 * g + 1) * q + i] = std::sin(angle);
+                turns_[2 * g * q + i] = std::cos(rule.angle(orders_[g], i));
+                turns_[(2 * g + 1) * q + i] = std::sin(rule.angle(orders_[g], i));
             }
         }
         radial_.assign(2 * orders_.size() * rings, 0.0);
-        for (std::size_t j = 0; j < phase.terms; ++j) {
-            const std::int32_t m = std::abs(phase.m[j]);
+        for (std::size_t j = 0; j < phase.list.terms.size(); ++j) {
+            const ZernikeTerm& term = phase.list.terms[j];
+            const std::size_t m = static_cast<std::size_t>(std::abs(term.m));
             const std::size_t at = static_cast<std::size_t>(std::find(orders_.begin(), orders_.end(), m) - orders_.begin());
-            double* to = &radial_[(2 * at + (phase.m[j] < 0 ? 1 : 0)) * rings];
+            double* to = &radial_[(2 * at + (term.m < 0 ? 1 : 0)) * rings];
             const V c = splat<V>(phase.coefficients[j]);
             for (std::size_t k = 0; k < rings; k += I::lanes) {
                 const V t = load<V>(&rule.t[k]), x = t + t - splat<V>(1.0);
-                V here = power(isa, rule, k, static_cast<std::size_t>(m)), before = here;
-                for (std::int32_t i = 0; i < (phase.n[j] - m) / 2; ++i) {
-                    double slope, shift, back;
-                    radial_step(static_cast<std::size_t>(i), static_cast<double>(m), slope, shift, back);
-                    const V after = (splat<V>(slope) * x + splat<V>(shift)) * here - splat<V>(back) * before;
-                    before = here;
-                    here = after;
+                V here = power(isa, rule, k, m), before = here;
+                for (std::size_t i = 0; i < (static_cast<std::size_t>(term.n) - m) / 2; ++i) {
+                    advance(RadialStep<double>(i, static_cast<double>(m)), x, before, here);
                 }
                 store(to + k, load<V>(to + k) + c * here);
             }
@@ -243,12 +227,7 @@ class ZernikeAnalysis {
                 const double* in = &folded_[k * 8 * q + parity * 4 * q];
                 for (std::size_t first = 0; 2 * first + parity < orders; first += I::lanes) {
                     const double *c = &rule.cosines[parity][first], *s = &rule.sines[parity][first];
-                    V sums[together][4];
-                    for (std::size_t r = 0; r < together; ++r) {
-                        for (V& sum : sums[r]) {
-                            sum = splat<V>(0.0);
-                        }
-                    }
+                    V sums[together][4] = {};
                     for (std::size_t i = 0; i < q; ++i) {
                         const V a = load<V>(c + i * stride), b = load<V>(s + i * stride);
                         for (std::size_t r = 0; r < together; ++r) {
@@ -294,40 +273,31 @@ class ZernikeAnalysis {
                     before[p] = here[p] = power(isa, rule, first + p * I::lanes, m);
                 }
                 for (std::size_t j = 0; j < count; ++j) {
-                    V sums[4] = {splat<V>(0.0), splat<V>(0.0), splat<V>(0.0), splat<V>(0.0)};
-                    double slope, shift, back;
-                    radial_step(j, static_cast<double>(m), slope, shift, back);
+                    V sums[4] = {};
+                    const RadialStep<double> step(j, static_cast<double>(m));
                     for (std::size_t p = 0; p < packs; ++p) {
                         for (std::size_t c = 0; c < 4; ++c) {
                             sums[c] = sums[c] + here[p] * load<V>(in + c * rings + first + p * I::lanes);
                         }
-                        const V after = (splat<V>(slope) * x[p] + splat<V>(shift)) * here[p] - splat<V>(back) * before[p];
-                        before[p] = here[p];
-                        here[p] = after;
+                        advance(step, x[p], before[p], here[p]);
                     }
-                    double total[4];
-                    for (std::size_t c = 0; c < 4; ++c) {
-                        total[c] = 0.0;
-                        for (std::size_t i = 0; i < I::lanes; ++i) {
-                            total[c] += sums[c][i];
-                        }
-                    }
-                    const double norm = static_cast<double>(m + 2 * j + 1);
-                    if (m % 2 == 0) {
-                        series.cos_re[to + j] += norm * total[0];
-                        series.cos_im[to + j] += norm * total[1];
-                        series.sin_re[to + j] += norm * total[2];
-                        series.sin_im[to + j] += norm * total[3];
-                    } else {
-                        // times -i
-                        series.cos_re[to + j] += norm * total[1];
-                        series.cos_im[to + j] -= norm * total[0];
-                        series.sin_re[to + j] += norm * total[3];
-                        series.sin_im[to + j] -= norm * total[2];
-                    }
+                    // Of odd orders times -i.
+                    const std::size_t re = m % 2, im = 1 - re;
+                    const double norm = static_cast<double>(m + 2 * j + 1), turned = m % 2 == 0 ? norm : -norm;
+                    series.cos_re[to + j] += norm * lane_sum(sums[re]);
+                    series.cos_im[to + j] += turned * lane_sum(sums[im]);
+                    series.sin_re[to + j] += norm * lane_sum(sums[2 + re]);
+                    series.sin_im[to + j] += turned * lane_sum(sums[2 + im]);
                 }
             }
         }
+    }
+
+    template <class V>
+    static LOMMEL_INLINE void advance(const RadialStep<double>& step, V x, V& before, V& here) {
+        const V after = (splat<V>(step.slope) * x + splat<V>(step.shift)) * here - splat<V>(step.back) * before;
+        before = here;
+        here = after;
     }
 
     // rho^m at a vector of rings.
@@ -345,7 +315,7 @@ class ZernikeAnalysis {
     }
 
     Doubles folded_, radial_, turns_, rings_;
-    std::vector<std::int32_t> orders_;
+    std::vector<std::size_t> orders_;
 };
 
 }  // namespace lommel

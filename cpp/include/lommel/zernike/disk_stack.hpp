@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "lommel/bounds/amplitude.hpp"
-#include "lommel/radial/field.hpp"
+#include "lommel/question.hpp"
 #include "lommel/special/radial_polynomials.hpp"
 
 namespace lommel {
@@ -30,10 +29,10 @@ struct DiskAnswer {
 };
 
 struct DiskStack {
-    std::vector<ZernikeTerm> terms;     // those that are not zero throughout, and what the inner disk makes of them
-    std::vector<double> outer, inner;   // [pupil][term], radians at the edge; no `inner` without an obscuration
+    std::vector<ZernikeTerm> terms;  // those that are not zero throughout, and what the inner disk makes of them
+    std::vector<double> outer, inner;  // [pupil][term], radians at the edge; no `inner` without an obscuration
     std::vector<std::int64_t> rows, columns;  // the pixels that axes are moved to by move_axes()
-    std::vector<double> lost;           // of each pupil, what roundings on the way here do to U at most
+    std::vector<double> lost;  // of each pupil, what roundings on the way here do to U at most
     std::size_t count;
     double obscuration;
     Amplitude amplitude;
@@ -57,11 +56,8 @@ struct DiskStack {
                 double& tilt = outer[p * terms.size() + at[axis]];
                 const double given = axis == 0 ? window.row : window.column, here = given + tilt / window.step;
                 if (!(std::abs(here) <= farthest)) {
-                    char message[128];
-                    std::snprintf(message, sizeof message,
-                                  "tilt and center put the axis at %s %.3g, more than the limit of 1e+06 pixels away",
-                                  axis == 0 ? "row" : "column", here);
-                    throw PhaseTooLarge(message);
+                    throw PhaseTooLarge(std::string("tilt and center put the axis at ") + (axis == 0 ? "row " : "column ") +
+                                        shortened(here) + ", more than the limit of " + shortened(farthest) + " pixels away");
                 }
                 const double whole = std::nearbyint(here);
                 (axis == 0 ? rows : columns)[p] = static_cast<std::int64_t>(whole);
@@ -87,20 +83,18 @@ struct DiskStack {
             }
         }
         inner.assign(outer.size(), 0.0);
-        const double area = obscuration * obscuration, products = unit_roundoff * static_cast<double>(before.size() + 1);
+        SmallerDisk smaller;
         for (std::size_t j = 0; j < before.size(); ++j) {
-            const std::size_t n = static_cast<std::size_t>(before[j].n);
+            std::vector<std::size_t> to;  // of degree n, n - 2, ...
             for (std::int32_t k = before[j].n; k >= std::abs(before[j].m); k -= 2) {
-                const double share = shrunk(n, static_cast<std::size_t>(k), obscuration);
-                const std::size_t to = place({k, before[j].m});
-                for (std::size_t p = 0; p < count; ++p) {
-                    const double c = outer[p * terms.size() + j];
-                    inner[p * terms.size() + to] += share * c;
-                    lost[p] += area * products * std::abs(share * c);
-                }
+                to.push_back(place({k, before[j].m}));
             }
+            const std::size_t n = static_cast<std::size_t>(before[j].n), m = static_cast<std::size_t>(std::abs(before[j].m));
             for (std::size_t p = 0; p < count; ++p) {
-                lost[p] += area * shrinking(n) * std::abs(outer[p * terms.size() + j]);
+                double* const terms_here = inner.data() + p * terms.size();
+                lost[p] += obscuration * obscuration *
+                           smaller.shrink(n, m, obscuration, outer[p * terms.size() + j], before.size(),
+                                          [&](std::size_t k, double c) { terms_here[to[(n - k) / 2]] += c; });
             }
         }
     }

@@ -6,55 +6,20 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <vector>
 
-#include "lommel/zernike/azimuth.hpp"
-#include "lommel/radial/field.hpp"
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
 #include "lommel/special/bessel_table.hpp"
 #include "lommel/zernike/disk.hpp"
+#include "lommel/zernike/expansion.hpp"
+#include "lommel/zernike/orders.hpp"
+#include "lommel/zernike/rings.hpp"
 
 namespace lommel {
 
-constexpr std::size_t max_degrees = 1600;  // of a Zernike series; it takes about 30 n^2 bytes
-
 constexpr double max_coefficients = 134217728.0;  // of all pieces of an image: 1 GiB
-
-constexpr std::size_t ring_degree = 8;  // coefficients of a ring, a part of a piece
-
-// From values at the 8 Chebyshev points to coefficients, in double.
-struct RingMatrix {
-    double at[ring_degree][ring_degree];
-
-    RingMatrix() {
-        const ChebyshevToMonomials<ring_degree> exact;
-        for (std::size_t k = 0; k < ring_degree; ++k) {
-            for (std::size_t j = 0; j < ring_degree; ++j) {
-                at[k][j] = static_cast<double>(exact[k][j]);
-            }
-        }
-    }
-};
-inline const RingMatrix ring_matrix;
-
-// Bound on the error of interpolation at 8 Chebyshev points on a ring, relative to sup|U|, as piece_error().
-inline double ring_error(double width) { return 2.0 * std::pow(0.25 * width, ring_degree) / 40320.0; }
-
-// How one piece is evaluated: which orders take part, and how many rings it is divided into (0: none).
-struct PiecePlan {
-    ActiveOrders orders;
-    std::vector<std::size_t> rows;  // where the coefficients of each order are
-    std::size_t rings = 1;
-    double error = 0.0;  // bound on the error of U
-};
-
-inline void check_size(const ZernikePhase& phase) {
-    if (!(phase.size() <= max_phase)) {
-        throw PhaseTooLarge("phases must be at most 1e6 radians");
-    }
-}
 
 // Some directions, none of them an axis of symmetry.
 struct Directions {
@@ -71,39 +36,6 @@ struct Directions {
 };
 inline const Directions directions;
 
-// How a disk is expanded: enough degrees, orders and quadrature for an error in U at every v up to a reach.
-struct DiskExpansion {
-    std::size_t degrees, orders;
-    std::shared_ptr<const DiskRule> rule;
-    double truncation, quadrature;
-
-    DiskExpansion(const DiskBounds& bounds, double reach, double error) {
-        check_reach(reach);
-        // Leaving out orders, too, magnifies what the other degrees left out by the Lebesgue constant of Fourier sums, below 5.
-        const std::size_t by_phase = bounds.degrees(0.16 * error), by_window = disk_window_degrees(reach, 0.16 * error);
-        degrees = std::max<std::size_t>(2, std::min(by_phase, by_window));
-        const std::size_t exact = std::max(bounds.degree(0.05 * error), degrees) + degrees;
-        if (degrees > max_degrees || exact > 4 * max_degrees) {
-            throw PhaseTooLarge("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
-                                " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
-                                std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
-        }
-        orders = std::min(degrees, bounds.orders(0.05 * error));
-        rule = DiskRule::get(exact, orders);
-        const double tail = by_phase <= by_window ? bounds.tail(degrees) : disk_window_tail(degrees, reach);
-        truncation = orders < degrees ? 5.0 * tail + bounds.orders_tail(orders) : tail;
-        quadrature = 2.0 * bounds.distance(rule->degree - degrees);
-    }
-
-    // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
-    // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
-    double error(const ZernikePhase& phase) const {
-        const double sums = static_cast<double>(rule->quarter + rule->rings + 4 * degrees);
-        const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;
-        return truncation + quadrature + unit_roundoff * rounding;
-    }
-};
-
 class ZernikeField {
    public:
     // Expands the pupil, to `error` in U for v up to `reach`. `inner` is the phase within the obscuration, as a function of the
@@ -116,12 +48,12 @@ class ZernikeField {
         reach_ = reach;
         weight_ = 1.0 + area;
         // Radii in units of a ring are off by three roundings, the step in v by three, and |U'| < 1/2.
-        base_ = lost + expand(outer, reach, 0.5 * error, outer_) + 3.0 * unit_roundoff * reach;
+        base_ = lost + expand(outer, reach, ZernikeBudget::outer * error, outer_) + 3.0 * unit_roundoff * reach;
         inner_.degrees = inner_.orders = 0;
         if (area > 0.0) {
-            base_ += area * expand(inner, obscuration_ * reach, 0.5 * error, inner_);
+            base_ += area * expand(inner, obscuration_ * reach, ZernikeBudget::inner * error, inner_);
         }
-        base_ += trim(outer_, 1.0, 0.1 * error) + trim(inner_, area, 0.1 * error);
+        base_ += trim(outer_, 1.0, ZernikeBudget::small * error) + trim(inner_, area, ZernikeBudget::small * error);
     }
 
     // A_m and B_m at the distance v, by the Bessel functions themselves: re A, im A, re B, im B for each order.
@@ -170,12 +102,13 @@ class ZernikeField {
     // every piece has. Of so many pieces `lit` tells those that are wanted, rising.
     template <class Lit>
     void prepare(double error, int threads, const Lit& lit) {
-        measure_orders();
-        base_ += trim(outer_, 1.0, 0.1 * error) + trim(inner_, weight_ - 1.0, 0.1 * error);
-        base_ += choose_orders(0.1 * error);
+        orders_.measure(outer_, inner_, obscuration_);
+        const double trimmed = ZernikeBudget::trimmed * error;
+        base_ +=
+            trim(outer_, 1.0, trimmed) + trim(inner_, weight_ - 1.0, trimmed) + orders_.keep(ZernikeBudget::dropped * error);
         std::size_t width = 0;
         // Interpolation at 8 points magnifies the errors of the piece by 2.3 at most (its Lebesgue constant).
-        while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > 0.1 * error) {
+        while (width + 1 < widths.size() && 3.1 * piece_error(widths[width]) * weight_ > ZernikeBudget::pieces * error) {
             ++width;
         }
         width_ = widths[width];
@@ -194,7 +127,8 @@ class ZernikeField {
             }
         }
         if (static_cast<double>(wanted.others.size() + within.others.size()) *
-                static_cast<double>(kept_.size() * 4 * degree_count) > max_coefficients) {
+                static_cast<double>(orders_.kept().size() * 4 * degree_count) >
+            max_coefficients) {
             throw PhaseTooLarge("aberrations and a window that reaches to v = " + std::to_string(reach_) +
                                 " take more than 1 GiB of coefficients");
         }
@@ -231,9 +165,9 @@ class ZernikeField {
     PiecePlan plan(std::size_t s, double error, std::size_t groups) const {
         PiecePlan made;
         const double spare = std::max(0.0, error - base_);
-        made.error = base_ + select(s, 0.3 * spare, made);
+        made.error = base_ + orders_.select(width_ * static_cast<double>(s), ZernikeBudget::own_orders * spare, made);
         std::size_t rings = 1;
-        while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > 0.3 * spare) {
+        while (rings < 256 && ring_error(width_ / static_cast<double>(rings)) * weight_ > ZernikeBudget::rings * spare) {
             ++rings;
         }
         // Rings are worth while where they hold vectors full of pixels.
@@ -267,17 +201,13 @@ class ZernikeField {
         const double rings = static_cast<double>(plan.rings), start = static_cast<double>(r);
         alignas(64) double onto[degree_count * ring_degree];
         resample(onto, [&](double x, double* powers) { fill_powers((2.0 * start + 1.0 + x) / rings - 1.0, powers); });
-        multiply<false>(isa, onto, rows_[s].data(), plan.rows, parts, 1.0, out.data());
+        resample_rows<false>(isa, onto, rows_[s].data(), plan.rows, parts, 1.0, out.data());
         if (!obscured()) {
             return;
         }
         // The inner disk has its own pieces, in v times the obscuration; a ring may lie on two of them.
-        const auto at = [&](double x) {
-            return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings);
-        };
-        const auto piece_at = [&](double x) {
-            return inner_piece(static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings);
-        };
+        const auto at = [&](double x) { return obscuration_ * (static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
+        const auto piece_at = [&](double x) { return inner_piece(static_cast<double>(s) + (start + 0.5 * (1.0 + x)) / rings); };
         for (std::size_t p = piece_at(-1.0); p <= piece_at(1.0); ++p) {
             resample(onto, [&](double x, double* powers) {
                 if (piece_at(x) == p) {
@@ -286,7 +216,7 @@ class ZernikeField {
                     std::fill(powers, powers + degree_count, 0.0);
                 }
             });
-            multiply<true>(isa, onto, inner_rows_[p].data(), plan.rows, parts, -obscuration_ * obscuration_, out.data());
+            resample_rows<true>(isa, onto, inner_rows_[p].data(), plan.rows, parts, -obscuration_ * obscuration_, out.data());
         }
     }
 
@@ -298,11 +228,11 @@ class ZernikeField {
 
     using Tables = std::array<std::shared_ptr<const PieceTable>, 2>;
 
-
     double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
-        check_size(phase);
+        check_phase(phase.size());
         const DiskExpansion plan(phase.bounds(), reach, error);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
+        dispatch([&](auto isa)
+                     LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
         return plan.error(phase);
     }
 
@@ -322,7 +252,7 @@ class ZernikeField {
             for (std::size_t m = 0; m < std::min(reached, series.orders); ++m) {
                 const double* row = transforms[m % 2].data() + m / 2;
                 const std::size_t count = std::min(series.used[m], (reached - m) / 2 + 1), at = series.start[m];
-                V sums[4] = {splat<V>(0.0), splat<V>(0.0), splat<V>(0.0), splat<V>(0.0)};
+                V sums[4] = {};
                 std::size_t j = 0;
                 for (; j + I::lanes <= count; j += I::lanes) {
                     const V t = load<V>(row + j);
@@ -331,10 +261,7 @@ class ZernikeField {
                     }
                 }
                 for (std::size_t p = 0; p < 4; ++p) {
-                    double total = 0.0;
-                    for (std::size_t i = 0; i < I::lanes; ++i) {
-                        total += sums[p][i];
-                    }
+                    double total = lane_sum(sums[p]);
                     for (std::size_t i = j; i < count; ++i) {
                         total += row[i] * parts[p][at + i];
                     }
@@ -344,116 +271,16 @@ class ZernikeField {
         });
     }
 
-    // Shortens the series of each order by what adds no more than `error` to U in all; returns what it does add.
-    static double trim(ZernikeSeries& series, double weight, double error) {
-        double left = 0.0;
-        const double share = error / static_cast<double>(series.orders + 1);
-        for (std::size_t m = 0; m < series.orders; ++m) {
-            double sum = 0.0;
-            std::size_t& count = series.used[m];
-            for (; count > 0; --count) {
-                const std::size_t at = series.start[m] + count - 1;
-                const double size = std::sqrt(series.cos_re[at] * series.cos_re[at] + series.cos_im[at] * series.cos_im[at]) +
-                                    std::sqrt(series.sin_re[at] * series.sin_re[at] + series.sin_im[at] * series.sin_im[at]);
-                const double next = sum + weight * size / static_cast<double>(m + 2 * count - 1);
-                if (next > share) {
-                    break;
-                }
-                sum = next;
-            }
-            left += sum;
-        }
-        return left;
-    }
-
-    // What an order can add to U: |2 (n+1) J_{n+1}(v) / v| <= 1, and |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
-    struct OrderSize {
-        double near = 0.0, far = 0.0;
-        double at(double v) const { return v > 0.0 ? std::min(near, far * 1.572 / (v * std::cbrt(v))) : near; }
-    };
-
-    void measure_orders() {
-        const double area = obscuration_ * obscuration_;
-        sizes_.assign(2 * std::max(outer_.orders, inner_.orders), OrderSize());
-        const auto add = [&](const ZernikeSeries& series, const Doubles& re, const Doubles& im, std::size_t sine,
-                             double weight, double stretch) {
-            for (std::size_t m = 0; m < series.orders; ++m) {
-                for (std::size_t j = 0; j < series.used[m]; ++j) {
-                    const std::size_t at = series.start[m] + j;
-                    const double size = weight * std::sqrt(re[at] * re[at] + im[at] * im[at]);
-                    sizes_[2 * m + sine].near += size / static_cast<double>(m + 2 * j + 1);
-                    sizes_[2 * m + sine].far += size * stretch;
-                }
-            }
-        };
-        add(outer_, outer_.cos_re, outer_.cos_im, 0, 1.0, 1.0);
-        add(outer_, outer_.sin_re, outer_.sin_im, 1, 1.0, 1.0);
-        if (area > 0.0) {
-            const double stretch = 1.0 / (obscuration_ * std::cbrt(obscuration_));
-            add(inner_, inner_.cos_re, inner_.cos_im, 0, area, stretch);
-            add(inner_, inner_.sin_re, inner_.sin_im, 1, area, stretch);
-        }
-    }
-
-    // Leaves out the orders that matter least, as long as they add up to no more than `error` anywhere; returns what they do
-    // add up to.
-    double choose_orders(double error) {
-        std::vector<std::size_t> rising(sizes_.size() / 2);
-        const auto size = [&](std::size_t m) { return sizes_[2 * m].near + sizes_[2 * m + 1].near; };
-        std::iota(rising.begin(), rising.end(), std::size_t{0});
-        std::sort(rising.begin(), rising.end(), [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
-        double left = 0.0;
-        std::size_t out = 0;
-        for (; out < rising.size() && left + size(rising[out]) <= error; ++out) {
-            left += size(rising[out]);
-        }
-        kept_.assign(rising.begin() + static_cast<std::ptrdiff_t>(out), rising.end());
-        std::sort(kept_.begin(), kept_.end(), [](std::size_t a, std::size_t b) {
-            return a % 4 != b % 4 ? a % 4 < b % 4 : a < b;
-        });
-        return left;
-    }
-
-    // Of the orders kept, all up to one that take part in piece s, with all their sines or none; returns what the rest can add.
-    double select(std::size_t s, double error, PiecePlan& plan) const {
-        const double v = width_ * static_cast<double>(s);
-        double left = 0.0;
-        for (const std::size_t m : kept_) {
-            left += sizes_[2 * m + 1].at(v);
-        }
-        plan.orders.sines = left > 0.3 * error;
-        left = plan.orders.sines ? 0.0 : left;
-        const auto size = [&](std::size_t m) {
-            return sizes_[2 * m].at(v) + (plan.orders.sines ? sizes_[2 * m + 1].at(v) : 0.0);
-        };
-        thread_local std::vector<double> by_order;
-        by_order.assign(sizes_.size() / 2, 0.0);
-        for (const std::size_t m : kept_) {
-            by_order[m] = size(m);
-        }
-        std::size_t end = by_order.size();
-        while (end > 0 && left + by_order[end - 1] <= error) {
-            left += by_order[--end];
-        }
-        for (std::size_t i = 0; i < kept_.size(); ++i) {
-            if (kept_[i] < end) {
-                plan.orders.add(kept_[i]);
-                plan.rows.push_back(i);
-            }
-        }
-        return left;
-    }
-
     // The coefficients of the pieces: [order kept][re A, im A, re B, im B][power, rising].
     void combine_all(const ZernikeSeries& series, const Tables& tables, const std::vector<std::size_t>& pieces,
                      std::vector<Doubles>& rows, int threads) const {
         parallel_for(pieces.size(), threads, [&](std::size_t, std::size_t task) {
             const std::size_t s = pieces[task];
-            rows[s].resize(kept_.size() * 4 * degree_count);
+            rows[s].resize(orders_.kept().size() * 4 * degree_count);
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 double* to = rows[s].data();
-                for (std::size_t i = 0; i < kept_.size(); ++i, to += 4 * degree_count) {
-                    const std::size_t m = kept_[i];
+                for (std::size_t i = 0; i < orders_.kept().size(); ++i, to += 4 * degree_count) {
+                    const std::size_t m = orders_.kept()[i];
                     if (m >= series.orders) {
                         std::fill(to, to + 4 * degree_count, 0.0);
                         continue;
@@ -468,64 +295,9 @@ class ZernikeField {
         });
     }
 
-    static void fill_powers(double x, double* powers) {
-        double power = 1.0;
-        for (std::size_t l = 0; l < degree_count; ++l) {
-            powers[l] = power;
-            power *= x;
-        }
-    }
-
-    // The matrix from 16 coefficients of a piece to those of its interpolant at 8 points: [power][highest first].
-    template <class Powers>
-    static void resample(double* onto, const Powers& powers_at) {
-        std::fill(onto, onto + degree_count * ring_degree, 0.0);
-        double powers[degree_count];
-        for (std::size_t j = 0; j < ring_degree; ++j) {
-            powers_at(chebyshev_point(j, ring_degree), powers);
-            for (std::size_t l = 0; l < degree_count; ++l) {
-                for (std::size_t k = 0; k < ring_degree; ++k) {
-                    onto[l * ring_degree + ring_degree - 1 - k] += powers[l] * ring_matrix.at[k][j];
-                }
-            }
-        }
-    }
-
-    template <bool Add, class I>
-    static LOMMEL_INLINE void multiply(I, const double* onto, const double* rows, const std::vector<std::size_t>& which,
-                                       std::size_t parts, double weight, double* out) {
-        using V = typename I::pack;
-        constexpr std::size_t packs = ring_degree / I::lanes;
-        for (const std::size_t row : which) {
-            const double* from = rows + row * 4 * degree_count;
-            for (std::size_t part = 0; part < parts; ++part, from += degree_count, out += ring_degree) {
-                V sums[2][packs];
-                for (std::size_t p = 0; p < packs; ++p) {
-                    sums[0][p] = sums[1][p] = splat<V>(0.0);
-                }
-                for (std::size_t l = 0; l < degree_count; l += 2) {
-                    for (std::size_t j = 0; j < 2; ++j) {
-                        const V c = splat<V>(from[l + j]);
-                        for (std::size_t p = 0; p < packs; ++p) {
-                            sums[j][p] = sums[j][p] + c * load<V>(onto + (l + j) * ring_degree + p * I::lanes);
-                        }
-                    }
-                }
-                for (std::size_t p = 0; p < packs; ++p) {
-                    V total = sums[0][p] + sums[1][p];
-                    if constexpr (Add) {
-                        total = load<V>(out + p * I::lanes) + splat<V>(weight) * total;
-                    }
-                    store(out + p * I::lanes, total);
-                }
-            }
-        }
-    }
-
     ZernikeSeries outer_, inner_;
     ZernikeAnalysis analysis_;
-    std::vector<OrderSize> sizes_;   // [2 m + sine]
-    std::vector<std::size_t> kept_;  // orders that are not negligible everywhere, by m modulo 4
+    PupilOrders orders_;
     std::vector<Doubles> rows_, inner_rows_;
     double obscuration_ = 0.0, reach_ = 0.0, weight_ = 1.0, width_ = 1.0, base_ = 0.0;
 };

@@ -1,0 +1,33 @@
+# The compiled core of the Python package.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module ${SKBUILD_SABI_COMPONENT})
+
+# nanobind tells where its CMake files are, whether or not scikit-build-core runs this.
+execute_process(
+  COMMAND "${Python_EXECUTABLE}" -m nanobind --cmake_dir
+  OUTPUT_VARIABLE nanobind_ROOT
+  OUTPUT_STRIP_TRAILING_WHITESPACE
+  COMMAND_ERROR_IS_FATAL ANY)
+find_package(nanobind CONFIG REQUIRED)
+
+# One file a room, of which the compiler does again only what has changed.
+file(GLOB rooms CONFIGURE_DEPENDS cpp/bindings/*.cpp)
+# STABLE_ABI takes effect from Python 3.12 on, FREE_THREADED in Pythons without a global lock: nothing in the core relies
+# on that. NOMINSIZE keeps -O3 rather than nanobind's -Os.
+nanobind_add_module(_core STABLE_ABI FREE_THREADED NB_STATIC NOMINSIZE NB_SUPPRESS_WARNINGS ${rooms})
+target_link_libraries(_core PRIVATE lommel)
+set_target_properties(_core PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
+
+# No -ffast-math: the error bounds assume IEEE arithmetic. Fused multiply-adds, where a kernel is compiled for
+# them, round once instead of twice and are within the bounds. -fno-math-errno: nobody reads errno, and loops with square
+# roots become vectors.
+if(MSVC)
+  target_compile_options(_core PRIVATE /W4 /fp:precise)
+else()
+  target_compile_options(_core PRIVATE -Wall -Wextra -ffp-contract=fast -fno-math-errno)
+endif()
+
+install(TARGETS _core LIBRARY DESTINATION lommel)

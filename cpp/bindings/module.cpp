@@ -1,0 +1,68 @@
+// The compiled core as Python sees it. Nothing but shapes is checked here and in the files beside this one, a room each.
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+#include "lommel/base/fork.hpp"
+#include "lommel/base/simd.hpp"
+
+#include "python.hpp"
+
+using namespace bindings;
+
+namespace {
+
+// The one thread that Python runs the handlers of signals in; in a child it is the one that called fork().
+struct MainThread final : lommel::ForkAware {
+    unsigned long id = 0;
+
+   private:
+    void after_fork(bool in_child) override {
+        if (in_child) {
+            id = PyThread_get_thread_ident();
+        }
+    }
+};
+MainThread& main_thread = *new MainThread;
+
+bool signalled() {
+    const nb::gil_scoped_acquire gil;
+    return PyErr_CheckSignals() != 0;
+}
+
+constexpr const char* levels[] = {"portable", "avx2", "avx512"};  // in the order of lommel::Level
+
+const char* instructions() { return levels[static_cast<int>(lommel::processor_level())]; }
+
+void limit_instructions(const std::string& level) {
+    const auto found = std::find(std::begin(levels), std::end(levels), level);
+    require(found != std::end(levels), "level must be portable, avx2 or avx512");
+    lommel::level_limit() = static_cast<lommel::Level>(found - std::begin(levels));
+}
+
+}  // namespace
+
+lommel::Watch::Ask bindings::ask_python() { return PyThread_get_thread_ident() == main_thread.id ? &signalled : nullptr; }
+
+NB_MODULE(_core, m) {
+    main_thread.id = nb::cast<unsigned long>(nb::module_::import_("threading").attr("main_thread")().attr("ident"));
+    // The exception is set, by the handler that raised it.
+    nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const lommel::Stopped&) {
+        }
+    });
+    m.doc() = "Compiled core of lommel: the spectral engine, Bessel sequences, rendering, Huygens' sum.";
+    define_special(m);
+    define_pixels(m);
+    define_radial(m);
+    define_averages(m);
+    define_zernike(m);
+    define_chordal(m);
+    define_paper(m);
+    define_imaging(m);
+    define_bounds(m);
+    m.def("instructions", &instructions, "The widest instructions in use: portable, avx2 or avx512.");
+    m.def("limit_instructions", &limit_instructions, "level"_a, "Use no wider instructions than these.");
+}

@@ -1,0 +1,102 @@
+// Radii of windows, profiles as images, and what averages over pixels take.
+#include <algorithm>
+#include <vector>
+
+#include "lommel/pixels/render.hpp"
+#include "lommel/pixels/table.hpp"
+#include "lommel/radial/average_values.hpp"
+#include "lommel/radial/images.hpp"
+
+#include "python.hpp"
+
+using namespace bindings;
+
+namespace {
+
+std::pair<Out<std::int64_t, 1>, Out<std::int32_t, 2>> distinct_radii(std::size_t rows, std::size_t cols) {
+    // Ranks are 32-bit and the work is linear in the largest squared radius.
+    require(rows <= 20000 && cols <= 20000, "rows and cols must be at most 20000");
+    auto index = new_array<std::int32_t, 2>({rows + 1, cols + 1});
+    const std::vector<std::int64_t> squares = released([&] { return lommel::distinct_radii(rows, cols, index.data()); });
+    auto radii = new_array<std::int64_t, 1>({squares.size()});
+    std::copy(squares.begin(), squares.end(), radii.data());
+    return {radii, index};
+}
+
+template <class T>
+void scatter(In<double, 2> profiles, In<double, 1> scales, In<std::int32_t, 2> index, Out<T, 3> out) {
+    const std::size_t height = out.shape(1), width = out.shape(2), count = profiles.shape(1);
+    require(profiles.shape(0) == out.shape(0) && scales.shape(0) == out.shape(0), "one profile and scale an image");
+    require(index.shape(0) == height / 2 + 1 && index.shape(1) == width / 2 + 1, "index must cover the quadrant");
+    released([&] {
+        for (std::size_t i = 0; i < index.size(); ++i) {
+            const std::int32_t rank = index.data()[i];
+            require(rank >= 0 && static_cast<std::size_t>(rank) < count, "index points outside the profile");
+        }
+        std::vector<T> profile(count);
+        for (std::size_t s = 0; s < out.shape(0); ++s) {
+            lommel::store_scaled(profiles.data() + s * count, scales.data()[s], count, profile.data());
+            lommel::scatter_rows(profile.data(), index.data(), height, width, 0, height / 2 + 1,
+                                 out.data() + s * height * width);
+        }
+    });
+}
+
+int level_of(int level, int threads) {
+    require(level >= 1 && level <= 15, "level must be from 1 to 15");
+    require(threads >= 0, "threads must be at least 0");
+    return level;
+}
+
+// The radii where I is wanted, and what becomes of its errors.
+std::tuple<Out<double, 1>, double, double, double, double> pixel_radii(std::size_t height, std::size_t width, double center_y,
+                                                                       double center_x, double step, bool integrate, int level,
+                                                                       int threads) {
+    const lommel::PixelWindow window = window_of(height, width, center_y, center_x, step, integrate);
+    const auto table = released([&] { return lommel::PixelTable::get(window, level_of(level, threads), threads); });
+    auto radii = new_array<double, 1>({table->count});
+    std::copy_n(table->radii.data(), table->count, radii.data());
+    return {radii, table->error, table->of_nodes, table->of_grid, table->rounding};
+}
+
+Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double center_x, double step, bool integrate, int level,
+                            int threads, Out<double, 3> out) {
+    const std::size_t n = out.shape(0), height = out.shape(1), width = out.shape(2);
+    const lommel::PixelWindow window = window_of(height, width, center_y, center_x, step, integrate);
+    require(profiles.shape(0) == n, "one profile an image");
+    auto penalties = new_array<double, 1>({n});
+    released([&] {
+        const auto table = lommel::PixelTable::get(window, level_of(level, threads), threads);
+        require(profiles.shape(1) == table->count, "profiles must be at the radii of the window");
+        lommel::WindowValues made;
+        for (std::size_t i = 0; i < n; ++i) {
+            made.make(*table, profiles.data() + i * table->count, threads);
+            table->groups.paint(made.values.data(), 0, table->groups.rows.distances.size(), out.data() + i * height * width);
+            penalties.data()[i] = made.penalty;
+        }
+    });
+    return penalties;
+}
+
+}  // namespace
+
+void bindings::define_pixels(nb::module_& m) {
+    m.def("distinct_radii", &distinct_radii, "rows"_a, "cols"_a,
+          "Distinct squared radii of a quadrant, rising, and the rank of every pixel's.");
+    for_both([&](auto pixel) {
+        m.def("scatter", &scatter<decltype(pixel)>, "profiles"_a, "scales"_a, "index"_a, "out"_a.noconvert(),
+              "Profiles at the distinct radii, times a scale each, onto a stack of images.");
+    });
+    m.def("pixel_radii", &pixel_radii, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
+          "threads"_a,
+          "Rising v that the pixels of a window take, the error of the pixels over half the range of I, what errors are "
+          "multiplied by at these radii and between the places of harmonics, and roundings over the largest I.");
+    m.def("pixel_values", &pixel_values, "profiles"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
+          "threads"_a, "out"_a.noconvert(), "Pixels of windows from profiles at pixel_radii(); returns further roundings.");
+    m.def("interpolation_error", &lommel::interpolation_error, "half"_a, "points"_a,
+          "Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.");
+    m.def("gauss_error", &lommel::gauss_error, "side"_a, "points"_a,
+          "Bound on averaging it over a square by points x points of Gauss and Legendre, over half its range.");
+    m.def("harmonics_error", &lommel::harmonics_error, "side"_a, "angles"_a,
+          "Bound on interpolating the average over a square at so many angles, over half the range.");
+}

@@ -1,0 +1,132 @@
+// Pupils as the engines take them, and the images that engines write into arrays of their callers.
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <vector>
+
+#include "lommel/radial/images.hpp"
+#include "lommel/zernike/disk_stack.hpp"
+
+#include "python.hpp"
+
+namespace bindings {
+
+// Any powers: for those who look at its bounds.
+inline lommel::Amplitude powers_of_amplitude(const In<double, 1>& powers) {
+    require(powers.shape(0) <= 1 + lommel::Amplitude::most, "amplitude must have at most 11 powers");
+    return {powers.data(), powers.shape(0)};
+}
+
+inline lommel::Amplitude amplitude_of(const In<double, 1>& powers) {
+    const lommel::Amplitude amplitude = powers_of_amplitude(powers);
+    // 100 and what rounding may make of it.
+    require(amplitude.size() <= 100.0 * (1.0 + 1e-9), "amplitude must have an exponent of 100 at most");
+    require(amplitude.passive(), "amplitude must be at most 1");
+    return amplitude;
+}
+
+inline double obscuration_of(double obscuration) {
+    require(obscuration >= 0.0 && obscuration < 1.0, "obscuration must be from 0 to below 1");
+    return obscuration;
+}
+
+inline lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration, const In<double, 1>& amplitude) {
+    require(coefficients.shape(0) > 0 && coefficients.shape(1) > 0, "coefficients must not be empty");
+    require(coefficients.shape(1) <= lommel::LegendreRule::most_terms, "coefficients must be 30 a pupil at most");
+    return {coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration_of(obscuration),
+            amplitude_of(amplitude)};
+}
+
+template <class Integer>
+std::vector<lommel::ZernikeTerm> terms_of(const In<Integer, 2>& given, std::size_t coefficients) {
+    require(given.shape(0) > 0 && given.shape(1) == 2, "terms must have the shape (terms, 2), with one term at least");
+    require(given.shape(0) == coefficients, "one coefficient a term and pupil");
+    std::vector<lommel::ZernikeTerm> terms;
+    for (std::size_t j = 0; j < given.shape(0); ++j) {
+        terms.push_back({static_cast<std::int32_t>(given.data()[2 * j]), static_cast<std::int32_t>(given.data()[2 * j + 1])});
+    }
+    return terms;
+}
+
+// Of each pupil an image and the numbers that go with it.
+template <class T, class... Numbers>
+void require_answers(std::size_t pupils, const Out<T, 3>& images, const Numbers&... numbers) {
+    require(images.shape(0) == pupils && ((numbers.shape(0) == pupils) && ...),
+            sizeof...(numbers) == 2 ? "one image, scale and bound a pupil" : "one image, scale, bound and peak a pupil");
+    require_image(images.shape(1), images.shape(2));
+}
+
+// Of images by the coefficients of t^power.
+inline std::vector<std::size_t> powers_of(const In<std::int64_t, 1>& powers) {
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < powers.shape(0); ++i) {
+        require(powers.data()[i] >= 1 && powers.data()[i] <= 64, "powers must be from 1 to 64");
+        which.push_back(static_cast<std::size_t>(powers.data()[i]));
+    }
+    return which;
+}
+
+template <class T>
+void require_derivatives(std::size_t powers, std::size_t pupils, const Out<T, 3>& of, const Out<T, 4>& images,
+                         const Out<double, 2>& bounds) {
+    require(images.shape(0) == powers && bounds.shape(0) == powers, "one derivative a power");
+    require(images.shape(1) == pupils && images.shape(2) == of.shape(1) && images.shape(3) == of.shape(2) &&
+                bounds.shape(1) == pupils,
+            "derivatives must match the images");
+}
+
+inline void require_request(double step, double tol, int threads) {
+    require(step > 0.0 && tol > 0.0 && threads >= 0, "step and tol must be positive, threads at least 0");
+}
+
+// Lets an engine work. Returns 0, or the bound on the error where the tolerance cannot be met.
+template <class Work>
+double judged(const Work& work) {
+    try {
+        released(work);
+    } catch (const lommel::ToleranceNotMet& failure) {
+        return failure.bound;
+    }
+    return 0.0;
+}
+
+// Images of pupils that are not radially symmetric, whose axes the engine moves to pixels or not.
+template <template <class> class Engine, bool Moves, class T>
+double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, double center_y,
+                   double center_x, double step, double tol, int threads, Out<T, 3> images, Out<double, 1> scales,
+                   Out<double, 1> bounds, Out<double, 1> peaks) {
+    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
+    for (auto term = list.begin(); term != list.end(); ++term) {
+        const std::int32_t n = term->n, order = std::abs(term->m);
+        require(n >= 0 && n <= 200 && order <= n && (n - order) % 2 == 0, "no such Zernike term");
+        require(std::find(list.begin(), term, *term) == term, "a Zernike term comes twice");
+    }
+    const lommel::Amplitude light = amplitude_of(amplitude);
+    const std::size_t n = edge.shape(0);
+    require(n > 0, "one pupil at least");
+    obscuration_of(obscuration);
+    require_answers(n, images, scales, bounds, peaks);
+    require_center(center_y, center_x);
+    require_request(step, tol, threads);
+    return judged([&] {
+        const lommel::DiskWindow window{images.shape(1), images.shape(2), center_y, center_x, step};
+        lommel::DiskStack stack(list, edge.data(), n, obscuration, light);
+        if constexpr (Moves) {
+            stack.move_axes(window);
+        }
+        stack.shrink();
+        Engine<T>(stack, window, tol, threads, {images.data(), scales.data(), bounds.data(), peaks.data()}).run();
+    });
+}
+
+template <template <class> class Engine, bool Moves>
+void define_disk_images(nb::module_& m, const char* name, const char* says) {
+    for_both([&](auto pixel) {
+        m.def(name, &disk_images<Engine, Moves, decltype(pixel)>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,
+              "center_y"_a, "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
+              "bounds"_a.noconvert(), "peaks"_a.noconvert(), says);
+    });
+}
+
+}  // namespace bindings

@@ -1,0 +1,101 @@
+// What the rooms of the bindings share: arrays in and out, the GIL, Ctrl-C. Shapes are checked in these files, and no
+// arithmetic is done.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include "lommel/base/watch.hpp"
+#include "lommel/bounds/ellipse.hpp"
+#include "lommel/pixels/window.hpp"
+
+namespace bindings {
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+// One file each.
+void define_special(nb::module_& m);
+void define_pixels(nb::module_& m);
+void define_radial(nb::module_& m);
+void define_averages(nb::module_& m);
+void define_zernike(nb::module_& m);
+void define_chordal(nb::module_& m);
+void define_paper(nb::module_& m);
+void define_imaging(nb::module_& m);
+void define_bounds(nb::module_& m);
+
+template <class T, std::size_t N>
+using In = nb::ndarray<const T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
+template <class T, std::size_t N>
+using Out = nb::ndarray<T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;
+using complex = std::complex<double>;
+
+// Runs what handlers of signals there are to run; whether one raised an exception, KeyboardInterrupt for one. Null where
+// Python runs none, in all threads but its main one.
+lommel::Watch::Ask ask_python();
+
+// Other threads of Python run meanwhile, and Ctrl-C ends the call.
+template <class Work>
+auto released(const Work& work) {
+    const lommel::Watch watch{ask_python()};
+    const nb::gil_scoped_release nogil;
+    return work();
+}
+
+template <class T, std::size_t N>
+Out<T, N> new_array(const std::size_t (&shape)[N]) {
+    std::size_t size = 1;
+    for (const std::size_t extent : shape) {
+        size *= extent;
+    }
+    T* data = new T[size];
+    nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<T*>(p); });
+    return Out<T, N>(data, N, shape, owner);
+}
+
+// Defines a function of float and of double.
+template <class Define>
+void for_both(const Define& define) {
+    define(0.0F);
+    define(0.0);
+}
+
+inline void require(bool condition, const char* message) {
+    if (!condition) {
+        throw std::invalid_argument(message);
+    }
+}
+
+inline void require_image(std::size_t height, std::size_t width) {
+    require(height > 0 && width > 0 && height <= 40000 && width <= 40000, "images must have 1 to 40000 pixels a side");
+}
+
+inline void require_center(double y, double x) {
+    require(std::abs(y) <= 1e6 && std::abs(x) <= 1e6, "the centre must be within 1e6 pixels");
+}
+
+inline lommel::PixelWindow window_of(std::size_t height, std::size_t width, double center_y, double center_x, double step,
+                                     bool integrate) {
+    require_image(height, width);
+    require_center(center_y, center_x);
+    require(step > 0.0 && step <= 1e7, "step must be above 0, and 1e7 at most");
+    return {height, width, center_y, center_x, step, integrate};
+}
+
+inline void require_radii(const In<double, 1>& v) {
+    for (std::size_t i = 0; i < v.shape(0); ++i) {
+        require(v.data()[i] >= 0.0 && v.data()[i] <= lommel::max_reach, "v must be from 0 to 1e6");
+    }
+}
+
+}  // namespace bindings

@@ -1,0 +1,65 @@
+// Functions with a published source each.
+#include <vector>
+
+#include "lommel/special/bessel.hpp"
+#include "lommel/special/fresnel.hpp"
+#include "lommel/special/legendre.hpp"
+
+#include "python.hpp"
+
+using namespace bindings;
+
+namespace {
+
+// A row for each v, written by write(v, row).
+template <class Write>
+Out<double, 2> rows_of(const In<double, 1>& v, std::size_t count, const Write& write) {
+    require_radii(v);
+    auto out = new_array<double, 2>({v.shape(0), count});
+    released([&] {
+        for (std::size_t i = 0; i < v.shape(0); ++i) {
+            lommel::look();
+            write(v.data()[i], out.data() + i * count);
+        }
+    });
+    return out;
+}
+
+Out<double, 2> bessel_sequence(In<double, 1> v, std::size_t count) {
+    return rows_of(v, count, [&](double at, double* row) { lommel::bessel_sequence(at, count, row); });
+}
+
+Out<double, 2> legendre_transforms(In<double, 1> v, std::size_t terms) {
+    std::vector<double> scratch;
+    return rows_of(v, terms, [&](double at, double* row) { lommel::legendre_transforms(at, terms, row, scratch); });
+}
+
+std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
+    require(n > 0, "n must be at least 1");
+    require(n <= 20000, "n must be at most 20000");  // they take time in proportion to the square, then a second
+    auto nodes = new_array<double, 1>({n});
+    auto weights = new_array<double, 1>({n});
+    released([&] { lommel::gauss_legendre(n, nodes.data(), weights.data()); });
+    return {nodes, weights};
+}
+
+Out<complex, 1> fresnel_auxiliary(In<double, 1> s) {
+    auto out = new_array<complex, 1>({s.shape(0)});
+    released([&] {
+        for (std::size_t i = 0; i < s.shape(0); ++i) {
+            require(s.data()[i] >= 0.0, "s must be at least 0");
+            out.data()[i] = lommel::FresnelAuxiliary::at(s.data()[i]);
+        }
+    });
+    return out;
+}
+
+}  // namespace
+
+void bindings::define_special(nb::module_& m) {
+    m.def("bessel_sequence", &bessel_sequence, "v"_a, "count"_a, "J_0 .. J_{count-1} at each v >= 0.");
+    m.def("legendre_transforms", &legendre_transforms, "v"_a, "terms"_a,
+          "2 (-1)^n J_{2n+1}(v) / v for n < terms, at each v >= 0.");
+    m.def("gauss_legendre", &gauss_legendre, "n"_a, "Nodes and weights on [-1, 1].");
+    m.def("fresnel_auxiliary", &fresnel_auxiliary, "s"_a, "exp(-i s^2) int_s^inf exp(i tau^2) d tau for s >= 0.");
+}

@@ -1,0 +1,39 @@
+// How work is shared among threads: a stack pupil by pupil, a large image by blocks of rows.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "lommel/base/parallel.hpp"
+
+namespace lommel {
+
+// Microseconds of work that are worth a thread: it takes some 20 to start, and more where the other processors are busy.
+// Lowered by tests, to have threads at all.
+inline double& work_per_thread() {
+    static double microseconds = 200.0;
+    return microseconds;
+}
+
+// As many of the threads that are granted (0: any number) as the work is worth.
+inline int worthwhile_threads(int threads, double microseconds) {
+    const int worth = static_cast<int>(std::min(1024.0, std::max(1.0, microseconds / work_per_thread())));
+    return std::min(threads > 0 ? threads : worth, worth);
+}
+
+// Calls render(pupil, threads) for each pupil: several at once, or one with all threads.
+template <class Render>
+void for_pupils(std::size_t count, int threads, const Render& render) {
+    const bool one = count == 1;
+    parallel_for(count, threads, [&](std::size_t, std::size_t pupil) { render(pupil, one ? threads : 1); });
+}
+
+// Calls paint(first, last) for the rows of an image in blocks that are worth a task.
+template <class Paint>
+void for_rows(std::size_t rows, std::size_t width, int threads, const Paint& paint) {
+    const std::size_t block = std::max<std::size_t>(1, (std::size_t{1} << 18) / width);
+    parallel_for((rows + block - 1) / block, threads,
+                 [&](std::size_t, std::size_t task) { paint(task * block, std::min(rows, (task + 1) * block)); });
+}
+
+}  // namespace lommel

@@ -1,0 +1,45 @@
+// How an answer comes to be within the tolerance: it is computed, its error is bounded from what was found, and if that is too
+// much, more is asked for.
+#pragma once
+
+#include <cstddef>
+
+#include "lommel/base/watch.hpp"
+#include "lommel/question.hpp"
+
+namespace lommel {
+
+// attempt() computes and returns the bound on the error; more(bound) asks for more, or says that no more can be asked for.
+template <class Attempt, class More>
+double settle(double tol, const Attempt& attempt, const More& more) {
+    for (;;) {
+        look();
+        const double bound = attempt();
+        if (bound <= tol) {
+            return bound;
+        }
+        if (!more(bound)) {
+            throw ToleranceNotMet(bound);
+        }
+    }
+}
+
+// The least n >= `least` for which enough(n), which holds for all larger ones; `most` where it does for none below.
+template <class Enough>
+std::size_t fewest(std::size_t least, const Enough& enough, std::size_t most = std::size_t{1} << 30) {
+    if (enough(least)) {
+        return least;
+    }
+    std::size_t low = least, step = 1;  // not enough
+    while (low + step < most && !enough(low + step)) {
+        low += step;
+        step *= 2;
+    }
+    for (std::size_t high = low + step; high - low > 1;) {
+        const std::size_t middle = low + (high - low) / 2;
+        (enough(middle) ? high : low) = middle;
+    }
+    return low + 1;
+}
+
+}  // namespace lommel

@@ -1,0 +1,57 @@
+// Weighted sums of many profiles: averages over pixels, from intensities at radii that are few.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/radial/profiles.hpp"
+
+namespace lommel {
+
+// out[pupil * sums + j] = sum over i of I(v[i]) matrix[i * sums + j], bounds as those of profiles(). A product of matrices,
+// here because those of libraries start threads of their own, which outnumber the processors where callers are many.
+inline void profile_sums(const Stack& stack, const double* v, std::size_t count, double tol, const double* matrix,
+                         std::size_t sums, int threads, double* out, double* bounds) {
+    constexpr std::size_t together = 4, step = 16;
+    const std::size_t stride = (sums + step - 1) / step * step;
+    Doubles table(count * stride);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::copy_n(matrix + i * sums, sums, table.data() + i * stride);
+    }
+    parallel_for((stack.count + together - 1) / together, threads, [&](std::size_t, std::size_t task) {
+        const std::size_t first = task * together;
+        Stack part = stack;
+        part.coefficients += first * stack.terms;
+        part.count = std::min(together, stack.count - first);
+        // Profiles that are not there are zero.
+        Doubles values(together * count), peaks(together), rows(together * stride);
+        profiles(part, v, count, tol, values.data(), bounds + first, peaks.data());
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using V = typename decltype(isa)::pack;
+            constexpr std::size_t lanes = decltype(isa)::lanes;
+            // Eight chains of multiply-adds hide their latency.
+            for (std::size_t j = 0; j < stride; j += 2 * lanes) {
+                V sum[together][2] = {};
+                for (std::size_t i = 0; i < count; ++i) {
+                    const V a = load<V>(table.data() + i * stride + j), b = load<V>(table.data() + i * stride + j + lanes);
+                    for (std::size_t p = 0; p < together; ++p) {
+                        const V value = splat<V>(values[p * count + i]);
+                        sum[p][0] = sum[p][0] + value * a;
+                        sum[p][1] = sum[p][1] + value * b;
+                    }
+                }
+                for (std::size_t p = 0; p < together; ++p) {
+                    store(rows.data() + p * stride + j, sum[p][0]);
+                    store(rows.data() + p * stride + j + lanes, sum[p][1]);
+                }
+            }
+        });
+        for (std::size_t p = 0; p < part.count; ++p) {
+            std::copy_n(rows.data() + p * stride, sums, out + (first + p) * sums);
+        }
+    });
+}
+
+}  // namespace lommel

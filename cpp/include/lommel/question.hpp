@@ -1,0 +1,85 @@
+// What may be asked of an engine and what may be answered: limits, what is raised beyond them, and what an error of U makes of
+// the values that are stored.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+namespace lommel {
+
+constexpr double unit_roundoff = 1.1102230246251565e-16;
+constexpr double max_phase = 1e6;        // radians; beyond, the reduction of arguments loses digits
+constexpr double max_reach = 1e6;        // v; beyond, light is less than 1e-17 of that in focus, and roundings of v show
+constexpr std::size_t max_terms = 6000;  // of a Legendre series; its rule takes about 4 n^2 bytes
+constexpr std::size_t max_degree = 200;  // of a Zernike term
+
+struct PhaseTooLarge : std::domain_error {
+    using std::domain_error::domain_error;
+};
+
+struct ToleranceNotMet : std::runtime_error {
+    double bound;
+    explicit ToleranceNotMet(double reached) : std::runtime_error("tolerance not met"), bound(reached) {}
+};
+
+inline std::string shortened(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", x);
+    return text;
+}
+
+inline void check_reach(double reach) {
+    if (!(reach <= max_reach)) {
+        throw PhaseTooLarge("v up to " + shortened(reach) + " from the axis is more than the limit of " + shortened(max_reach));
+    }
+}
+
+inline void check_phase(double radians) {
+    if (!(radians <= max_phase)) {
+        throw PhaseTooLarge("phases of " + shortened(radians) + " rad exceed the limit of 1000000 rad");
+    }
+}
+
+// R_n^|m|(rho) times cos(m theta), or sin(|m| theta) for m < 0; 1 at the edge.
+struct ZernikeTerm {
+    std::int32_t n, m;
+    bool operator==(const ZernikeTerm& other) const { return n == other.n && m == other.m; }
+};
+
+// |I - I_exact| where U has the modulus `size` and is off by `error`.
+inline double intensity_error(double size, double error) { return error * (2.0 * size + error); }
+
+// An error of I over the exact peak, of which the computed one, M^2, tells that its root is M - e at least.
+inline double over_peak(double wrong, double peak, double field_error) {
+    const double exact = std::sqrt(peak) - field_error;
+    return exact > 1e-150 ? wrong / (exact * exact) : 1e300;
+}
+
+// (2 M e + e^2) / (M - e)^2: the error of I over its exact peak, from the error e of U and the computed peak M^2.
+inline double relative_error(double peak, double field_error) {
+    return over_peak(intensity_error(std::sqrt(peak), field_error), peak, field_error);
+}
+
+// The error of values divided by their own largest one, itself in error by `relative`.
+inline double normalized_error(double relative) { return relative < 1.0 ? 2.0 * relative / (1.0 - relative) : 1e300; }
+
+// What storing values of type T adds to their error over the peak. The sum of two squares, the scale and the product with it
+// are six roundings to double at most; to float, if it is that, values are rounded once, or twice if they are divided by their
+// largest one after they have been stored.
+template <class T>
+constexpr double storing(bool twice) {
+    return 6.0 * unit_roundoff + (sizeof(T) == 4 ? (twice ? 2.0 : 1.0) * 5.9604644775390625e-08 : 0.0);
+}
+inline double stored(double relative, double storing) { return relative + (1.0 + relative) * storing; }
+
+// The bound on finished values over their peak: divided by their largest one or not, and if so before or after they are stored.
+template <class T>
+double finished_error(double relative, bool divided, bool after) {
+    return stored(divided ? normalized_error(relative) : relative, storing<T>(divided && after));
+}
+
+}  // namespace lommel

@@ -1,0 +1,90 @@
+// One disk: how many terms and nodes its Legendre series takes, the series, and what is proven about its error.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "lommel/bounds/ellipse.hpp"
+#include "lommel/radial/series.hpp"
+#include "lommel/radial/stack.hpp"
+
+namespace lommel {
+
+// How a disk is expanded: enough terms and quadrature nodes for an error in U at every v up to a reach.
+struct Expansion {
+    std::size_t terms = 0;
+    std::shared_ptr<const LegendreRule> rule;
+    double truncation = 0.0, quadrature = 0.0;
+
+    Expansion() = default;
+    Expansion(const Ellipses& ellipses, double reach, double error) {
+        check_reach(reach);
+        const double left = RadialBudget::truncation * error;
+        const std::size_t by_phase = ellipses.terms(left), by_window = window_terms(reach, left);
+        terms = std::min(by_phase, by_window);
+        truncation = by_phase <= by_window ? ellipses.tail(terms) : window_tail(terms, reach);
+        const std::size_t nodes = ellipses.nodes(terms, RadialBudget::quadrature * error);
+        if (nodes > max_terms) {
+            throw PhaseTooLarge("aberrations this large take a series of " + std::to_string(nodes) +
+                                " nodes, more than the limit of " + std::to_string(max_terms) +
+                                "; Geometric, which leaves diffraction out, has none");
+        }
+        rule = LegendreRule::get(nodes, terms);
+        quadrature = ellipses.quadrature(2 * rule->half, terms);
+    }
+
+    std::size_t room() const { return rule->blocks * 2 * row_lanes; }
+
+    // Roundings of exp(i Phi) at the nodes reach U undiminished at most (Parseval, twice); those of the sums over half
+    // the nodes, in two chains, come with the square root of the number of terms.
+    double error(const Phase& phase) const {
+        const double rounding = phase.sensitivity() + 8.0 +
+                                std::sqrt(static_cast<double>(terms)) *
+                                    (0.5 * static_cast<double>(rule->half) + 16.0 + rule_rounding(2 * rule->half));
+        return truncation + quadrature + unit_roundoff * rounding;
+    }
+};
+
+// What the rounding of radii does to U up to v: in units of a piece they are off by three roundings, the step in v by three,
+// and |U'| <= int sqrt(t) |J_1(v sqrt t)| dt is at most 1/2 and, |J_1(x)| being at most 0.826 / sqrt(x), 0.661 / sqrt(v).
+inline double radius_rounding(double v) { return 6.0 * unit_roundoff * std::min(0.5 * v, 0.661 * std::sqrt(v)); }
+
+// Of the sum over a series at one radius: by Cauchy and Parseval, the magnitudes of what is added sum to at most 1.
+inline double series_rounding(std::size_t terms) { return unit_roundoff * (static_cast<double>(terms) + 16.0); }
+
+// The Legendre series of t^power exp(i Phi) on a full disk.
+struct Disk {
+    Doubles re, im;
+    std::size_t terms = 0;
+
+    // Expands to `error` in U at every v up to `reach`; returns the bound that was reached, rounding included.
+    double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch) {
+        check_phase(phase.size());
+        const Expansion plan(Ellipses(phase.coefficients, phase.terms, *phase.amplitude, power), reach, error);
+        terms = plan.terms;
+        if (re.size() < plan.room()) {
+            re.resize(plan.room());
+            im.resize(plan.room());
+        }
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, *phase.amplitude, power, terms, re.data(),
+                                  im.data(), scratch);
+        });
+        return plan.error(phase);
+    }
+
+    // Adds a constant to the phase.
+    void turn(double angle) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        for (std::size_t n = 0; n < terms; ++n) {
+            const double a = re[n], b = im[n];
+            re[n] = c * a - s * b;
+            im[n] = s * a + c * b;
+        }
+    }
+};
+
+}  // namespace lommel

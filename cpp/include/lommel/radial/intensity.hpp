@@ -1,0 +1,129 @@
+// The intensity of one pupil at radii, its derivatives, and how it comes to be within the tolerance.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/bounds/settle.hpp"
+#include "lommel/pixels/render.hpp"
+#include "lommel/radial/field.hpp"
+
+namespace lommel {
+
+constexpr std::size_t chunk_radii = 4096;  // whose values stay in the first cache
+
+// Hands I at the places that a field is ready for to take(first, count, values), chunk by chunk; returns the largest.
+template <class Take>
+double intensities(Field& field, const Places& places, int threads, const Take& take) {
+    const std::size_t tasks = (places.count + chunk_radii - 1) / chunk_radii;
+    std::vector<double> tops(tasks, 0.0);
+    const auto work = [&](Field& own, std::size_t task) {
+        // Vectors reach beyond the end of a chunk, which is another's beginning.
+        alignas(64) double buffer[chunk_radii + widest_step];
+        const std::size_t first = task * chunk_radii, last = std::min(places.count, first + chunk_radii);
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            own.evaluate(isa, places.radii, first, last, places.step,
+                         [&](std::size_t i, auto re, auto im) LOMMEL_INLINE_LAMBDA { store(buffer + i, re * re + im * im); });
+            tops[task] = largest(buffer, last - first);
+            take(first, last - first, buffer);
+        });
+    };
+    if (tasks < 16 || threads == 1) {
+        for (std::size_t task = 0; task < tasks; ++task) {
+            look();
+            work(field, task);
+        }
+    } else {
+        // The scratch of a field belongs to one thread.
+        std::vector<Field> fields(static_cast<std::size_t>(processors()) + 1, field);
+        parallel_for(tasks, threads, [&](std::size_t worker, std::size_t task) { work(fields[worker], task); });
+    }
+    return tops.empty() ? 0.0 : *std::max_element(tops.begin(), tops.end());
+}
+
+// dI/dc_k = 2 Re(conj(U) i T), T = int t^k exp(i Phi) J0 dt: further right-hand sides on the same table.
+struct Slopes {
+    Doubles values;
+    double error = 0.0, size = 0.0, steepest = 0.0;  // bound on the error of T, largest |T|^2, largest |dI/dc_k|
+
+    // At the places that `field` is ready for.
+    Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double asked)
+        : values(places.count) {
+        Field derivative;
+        error = derivative.prepare(phase, power, obscuration, places, asked);
+        // Vectors overlap where pieces meet, so the results must not replace what they are made of.
+        Doubles re(chunk_radii + widest_step), im(re.size()), slope(re.size()), square(re.size());
+        for (std::size_t first = 0; first < places.count; first += chunk_radii) {
+            look();
+            const std::size_t last = std::min(places.count, first + chunk_radii);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                using V = typename decltype(isa)::pack;
+                field.evaluate(isa, places.radii, first, last, places.step, [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
+                    store(&re[i], a);
+                    store(&im[i], b);
+                });
+                derivative.evaluate(isa, places.radii, first, last, places.step,
+                                    [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
+                                        const V u = load<V>(&re[i]), w = load<V>(&im[i]);
+                                        store(&slope[i], splat<V>(2.0) * (w * a - u * b));
+                                        store(&square[i], a * a + b * b);
+                                    });
+            });
+            for (std::size_t i = 0; i < last - first; ++i) {
+                values[first + i] = slope[i];
+                size = std::max(size, square[i]);
+                steepest = std::max(steepest, std::abs(slope[i]));
+            }
+        }
+    }
+};
+
+// The largest I on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need
+// not be on the axis.
+inline double scanned_peak(const Phase& phase, double obscuration, double error) {
+    const double blur = 4.0 + phase.blur();
+    constexpr std::size_t samples = 512;
+    Doubles radii(samples + widest_step);
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        radii[i] = static_cast<double>(i);
+    }
+    Field field;
+    const Places places(radii.data(), samples, blur / samples);
+    field.prepare(phase, 0, obscuration, places, error);
+    return intensities(field, places, 1, [](std::size_t, std::size_t, const double*) {});
+}
+
+struct Settled {
+    double error, bound;  // asked of U, proven of U
+    double relative;      // proven of the finished values
+    double top, peak;     // largest I in the window; the peak, where that was looked for elsewhere
+};
+
+// Prepares `field` for some places, asking for less error until values of type T are within `tol` of the peak of the PSF.
+// `evaluate` computes the intensities of the window from the field and returns the largest, by which they will be divided if
+// `normalize`, after they are stored.
+template <class T, class Evaluate>
+Settled settle_field(Field& field, const Phase& phase, double obscuration, const Places& places, double tol, bool normalize,
+                     const Evaluate& evaluate) {
+    Settled s{first_error(phase, obscuration, tol), 0.0, 0.0, 0.0, 0.0};
+    const auto relative = [&] { return finished_error<T>(relative_error(s.peak, s.bound), normalize, true); };
+    const auto attempt = [&] {
+        s.bound = field.prepare(phase, 0, obscuration, places, s.error);
+        s.top = s.peak = evaluate();
+        if (!normalize && !(relative() <= tol)) {
+            s.peak = std::max(s.peak, scanned_peak(phase, obscuration, s.error));
+        }
+        return relative();
+    };
+    s.relative = settle(tol, attempt, [&](double) {
+        const bool more = s.error >= RadialBudget::least;
+        s.error *= RadialBudget::again;
+        return more;
+    });
+    return s;
+}
+
+}  // namespace lommel

@@ -1,0 +1,106 @@
+// Pupils that are radially symmetric, one and many: what is asked of the radial engine, and where its answers go.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/bounds/amplitude.hpp"
+#include "lommel/question.hpp"
+
+namespace lommel {
+
+// The pupil function A exp(i Phi): coefficients of R_2^0 = P_1(2t - 1), R_4^0, ... of the phase, in radians, and the amplitude,
+// which is not copied.
+struct Phase {
+    const double* coefficients;
+    std::size_t terms;
+    const Amplitude* amplitude = &even_light;
+
+    double size() const { return weighted(0.0, 0.0, 1.0); }
+    // What roundings do to the phase, its mean over t: of each coefficient two, of P_j(x) one, of the products and the sum at
+    // most K + 1, K of the coefficients not being 0, and that of the node x, half a one at most, as much as the mean of |P_j'|:
+    // by Cauchy at most sqrt(j (j + 1) / 2).
+    double sensitivity() const {
+        const double used =
+            static_cast<double>(terms) - static_cast<double>(std::count(coefficients, coefficients + terms, 0.0));
+        return weighted(0.0, 1.0, used + 5.0) + amplitude->sensitivity();
+    }
+    // How far from the axis rays arrive, in v, at most: |dR_2j/drho| <= 2 j (j + 1).
+    double blur() const { return weighted(2.0, 2.0, 0.0); }
+
+   private:
+    double weighted(double square, double slope, double start) const {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < terms; ++k) {
+            const double j = static_cast<double>(k + 1);
+            sum += ((square * j + slope) * j + start) * std::abs(coefficients[k]);
+        }
+        return sum;
+    }
+};
+
+struct Stack {
+    const double* coefficients;  // [pupil][term] of R_2^0, R_4^0, ...
+    std::size_t count, terms;
+    double obscuration;
+    Amplitude amplitude{};
+    Phase operator[](std::size_t i) const { return {coefficients + i * terms, terms, &amplitude}; }
+};
+
+// The least and the most of each coefficient in a stack, and the farthest from 0.
+struct Box {
+    std::vector<double> least, most, farthest;
+
+    explicit Box(const Stack& stack) : least(stack.coefficients, stack.coefficients + stack.terms), most(least) {
+        for (std::size_t i = 1; i < stack.count; ++i) {
+            for (std::size_t k = 0; k < stack.terms; ++k) {
+                least[k] = std::min(least[k], stack[i].coefficients[k]);
+                most[k] = std::max(most[k], stack[i].coefficients[k]);
+            }
+        }
+        for (std::size_t k = 0; k < stack.terms; ++k) {
+            farthest.push_back(std::max(std::abs(least[k]), std::abs(most[k])));
+        }
+    }
+    Phase worst(const Amplitude& amplitude) const { return {farthest.data(), farthest.size(), &amplitude}; }
+};
+
+// Where the answer goes. For each pupil: the image, what the intensity was multiplied by (0 on entry: divide by the
+// largest value instead), the bound on the error over the peak, and dI/dc_k for each of `derivatives`.
+template <class T>
+struct Answer {
+    T* images;
+    double* scales;
+    double* bounds;
+    const std::size_t* powers;  // the k of dI/dc_k
+    std::size_t derivatives;
+    T* derivative_images;  // [derivative][pupil][height][width]
+    double* derivative_bounds;  // [derivative][pupil], over the peak of the intensity
+};
+
+// What the error of an image is spent on.
+struct RadialBudget {
+    // Of the tolerance times the peak of |U|, on U, which counts twice in I; the rest is a margin, for the peak is a guess.
+    static constexpr double field = 0.4;
+    static_assert(2.0 * field <= 1.0);
+    // Of the error of U, on the disk and the obscured one, and on interpolation between the radii of pieces.
+    static constexpr double outer = 0.5, inner = 0.5, pieces = 0.4;
+    // Of that of a disk, on terms left out (by the phase or by the window) and on quadrature.
+    static constexpr double truncation = 0.5, quadrature = 0.1;
+    static_assert((outer + inner) * (truncation + quadrature) + pieces <= 1.0);
+    // What is asked of U where that did not do: a part of what was asked before, down to some roundings.
+    static constexpr double again = 0.1, least = 8.0 * unit_roundoff;
+};
+
+// Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
+inline double likely_peak(const Phase& phase, double obscuration) {
+    return phase.amplitude->integral(obscuration) / (4.0 * phase.size() + 1.0);
+}
+
+inline double first_error(const Phase& phase, double obscuration, double tol) {
+    return RadialBudget::field * tol * likely_peak(phase, obscuration);
+}
+
+}  // namespace lommel

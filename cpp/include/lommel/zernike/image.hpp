@@ -1,0 +1,274 @@
+// An image in the making, of a pupil that is not radially symmetric: each piece of v as well as it must be.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/pixels/mirrored.hpp"
+#include "lommel/zernike/field.hpp"
+
+namespace lommel {
+
+// Bound on what single precision does to U: roundings of coefficients, of x (whose powers have a slope of up to 7), of
+// Horner's rule, of cos(m psi) and sin(m psi), m times those of psi, and of the sum.
+inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients) {
+    double sum = 0.0;
+    for (const double c : coefficients) {
+        sum += std::abs(c);
+    }
+    const double steps =
+        4.0 * ring_degree + 4.0 * static_cast<double>(plan.orders.highest()) + static_cast<double>(plan.rows.size()) + 32.0;
+    return 5.97e-8 * steps * sum;
+}
+
+// An image in the making: its pixels by pieces of v, and how well each piece is done.
+//
+// An error of U matters less where the PSF is dark: |I - I_exact| <= e (2 |U| + e). Every piece is given an error of its own
+// from a look at some of its points, and judged by the values that it turned out to have.
+class ZernikeImage {
+   public:
+    // Of those pixels, `step` in v apart. What is used for one image is kept for the next.
+    void begin(std::shared_ptr<const MirroredPixels> pixels, double step, int threads) {
+        pixels_ = std::move(pixels);
+        step_ = step;
+        threads_ = threads;
+    }
+
+    // Expands the pupil to `error` in U, looks where it is bright, and gives every piece what error the tolerance allows there.
+    void prepare(const ZernikePhase& phase, const ZernikePhase& inner, double obscuration, double error, double tol,
+                 double lost = 0.0) {
+        const double reach = step_ * std::sqrt(static_cast<double>(pixels_->groups.back().square()));
+        const double near = step_ * std::sqrt(static_cast<double>(pixels_->groups.front().square()));
+        field_.expand(phase, inner, obscuration, reach, error, lost);
+        std::array<double, looks> v, bright;
+        parallel_for(looks, threads_, [&](std::size_t, std::size_t i) {
+            // Closer together near the axis, where most light is.
+            const double x = (static_cast<double>(i) + 0.5) / looks;
+            v[i] = near + (reach - near) * x * std::sqrt(x);
+            bright[i] = field_.look(v[i]);
+        });
+        const double all = ZernikeBudget::image * tol * *std::max_element(bright.begin(), bright.end());
+        const auto allowed = [&](double intensity) {
+            const double u = 2.0 * std::sqrt(intensity);
+            return all / (u + std::sqrt(u * u + all));
+        };
+        field_.prepare(allowed(2.0 * all / tol), threads_, [&](std::size_t pieces) {
+            std::vector<std::size_t> lit;
+            parts_.assign(pieces, Part());
+            std::size_t first = 0;
+            for (std::size_t s = 0; s < pieces; ++s) {
+                parts_[s].first = first;
+                first = s + 1 == pieces ? pixels_->groups.size() : boundary(s, 1, 1, first, pixels_->groups.size());
+                parts_[s].last = first;
+                if (parts_[s].first < first) {
+                    lit.push_back(s);
+                }
+            }
+            return lit;
+        });
+        for (std::size_t s = 0; s < parts_.size(); ++s) {
+            if (parts_[s].first == parts_[s].last) {
+                continue;
+            }
+            // The looks in the piece and one on either side.
+            const double low = field_.width() * static_cast<double>(s), high = low + field_.width();
+            double seen = 0.0;
+            for (std::size_t i = 0; i < looks; ++i) {
+                if ((i + 1 == looks || v[i + 1] >= low) && (i == 0 || v[i - 1] <= high)) {
+                    seen = std::max(seen, bright[i]);
+                }
+            }
+            parts_[s].allowed = allowed(seen);
+        }
+    }
+
+    // Gives those pieces less whose error of I is above `most`; returns false if the expansion is the reason.
+    bool tighten(double most) {
+        bool any = false;
+        for (Part& part : parts_) {
+            if (part.wrong() > most) {
+                if (part.error < ZernikeBudget::blame * field_.base()) {
+                    return false;
+                }
+                part.allowed = ZernikeBudget::piece_again * std::min(part.allowed, part.error);
+                part.done = false;
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    double peak() const { return brightest().top; }
+    double error_at_peak() const { return brightest().error; }  // of U
+    double wrong() const {                                      // proven error of I
+        double sum = 0.0;
+        for (const Part& part : parts_) {
+            sum = std::max(sum, part.wrong());
+        }
+        return sum;
+    }
+
+    // Computes the pieces that are not done, writing I times `scale`.
+    template <class T>
+    void paint(double scale, T* image) {
+        parallel_for(parts_.size(), threads_, [&](std::size_t, std::size_t s) {
+            if (!parts_[s].done) {
+                paint(s, scale, image);
+            }
+        });
+    }
+
+   private:
+    static constexpr std::size_t looks = 32;
+
+    struct Part {
+        std::size_t first = 0, last = 0;       // groups of pixels
+        double allowed = 0.0, error = 1e300;  // of U: asked for, proven
+        double top = 0.0;                     // largest I
+        bool done = false;
+        double wrong() const { return first < last ? intensity_error(std::sqrt(top), error) : 0.0; }
+    };
+
+    const Part& brightest() const {
+        return *std::max_element(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.top < b.top; });
+    }
+
+    // The first group beyond ring r - 1 of `rings` in piece s.
+    std::size_t boundary(std::size_t s, std::size_t r, std::size_t rings, std::size_t least, std::size_t most) const {
+        const double v = field_.width() * (static_cast<double>(s) + static_cast<double>(r) / static_cast<double>(rings));
+        return std::clamp(pixels_->first_at(v / step_), least, most);
+    }
+
+    template <class T>
+    void paint(std::size_t s, double scale, T* image) {
+        Part& part = parts_[s];
+        part.done = true;
+        part.top = 0.0;
+        if (part.first == part.last) {
+            return;
+        }
+        thread_local Doubles coefficients;
+        thread_local Floats singles;
+        const PiecePlan plan = field_.plan(s, part.allowed, part.last - part.first);
+        part.error = plan.error;
+        const double per_pixel = step_ / field_.width();
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using I = decltype(isa);
+            constexpr std::size_t unroll = I::lanes == 8 ? 2 : 1;
+            if (plan.rings == 0) {
+                field_.whole(plan, s, coefficients);
+                part.top = pixels<degree_count, unroll, typename I::pack>(plan, part.first, part.last, 2.0 * per_pixel,
+                                                                          -(2.0 * static_cast<double>(s) + 1.0),
+                                                                          coefficients.data(), scale, image);
+                return;
+            }
+            std::size_t from = part.first;
+            for (std::size_t r = 0; r < plan.rings; ++r) {
+                const std::size_t to = r + 1 == plan.rings ? part.last : boundary(s, r + 1, plan.rings, from, part.last);
+                if (from == to) {
+                    continue;
+                }
+                field_.ring(isa, plan, s, r, coefficients);
+                const double slope = 2.0 * static_cast<double>(plan.rings) * per_pixel;
+                const double offset = -(2.0 * static_cast<double>(s * plan.rings + r) + 1.0);
+                const double rounding = single_rounding(plan, coefficients);
+                double top = 0.0;
+                if (plan.error + rounding <= part.allowed) {
+                    part.error = std::max(part.error, plan.error + rounding);
+                    singles.assign(coefficients.begin(), coefficients.end());
+                    top = pixels<ring_degree, unroll, typename I::floats>(plan, from, to, slope, offset, singles.data(), scale,
+                                                                          image);
+                } else {
+                    top = pixels<ring_degree, unroll, typename I::pack>(plan, from, to, slope, offset, coefficients.data(),
+                                                                        scale, image);
+                }
+                part.top = std::max(part.top, top);
+                from = to;
+            }
+        });
+    }
+
+    template <std::size_t Degree, std::size_t Unroll, class V, class Real>
+    static LOMMEL_INLINE void sum(const ActiveOrders& orders, const Real* coefficients, const V* x, const V* c, const V* s,
+                                  V (*out)[Unroll]) {
+        if (orders.sines) {
+            sum_orders<Degree, true, Unroll>(orders, coefficients, x, c, s, out);
+        } else {
+            sum_orders<Degree, false, Unroll>(orders, coefficients, x, c, s, out);
+        }
+    }
+
+    // Writes the pixels of groups [first, last), x = slope r + offset; returns the largest I.
+    template <std::size_t Degree, std::size_t Unroll, class V, class Real, class T>
+    LOMMEL_INLINE double pixels(const PiecePlan& plan, std::size_t first, std::size_t last, double slope, double offset,
+                                const Real* coefficients, double scale, T* image) const {
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Real), at_once = Unroll * lanes;
+        const std::int64_t width = pixels_->width, center = pixels_->row * width + pixels_->column;
+        const std::int64_t inner = std::min(std::min(pixels_->row, pixels_->height - 1 - pixels_->row),
+                                            std::min(pixels_->column, width - 1 - pixels_->column));
+        Real peak = 0;
+        Glance glance;
+        for (std::size_t g = first; g < last; g += at_once) {
+            glance(at_once * (1 + 4 * plan.rows.size()));
+            alignas(64) Real x[at_once], c[at_once], s[at_once], values[at_once * 8];
+            const std::size_t here = std::min(at_once, last - g);
+            alignas(64) double a[at_once], b[at_once];
+            for (std::size_t i = 0; i < at_once; ++i) {
+                const MirroredPixels::Group group = pixels_->groups[g + std::min(i, here - 1)];
+                // At the axis any direction will do.
+                a[i] = group.a == 0 ? 1e-150 : group.a;
+                b[i] = group.b;
+            }
+            for (std::size_t i = 0; i < at_once; ++i) {
+                const double r = std::sqrt(a[i] * a[i] + b[i] * b[i]), over = 1.0 / r;
+                x[i] = static_cast<Real>(r * slope + offset);
+                c[i] = static_cast<Real>(a[i] * over);
+                s[i] = static_cast<Real>(b[i] * over);
+            }
+            V vx[Unroll], vc[Unroll], vs[Unroll], out[8][Unroll];
+            for (std::size_t u = 0; u < Unroll; ++u) {
+                vx[u] = load<V>(x + u * lanes);
+                vc[u] = load<V>(c + u * lanes);
+                vs[u] = load<V>(s + u * lanes);
+            }
+            sum<Degree, Unroll>(plan.orders, coefficients, vx, vc, vs, out);
+            for (std::size_t j = 0; j < 8; ++j) {
+                for (std::size_t u = 0; u < Unroll; ++u) {
+                    store(values + j * at_once + u * lanes, out[j][u]);
+                }
+            }
+            for (std::size_t i = 0; i < here; ++i) {
+                const MirroredPixels::Group group = pixels_->groups[g + i];
+                const std::int64_t a = group.a, b = group.b;
+                const std::int64_t right[8] = {a, a, -a, -a, b, b, -b, -b}, down[8] = {b, -b, b, -b, a, -a, a, -a};
+                for (std::size_t j = 0; j < 8; ++j) {
+                    if (a > inner) {
+                        const std::int64_t px = pixels_->column + right[j], py = pixels_->row + down[j];
+                        if (px < 0 || px >= width || py < 0 || py >= pixels_->height) {
+                            continue;
+                        }
+                    }
+                    const Real value = values[j * at_once + i];
+                    image[center + down[j] * width + right[j]] = static_cast<T>(scale * static_cast<double>(value));
+                    peak = value > peak ? value : peak;
+                }
+            }
+        }
+        return static_cast<double>(peak);
+    }
+
+    std::shared_ptr<const MirroredPixels> pixels_;
+    double step_ = 1.0;
+    int threads_ = 1;
+    ZernikeField field_;
+    std::vector<Part> parts_;
+};
+
+}  // namespace lommel

@@ -1,0 +1,109 @@
+// Which azimuthal orders matter: in the whole image, and in each piece of v.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include "lommel/zernike/azimuth.hpp"
+#include "lommel/zernike/disk.hpp"
+#include "lommel/zernike/expansion.hpp"
+
+namespace lommel {
+
+// How one piece is evaluated: which orders take part, and how many rings it is divided into (0: none).
+struct PiecePlan {
+    ActiveOrders orders;
+    std::vector<std::size_t> rows;  // where the coefficients of each order are
+    std::size_t rings = 1;
+    double error = 0.0;  // bound on the error of U
+};
+
+// What an order can add to U: |2 (n+1) J_{n+1}(v) / v| <= 1, and |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
+struct OrderSize {
+    double near = 0.0, far = 0.0;
+    double at(double v) const { return v > 0.0 ? std::min(near, far * 1.572 / (v * std::cbrt(v))) : near; }
+};
+
+class PupilOrders {
+   public:
+    // Of all orders of a pupil, both disks together.
+    void measure(const ZernikeSeries& outer, const ZernikeSeries& inner, double obscuration) {
+        sizes_.assign(2 * std::max(outer.orders, inner.orders), OrderSize());
+        add(outer, 1.0, 1.0);
+        if (obscuration > 0.0) {
+            add(inner, obscuration * obscuration, 1.0 / (obscuration * std::cbrt(obscuration)));
+        }
+    }
+
+    // Leaves out the orders that matter least, as long as they add up to no more than `error` anywhere; returns what they do
+    // add up to.
+    double keep(double error) {
+        std::vector<std::size_t> rising(sizes_.size() / 2);
+        const auto size = [&](std::size_t m) { return sizes_[2 * m].near + sizes_[2 * m + 1].near; };
+        std::iota(rising.begin(), rising.end(), std::size_t{0});
+        std::sort(rising.begin(), rising.end(), [&](std::size_t a, std::size_t b) { return size(a) < size(b); });
+        double left = 0.0;
+        std::size_t out = 0;
+        for (; out < rising.size() && left + size(rising[out]) <= error; ++out) {
+            left += size(rising[out]);
+        }
+        kept_.assign(rising.begin() + static_cast<std::ptrdiff_t>(out), rising.end());
+        std::sort(kept_.begin(), kept_.end(),
+                  [](std::size_t a, std::size_t b) { return a % 4 != b % 4 ? a % 4 < b % 4 : a < b; });
+        return left;
+    }
+
+    // Of the orders kept, all up to one that take part from v on, with all their sines or none; returns what the rest can add.
+    double select(double v, double error, PiecePlan& plan) const {
+        double left = 0.0;
+        for (const std::size_t m : kept_) {
+            left += sizes_[2 * m + 1].at(v);
+        }
+        plan.orders.sines = left > ZernikeBudget::sines * error;
+        left = plan.orders.sines ? 0.0 : left;
+        const auto size = [&](std::size_t m) {
+            return sizes_[2 * m].at(v) + (plan.orders.sines ? sizes_[2 * m + 1].at(v) : 0.0);
+        };
+        thread_local std::vector<double> by_order;
+        by_order.assign(sizes_.size() / 2, 0.0);
+        for (const std::size_t m : kept_) {
+            by_order[m] = size(m);
+        }
+        std::size_t end = by_order.size();
+        while (end > 0 && left + by_order[end - 1] <= error) {
+            left += by_order[--end];
+        }
+        for (std::size_t i = 0; i < kept_.size(); ++i) {
+            if (kept_[i] < end) {
+                plan.orders.add(kept_[i]);
+                plan.rows.push_back(i);
+            }
+        }
+        return left;
+    }
+
+    // The orders kept, by m modulo 4.
+    const std::vector<std::size_t>& kept() const { return kept_; }
+
+   private:
+    void add(const ZernikeSeries& series, double weight, double stretch) {
+        const Doubles* const parts[2][2] = {{&series.cos_re, &series.cos_im}, {&series.sin_re, &series.sin_im}};
+        for (std::size_t m = 0; m < series.orders; ++m) {
+            for (std::size_t j = 0; j < 2 * series.used[m]; ++j) {
+                const std::size_t at = series.start[m] + j / 2;
+                const double re = (*parts[j % 2][0])[at], im = (*parts[j % 2][1])[at];
+                const double size = weight * std::sqrt(re * re + im * im);
+                sizes_[2 * m + j % 2].near += size / static_cast<double>(m + j / 2 * 2 + 1);
+                sizes_[2 * m + j % 2].far += size * stretch;
+            }
+        }
+    }
+
+    std::vector<OrderSize> sizes_;  // [2 m + sine]
+    std::vector<std::size_t> kept_;
+};
+
+}  // namespace lommel

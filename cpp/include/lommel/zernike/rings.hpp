@@ -1,0 +1,90 @@
+// Rings: parts of a piece of v on which 8 coefficients serve, made of the 16 of the piece.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/simd.hpp"
+#include "lommel/special/bessel_table.hpp"
+
+namespace lommel {
+
+constexpr std::size_t ring_degree = 8;  // coefficients of a ring, a part of a piece
+
+// Bound on the error of interpolation at 8 Chebyshev points on a ring, relative to sup|U|, as piece_error().
+inline double ring_error(double width) { return 2.0 * std::pow(0.25 * width, ring_degree) / 40320.0; }
+
+// From values at the 8 Chebyshev points to coefficients, in double.
+struct RingMatrix {
+    double at[ring_degree][ring_degree];  // [power][point]
+
+    RingMatrix() {
+        const ChebyshevToMonomials<ring_degree> convert;
+        for (std::size_t j = 0; j < ring_degree; ++j) {
+            double one[ring_degree] = {}, column[ring_degree];
+            one[j] = 1.0;
+            convert(one, 1, column);
+            for (std::size_t k = 0; k < ring_degree; ++k) {
+                at[k][j] = column[k];
+            }
+        }
+    }
+};
+inline const RingMatrix ring_matrix;
+
+inline void fill_powers(double x, double* powers) {
+    double power = 1.0;
+    for (std::size_t l = 0; l < degree_count; ++l) {
+        powers[l] = power;
+        power *= x;
+    }
+}
+
+// The matrix from 16 coefficients of a piece to those of its interpolant at 8 points: [power][highest first].
+template <class Powers>
+void resample(double* onto, const Powers& powers_at) {
+    std::fill(onto, onto + degree_count * ring_degree, 0.0);
+    double powers[degree_count];
+    for (std::size_t j = 0; j < ring_degree; ++j) {
+        powers_at(chebyshev_point(j, ring_degree), powers);
+        for (std::size_t k = 0; k < ring_degree; ++k) {
+            const double share = ring_matrix.at[k][j];
+            for (std::size_t l = 0; l < degree_count; ++l) {
+                onto[l * ring_degree + ring_degree - 1 - k] += powers[l] * share;
+            }
+        }
+    }
+}
+
+// Adds to, or fills, out[row][part][power] with `weight` times the coefficients of some rows of a piece, resampled.
+template <bool Add, class I>
+LOMMEL_INLINE void resample_rows(I, const double* onto, const double* rows, const std::vector<std::size_t>& which,
+                                 std::size_t parts, double weight, double* out) {
+    using V = typename I::pack;
+    constexpr std::size_t packs = ring_degree / I::lanes;
+    for (const std::size_t row : which) {
+        const double* from = rows + row * 4 * degree_count;
+        for (std::size_t part = 0; part < parts; ++part, from += degree_count, out += ring_degree) {
+            V sums[2][packs] = {};
+            for (std::size_t l = 0; l < degree_count; l += 2) {
+                for (std::size_t j = 0; j < 2; ++j) {
+                    const V c = splat<V>(from[l + j]);
+                    for (std::size_t p = 0; p < packs; ++p) {
+                        sums[j][p] = sums[j][p] + c * load<V>(onto + (l + j) * ring_degree + p * I::lanes);
+                    }
+                }
+            }
+            for (std::size_t p = 0; p < packs; ++p) {
+                V total = sums[0][p] + sums[1][p];
+                if constexpr (Add) {
+                    total = load<V>(out + p * I::lanes) + splat<V>(weight) * total;
+                }
+                store(out + p * I::lanes, total);
+            }
+        }
+    }
+}
+
+}  // namespace lommel

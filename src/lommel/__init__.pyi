@@ -1,0 +1,62 @@
+"""Every public name of the package and where it lives: the one list, which type checkers and __init__.py read."""
+
+from lommel import (
+    adapters as adapters,
+    base as base,
+    field as field,
+    imaging as imaging,
+    io as io,
+    lensfiles as lensfiles,
+    measures as measures,
+    methods as methods,
+    optics as optics,
+    reports as reports,
+    show as show,
+    special as special,
+)
+from lommel.core.answers import ToleranceError as ToleranceError
+from lommel.field.maps import FieldMap as FieldMap
+from lommel.field.psf_grid import PSFGrid as PSFGrid
+from lommel.lensfiles.instrument import Instrument as Instrument
+from lommel.lensfiles.lens_files import load_instrument as load_instrument
+from lommel.lensfiles.zernike_files import load_zernike as load_zernike, save_zernike as save_zernike
+from lommel.lensfiles.zernike_tables import ZernikeTable as ZernikeTable
+from lommel.measures.aperture_means import (
+    centroid as centroid,
+    marechal as marechal,
+    rms as rms,
+    spot_radius as spot_radius,
+    strehl as strehl,
+)
+from lommel.measures.errors import mse as mse, peak_error as peak_error
+from lommel.measures.focus import best_focus as best_focus
+from lommel.measures.transfer import mtf as mtf, mtf_frequency as mtf_frequency, otf as otf, ptf as ptf
+from lommel.methods.chordal_gauss import ChordalGauss as ChordalGauss
+from lommel.methods.closed_form import ClosedForm as ClosedForm
+from lommel.methods.fraunhofer import Fraunhofer as Fraunhofer
+from lommel.methods.geometric import Geometric as Geometric
+from lommel.methods.hankel import Hankel as Hankel
+from lommel.methods.huygens import HuygensFresnel as HuygensFresnel
+from lommel.methods.lommel_series import LommelSeries as LommelSeries
+from lommel.methods.matrix_fourier import MatrixFourier as MatrixFourier
+from lommel.methods.method import Method as Method
+from lommel.methods.nijboer_zernike import NijboerZernike as NijboerZernike
+from lommel.methods.nonuniform_fft import NonuniformFFT as NonuniformFFT
+from lommel.methods.polychromatic import Polychromatic as Polychromatic
+from lommel.methods.tuned_closed_form import TunedClosedForm as TunedClosedForm
+from lommel.optics.aperture import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
+from lommel.optics.apodization import Apodization as Apodization
+from lommel.optics.fitting import (
+    WavefrontFit as WavefrontFit,
+    fit_opd as fit_opd,
+    fit_radial as fit_radial,
+    opd_map as opd_map,
+)
+from lommel.optics.grid import Grid as Grid
+from lommel.optics.lens import Lens as Lens
+from lommel.optics.pupil import Pupil as Pupil
+from lommel.optics.wavefront import Wavefront as Wavefront
+from lommel.psf import PSF as PSF, Plan as Plan, psf as psf
+from lommel.special.erf import AbramowitzErf as AbramowitzErf, FresnelErf as FresnelErf, TableErf as TableErf
+
+__version__: str

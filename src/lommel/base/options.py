@@ -1,0 +1,78 @@
+"""Options that several functions share: listed once, as keywords, with their defaults and their text."""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+import re
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, TypeVar
+
+_Door = TypeVar("_Door", bound=Callable[..., Any])
+
+
+def shares(keywords: type, source: type, **defaults: object) -> Callable[[_Door], _Door]:
+    """Show shared options in the signature of what takes them as ``**options``, and their text in its docstring.
+
+    Parameters
+    ----------
+    keywords : type
+        A TypedDict whose keys are the options, for type checkers.
+    source : type
+        A class with a default and, in the section Parameters of its docstring, a text for each of them.
+    **defaults
+        Those of this function, where they differ.
+
+    Returns
+    -------
+    callable
+        Decorates a function or a class; a line ``{options}`` of its docstring becomes the text.
+    """
+
+    def show(door: _Door) -> _Door:
+        made: Any = door.__init__ if isinstance(door, type) else door  # type: ignore[misc]
+        found = inspect.signature(made)
+        own = [p for p in found.parameters.values() if p.kind is not p.VAR_KEYWORD]
+        names = [name for name in source.__annotations__ if name in keywords.__annotations__]
+        shared = [
+            inspect.Parameter(
+                name,
+                inspect.Parameter.KEYWORD_ONLY,
+                default=defaults.get(name, getattr(source, name)),
+                annotation=source.__annotations__[name],
+            )
+            for name in names
+        ]
+        made.__signature__ = found.replace(parameters=[*own, *shared])
+        if door.__doc__:  # there is none with python -OO
+            text = "\n".join(f"{head} : {said}" for head, said in _texts(source) if {*head.split(", ")} & {*names})
+            door.__doc__ = inspect.cleandoc(door.__doc__).replace("{options}", text)
+        return door
+
+    return show
+
+
+def sentence(source: type, name: str) -> str:
+    """Return what the docstring of a class says of one of its options, in one line and without its type."""
+    found = (said for head, said in _texts(source) if name in head.split(", "))
+    return " ".join(next(found, "").partition("\n")[2].split())
+
+
+def _texts(source: type) -> list[tuple[str, str]]:
+    """Return the entries of the section Parameters of a docstring: names, and what follows them from the type on."""
+    section = (inspect.getdoc(source) or "").partition("Parameters\n----------\n")[2]
+    section = re.split(r"\n\n(?=\w+\n-+\n)", section)[0]
+    return re.findall(r"^([\w, ]+) : (.*(?:\n(?!\w).*)*)", section.rstrip(), re.MULTILINE)
+
+
+def require_known(door: Callable[..., Any], given: Mapping[str, Any], keywords: type) -> None:
+    """Raise TypeError if an option is none of these keywords; it names all that `door` takes by keyword."""
+    if stray := [name for name in given if name not in keywords.__annotations__]:
+        known = [p.name for p in inspect.signature(door).parameters.values() if p.kind is p.KEYWORD_ONLY]
+        raise TypeError(f"{door.__qualname__}() has no option {stray[0]!r}; {near(stray[0], known)}")
+
+
+def near(name: str, known: Iterable[str]) -> str:
+    """Return what a name that is not known may have been meant to be, or all that are."""
+    found = difflib.get_close_matches(name[:60], known := list(known), n=1)
+    return f"did you mean {found[0]}?" if found else f"known are {', '.join(known)}"

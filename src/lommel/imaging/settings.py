@@ -1,0 +1,194 @@
+"""How photographs are made: every option of every way to make them, with its default, its check and its text."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Self, TypedDict, cast
+
+import numpy as np
+from numpy.typing import DTypeLike
+
+from lommel.base import options, validation
+from lommel.optics.lens import Lens
+
+BORDERS = ("reflect", "extend", "zero")
+MISSING = ("raise", "nearest", "infinity")
+
+Spectrum = float | Sequence[tuple[float, float]]
+
+RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
+"""Wavelengths (metres) that stand for the channels of a colour image where none are given."""
+
+
+class BlurKeywords(TypedDict, total=False):
+    """What the linear operator takes."""
+
+    border: str
+    energy: float
+    tol: float
+    largest: int | None
+    dtype: DTypeLike
+    threads: int | None
+
+
+class Keywords(BlurKeywords, total=False):
+    """What a photograph takes."""
+
+    occlusion: bool
+    wavelengths: Sequence[Spectrum] | None
+    missing: str
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a photograph is made, checked.
+
+    Parameters
+    ----------
+    occlusion : bool, default True
+        Whether near points hide far ones. Without, light is only added, which is quicker: what lies behind a near
+        object bleeds over its edges.
+    wavelengths : sequence, optional
+        A wavelength (metres), or pairs of wavelength and weight, for each channel. By default that of the lens for a
+        grey image, and 600, 540 and 460 nm for one of three channels.
+    missing : {"raise", "nearest", "infinity"}, default "raise"
+        What a NaN in the depth means: an error, the nearest known depth, or no object.
+    border : {"reflect", "extend", "zero"}, default "reflect"
+        What lies beyond the edges: the mirrored image, its last pixels, or darkness. Depth is mirrored or extended
+        alike; light that leaves the image is lost.
+    energy : float, default 0.98
+        Share of the light of a point that its window must hold, 0.5 to 0.9999.
+    tol : float, default 1e-4
+        Bound on the error of interpolated windows over their peak, 1e-7 to 1e-1, checked half-way between windows.
+    largest : int, optional
+        Largest half width of a window, pixels, 1 to 2048; by default half of the smaller side of the image.
+    dtype : float32 or float64, default float32
+        Of the sums over light.
+    threads : int, optional
+        At most so many; by default as many as there are processors. The result does not depend on it.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If one of them is of another type or out of range.
+    """
+
+    occlusion: bool = True
+    wavelengths: Sequence[Spectrum] | None = None
+    missing: str = "raise"
+    border: str = "reflect"
+    energy: float = 0.98
+    tol: float = 1e-4
+    largest: int | None = None
+    dtype: DTypeLike = "float32"
+    threads: int | None = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.occlusion, bool | np.bool_):
+            raise TypeError(f"occlusion must be True or False, got {validation.shown(self.occlusion)}")
+        checked: dict[str, Any] = {
+            "wavelengths": None if self.wavelengths is None else spectra("wavelengths", self.wavelengths),
+            "missing": validation.choice("missing", self.missing, MISSING),
+            "border": validation.choice("border", self.border, BORDERS),
+            "energy": validation.real("energy", self.energy, least=0.5, below=0.9999 + 1e-12),
+            "tol": validation.real("tol", self.tol, least=1e-7, below=0.1 + 1e-12),
+            "dtype": validation.kind("dtype", self.dtype, np.float32, np.float64),
+        }
+        for name, most in (("largest", 2048), ("threads", 1024)):
+            if (value := getattr(self, name)) is not None:
+                checked[name] = validation.integer(name, value, least=1, most=most)
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+    @classmethod
+    def of(cls, door: Callable[..., Any], given: Mapping[str, Any], keywords: type) -> Self:
+        """Return what `door`, which takes these keywords, was given; TypeError for an option that it lacks.
+
+        Parameters
+        ----------
+        door : callable
+            What shows the keywords in its signature.
+        given : dict
+            Of names to values.
+        keywords : type
+            A TypedDict of the names that `door` takes.
+
+        Returns
+        -------
+        Settings
+
+        Raises
+        ------
+        TypeError, ValueError
+            If an option is none of these, or as :class:`lommel.imaging.settings.Settings`.
+        """
+        options.require_known(door, given, keywords)
+        return cls(**given)
+
+    @property
+    def of_blur(self) -> BlurKeywords:
+        """What the linear operator takes of them."""
+        return cast("BlurKeywords", {name: getattr(self, name) for name in BlurKeywords.__annotations__})
+
+    def channels(self, shape: tuple[int, ...], lens: Lens) -> Sequence[Spectrum]:
+        """Return the spectrum of each channel of an image of this shape.
+
+        Parameters
+        ----------
+        shape : tuple of int
+            (height, width) or (height, width, channels).
+        lens : Lens
+
+        Returns
+        -------
+        sequence
+            A wavelength (metres), or pairs of wavelength and weight, for each.
+
+        Raises
+        ------
+        ValueError
+            If there are not as many wavelengths as channels, or none for channels that are neither grey nor colours.
+        """
+        count = 1 if len(shape) == 2 else shape[2]
+        if self.wavelengths is not None:
+            if len(self.wavelengths) != count:
+                raise ValueError(
+                    f"wavelengths must be one for each of the {count} channels, got {len(self.wavelengths)}"
+                )
+            return self.wavelengths
+        if count == 1:
+            return (lens.wavelength,)
+        if count == 3:
+            return RED_GREEN_BLUE
+        hint = "; drop the alpha channel" if count in (2, 4) else ""
+        raise ValueError(f"an image of {count} channels needs wavelengths, one for each{hint}")
+
+
+def spectra(name: str, channels: Any) -> tuple[tuple[tuple[float, float], ...], ...]:
+    """Return for each channel pairs of a wavelength (metres) and a weight; these sum to 1.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `channels`, called `name`, is no sequence of wavelengths and such pairs.
+    """
+    if not isinstance(channels, Sequence | np.ndarray) or getattr(channels, "ndim", 1) == 0:
+        raise TypeError(f"{name} must be a sequence, one for each channel, got {validation.shown(channels)}")
+    return tuple(_spectrum(channel) for channel in channels)
+
+
+def _spectrum(channel: Any) -> tuple[tuple[float, float], ...]:
+    if not isinstance(channel, Sequence):
+        return ((validation.wavelength(channel), 1.0),)
+    if not all(isinstance(pair, Sequence) and not isinstance(pair, str) and len(pair) == 2 for pair in channel):
+        raise TypeError(
+            "channels and wavelengths must be numbers, or pairs (wavelength, weight), "
+            f"got {validation.shown(channel)}"
+        )
+    pairs = [(validation.wavelength(w), validation.real("weight", s, least=0.0)) for w, s in channel]
+    total = math.fsum(s for _, s in pairs)
+    if not total > 0.0:
+        raise ValueError(f"a channel must have a wavelength with a weight, got {validation.shown(channel)}")
+    return tuple((w, s / total) for w, s in pairs)

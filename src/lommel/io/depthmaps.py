@@ -1,0 +1,107 @@
+"""Depth maps from files: TIFF, NPY, PFM and 16-bit PNG, in metres."""
+
+from __future__ import annotations
+
+import re
+from os import PathLike
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import reading, validation
+from lommel.base.arrays import Array
+from lommel.io import registry
+from lommel.io.photos import JPEG, PNG, TIFF, PhotoError, told, upright
+from lommel.io.registry import Format
+
+_PFM = re.compile(rb"(P[fF])\s+(\d{1,9})\s+(\d{1,9})\s+([+-]?[0-9.]+(?:[eE][+-]?\d+)?)\s")
+
+
+def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is_unknown: bool = False) -> Array:
+    """Read the distance of every point from the lens; NaN where it is unknown.
+
+    Parameters
+    ----------
+    path : path
+        NPY, PFM, or a grey TIFF or PNG, told by its content.
+    scale : float, optional
+        Metres per level of integers, which need it; floats are metres without it. A PFM file whose header states a
+        scale other than 1 needs it too: programs disagree on what that means.
+    zero_is_unknown : bool, default False
+        Whether 0 means that there is no measurement.
+
+    Returns
+    -------
+    ndarray, shape (height, width)
+        Metres; may hold infinity and NaN.
+
+    Raises
+    ------
+    PhotoError
+        If the file is damaged, of another format, has several channels, or has levels and no `scale` is given.
+    ValueError
+        If it holds a distance that is not positive, or 0 without `zero_is_unknown`.
+    OSError
+        If it cannot be read.
+    """
+    source = validation.path("path", path)
+    factor = 1.0 if scale is None else validation.real("scale", scale, above=0.0, unit="metres per level")
+    data = reading.contents(source)
+    if data.startswith(JPEG):
+        raise PhotoError(f"{validation.line(source)} is a JPEG, whose losses no depth map survives")
+    with told(source, "depth map", data) as form:
+        values = form.read(data, scale)
+    return _metres(validation.line(source), values, scale is not None, factor, zero_is_unknown)
+
+
+def _metres(source: str, values: NDArray[Any], scaled: bool, factor: float, zero_is_unknown: bool) -> Array:
+    if values.ndim != 2 or 0 in values.shape:
+        raise PhotoError(f"{source} has the shape {values.shape}; a depth map has (height, width)")
+    if values.dtype.kind not in "iuf":
+        raise PhotoError(f"{source} holds {values.dtype}; a depth map holds numbers")
+    if values.dtype.kind != "f" and not scaled:
+        raise PhotoError(f"{source} holds levels ({values.dtype}); say how many metres one is: depth scale")
+    with np.errstate(over="ignore", invalid="ignore"):  # of a NaN that signals
+        metres = values.astype(np.float64) * factor
+    zero = values == 0
+    if zero.any():
+        if not zero_is_unknown:
+            raise ValueError(f"{source} is 0 at {zero.sum()} of {zero.size} points; say so if that means unknown")
+        metres[zero] = np.nan
+    if np.any(metres < 0.0):
+        raise ValueError(f"{source} must hold distances > 0 metres, got {metres[metres < 0.0][0]:g}")
+    return metres
+
+
+def _pfm(data: bytes, scale: float | None) -> NDArray[Any]:
+    """Return the values of a portable float map: rows run upwards, a negative scale means little-endian."""
+    found = _PFM.match(data)
+    if not found:
+        raise ValueError("its header is not that of a PFM file")
+    if found[1] != b"Pf":
+        raise ValueError("it has colours")
+    width, height, unit = int(found[2]), int(found[3]), float(found[4])
+    reading.pixels(width, height)
+    if unit == 0.0 or (abs(unit) != 1.0 and scale is None):
+        raise ValueError(f"its header states the scale {unit:g}; say how many metres a unit is: depth scale")
+    body = data[found.end() :]
+    if len(body) != 4 * width * height:
+        raise ValueError(f"{width} x {height} values take {4 * width * height} bytes, got {len(body)}")
+    return np.frombuffer(body, dtype="<f4" if unit < 0.0 else ">f4").reshape(height, width)[::-1]
+
+
+def _npy(data: bytes, _scale: float | None) -> NDArray[Any]:
+    return reading.npy(data, reading.MAX_PIXELS)[0]
+
+
+def _raster(data: bytes, _scale: float | None) -> NDArray[Any]:
+    return upright(registry.identify("photo", data), data)[0]
+
+
+registry.register(
+    Format("depth map", (".npy",), read=_npy, starts=(b"\x93NUMPY",)),
+    Format("depth map", (".pfm",), read=_pfm, starts=(b"Pf", b"PF")),
+    Format("depth map", (".tif", ".tiff"), read=_raster, starts=TIFF),
+    Format("depth map", (".png",), read=_raster, starts=PNG),
+)

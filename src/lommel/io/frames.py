@@ -1,0 +1,153 @@
+"""Frames to files: numbered photographs, animations, stacks; all of them or none."""
+
+from __future__ import annotations
+
+import errno
+import io
+import os
+import re
+from collections.abc import Iterable
+from functools import partial
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import atomic, validation
+from lommel.io import registry
+from lommel.io.photos import encoded, find
+from lommel.io.registry import Format
+
+_NUMBER = re.compile(r"%0?\d?d")
+
+
+def check_pattern(path: str | PathLike[str], name: str = "path") -> Path:
+    """Return a path that frames can be written to, with a number such as ``%03d`` or none; ValueError otherwise."""
+    target = validation.path("path", path)
+    numbers = _NUMBER.findall(target.name)
+    if len(numbers) != target.name.count("%") or len(numbers) > 1 or "%" in str(target.parent):
+        raise ValueError(
+            f"{name} may have one number such as %03d in its last part and no other %, "
+            f"got {validation.shown(str(path))}"
+        )
+    if numbers:
+        find(target, name)
+        return target
+    try:
+        registry.find("frames", target, name)
+    except ValueError as error:
+        raise ValueError(f"{error}; a number such as %03d makes a photograph of each") from None
+    return target
+
+
+def is_animation(path: str | PathLike[str]) -> bool:
+    """Return whether frames would be written to one file of 8 bits."""
+    target = validation.path("path", path)
+    return not _NUMBER.search(target.name) and registry.find("frames", target).holds == (_8,)
+
+
+def write_frames(
+    path: str | PathLike[str],
+    frames: Iterable[NDArray[Any]],
+    *,
+    fps: float = 12.0,
+    quality: int = 95,
+) -> list[Path]:
+    """Write frames, and return the files written; nothing is left of a failure.
+
+    Parameters
+    ----------
+    path : path
+        With a number such as ``%03d``: one photograph a frame, counted from 1, as
+        :func:`lommel.imaging.write_photo` has them. Without: an animation, .gif (256 colours a frame), .png or .apng
+        (exact), .webp; or a TIFF stack. Animations have 8 bits.
+    frames : iterable of ndarray
+        Stored values, all of one shape and type; taken one after another, so that they may be made meanwhile.
+    fps : float, default 12
+        Frames a second of an animation, which repeats for ever.
+    quality : int, default 95
+        Of JPEG and WebP, 1 to 100.
+
+    Returns
+    -------
+    list of path
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, there are no frames, or they differ in shape or type.
+    OSError
+        If a file cannot be written.
+    """
+    target = check_pattern(path)
+    duration = 1000.0 / validation.real("fps", fps, least=1e-3, below=1000.0)
+    validation.integer("quality", quality, least=1, most=100)
+    if _NUMBER.search(target.name):
+        return _numbered(target, _alike(frames), quality)
+    kept = list(_alike(frames))
+    form = registry.find("frames", target, holding=f"of {kept[0].dtype.name}")
+    atomic.write(target, form.write(kept, duration, quality))
+    return [target]
+
+
+def _alike(frames: Iterable[NDArray[Any]]) -> Iterable[NDArray[Any]]:
+    first = None
+    if not isinstance(frames, Iterable) or getattr(frames, "ndim", 1) == 0 or np.ma.is_masked(frames):
+        raise TypeError(f"frames must be arrays, got {validation.shown(frames)}")
+    for frame in frames:
+        if not isinstance(frame, np.ndarray) or frame.ndim not in (2, 3):
+            raise TypeError(
+                f"frames must be arrays of shape (height, width) or with 3 channels, got {validation.shown(frame)}"
+            )
+        first = frame if first is None else first
+        if (frame.shape, frame.dtype) != (first.shape, first.dtype):
+            raise ValueError(f"frames must be alike, got {first.shape} {first.dtype} and {frame.shape} {frame.dtype}")
+        yield frame
+    if first is None:
+        raise ValueError("there must be at least one frame")
+
+
+def _numbered(target: Path, frames: Iterable[NDArray[Any]], quality: int) -> list[Path]:
+    """Write all frames, then move them into place."""
+    if not target.parent.is_dir():  # before the first frame is made
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
+    made = []
+    with atomic.together() as put:
+        for number, frame in enumerate(frames, 1):
+            made.append(target.with_name(target.name % number))
+            put(made[-1], encoded(target, frame, quality))
+    return made
+
+
+def _stack(frames: list[NDArray[Any]], _duration: float, _quality: int) -> bytes:
+    import tifffile
+
+    buffer = io.BytesIO()
+    photometric = "rgb" if frames[0].ndim == 3 else "minisblack"
+    tifffile.imwrite(buffer, np.stack(frames), photometric=photometric, metadata=None)
+    return buffer.getvalue()
+
+
+def _animation(form: str, frames: list[NDArray[Any]], duration: float, quality: int) -> bytes:
+    from PIL import Image, features
+
+    if form == "webp" and not features.check("webp"):
+        raise ImportError("this Pillow has no WebP; write .png, .gif or .tif")
+    first, *others = map(Image.fromarray, frames)
+    options: dict[str, Any] = {"quality": quality} if form == "webp" else {}
+    options["duration"] = duration if form == "png" else round(duration)
+    buffer = io.BytesIO()
+    first.save(buffer, form, save_all=True, append_images=others, loop=0, **options)
+    return buffer.getvalue()
+
+
+_8, _DEEP = "of uint8", ("of uint16", "of float32", "of float64")
+_pillow, _tifffile = (partial(Format, library=name, extra="images") for name in ("PIL.Image", "tifffile"))
+registry.register(
+    _pillow("frames", (".gif",), partial(_animation, "gif"), holds=(_8,)),
+    _pillow("frames", (".png", ".apng"), partial(_animation, "png"), holds=(_8,)),
+    _pillow("frames", (".webp",), partial(_animation, "webp"), holds=(_8,)),
+    _tifffile("frames", (".tif", ".tiff"), _stack, holds=(_8, *_DEEP)),
+)

@@ -1,0 +1,288 @@
+"""Photographs from files and to them: PNG, JPEG and TIFF, as light, with what EXIF knows of the lens."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from lommel.base import atomic, reading, validation
+from lommel.base.encoding import ENCODINGS, from_light, to_light
+from lommel.io import photo_formats as formats
+from lommel.io import registry
+from lommel.io.registry import Format
+
+_pillow, _tifffile = (partial(Format, library=name, extra="images") for name in ("PIL.Image", "tifffile"))
+PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
+"""What files begin with."""
+
+_8, _16, _FLOAT = "of uint8", "of uint16", "of float32"
+registry.register(
+    _pillow("photo", (".png",), formats.write_png, formats.read_png, PNG, (_8, _16)),
+    _pillow("photo", (".jpg", ".jpeg"), formats.write_jpeg, formats.read_jpeg, JPEG, (_8,)),
+    _tifffile("photo", (".tif", ".tiff"), formats.write_tiff, formats.read_tiff, TIFF, (_8, _16, _FLOAT)),
+)
+find = partial(registry.find, "photo")
+
+_FILM_DIAGONAL = math.hypot(36e-3, 24e-3)
+# What EXIF's Orientation asks for, from stored rows and columns to those of the scene.
+_TURNS = {
+    1: lambda a: a,
+    2: lambda a: a[:, ::-1],
+    3: lambda a: a[::-1, ::-1],
+    4: lambda a: a[::-1],
+    5: lambda a: a.swapaxes(0, 1),
+    6: lambda a: a[::-1].swapaxes(0, 1),
+    7: lambda a: a[::-1, ::-1].swapaxes(0, 1),
+    8: lambda a: a[:, ::-1].swapaxes(0, 1),
+}
+
+
+class PhotoError(ValueError):
+    """A file that cannot be read as a photograph or a depth map; the message names it and says why."""
+
+
+@dataclass(frozen=True)
+class Exif:
+    """What a photograph says of its lens; None where it says nothing (EXIF writes 0 for unknown).
+
+    Attributes
+    ----------
+    focal_length : float or None
+        Metres.
+    f_number : float or None
+    film_focal_length : float or None
+        Metres: the focal length with the same angle of view on film of 36 mm x 24 mm.
+    """
+
+    focal_length: float | None = None
+    f_number: float | None = None
+    film_focal_length: float | None = None
+
+    def pixel(self, shape: tuple[int, ...]) -> float:
+        """Return the pixel pitch (metres) of an image of `shape` that has the diagonal of the whole sensor.
+
+        EXIF rounds the film equivalent to whole millimetres, which makes an error of a few per cent.
+
+        Parameters
+        ----------
+        shape : tuple of int
+            Height and width first.
+
+        Returns
+        -------
+        float
+
+        Raises
+        ------
+        TypeError
+            If `shape` is no shape of an image.
+        ValueError
+            If either focal length is unknown, or a side is out of range.
+        """
+        if not isinstance(shape, tuple | list) or len(shape) < 2:
+            raise TypeError(f"shape must be (height, width), got {validation.shown(shape)}")
+        validation.image_shape(tuple(shape[:2]))
+        if self.focal_length is None or self.film_focal_length is None:
+            raise ValueError("the EXIF does not state a focal length and its 35 mm equivalent; give the pixel pitch")
+        return _FILM_DIAGONAL * self.focal_length / self.film_focal_length / math.hypot(*shape[:2])
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A photograph as it is stored, upright.
+
+    Attributes
+    ----------
+    values : ndarray, shape (height, width) or (height, width, 3)
+        uint8, uint16 or float.
+    encoding : {"srgb", "linear"}
+    exif : Exif
+    profile : bytes or None
+        ICC profile. It is handed on, not interpreted: of sRGB only the curve is used, which that of most displays is.
+    """
+
+    values: NDArray[Any]
+    encoding: str
+    exif: Exif
+    profile: bytes | None = None
+
+    def light(self, dtype: DTypeLike = np.float32) -> NDArray[Any]:
+        """Return values in proportion to light, 1 being white.
+
+        Parameters
+        ----------
+        dtype : float32 or float64, default float32
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `values`.
+
+        Raises
+        ------
+        TypeError
+            If `dtype` is another.
+        """
+        return to_light("the photograph", self.values, self.encoding, dtype)
+
+
+def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Picture:
+    """Read a photograph, told by its content to be PNG, JPEG or TIFF, and turn it as its EXIF says.
+
+    Parameters
+    ----------
+    path : path
+    encoding : {"srgb", "linear"}, optional
+        Of the values stored. By default integers are sRGB and floats linear.
+
+    Returns
+    -------
+    Picture
+        8 or 16 bits, or floats (TIFF), with all of them: 16-bit colour of PNG too.
+
+    Raises
+    ------
+    PhotoError
+        If the file is damaged, of another format, animated, has more than 16384^2 pixels, or has alpha, a colour
+        space but grey and RGB, or values but uint8, uint16 and floats.
+    ImportError
+        If Pillow or tifffile is not installed.
+    OSError
+        If it cannot be read.
+    """
+    if encoding is not None:
+        validation.choice("encoding", encoding, ENCODINGS)
+    values, exif, profile = read_raster(path)
+    return Picture(values, encoding or ("linear" if values.dtype.kind == "f" else "srgb"), exif, profile)
+
+
+def read_raster(path: str | PathLike[str]) -> tuple[NDArray[Any], Exif, bytes | None]:
+    """Return the upright values of a photograph, its EXIF and its ICC profile; see :func:`read_photo`."""
+    source = validation.path("path", path)
+    data = reading.contents(source)
+    with told(source, "photo", data) as form:
+        return upright(form, data)
+
+
+@contextmanager
+def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
+    """Yield the format of the contents of a file; PhotoError if there is none, or if what reads it fails."""
+    try:
+        form = registry.identify(kind, data)
+    except ValueError as error:
+        raise PhotoError(f"{validation.line(source)} {error}") from None
+    what = f"{form.name} photograph" if kind == "photo" else kind
+    try:
+        yield form
+    except ImportError:
+        raise
+    except Exception as error:
+        raise PhotoError(f"{validation.line(source)} cannot be read as a {what}: {reading.reason(error)}") from error
+
+
+def upright(form: Format, data: bytes) -> tuple[NDArray[Any], Exif, bytes | None]:
+    """Return what a file holds, turned as its EXIF says; what Pillow warns of, parts it leaves out, is an error."""
+    with warnings.catch_warnings(), reading.quietly():
+        warnings.simplefilter("error")
+        values, tags, profile = form.read(data)
+        orientation = tags.get(0x0112, 1)
+        if orientation not in _TURNS:
+            raise ValueError(f"its EXIF states the orientation {orientation!r}; 1 to 8 have a meaning")
+        exif = _exif(tags.get_ifd(0x8769))
+    return np.ascontiguousarray(_TURNS[orientation](values)), exif, profile
+
+
+def _exif(tags: dict[int, Any]) -> Exif:
+    def known(tag: int) -> float | None:
+        value = tags.get(tag)
+        number = math.nan if value is None else float(value)
+        return number if 0.0 < number < math.inf else None
+
+    focal, film = known(0x920A), known(0xA405)
+    return Exif(focal and 1e-3 * focal, known(0x829D), film and 1e-3 * film)
+
+
+def write_photo(
+    path: str | PathLike[str],
+    light: NDArray[Any],
+    *,
+    encoding: str = "srgb",
+    dtype: DTypeLike = np.uint8,
+    quality: int = 95,
+    profile: bytes | None = None,
+) -> float:
+    """Write light as a photograph; the suffix chooses PNG, JPEG or TIFF.
+
+    Integers end at black and white, as sensors do; what lies beyond by half a level or more is counted. Floats keep
+    all. The file is written under a temporary name and moved into place.
+
+    Parameters
+    ----------
+    path : path
+        .png (uint8, uint16), .jpg (uint8) or .tif (uint8, uint16, float32).
+    light : ndarray of float, shape (height, width) or (height, width, 3)
+        1 is white.
+    encoding : {"srgb", "linear"}, default "srgb"
+        Of the values stored.
+    dtype : uint8, uint16 or float32, default uint8
+    quality : int, default 95
+        Of a JPEG, 1 to 100; colours have the full resolution.
+    profile : bytes, optional
+        An ICC profile to store.
+
+    Returns
+    -------
+    float
+        Share of the values that were clipped.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or the format has no such values.
+    OSError
+        If the file cannot be written.
+    """
+    find(path)
+    if profile is not None:
+        validation.instance("profile", profile, bytes)
+    values, clipped = stored(light, encoding, dtype)
+    validation.integer("quality", quality, least=1, most=100)
+    atomic.write(Path(path), encoded(path, values, quality, profile))
+    return clipped
+
+
+def stored(light: NDArray[Any], encoding: str, dtype: DTypeLike) -> tuple[NDArray[Any], float]:
+    """Return light as values of uint8, uint16 or float32 in an encoding, and the share that integers clip."""
+    validation.choice("encoding", encoding, ENCODINGS)
+    kind = validation.kind("dtype", dtype, np.uint8, np.uint16, np.float32)
+    light = validation.array("light", light)
+    if light.dtype.kind != "f":
+        raise TypeError(f"light must hold floats, got {light.dtype}")
+    if light.ndim not in (2, 3) or light.shape[2:] not in ((), (3,)) or 0 in light.shape:
+        raise ValueError(f"light must have the shape (height, width) or (height, width, 3), got {light.shape}")
+    if not np.all(np.isfinite(light)):
+        raise ValueError(f"light must be finite, got {light[~np.isfinite(light)].flat[0]}")
+    if kind.kind == "f":
+        return from_light(light, encoding, kind), 0.0
+    half = 0.5 / np.iinfo(kind).max
+    within = np.clip(light, 0.0, 1.0)
+    # Half a level of sRGB is less light than of linear values at black, and more at white.
+    low, high = (half / 12.92, half * 2.4 / 1.055) if encoding == "srgb" else (half, half)
+    clipped = float(np.mean((light < -low) | (light > 1.0 + high)))
+    return from_light(within, encoding, kind), clipped
+
+
+def encoded(path: str | PathLike[str], values: NDArray[Any], quality: int, profile: bytes | None = None) -> bytes:
+    """Return the bytes of a photograph in the format of the suffix of `path`."""
+    written: bytes = find(path, holding=f"of {values.dtype.name}").write(values, quality, profile)
+    return written

@@ -1,0 +1,54 @@
+"""PSFs as NumPy keeps arrays: .npy, with the description behind the array, where NumPy does not look, and .npz."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+from typing import Any
+
+import numpy as np
+
+from lommel.base import reading
+from lommel.base.checksums import sealed
+from lommel.measures.answer import Answer
+
+SLOPE = "derivative "
+"""Before the name of a derivative in a .npz file."""
+
+_MARK = b"\n#lommel "  # between the array and the description in a .npy file
+
+
+def npy(psf: Answer, description: dict[str, Any]) -> bytes:
+    """Return an array with the description behind it."""
+    buffer = io.BytesIO()
+    np.save(buffer, psf.values, allow_pickle=False)
+    return buffer.getvalue() + _MARK + _text(description, {"values": psf.values}).encode()
+
+
+def read_npy(data: bytes) -> tuple[dict[str, Any], str]:
+    """Return the values, and the description as it stands."""
+    values, rest = reading.npy(data)
+    if not rest.startswith(_MARK):
+        raise ValueError("no description of how it was made")
+    return {"values": values}, rest.removeprefix(_MARK).decode()
+
+
+def npz(psf: Answer, description: dict[str, Any]) -> bytes:
+    """Return an archive of the values, the derivatives and the description."""
+    buffer = io.BytesIO()
+    arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
+    np.savez_compressed(buffer, allow_pickle=False, description=np.array(_text(description, arrays)), **arrays)
+    return buffer.getvalue()
+
+
+def read_npz(data: bytes) -> tuple[dict[str, Any], str]:
+    """Return the values and the derivatives, and the description as it stands."""
+    arrays = reading.npz(data)
+    text = str(arrays.pop("description")(reading.MAX_PIXELS))
+    most = math.prod(json.loads(text)["shape"])
+    return {name: read(most) for name, read in arrays.items()}, text
+
+
+def _text(description: dict[str, Any], arrays: dict[str, Any]) -> str:
+    return json.dumps(sealed(description, arrays), allow_nan=False)

@@ -1,0 +1,69 @@
+"""PSFs as pictures to look at: 16-bit grey, the square root of the values over their peak, enlarged."""
+
+from __future__ import annotations
+
+import io
+import json
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import reading, validation
+from lommel.base.checksums import sealed
+from lommel.measures.answer import Answer
+
+LEVELS = 65535
+"""The value of the peak."""
+
+_SIDE = 512
+"""What is smaller is enlarged to it or more, by a whole number."""
+
+
+def scale(psf: Answer) -> int:
+    """Return how many pixels a side stand for one of a PSF in a picture."""
+    return -(-_SIDE // max(psf.shape[-2:]))
+
+
+def write(psf: Answer, description: dict[str, Any]) -> bytes:
+    """Return a picture, with the description and what the values were divided by as texts of it."""
+    from PIL import Image, PngImagePlugin
+
+    if psf.values.ndim != 2:
+        raise ValueError(f"a .png holds a single PSF, got a stack of shape {psf.shape}")
+    peak = float(psf.values.max())
+    if peak <= 0:
+        raise ValueError("a .png needs a positive value; every value of this PSF is 0")
+    shares = np.maximum(psf.values.astype(np.float64), 0.0) / peak
+    grey = np.rint(np.sqrt(shares) * LEVELS).astype(np.uint16)
+    picture = {"png": {"peak": peak, "stretch": "sqrt", "levels": LEVELS, "scale": scale(psf)}}
+    info = PngImagePlugin.PngInfo()
+    info.add_text("Software", description["software"])
+    info.add_text("lommel", json.dumps(sealed(description | picture, {"values": grey})))
+    buffer = io.BytesIO()
+    Image.fromarray(_enlarged(grey, scale(psf))).save(buffer, format="png", pnginfo=info)
+    return buffer.getvalue()
+
+
+def read(data: bytes) -> tuple[dict[str, Any], str]:
+    """Return one grey value for each of the PSF, and the description as it stands."""
+    from PIL import PngImagePlugin
+
+    # Opened as what it is: Pillow's limit on the size of pictures from strangers is not for a PSF.
+    with PngImagePlugin.PngImageFile(io.BytesIO(data)) as file:
+        text = str(file.info["lommel"])  # which stands before the picture
+        description = json.loads(text)
+        times = validation.integer("scale", description["png"]["scale"], least=1, most=_SIDE)
+        if list(file.size[::-1]) != [times * side for side in description["shape"]]:
+            raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, other than it says")
+        reading.pixels(*file.size)
+        file.load()
+        grey = np.asarray(file, dtype=np.uint16)
+    values = np.ascontiguousarray(grey[::times, ::times])
+    if not np.array_equal(_enlarged(values, times), grey):
+        raise ValueError("its pixels are not enlarged as it says")
+    return {"values": values}, text
+
+
+def _enlarged(grey: NDArray[Any], times: int) -> NDArray[Any]:
+    return np.repeat(np.repeat(grey, times, axis=0), times, axis=1)

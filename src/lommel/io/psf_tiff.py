@@ -1,0 +1,53 @@
+"""PSFs as OME-TIFF: all values, the size of a pixel, and the description where other programs look for one."""
+
+from __future__ import annotations
+
+import io
+import json
+from typing import Any
+
+from lommel.base import reading
+from lommel.base.checksums import sealed
+from lommel.measures.answer import Answer
+
+
+def write(psf: Answer, description: dict[str, Any], planes: dict[str, Any] | None = None) -> bytes:
+    """Return an OME-TIFF; `planes` are lists of OME attributes of its pages, which are then no stack in depth."""
+    import tifffile
+
+    metric = psf.unit == "m"
+    size = psf.pixel * (1e6 if metric else 1.0)
+    unit = "µm" if metric else "reference frame"
+    metadata: dict[str, Any] = {
+        "axes": "YX" if psf.values.ndim == 2 else "RYX" if planes else "ZYX",
+        "PhysicalSizeX": size,
+        "PhysicalSizeXUnit": unit,
+        "PhysicalSizeY": size,
+        "PhysicalSizeYUnit": unit,
+        "Name": "point spread function",
+        "Description": json.dumps(sealed(description, {"values": psf.values}), allow_nan=False),
+    }
+    if planes:
+        metadata["Plane"] = planes
+    values = psf.values if psf.values.ndim == 2 else psf.values.reshape(-1, *psf.shape[-2:])
+    buffer = io.BytesIO()
+    tifffile.imwrite(buffer, values, ome=True, photometric="minisblack", metadata=metadata)
+    return buffer.getvalue()
+
+
+def read(data: bytes) -> tuple[dict[str, Any], str]:
+    """Return the values, and the description as it stands."""
+    from xml.etree import ElementTree as ET
+
+    import tifffile
+
+    reading.tiff(data)
+    with reading.quietly(), tifffile.TiffFile(io.BytesIO(data)) as file:
+        if not file.ome_metadata:
+            raise ValueError("no OME description")
+        description = ET.fromstring(file.ome_metadata).find(".//{*}Image/{*}Description")
+        if description is None or not description.text:
+            raise ValueError("no description of how it was made")
+        if file.series[0].nbytes > len(data):
+            raise ValueError(f"its pages have {file.series[0].nbytes} bytes, more than the file")
+        return {"values": file.asarray()}, description.text

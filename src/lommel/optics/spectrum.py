@@ -1,0 +1,131 @@
+"""The wavelengths that light consists of, and the pupil in each of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
+
+
+class Component(NamedTuple):
+    """One of the fields whose intensities add up to what is recorded.
+
+    Attributes
+    ----------
+    share : float
+        Of the light.
+    stretch : float
+        How much faster its field varies over the sensor than that of the reference: wavelength there over its own.
+    pupil : Pupil
+    """
+
+    share: float
+    stretch: float
+    pupil: Pupil
+
+    @property
+    def weight(self) -> float:
+        """Peak without aberration over that of the reference: as much light is brighter where its spot is smaller."""
+        return self.share * self.stretch**2
+
+
+@dataclass(frozen=True, init=False)
+class Spectrum:
+    """Wavelengths and how much light there is at each.
+
+    Parameters
+    ----------
+    wavelengths : sequence of float
+        Metres.
+    weights : sequence of float
+        Share of the light at each wavelength, >= 0; made to sum to 1.
+
+    Raises
+    ------
+    TypeError, ValueError
+        On what is no wavelength, or if the weights are not one for each, negative or all 0.
+    """
+
+    wavelengths: tuple[float, ...]
+    weights: tuple[float, ...]
+
+    def __init__(self, wavelengths: Sequence[float], weights: Sequence[float]) -> None:
+        waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
+        shares = validation.real_array("weights", weights, least=0.0)
+        if shares.shape != (len(waves),) or not waves or not shares.max() > 0:
+            raise ValueError(
+                f"weights must be one for each of the {len(waves)} wavelengths, and not all 0, "
+                f"got {validation.shown(weights)}"
+            )
+        shares = shares / shares.max()  # whose sum cannot overflow
+        object.__setattr__(self, "wavelengths", waves)
+        object.__setattr__(self, "weights", tuple((shares / shares.sum()).tolist()))
+
+    def components(self, pupil: Pupil) -> list[Component]:
+        """Return what light of each wavelength makes of a pupil.
+
+        Parameters
+        ----------
+        pupil : Pupil
+            Its wavelength is the reference.
+
+        Returns
+        -------
+        list of Component
+
+        Raises
+        ------
+        ValueError
+            If the pupil has no wavelength.
+        """
+        if pupil.wavelength is None:
+            raise ValueError("a spectrum needs a pupil with a wavelength, to which the others are related")
+        return [
+            Component(share, pupil.wavelength / w, in_light(pupil, w))
+            for w, share in zip(self.wavelengths, self.weights, strict=True)
+        ]
+
+
+def in_light(pupil: Pupil, wavelength: float) -> Pupil:
+    """Return a pupil in light of another wavelength.
+
+    Parameters
+    ----------
+    pupil : Pupil
+        With a wavelength.
+    wavelength : float
+        Metres.
+
+    Returns
+    -------
+    Pupil
+        Its aperture, distances and f-number stay, and so do the paths of light: see :func:`same_path`.
+    """
+    assert pupil.wavelength is not None
+    wavefront = same_path(pupil.wavefront, pupil.wavelength, wavelength)
+    return pupil.carrying(wavefront, pupil.geometry, wavelength)
+
+
+def same_path(wavefront: Wavefront, known: float, wavelength: float) -> Wavefront:
+    """Return a wavefront known at one wavelength as it is at another.
+
+    Phases are optical path differences, which stay: in radians they grow as the wavelength falls. Dispersion is left
+    out.
+
+    Parameters
+    ----------
+    wavefront : Wavefront
+    known, wavelength : float
+        Metres.
+
+    Returns
+    -------
+    Wavefront
+    """
+    return known / wavelength * wavefront

@@ -1,0 +1,135 @@
+"""The settings of photographs: the same list, texts, defaults and checks at every door, and at the command line."""
+
+from __future__ import annotations
+
+import inspect
+from dataclasses import fields
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.cli.photo_commands import blur, focus_pull
+from lommel.imaging import DepthBlur, FocusPlan, depth_of_field, depth_of_field_by_tiles, depth_of_field_of_chunks
+from lommel.imaging.settings import BlurKeywords, Keywords, Settings
+from lommel.imaging.tiles import TileBlur
+
+LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+IMAGE, DEPTH = np.random.default_rng(0).random((20, 24)).astype(np.float32), np.full((20, 24), 2.1)
+WHOLE, PARTS = (depth_of_field, FocusPlan), (TileBlur, depth_of_field_by_tiles, depth_of_field_of_chunks)
+DEFAULTS = {field.name: field.default for field in fields(Settings)}
+# What a door has by its nature: parts do not hide one another, and chunks are computed side by side.
+OWN = {DepthBlur: {}} | {door: {} for door in WHOLE} | {door: {"occlusion": False} for door in PARTS}
+OWN[depth_of_field_of_chunks] = {"occlusion": False, "threads": 1}
+
+
+def options(door):
+    return {name: p.default for name, p in inspect.signature(door).parameters.items() if name in DEFAULTS}
+
+
+def test_type_checkers_know_every_setting_by_its_type():
+    assert {**Keywords.__annotations__}.keys() == DEFAULTS.keys()
+    known = {name: getattr(t, "__forward_arg__", t) for name, t in Keywords.__annotations__.items()}
+    assert known == {field.name: field.type for field in fields(Settings)}
+
+
+@pytest.mark.parametrize("door", OWN)
+def test_a_door_shows_every_setting_with_its_default_and_its_text(door):
+    wanted = DEFAULTS if door is not DepthBlur else {name: DEFAULTS[name] for name in BlurKeywords.__annotations__}
+    assert options(door) == wanted | OWN[door]
+    text = inspect.getdoc(door)
+    assert "{options}" not in text
+    assert [name for name in wanted if text.count(f"\n{name} : ") != 1] == []
+    assert "Share of the light of a point that its window must hold, 0.5 to 0.9999." in text
+
+
+@pytest.mark.parametrize(("command", "needed"), [(blur, ""), (focus_pull, "--from 1m --to 2m")])
+def test_the_command_line_has_the_defaults_of_python(command, needed):
+    parsed = command.make_context("lommel", f"photo depth -o out.png {needed}".split()).params
+    named = DEFAULTS.keys() - {"dtype", "threads"}
+    assert {name: parsed[name] for name in named} == {name: DEFAULTS[name] for name in named}
+
+
+def doors(**given):
+    yield lambda: depth_of_field(IMAGE, DEPTH, LENS, 8e-6, encoding="linear", **given)
+    yield lambda: FocusPlan(IMAGE, DEPTH, LENS, 8e-6, encoding="linear", **given)
+    yield lambda: TileBlur(IMAGE.shape, (2.0, 2.2), LENS, 8e-6, encoding="linear", **given)
+    yield lambda: depth_of_field_by_tiles(IMAGE, DEPTH, LENS, 8e-6, encoding="linear", **given)
+    if not given.keys() & {"occlusion", "missing", "wavelengths"}:
+        yield lambda: DepthBlur(LENS, DEPTH, 8e-6, **given)
+    da = pytest.importorskip("dask.array")
+    image, depth = da.from_array(IMAGE), da.from_array(DEPTH)
+    yield lambda: depth_of_field_of_chunks(image, depth, LENS, 8e-6, encoding="linear", **given)
+
+
+@pytest.mark.parametrize(
+    ("given", "error", "message"),
+    [
+        ({"engery": 0.9}, TypeError, r"\(\) has no option 'engery'; did you mean energy\?"),
+        ({"strength": 0.9}, TypeError, r"\(\) has no option 'strength'; known are .*energy, tol, largest"),
+        ({"border": "wrap"}, ValueError, "border must be one of 'reflect', 'extend', 'zero', got 'wrap'"),
+        ({"energy": 0.4}, ValueError, "energy must be >= 0.5"),
+        ({"energy": 1.0}, ValueError, "energy must be"),
+        ({"tol": 1e-8}, ValueError, "tol must be >= 1e-07"),
+        ({"tol": 0.15}, ValueError, "tol must be"),
+        ({"tol": "fine"}, TypeError, "tol must be a real number"),
+        ({"largest": 2049}, ValueError, "largest must be from 1 to 2048, got 2049"),
+        ({"threads": 0}, ValueError, "threads must be from 1 to 1024, got 0"),
+        ({"dtype": np.float16}, TypeError, "dtype must be float32 or float64"),
+        ({"missing": "zero"}, ValueError, "missing must be one of 'raise', .*'infinity', got 'zero'"),
+        ({"occlusion": 1}, TypeError, "occlusion must be True or False, got 1"),
+        ({"wavelengths": 5e-7}, TypeError, "wavelengths must be a sequence, one for each channel, got 5e-07"),
+        ({"wavelengths": [5e-7, 6e-7]}, ValueError, "wavelengths must be one for each of the 1 channels, got 2"),
+    ],
+)
+def test_every_door_refuses_the_same_in_the_same_words(given, error, message):
+    for make in doors(**given):
+        with pytest.raises(error, match=message):
+            make()
+
+
+def test_every_door_takes_what_settings_takes():
+    given = {"border": "zero", "energy": 0.9, "tol": 1e-3, "largest": 9, "dtype": np.float64, "threads": 1}
+    assert sum(make() is not None for make in doors(**given)) == 6
+    assert sum(make() is not None for make in doors(**given, occlusion=False, wavelengths=[5e-7])) == 5
+
+
+def test_chunks_are_computed_by_one_thread_each_unless_told_otherwise(monkeypatch):
+    da, seen = pytest.importorskip("dask.array"), []
+
+    def tile(*arguments, **options):
+        seen.append(options["threads"])
+        return TileBlur(*arguments, **options)
+
+    monkeypatch.setattr("lommel.imaging.chunks.TileBlur", tile)
+    for given in ({}, {"threads": 2}):
+        depth_of_field_of_chunks(da.from_array(IMAGE), da.from_array(DEPTH), LENS, 8e-6, encoding="linear", **given)
+    assert seen == [1, 2]
+
+
+@pytest.mark.parametrize("door", [2, 3, 4])
+def test_parts_refuse_what_depends_on_others(door):
+    for given, message in (
+        ({"occlusion": True}, "occlusion must be False"),
+        ({"missing": "nearest"}, "missing"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            list(doors(**given))[door]()
+
+
+def test_near_points_hide_far_ones_unless_told_otherwise():
+    depth = np.where(np.arange(24) < 12, 1.8, 3.0) * np.ones((20, 1))
+    default, on, off = (
+        depth_of_field(IMAGE, depth, LENS, 8e-6, encoding="linear", **given).values
+        for given in ({}, {"occlusion": True}, {"occlusion": False})
+    )
+    assert np.array_equal(default, on)
+    assert np.abs(on - off).max() > 0.1
+
+
+def test_settings_hold_what_was_asked_in_one_form():
+    made = Settings(wavelengths=[5e-7, [(5e-7, 1.0), (6e-7, 3.0)]], dtype="float64", largest=np.int64(5))
+    assert made.wavelengths == (((5e-7, 1.0),), ((5e-7, 0.25), (6e-7, 0.75)))
+    assert (made.dtype, made.largest) == (np.float64, 5)
+    assert made == Settings(**vars(made))
+    assert hash(made) == hash(Settings(**vars(made)))

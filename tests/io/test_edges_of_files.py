@@ -1,0 +1,60 @@
+"""Photographs and frames at the edge of what is taken."""
+
+from __future__ import annotations
+
+import io
+import math
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from lommel.io import frames, photos
+
+
+def jpeg(path, exif: bytes) -> None:
+    buffer = io.BytesIO()
+    Image.fromarray(np.full((8, 8), 90, np.uint8)).save(buffer, format="jpeg", exif=exif)
+    path.write_bytes(buffer.getvalue())
+
+
+@pytest.mark.parametrize("orientation", [0, 9, 255])
+def test_an_orientation_that_has_no_meaning_is_refused(tmp_path, orientation):
+    exif = Image.Exif()
+    exif[0x0112] = orientation
+    jpeg(tmp_path / "turned.jpg", exif.tobytes())
+    with pytest.raises(photos.PhotoError, match=f"orientation {orientation}; 1 to 8"):
+        photos.read_photo(tmp_path / "turned.jpg")
+    exif[0x0112] = 8
+    jpeg(tmp_path / "good.jpg", exif.tobytes())
+    assert photos.read_photo(tmp_path / "good.jpg").values.shape == (8, 8)
+
+
+def test_what_pillow_warns_of_is_refused(tmp_path):
+    # An EXIF that ends where its directory should begin.
+    jpeg(tmp_path / "cut.jpg", b"Exif\0\0II*\0\x08\0\0\0")
+    with pytest.raises(photos.PhotoError, match="cannot be read as a JPEG photograph: Corrupt EXIF"):
+        photos.read_photo(tmp_path / "cut.jpg")
+
+
+def test_a_folder_in_the_way_of_one_frame_keeps_all_from_being_written(tmp_path):
+    (tmp_path / "f2.png").mkdir()
+    made = [np.full((4, 4), 10 * k, np.uint8) for k in range(3)]
+    with pytest.raises(IsADirectoryError, match=r"is a directory: .*f2\.png"):
+        frames.write_frames(tmp_path / "f%d.png", made)
+    assert [path.name for path in tmp_path.iterdir()] == ["f2.png"]
+    (tmp_path / "f2.png").rmdir()
+    assert len(frames.write_frames(tmp_path / "f%d.png", made)) == 3
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.uint16])
+@pytest.mark.parametrize("encoding", ["srgb", "linear"])
+def test_what_is_clipped_by_half_a_level_or_more_is_counted(kind, encoding):
+    half = 0.5 / np.iinfo(kind).max
+    # The slope of sRGB: 12.92 at black, 1.055 / 2.4 at white.
+    low, high = (half / 12.92, half * 2.4 / 1.055) if encoding == "srgb" else (half, half)
+    light = np.array([[-0.99 * low, -1.01 * low, 1.0 + 0.99 * high, 1.0 + 1.01 * high, 0.5]])
+    values, share = photos.stored(light, encoding, kind)
+    assert math.isclose(share, 0.4)
+    assert values.min() == 0
+    assert values.max() == np.iinfo(kind).max

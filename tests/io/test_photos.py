@@ -1,0 +1,298 @@
+"""Photographs and depth maps from files and to files."""
+
+from __future__ import annotations
+
+import io
+import math
+import struct
+import zlib
+from contextlib import suppress
+
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image, ImageOps
+
+from lommel.base.encoding import from_light, to_light
+from lommel.imaging import Exif, PhotoError, read_depth, read_photo, write_photo
+from lommel.io.photos import stored
+
+RNG = np.random.default_rng(4)
+GREY, COLOUR = (7, 5), (7, 5, 3)
+
+
+def exif(orientation: int = 1, **lens: object) -> bytes:
+    tags = Image.Exif()
+    tags[0x0112] = orientation
+    numbers = {"focal": 0x920A, "f_number": 0x829D, "film": 0xA405}
+    tags[0x8769] = {numbers[name]: value for name, value in lens.items()}
+    return tags.tobytes()
+
+
+@pytest.mark.parametrize("shape", [GREY, COLOUR])
+@pytest.mark.parametrize(
+    ("name", "dtype"),
+    [
+        ("a.png", np.uint8),
+        ("a.png", np.uint16),
+        ("a.tif", np.uint8),
+        ("a.tiff", np.uint16),
+        ("a.tif", np.float32),
+    ],
+)
+def test_every_level_comes_back(tmp_path, name, dtype, shape):
+    light = RNG.random(shape).astype(np.float32)
+    encoding = "linear" if dtype == np.float32 else "srgb"
+    assert write_photo(tmp_path / name, light, encoding=encoding, dtype=dtype, profile=b"of colours") == 0.0
+    back = read_photo(tmp_path / name)
+    assert (back.encoding, back.values.dtype, back.profile) == (encoding, dtype, b"of colours")
+    np.testing.assert_array_equal(back.values, from_light(light, encoding, dtype))
+    assert np.abs(back.light() - light).max() <= {1: 5e-3, 2: 2e-5, 4: 0.0}[np.dtype(dtype).itemsize]
+
+
+def test_sixteen_bits_of_colour_are_read_as_other_programs_write_them(tmp_path):
+    # Pillow itself keeps eight of them. Filters of every kind, as an encoder chooses row by row.
+    values = RNG.integers(0, 65536, (6, 4, 3)).astype(np.uint16)
+    rows = values.astype(">u2").view(np.uint8).reshape(6, -1).astype(int)
+    left = np.pad(rows, ((0, 0), (6, 0)))[:, :-6]
+    up = np.pad(rows, ((1, 0), (0, 0)))[:-1]
+    corner = np.pad(left, ((1, 0), (0, 0)))[:-1]
+    guess = left + up - corner
+    far = np.abs(np.stack([guess - left, guess - up, guess - corner]))
+    paeth = np.choose(far.argmin(axis=0), [left, up, corner])
+    filters = [0 * rows, left, up, (left + up) // 2, paeth]
+    lines = b"".join(
+        bytes([y % 5]) + ((rows[y] - filters[y % 5][y]) % 256).astype(np.uint8).tobytes() for y in range(6)
+    )
+
+    def chunk(name: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+    header = struct.pack(">IIBBBBB", 4, 6, 16, 2, 0, 0, 0)
+    body = chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b"")
+    (tmp_path / "a.png").write_bytes(b"\x89PNG\r\n\x1a\n" + body)
+    np.testing.assert_array_equal(read_photo(tmp_path / "a.png").values, values)
+
+
+def test_sixteen_bits_of_colour_are_what_other_programs_read(tmp_path):
+    light = RNG.random(COLOUR)
+    write_photo(tmp_path / "a.png", light, dtype=np.uint16)
+    with Image.open(tmp_path / "a.png") as file:
+        np.testing.assert_array_equal(np.asarray(file), from_light(light, "srgb", np.uint16) >> 8)
+
+
+def test_a_jpeg_comes_back_nearly(tmp_path):
+    y, x = np.mgrid[0:64, 0:48] / 64
+    light = np.stack([x, y, 0.5 + 0.0 * x], axis=2)
+    write_photo(tmp_path / "a.jpg", light, quality=98)
+    back = read_photo(tmp_path / "a.jpg")
+    assert np.abs(back.values.astype(int) - from_light(light, "srgb", np.uint8)).max() <= 3
+
+
+@pytest.mark.parametrize("orientation", range(1, 9))
+@pytest.mark.parametrize("name", ["a.png", "a.jpg", "a.tif"])
+def test_a_photo_is_turned_as_its_exif_says(tmp_path, name, orientation):
+    picture = Image.fromarray(np.add.outer(np.arange(0, 80, 2), 3 * np.arange(24)).astype(np.uint8))
+    picture.save(tmp_path / name, exif=exif(orientation), **({"quality": 100} if name == "a.jpg" else {}))
+    picture.save(tmp_path / "reference.png", exif=exif(orientation))
+    with Image.open(tmp_path / "reference.png") as file:
+        expected = np.asarray(ImageOps.exif_transpose(file)).astype(int)
+    found = read_photo(tmp_path / name).values
+    assert found.shape == expected.shape
+    assert np.abs(found - expected).max() <= (2 if name == "a.jpg" else 0)
+
+
+@pytest.mark.parametrize("name", ["a.png", "a.jpg", "a.tif"])
+def test_exif_tells_the_lens(tmp_path, name):
+    picture = Image.new("RGB", (40, 30))
+    picture.save(tmp_path / name, exif=exif(focal=4.25, f_number=1.8, film=26))
+    found = read_photo(tmp_path / name).exif
+    assert (found.focal_length, found.f_number) == (pytest.approx(4.25e-3), pytest.approx(1.8))
+    # 26 mm on film of 43.27 mm is 4.25 mm on a diagonal of 7.07 mm, 50 pixels long.
+    assert found.pixel((30, 40)) == pytest.approx(math.hypot(36e-3, 24e-3) * 4.25 / 26 / 50)
+    picture.save(tmp_path / name, exif=exif(focal=0, film=0))
+    assert read_photo(tmp_path / name).exif == Exif()
+    with pytest.raises(ValueError, match="does not state a focal length and its 35 mm equivalent"):
+        Exif(focal_length=0.05).pixel((30, 40))
+
+
+def test_integers_are_srgb_and_floats_linear_unless_one_says_otherwise(tmp_path):
+    tifffile.imwrite(tmp_path / "a.tif", np.full(GREY, 128, np.uint8), photometric="minisblack")
+    tifffile.imwrite(tmp_path / "b.tif", np.full(GREY, 0.5, np.float32), photometric="minisblack")
+    curve = ((128 / 255 + 0.055) / 1.055) ** 2.4
+    assert read_photo(tmp_path / "a.tif").light()[0, 0] == pytest.approx(curve)
+    assert read_photo(tmp_path / "a.tif", "linear").light()[0, 0] == pytest.approx(128 / 255)
+    assert read_photo(tmp_path / "b.tif").light()[0, 0] == 0.5
+    assert read_photo(tmp_path / "b.tif", "srgb").light()[0, 0] == pytest.approx(((0.5 + 0.055) / 1.055) ** 2.4)
+
+
+@pytest.mark.parametrize("order", ["<", ">"])
+@pytest.mark.parametrize("planes", ["contig", "separate"])
+def test_a_tiff_may_have_either_byte_order_and_either_order_of_planes(tmp_path, order, planes):
+    values = RNG.integers(0, 65536, COLOUR).astype(np.uint16)
+    stored_as = values if planes == "contig" else np.moveaxis(values, 2, 0)
+    tifffile.imwrite(tmp_path / "a.tif", stored_as, byteorder=order, photometric="rgb", planarconfig=planes)
+    np.testing.assert_array_equal(read_photo(tmp_path / "a.tif").values, values)
+
+
+@pytest.mark.parametrize("mode", ["1", "P"])
+def test_palettes_and_bits_become_levels(tmp_path, mode):
+    picture = Image.fromarray(RNG.integers(0, 2, (8, 8)).astype(np.uint8) * 255).convert(mode)
+    picture.save(tmp_path / "a.png")
+    np.testing.assert_array_equal(
+        read_photo(tmp_path / "a.png").values, np.asarray(picture.convert("L" if mode == "1" else "RGB"))
+    )
+
+
+@pytest.mark.parametrize(("dtype", "levels"), [(np.uint8, 255), (np.uint16, 65535)])
+@pytest.mark.parametrize("encoding", ["srgb", "linear"])
+def test_what_half_a_level_beyond_white_or_black_is_clipped_and_counted(dtype, levels, encoding):
+    top = float(to_light("a", np.array([1.0 + 0.6 / levels]), encoding, np.float64)[0])
+    near = float(to_light("a", np.array([1.0 + 0.4 / levels]), encoding, np.float64)[0])
+    values, share = stored(np.array([[0.0, 1.0, near, top, 7.0]]), encoding, dtype)
+    assert share == pytest.approx(2 / 5)
+    assert values.tolist() == [[0, levels, levels, levels, levels]]
+    assert stored(np.array([[-1.0, 0.5]]), encoding, dtype)[1] == 0.5
+    assert stored(np.array([[7.0, -1.0]]), "linear", np.float32)[0].tolist() == [[7.0, -1.0]]
+
+
+def png(**options: object) -> bytes:
+    buffer = io.BytesIO()
+    mode = str(options.pop("mode", "RGB"))
+    Image.new(mode, (9, 8)).save(buffer, "png", **options)
+    return buffer.getvalue()
+
+
+def tiff(values: np.ndarray, **options: object) -> bytes:
+    buffer = io.BytesIO()
+    tifffile.imwrite(buffer, values, **options)
+    return buffer.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (b"", "is empty"),
+        (b"GIF89a", "is not a PNG, JPEG or TIFF file"),
+        (png()[:43], "cannot be read as a PNG photograph"),
+        (png(mode="RGBA"), "it has alpha; flatten it first"),
+        (png(mode="LA"), "it has alpha"),
+        (png(transparency=(0, 0, 0)), "it has alpha"),
+        (png(save_all=True, append_images=[Image.new("RGB", (9, 8), "red")]), "an animation of 2 frames"),
+        (tiff(np.zeros((2, 8, 9), np.uint8), photometric="minisblack"), "it has 2 pages"),
+        (
+            tiff(np.zeros((8, 9, 4), np.uint8), photometric="rgb", extrasamples=["unassalpha"]),
+            "it has alpha or other",
+        ),
+        (tiff(np.zeros((8, 9), np.uint8), photometric="miniswhite"), "MINISWHITE, neither grey nor RGB"),
+        (tiff(np.zeros((8, 9), np.int32), photometric="minisblack"), "int32, neither uint8"),
+        (tiff(np.zeros((8, 9), np.uint8), photometric="minisblack")[:120], "cannot be read as a TIFF photograph"),
+    ],
+)
+def test_what_is_no_photograph_is_refused_in_one_line(tmp_path, data, message):
+    (tmp_path / "a.png").write_bytes(data)
+    with pytest.raises(PhotoError, match=message) as refused:
+        read_photo(tmp_path / "a.png")
+    assert "\n" not in str(refused.value)
+    assert "a.png" in str(refused.value)
+
+
+@pytest.mark.parametrize("suffix", ["png", "jpg", "tif"])
+def test_a_file_cut_off_anywhere_is_never_a_photograph_of_other_values(tmp_path, suffix):
+    write_photo(tmp_path / f"a.{suffix}", RNG.random((40, 30, 3)))
+    data, whole = (tmp_path / f"a.{suffix}").read_bytes(), read_photo(tmp_path / f"a.{suffix}").values
+    for length in range(0, len(data) - 1, max(1, len(data) // 40)):
+        (tmp_path / "cut").write_bytes(data[:length])
+        with suppress(PhotoError):
+            np.testing.assert_array_equal(read_photo(tmp_path / "cut").values, whole)
+
+
+def test_cmyk_is_refused(tmp_path):
+    Image.new("CMYK", (9, 8)).save(tmp_path / "a.jpg")
+    with pytest.raises(PhotoError, match="its colours are CMYK, neither grey nor RGB"):
+        read_photo(tmp_path / "a.jpg")
+
+
+@pytest.mark.parametrize(
+    ("name", "light", "options", "message"),
+    [
+        ("a.gif", np.zeros(GREY), {}, "path must end in .png, .jpg, .jpeg, .tif, .tiff"),
+        (
+            "a.jpg",
+            np.zeros(GREY),
+            {"dtype": np.uint16},
+            "path must end in .png, .tif, .tiff for a photograph of uint16, got '.jpg'",
+        ),
+        (
+            "a.png",
+            np.zeros(GREY),
+            {"dtype": np.float32},
+            "path must end in .tif, .tiff for a photograph of float32, got '.png'",
+        ),
+        ("a.png", np.zeros(GREY), {"dtype": np.int16}, "dtype must be uint8, uint16 or float32"),
+        ("a.png", np.zeros((7, 5, 4)), {}, "light must have the shape"),
+        ("a.png", np.full(GREY, np.nan), {}, "light must be finite, got nan"),
+        ("a.jpg", np.zeros(GREY), {"quality": 0}, "quality must be from 1 to 100, got 0"),
+        ("a.png", np.zeros(GREY), {"encoding": "gamma"}, "encoding must be one of"),
+    ],
+)
+def test_what_cannot_be_written_leaves_nothing(tmp_path, name, light, options, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        write_photo(tmp_path / name, light, **options)
+    assert not list(tmp_path.iterdir())
+
+
+DEPTH = np.array([[1.0, 2.5, 4.0], [8.0, 0.5, 1.5]])
+
+
+def test_depth_comes_in_metres_from_every_format(tmp_path):
+    np.save(tmp_path / "a.npy", DEPTH)
+    tifffile.imwrite(tmp_path / "a.tif", DEPTH.astype(np.float32), photometric="minisblack")
+    for order in ("<", ">"):
+        header = f"Pf\n3 2\n{-1.0 if order == '<' else 1.0}\n".encode()
+        (tmp_path / f"{ord(order)}.pfm").write_bytes(header + DEPTH[::-1].astype(f"{order}f4").tobytes())
+    Image.fromarray((DEPTH * 1000).astype(np.uint16)).save(tmp_path / "a.png")
+    for path in tmp_path.iterdir():
+        found = read_depth(path, scale=1e-3 if path.suffix == ".png" else None)
+        np.testing.assert_allclose(found, DEPTH, rtol=1e-12, err_msg=str(path))
+
+
+def test_zero_is_unknown_only_where_one_says_so(tmp_path):
+    levels = np.array([[0, 1000], [2000, 0]], np.uint16)
+    Image.fromarray(levels).save(tmp_path / "a.png")
+    with pytest.raises(ValueError, match=r"is 0 at 2 of 4 points; say so if that means unknown"):
+        read_depth(tmp_path / "a.png", scale=1e-3)
+    found = read_depth(tmp_path / "a.png", scale=1e-3, zero_is_unknown=True)
+    np.testing.assert_array_equal(found, [[np.nan, 1.0], [2.0, np.nan]])
+
+
+def npy(values: np.ndarray) -> bytes:
+    buffer = io.BytesIO()
+    np.save(buffer, values, allow_pickle=True)
+    return buffer.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("data", "options", "message"),
+    [
+        (npy(np.ones((2, 3), np.uint16)), {}, "holds levels"),
+        (npy(np.ones((2, 3), object)), {}, "cannot be read as a depth map"),
+        (npy(np.ones((2, 3), complex)), {}, "holds complex128"),
+        (npy(np.ones((2, 3, 3))), {}, r"shape \(2, 3, 3\); a depth map has"),
+        (npy(np.ones((2, 3)))[:-4], {}, "cannot be read as a depth map"),
+        (npy(-np.ones((2, 3))), {}, "must hold distances > 0 metres, got -1"),
+        (npy(np.ones((2, 3))), {"scale": 0.0}, "scale must be > 0"),
+        (b"Pf\n3 2\n-1\n" + bytes(20), {}, "3 x 2 values take 24 bytes, got 20"),
+        (b"PF\n3 2\n-1\n" + bytes(72), {}, "it has colours"),
+        (b"Pf\n3 2\n-0.5\n" + bytes(24), {}, "its header states the scale -0.5"),
+        (b"Pf\nthree", {}, "its header is not that of a PFM file"),
+        (b"P5\n3 2\n255\n", {}, "is not a NPY, PFM, TIFF or PNG file"),
+        (b"", {}, "is empty"),
+        (b"\xff\xd8\xff\xe0", {}, "a JPEG, whose losses no depth map survives"),
+    ],
+)
+def test_what_is_no_depth_map_is_refused_by_name(tmp_path, data, options, message):
+    (tmp_path / "depth.bin").write_bytes(data)
+    with pytest.raises(ValueError, match=message) as refused:
+        read_depth(tmp_path / "depth.bin", **options)
+    assert "\n" not in str(refused.value)

@@ -1,0 +1,209 @@
+"""Tables of Zernike coefficients: what they may say, how every fault is told, and that they come back unchanged."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import lommel as lm
+from lommel.lensfiles.zernike_files import SUFFIXES, ZernikeFileError
+from lommel.special import zernike
+
+TOML = """\
+order = "noll"
+unit = "nm"
+normalization = "rms"
+wavelength = "632.8 nm"
+
+[terms]
+4 = -12.5
+7 = 31
+"""
+JSON = """\
+{
+  "order": "noll", "unit": "nm", "normalization": "rms", "wavelength": "632.8 nm",
+  "terms": {"4": -12.5, "7": 31}
+}
+"""
+CSV = """\
+# a comment
+# order: noll
+# unit: nm
+# normalization: rms
+# wavelength: 632.8 nm
+
+index, value
+4, -12.5
+7, 31
+"""
+TEXTS = {".toml": TOML, ".json": JSON, ".csv": CSV}
+
+
+@pytest.fixture
+def load(tmp_path: Path):
+    def write_and_load(suffix: str, text: str) -> lm.ZernikeTable:
+        file = tmp_path / f"table{suffix}"
+        file.write_text(text, encoding="utf-8")
+        return lm.load_zernike(file)
+
+    return write_and_load
+
+
+def faults(load, suffix: str, text: str) -> list[str]:
+    """The faults that are told about a table."""
+    with pytest.raises(ZernikeFileError) as caught:
+        load(suffix, text)
+    message = str(caught.value).split(f"table{suffix}: ", 1)[-1]
+    return [line.strip() for line in message.strip().split("\n")]
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_every_format_holds_the_same_table(load, suffix):
+    table = load(suffix, TEXTS[suffix])
+    assert table == lm.ZernikeTable({4: -12.5, 7: 31.0}, "noll", "nm", "rms", 632.8e-9)
+    assert table == load(suffix, "\ufeff" + TEXTS[suffix].replace("\n", "\r\n"))
+    expected = lm.Wavefront.zernike({4: 1e-9 * -12.5, 7: 1e-9 * 31}, order="noll", unit="metres", wavelength=632.8e-9)
+    assert table.wavefront() == expected
+
+
+def test_the_order_nm_has_two_columns_or_a_pair_for_a_key(load):
+    text = "# order: nm\n# unit: waves\n# normalization: edge\nn,m,value\n3,1,0.25\n2,-2,1e-3\n"
+    expected = lm.ZernikeTable({(3, 1): 0.25, (2, -2): 1e-3}, "nm", "waves", "edge")
+    assert load(".csv", text) == expected
+    head = 'order = "nm"\nunit = "waves"\nnormalization = "edge"\n[terms]\n'
+    assert load(".toml", f'{head}"3,1" = 0.25\n"(2, -2)" = 1e-3\n') == expected
+
+
+coefficient = st.floats(-1e3, 1e3)
+
+
+@given(
+    st.sampled_from(zernike.ORDERS),
+    st.sampled_from(["waves", "radians", "metres", "um", "nm"]),
+    st.sampled_from(["rms", "edge"]),
+    st.one_of(st.none(), st.floats(1e-7, 1e-5)),
+    st.dictionaries(st.integers(2, 37), coefficient, min_size=1, max_size=6),
+    st.sampled_from(SUFFIXES),
+)
+def test_what_is_written_is_read_back_to_the_last_digit(
+    tmp_path_factory, order, unit, normalization, wavelength, terms, suffix
+):
+    indexed = {zernike.index_of(*zernike.term(j, "fringe"), order): c for j, c in terms.items()}
+    table = lm.ZernikeTable(indexed, order, unit, normalization, wavelength)
+    file = tmp_path_factory.getbasetemp() / f"again{suffix}"
+    lm.save_zernike(file, table)
+    assert lm.load_zernike(file) == table
+
+
+@pytest.mark.parametrize(
+    ("line", "instead", "told"),
+    [
+        ('order = "noll"\n', "", "order: is missing; it is one of nm, noll, ansi, fringe"),
+        ('"noll"', '"zemax"', "order (line 1): must be one of nm, noll, ansi, fringe, got 'zemax'"),
+        ('"noll"', "4", "order (line 1): must be one of nm, noll, ansi, fringe, got 4"),
+        ('unit = "nm"\n', "", "unit: is missing; it is one of radians, waves, metres"),
+        ('"nm"', '"furlong"', "unit (line 2): must be one of radians, waves, metres"),
+        ('normalization = "rms"\n', "", "normalization: is missing; it is one of rms, edge"),
+        ('"rms"', '"peak"', "normalization (line 3): must be one of rms, edge, got 'peak'"),
+        ('"632.8 nm"', "632.8", "wavelength (line 4): '632.8' is a length without a unit"),
+        ('"632.8 nm"', '"632.8 ns"', "wavelength (line 4): '632.8 ns' has the unknown unit 'ns'"),
+        ("normalization", "normalisation", "normalisation (line 3): unknown key; did you mean normalization?"),
+        ("[terms]", "[coefficients]", "coefficients (line 6): unknown key; known are order, unit"),
+        ("7 = 31\n", "07 = 31\n4 = 1\n", "not valid TOML: "),
+        ("7 = 31", "04 = 31", "terms.04 (line 8): the term 04 was given before, terms.4 (line 7)"),
+        ("7 = 31", "0 = 31", "terms.0 (line 8): a Zernike index in the order 'noll' must be from 1 to 1891, got 0"),
+        ("7 = 31", '"3,1" = 31', "terms.3,1 (line 8): an index of the order 'noll' is an integer, got '3,1'"),
+        ("7 = 31", "coma = 31", "terms.coma (line 8): an index of the order 'noll' is an integer, got 'coma'"),
+        ("7 = 31", "7 = nan", "terms.7 (line 8): the coefficient must be finite, got nan"),
+        ("7 = 31", '7 = "31"', "terms.7 (line 8): the coefficient must be a real number, got '31'"),
+        ("7 = 31", "7 = true", "terms.7 (line 8): the coefficient must be a real number, got True"),
+        ("7 = 31", "1892 = 31", "terms.1892 (line 8): a Zernike index in the order 'noll' must be from 1 to 1891"),
+        ("4 = -12.5\n7 = 31\n", "", "terms (line 6): is missing or empty"),
+        ("[terms]\n4 = -12.5\n7 = 31\n", "terms = 5", "terms (line 6): must map indices to coefficients, got 5"),
+    ],
+)
+def test_a_fault_is_told_with_its_key_and_line(load, line, instead, told):
+    assert TOML.count(line) == 1
+    assert any(fault.startswith(told) for fault in faults(load, ".toml", TOML.replace(line, instead)))
+
+
+def test_every_fault_is_told_at_once(load):
+    text = TOML.replace('"nm"', '"kg"').replace("7 = 31", "0 = nan\n7 = inf").replace("wavelength", "lambda")
+    found = faults(load, ".toml", text)
+    assert [fault.split(":")[0] for fault in found] == [
+        "lambda (line 4)", "unit (line 2)", "terms.0 (line 8)", "terms.0 (line 8)", "terms.7 (line 9)",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('"4": -12.5', '"4": -12.5, "4": 1', "4: is given twice"),
+        ('"unit": "nm"', '"unit": "nm", "unit": "nm"', "unit: is given twice"),
+        ('"4": -12.5', '"4": NaN', "terms.4: the coefficient must be finite, got nan"),
+        ('"7": 31', '"7": [31]', "terms.7: the coefficient must be a real number, got [31]"),
+        ('"nm"', '["nm"]', "unit: must be one of radians, waves"),
+        ("}\n}", "}", "not valid JSON: "),
+        (JSON, "[1]", "must hold an object, got list"),
+        ('{"4": -12.5, "7": 31}', "[4]", "terms: must map indices to coefficients, got [4]"),
+    ],
+)
+def test_a_fault_of_json_is_told_with_its_key(load, old, new, told):
+    assert old in JSON
+    assert any(fault.startswith(told) for fault in faults(load, ".json", JSON.replace(old, new)))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("# unit: nm\n", "", "unit: is missing"),
+        ("# unit: nm", "# unit: kg", "unit (line 3): must be one of"),
+        ("# unit: nm", "# unit: nm\n# unit: um", "unit (line 4): is given twice, first in line 3"),
+        ("# a comment", "# made: today", "made (line 1): unknown key; known are order"),
+        ("index, value", "ansi, value", "line 7: the columns must be index,value, got ansi, value"),
+        ("index, value", "index, waves", "line 7: the columns must be index,value, got index, waves"),
+        ("index, value\n", "", "line 7: the columns must be index,value, got 4, -12.5"),
+        ("7, 31", "7, 31, 5", "line 9: must have 2 cells, got 3: 7, 31, 5"),
+        ("7, 31", "7; 31", "line 9: must have 2 cells, got 1: 7; 31"),
+        ("7, 31", "7, x", "line 9: the coefficient must be a real number, got 'x'"),
+        ("7, 31", "7, inf", "line 9: the coefficient must be finite, got inf"),
+        ("7, 31", "4, 31", "line 9: the term 4 was given before, line 8"),
+        ("noll", "nm", "line 7: the columns must be n,m,value, got index, value"),
+        (CSV, "", "order: is missing"),
+    ],
+)
+def test_a_fault_of_csv_is_told_with_its_line(load, old, new, told):
+    assert old in CSV
+    assert any(fault.startswith(told) for fault in faults(load, ".csv", CSV.replace(old, new)))
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_what_is_no_text_is_told(tmp_path, suffix):
+    (tmp_path / f"a{suffix}").write_bytes(bytes(range(256)))
+    with pytest.raises(ZernikeFileError, match="not UTF-8 text"):
+        lm.load_zernike(tmp_path / f"a{suffix}")
+
+
+def test_other_formats_are_refused_and_missing_files_named(tmp_path):
+    table = lm.ZernikeTable({4: 1.0}, "noll", "waves", "rms")
+    for call in (lm.load_zernike, lambda path: lm.save_zernike(path, table)):
+        with pytest.raises(ValueError, match=r"path must end in .json, .toml, .csv, got '.*a.xlsx'"):
+            call(tmp_path / "a.xlsx")
+    with pytest.raises(FileNotFoundError, match="nowhere"):
+        lm.load_zernike(tmp_path / "nowhere.csv")
+    with pytest.raises(FileNotFoundError, match="nowhere"):
+        lm.save_zernike(tmp_path / "nowhere" / "a.csv", table)
+    with pytest.raises(TypeError, match=r"table must be a ZernikeTable or a Wavefront, got \{\}"):
+        lm.save_zernike(tmp_path / "a.csv", {})
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_json_is_json(tmp_path):
+    lm.save_zernike(tmp_path / "a.json", lm.ZernikeTable({(3, 1): 0.5}, "nm", "waves", "edge"))
+    assert json.loads((tmp_path / "a.json").read_text()) == {
+        "order": "nm", "unit": "waves", "normalization": "edge", "terms": {"3,1": 0.5},
+    }  # fmt: skip

@@ -1,0 +1,182 @@
+"""What every public docstring says: its parameters, what it returns, what it raises.
+
+Functions and classes have sections for them, as numpydoc reads them. A method may tell them in a sentence that names
+each parameter in backquotes, and leave to the method that it overrides, or to the function that it links, what they
+say.
+"""
+
+from __future__ import annotations
+
+import ast
+import functools
+import inspect
+import re
+import textwrap
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import lommel as lm
+from lommel import imaging, methods
+from lommel.base import validation
+
+API = (Path(__file__).resolve().parents[1] / "docs" / "api.md").read_text(encoding="utf-8")
+LISTED = re.findall(r"^   ([\w.]+)$", API, flags=re.MULTILINE)
+ROOMS = {room.__name__.removeprefix("lommel."): room.__all__ for room in (imaging, methods)}
+# Those that raise.
+CHECKS = {name for name, thing in vars(validation).items() if inspect.isfunction(thing)} - {"shown", "brief", "line"}
+BEGINNINGS = ("Return", "Yield", "Build", "Rebuild", "Read", "Draw", "Write")
+
+
+def resolved(name: str) -> Any:
+    """The thing of a dotted name below the package, whose modules are imported as they are met."""
+    *rooms, last = name.split(".")
+    for k in range(len(rooms), 0, -1):
+        try:
+            return functools.reduce(getattr, [*rooms[k:], last], import_module(".".join(["lommel", *rooms[:k]])))
+        except ModuleNotFoundError as error:
+            if not str(error.name).startswith("lommel"):
+                return None  # an adapter, without the package that it adapts
+    return functools.reduce(getattr, name.split("."), lm)
+
+
+def parts(kind: type) -> dict[str, Callable[..., Any]]:
+    """The public methods of a class, those that it inherits within the package too."""
+    found = {}
+    for base in ours(kind):
+        for name, value in vars(base).items():
+            plain = getattr(value, "__func__", value)
+            if inspect.isfunction(plain) and not name.startswith("_"):
+                found.setdefault(name, plain)
+    return found
+
+
+def ours(kind: type) -> Iterator[type]:
+    return (base for base in kind.__mro__ if base.__module__.startswith("lommel"))
+
+
+NAMES = [*LISTED, *lm.__all__, *(f"{room}.{name}" for room, names in ROOMS.items() for name in names)]
+KNOWN = {  # each by its first name
+    thing: name for name in reversed(NAMES) if callable(thing := resolved(name))
+}
+THINGS = {name: thing for thing, name in KNOWN.items()}
+# Each by the first class that has it, which is that of the others too.
+FIRST = {
+    function: f"{name}.{part}"
+    for name, thing in THINGS.items()
+    if inspect.isclass(thing)
+    for part, function in parts(thing).items()
+}
+METHODS = {name: (THINGS[name.rpartition(".")[0]], function) for function, name in FIRST.items()}
+
+
+def sections(doc: str | None) -> dict[str, str]:
+    """The sections of a docstring by their names; what stands before them has none."""
+    cut = re.split(r"^(\w[\w ]*)\n-{3,}$", inspect.cleandoc(doc or ""), flags=re.MULTILINE)
+    assert len({*cut[1::2]}) == len(cut[1::2]), f"a section comes twice: {cut[1::2]}"
+    return {"": cut[0], **dict(zip(cut[1::2], cut[2::2], strict=True))}
+
+
+def explained(told: dict[str, str]) -> set[str]:
+    """The names of parameters that sections explain."""
+    heads = re.findall(r"^(\*{0,2}\w[\w, *]*?)(?: : .*)?$", told.get("Parameters", ""), flags=re.MULTILINE)
+    heads += re.findall(r"^(\w[\w, ]*?)(?: : .*)?$", told.get("Attributes", ""), flags=re.MULTILINE)
+    return {name.strip().lstrip("*") for head in heads for name in head.split(",")}
+
+
+def parameters(thing: Callable[..., Any]) -> set[str]:
+    return {name for name in inspect.signature(thing).parameters if name not in ("self", "cls") and name[0] != "_"}
+
+
+def own(node: ast.AST) -> Iterator[ast.AST]:
+    """The nodes of a function, without those of functions inside it."""
+    for child in ast.iter_child_nodes(node):
+        if not isinstance(child, ast.FunctionDef | ast.Lambda):
+            yield child
+            yield from own(child)
+
+
+def raises(function: Callable[..., Any]) -> bool:
+    """Whether a function raises by itself, or calls one of the checks that all entries share."""
+    tree = ast.parse(textwrap.dedent(inspect.getsource(inspect.unwrap(function)))).body[0]
+    for node in own(tree):
+        if isinstance(node, ast.Raise) and "NotImplementedError" not in ast.unparse(node):
+            return True
+        if isinstance(node, ast.Call) and ast.unparse(node.func) in {f"validation.{check}" for check in CHECKS}:
+            return True
+    return False
+
+
+def returns(function: Callable[..., Any]) -> bool:
+    return inspect.signature(function).return_annotation not in (None, "None")
+
+
+def overridden(kind: type, function: Callable[..., Any]) -> Iterator[str | None]:
+    """What the docstring of a method may leave to others: what it overrides, and the functions that it links."""
+    for base in ours(kind):
+        if (other := vars(base).get(function.__name__)) is not None:
+            yield other.__doc__
+    for name in re.findall(r":(?:func|meth):`lommel\.([\w.]+)`", function.__doc__ or ""):
+        yield resolved(name).__doc__
+
+
+def lacking(thing: Any) -> list[str]:
+    """What the docstring of a function or a class should have in sections, and has not."""
+    told = sections(thing.__doc__)
+    if inspect.isclass(thing) and issubclass(thing, Exception):
+        return [] if told[""] else ["a word"]
+    made = [made_by(thing, part) for part in ("__init__", "__post_init__")] if inspect.isclass(thing) else [thing]
+    found = sorted(parameters(thing) - explained(told))
+    if not inspect.isclass(thing):
+        found += sorted(explained(told) - parameters(thing))
+        found += ["Returns"] if returns(thing) and not told.keys() & {"Returns", "Yields"} else []
+    return found + (["Raises"] if any(f and raises(f) for f in made) and "Raises" not in told else [])
+
+
+def made_by(kind: type, name: str) -> Callable[..., Any] | None:
+    """A method as the package wrote it, not a dataclass."""
+    function = getattr(kind, name, None)
+    return function if inspect.isfunction(function) and function.__code__.co_filename != "<string>" else None
+
+
+def untold(kind: type, function: Callable[..., Any]) -> list[str]:
+    """What the docstring of a method tells in neither sections nor words, its own or those it leaves that to."""
+    told = sections(function.__doc__)
+    docs = [function.__doc__ or "", *(doc or "" for doc in overridden(kind, function))]
+    named = {word for doc in docs for word in (*explained(sections(doc)), *re.findall(r"`+(\w+)`+", doc))}
+    found = sorted(parameters(function) - named)
+    if returns(function) and not (told.keys() & {"Returns", "Yields"} or told[""].startswith(BEGINNINGS)):
+        found.append("Returns")
+    if raises(function) and not any("Raises" in sections(doc) or "Error" in doc for doc in docs):
+        found.append("Raises")
+    return found
+
+
+@pytest.mark.parametrize("name", THINGS)
+def test_a_public_thing_has_sections_for_parameters_results_and_errors(name):
+    assert lacking(THINGS[name]) == []
+
+
+@pytest.mark.parametrize("name", METHODS)
+def test_a_public_method_tells_its_parameters_results_and_errors(name):
+    assert untold(*METHODS[name]) == []
+
+
+def some(a: int, b: int) -> int:
+    """Do something, with `a`.
+
+    Parameters
+    ----------
+    a, c : int
+    """
+    return validation.integer("a", a, least=b, most=9)
+
+
+def test_what_a_docstring_lacks_is_found():
+    assert lacking(some) == ["b", "c", "Returns", "Raises"]
+    assert untold(int, some) == ["b", "Returns", "Raises"]
+    assert {"psf", "Pupil", "measures.energy.window_energy", "special.zernike.polynomial"} <= THINGS.keys()
+    assert {"Wavefront.rotated", "PSF.encircled_energy", "NijboerZernike.images"} <= METHODS.keys()

@@ -60,23 +60,19 @@ class GriddingKernel {
         return sum / transform(omega);
     }
 
-    // Means of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1], and the root of the mean of their squares: what
-    // aliases do to a function whose spectrum has that density times g(s), |g| at most 1 or of mean square 1.
-    struct Aliasing {
-        double mean, root;
-    };
-    Aliasing aliasing(double step) const {
+    // The root of the mean square of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1]: what they do at most to a
+    // function whose spectrum has that density times g(s), g of mean square 1.
+    double aliasing(double step) const {
         constexpr double pi = 3.14159265358979323846;
         constexpr std::size_t cells = 192;
-        double sum = 0.0, squares = 0.0;
+        double squares = 0.0;
         for (std::size_t i = 0; i < cells; ++i) {
             // s = cos(a); in a cell of a aliases are largest at its beginning, sin(a) at its end.
             const double first = 0.5 * pi * static_cast<double>(i) / cells, last = 0.5 * pi * static_cast<double>(i + 1) / cells;
             const double most = aliases(step * std::cos(first)), sine = std::sin(last);
-            sum += most * sine * sine;
             squares += most * most * sine * sine;
         }
-        return {2.0 * sum / cells, std::sqrt(2.0 * squares / cells)};
+        return std::sqrt(2.0 * squares / cells);
     }
 
     // The largest sum of the taps, by Poisson's formula.

@@ -157,6 +157,7 @@ class ZernikeField {
     double base() const { return base_; }
     bool obscured() const { return obscuration_ > 0.0; }
     double obscuration() const { return obscuration_; }
+    double reach() const { return reach_; }
     const ZernikeSeries& outer() const { return outer_; }
     const ZernikeSeries& inner() const { return inner_; }
 

@@ -13,14 +13,26 @@
 #include "lommel/pixels/tiles.hpp"
 #include "lommel/zernike/polar_zones.hpp"
 
-#ifndef POLAR_TIMER
-#define POLAR_TIMER(name)
-#endif
-
 namespace lommel {
+
+// Of the time that the series is predicted to take, what this may take where it is tried. Changed by tests alone: 0 for never.
+inline double& interpolation_worth() {
+    static double share = 1.0;
+    return share;
+}
 
 class PolarImage {
    public:
+    // Whether it is predicted to be faster than a sum over orders for each pixel, with tables of bearable size. In units of what
+    // an order of a pixel takes: a pixel takes as much as so many orders, wherever it is, and a circle a transform; both prepare
+    // sums over degrees for steps of v.
+    static bool pays(const ZernikeField& field, const Tiles& tiles, double step) {
+        const double orders = static_cast<double>(field.outer().orders), degrees = static_cast<double>(field.outer().degrees);
+        const double pixels = static_cast<double>(tiles.height * tiles.width), reach = field.reach();
+        const double between = 20.0 * pixels + 4.0 * orders * reach;
+        return reach * degrees < 1e6 && between < interpolation_worth() * orders * pixels;
+    }
+
     // Of those pixels, `step` in v apart. What is used for one image is kept for the next.
     void begin(const Tiles& tiles, double step, int threads) {
         tiles_ = &tiles;
@@ -29,16 +41,18 @@ class PolarImage {
         threads_ = threads;
     }
 
-    // Makes ready for I off by `tol` of the peak at most.
-    void prepare(const PolarPupil& pupil, double tol) {
-        { POLAR_TIMER(plan); zones_.plan(pupil, step_, tiles_->nearest(), tiles_->farthest(), tol); }
-        { POLAR_TIMER(rows); zones_.fill(pupil, threads_); }
+    // Makes ready for I off by `tol` of the peak at most; returns whether there is hope for that.
+    bool prepare(const PolarPupil& pupil, double tol) {
+        if (!zones_.plan(pupil, step_, tiles_->nearest(), tiles_->farthest(), tol)) {
+            return false;
+        }
+        zones_.fill(pupil, threads_);
+        return true;
     }
 
     // Computes the image, I times `scale`.
     template <class T>
     void paint(double scale, T* image) {
-        POLAR_TIMER(paint);
         parts_.assign(list_.size() * zones_.size(), Part());
         parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
             thread_local Tiles::Buffer<T> kept;
@@ -78,13 +92,12 @@ class PolarImage {
         }
         return most;
     }
-    const PolarZones& zones() const { return zones_; }
 
    private:
     // Of a tile in a zone.
     struct Part {
         double error = 0.0, top = 0.0;  // of U, and the largest I
-        double wrong() const { return error * (2.0 * std::sqrt(top) + error); }
+        double wrong() const { return intensity_error(std::sqrt(top), error); }
     };
 
     const Part& brightest() const {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "lommel/zernike/field.hpp"
 #include "lommel/zernike/polar_circles.hpp"
 
 namespace lommel {
@@ -40,16 +41,15 @@ struct PolarPupil {
         Doubles parts;          // as PolarDisk has them
     };
     std::vector<Disk> disks;
-    double base = 0.0;      // the error of U that its expansion has
-    bool by_phase = false;  // whether the degrees that are left out are few because of the phase, not of the window
+    double base;  // the error of U that its expansion has, and what roundings of places make of it
 
-    void add(const ZernikeSeries& series, double shrunk, double weight) {
-        disks.push_back({&series, shrunk, weight, Doubles(4 * series.cos_re.size())});
-        for (std::size_t i = 0; i < series.cos_re.size(); ++i) {
-            const double parts[4] = {series.cos_re[i], series.cos_im[i], series.sin_re[i], series.sin_im[i]};
-            for (std::size_t c = 0; c < 4; ++c) {
-                disks.back().parts[4 * i + c] = weight * parts[c];
-            }
+    explicit PolarPupil(const ZernikeField& field)
+        // A place between circles is off by less than 12 units, and one around them by less than 24 of a turn's angle; |U'| < 1/2
+        // along any line.
+        : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
+        add(field.outer(), 1.0, 1.0);
+        if (field.obscured()) {
+            add(field.inner(), field.obscuration(), -field.obscuration() * field.obscuration());
         }
     }
 
@@ -60,12 +60,16 @@ struct PolarPupil {
         }
         return most;
     }
-    double weight() const {
-        double sum = 0.0;
-        for (const Disk& disk : disks) {
-            sum += std::abs(disk.weight);
+
+   private:
+    void add(const ZernikeSeries& series, double shrunk, double weight) {
+        disks.push_back({&series, shrunk, weight, Doubles(4 * series.cos_re.size())});
+        for (std::size_t i = 0; i < series.cos_re.size(); ++i) {
+            const double parts[4] = {series.cos_re[i], series.cos_im[i], series.sin_re[i], series.sin_im[i]};
+            for (std::size_t c = 0; c < 4; ++c) {
+                disks.back().parts[4 * i + c] = weight * parts[c];
+            }
         }
-        return sum;
     }
 };
 
@@ -80,10 +84,9 @@ struct PolarKernels {
         const GriddingKernel kernel = style.kernel();
         for (const PolarPupil::Disk& disk : pupil.disks) {
             disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
-            // The chords of what is expanded have |g| <= 1, and its mean square is at most 1 if degrees are left out.
-            const GriddingKernel::Aliasing& aliases = disks.back()->aliasing;
-            aliasing += std::abs(disk.weight) * (pupil.by_phase ? aliases.mean : aliases.root);
-            growth = std::max(growth, aliases.root);
+            // Of what is expanded the mean square of g is at most 1, but for the error of the expansion.
+            aliasing += std::abs(disk.weight) * disks.back()->aliases;
+            growth = std::max(growth, disks.back()->aliases);
         }
         weight = disks[0]->weight;
         chain = disks[0]->chain;
@@ -108,7 +111,8 @@ struct PolarTables {
             disks.push_back({disk.series, disk.parts.data(), table.values.data(), table.degrees, table.reached.data()});
             // Cosines and sines, both by Cauchy: a chain over every other degree, and what the table leaves out and is off by.
             const double chain = unit_roundoff * (static_cast<double>(disk.series->degrees) + 8.0);
-            error += 2.0 * std::abs(disk.weight) * (chain * table.magnitude + table.rounding + PolarTable::left_out);
+            error += 2.0 * std::abs(disk.weight) *
+                     (chain / k.kernel.transform(k.step) + table.rounding(blocks, disk.series->degrees) + PolarTable::left_out);
         }
     }
 };
@@ -121,8 +125,8 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
     // Exact circles have exact taps, rounded once.
     const double between = style.exact ? kernels.taps(0.0).error + pixel * kernels.weight : kernels.taps(0.0f).error;
     const double around = style.exact ? circle.taps(0.0).error + pixel * circle.weight : circle.taps(0.0f).error;
-    // Storing the circles, a product and a chain of sums for each kernel, and of I three roundings, which are half as much of U.
-    const double sums = pixel * (4.5 + kernels.chain / kernels.weight + circle.chain / circle.weight);
+    // Storing the circles, a product and a chain of sums for each kernel, and of I four roundings, which are half as much of U.
+    const double sums = pixel * (5.0 + kernels.chain / kernels.weight + circle.chain / circle.weight);
     // A complex number is at most sqrt(2) times the larger one of its parts.
     return (pupil.base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernels.weight * rows.around +
            weights * (circle.gains.back() * rows.sums + transform * (circle.exact.rounding() + 2.0) * rows.sum) +

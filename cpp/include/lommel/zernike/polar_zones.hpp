@@ -42,8 +42,8 @@ struct PolarZone {
 class PolarZones {
    public:
     // For pixels `step` in v apart, of distances whose squares in pixels are `nearest` to `farthest`; I off by `tol` of the largest
-    // among them at most.
-    void plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol) {
+    // among them at most. Returns false where the expansion alone, or the aliases of the most exact style, do not let that be.
+    bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol) {
         const double near = step * std::sqrt(static_cast<double>(nearest)), reach = step * std::sqrt(static_cast<double>(farthest));
         const PolarLooks looks(pupil, reach);
         const PolarOrders orders(pupil);
@@ -59,6 +59,9 @@ class PolarZones {
         for (std::size_t s = polar_styles.size(); s-- > 0;) {
             kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
             starts[s] = s == 0 ? 0.0 : start(pupil, polar_styles[s], *kernels[s], looks, orders, allowed);
+        }
+        if (pupil.base + kernels[0]->aliasing > allowed(looks.brightest(near, reach))) {
+            return false;
         }
         count_ = 0;
         zones_.resize(polar_styles.size());
@@ -82,6 +85,7 @@ class PolarZones {
             zone.errors.resize((zone.last - zone.first) * PolarTable::block);
             from = to;
         }
+        return true;
     }
 
     // Computes all circles.

@@ -207,9 +207,9 @@ Named gridding_bounds(std::size_t taps, double oversampling, double step, Double
     for (const auto& row : doubles->at) {
         polynomials.append(std::vector<double>(row, row + taps));
     }
-    return named(entry("beta", kernel.beta()), entry("values", values), entry("transforms", transforms), entry("aliases", aliases),
-                 entry("aliasing", kernel.aliasing(step)), entry("weight", kernel.weight()), entry("chain", kernel.chain()),
-                 entry("taps", polynomials), entry("tap_error", doubles->error));
+    return named(entry("beta", kernel.beta()), entry("values", values), entry("transforms", transforms),
+                 entry("aliases", aliases), entry("aliasing", kernel.aliasing(step)), entry("weight", kernel.weight()),
+                 entry("chain", kernel.chain()), entry("taps", polynomials), entry("tap_error", doubles->error));
 }
 
 Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, double reach,

@@ -10,5 +10,6 @@ void bindings::define_zernike(nb::module_& m) {
         "their largest one. 0, or the bound that is left.");
     m.def(
         "interpolation_worth", [](double share) { lommel::interpolation_worth() = share; }, "share"_a,
-        "Interpolate between circles where that is predicted to take at most this share of the series' time: 1, or 0 for never.");
+        "Interpolate between circles where that is predicted to take at most this share of the series' time: 1, or 0 for "
+        "never.");
 }

@@ -106,7 +106,8 @@ class Tiles {
         template <class Real>
         void put(const Tile& tile, std::int64_t a, std::int64_t b, const Real* values) {
             const std::int64_t i = a - tile.a, j = b - tile.b, last = side - 1, end = side * side - 1;
-            const std::int64_t wide = side * j + i, tall = side * i + j, turned = side * i + last - j, other = side * j + last - i;
+            const std::int64_t wide = side * j + i, tall = side * i + j, turned = side * i + last - j,
+                               other = side * j + last - i;
             const std::int64_t at[directions] = {wide, turned, end - wide, end - turned, tall, other, end - tall, end - other};
             // On the diagonal both halves make one square.
             const std::size_t twin = tile.a == tile.b ? directions / 2 : 0;

@@ -68,7 +68,8 @@ class GriddingKernel {
         double squares = 0.0;
         for (std::size_t i = 0; i < cells; ++i) {
             // s = cos(a); in a cell of a aliases are largest at its beginning, sin(a) at its end.
-            const double first = 0.5 * pi * static_cast<double>(i) / cells, last = 0.5 * pi * static_cast<double>(i + 1) / cells;
+            const double first = 0.5 * pi * static_cast<double>(i) / cells,
+                         last = 0.5 * pi * static_cast<double>(i + 1) / cells;
             const double most = aliases(step * std::cos(first)), sine = std::sin(last);
             squares += most * most * sine * sine;
         }

@@ -166,7 +166,8 @@ LOMMEL_INLINE void turn(const Real (*from)[fft_rows], std::size_t first, Quad<Re
 LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<float>* out) {
     typedef float quad __attribute__((vector_size(16)));
     typedef std::int32_t places __attribute__((vector_size(16)));
-    const quad a = load<quad>(from[0] + first), b = load<quad>(from[1] + first), c = load<quad>(from[2] + first), d = load<quad>(from[3] + first);
+    const quad a = load<quad>(from[0] + first), b = load<quad>(from[1] + first), c = load<quad>(from[2] + first),
+               d = load<quad>(from[3] + first);
     const places low = {0, 4, 1, 5}, high = {2, 6, 3, 7}, first_half = {0, 1, 4, 5}, second_half = {2, 3, 6, 7};
     const quad ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab2 = __builtin_shuffle(a, b, high),
                cd2 = __builtin_shuffle(c, d, high);
@@ -207,8 +208,8 @@ class PolarRows {
     // Circles [16 block, 16 block + 16) of the tables' to rows from `first` on; orders below `orders`, at most a quarter of the
     // points. Fills in the error of each.
     template <class I, class Fft>
-    LOMMEL_INLINE void fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block, std::size_t orders,
-                            std::size_t first, PolarSpectra<Fft>& spectra, PolarRowError* errors) {
+    LOMMEL_INLINE void fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block,
+                            std::size_t orders, std::size_t first, PolarSpectra<Fft>& spectra, PolarRowError* errors) {
         using V = typename I::pack;
         constexpr std::size_t packs = PolarTable::block / I::lanes;
         V around[packs], sum[packs];

@@ -29,7 +29,7 @@ class PolarImage {
     static bool pays(const ZernikeField& field, const Tiles& tiles, double step) {
         const double orders = static_cast<double>(field.outer().orders), degrees = static_cast<double>(field.outer().degrees);
         const double pixels = static_cast<double>(tiles.height * tiles.width), reach = field.reach();
-        const double between = 20.0 * pixels + 4.0 * orders * reach;
+        const double between = 32.0 * pixels + 6.0 * orders * reach;
         return reach * degrees < 1e6 && between < interpolation_worth() * orders * pixels;
     }
 
@@ -120,17 +120,19 @@ class PolarImage {
 
     // The pixels of a tile on some lines, in one zone.
     template <std::size_t Between, std::size_t Around, class Real, class I, class T>
-    LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines, double scale,
-                              Tiles::Buffer<T>& buffer, Part& part) const {
+    LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines,
+                              double scale, Tiles::Buffer<T>& buffer, Part& part) const {
         using V = std::conditional_t<sizeof(Real) == 8, typename I::pack, typename I::floats>;
         using Narrow = typename RowPack<I, Real>::type;
         using D = typename I::pack;
         constexpr std::size_t at_once = Tiles::side, numbers = PolarRows<Real>::directions, lanes = sizeof(V) / sizeof(Real),
                               packs = numbers / lanes;
         const PolarRows<Real>& rows = zone.rows(Real());
-        const double per_row = step_ / zone.style->step(), per_angle = static_cast<double>(zone.circle->points()) / 6.283185307179586477;
+        const double per_row = step_ / zone.style->step(),
+                     per_angle = static_cast<double>(zone.circle->points()) / 6.283185307179586477;
         // Places are those of the first taps.
-        const double row_shift = static_cast<double>(PolarTable::before) - static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between;
+        const double row_shift =
+            static_cast<double>(PolarTable::before) - static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between;
         const double angle_shift = static_cast<double>(rows.margin()) - 0.5 * Around;
         const std::size_t stride = rows.stride();
         const V scales = splat<V>(static_cast<Real>(scale));
@@ -149,7 +151,8 @@ class PolarImage {
                 for (std::size_t k = 0; k < I::lanes; ++k) {
                     b[k] = static_cast<double>(line.b + static_cast<std::int64_t>(std::min(i + k, here - 1)));
                 }
-                const D across = splat<D>(static_cast<double>(line.a)), along = load<D>(b), square = across * across + along * along;
+                const D across = splat<D>(static_cast<double>(line.a)), along = load<D>(b),
+                        square = across * across + along * along;
                 alignas(64) double root[I::lanes];
                 store(root, square);
                 for (double& r : root) {
@@ -176,7 +179,8 @@ class PolarImage {
                 taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + most);
             }
             for (std::size_t i = 0; i < here; ++i) {
-                const Real* start = rows.row(static_cast<std::size_t>(place[0][i])) + static_cast<std::size_t>(place[1][i]) * numbers;
+                const Real* start =
+                    rows.row(static_cast<std::size_t>(place[0][i])) + static_cast<std::size_t>(place[1][i]) * numbers;
                 constexpr std::size_t together = packs == 1 ? 8 : Between == 10 ? (packs == 2 ? 5 : 2) : packs == 2 ? 4 : 2;
                 V total[packs] = {};
                 for (std::size_t j = 0; j < Between; j += together) {

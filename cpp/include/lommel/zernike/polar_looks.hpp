@@ -36,11 +36,12 @@ class PolarLooks {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 using I = decltype(isa);
                 using V = typename I::pack;
-                spectra.combine(isa, fft.n, gains.data(), disks, b, orders, [&](std::size_t m, std::size_t p, V size) LOMMEL_INLINE_LAMBDA {
-                    store(&sizes_[(b * orders + m) * block + p * I::lanes], size);
-                });
+                spectra.combine(isa, fft.n, gains.data(), disks, b, orders,
+                                [&](std::size_t m, std::size_t p, V size)
+                                    LOMMEL_INLINE_LAMBDA { store(&sizes_[(b * orders + m) * block + p * I::lanes], size); });
                 for (std::size_t half = 0; half < 2; ++half) {
-                    brightest(isa, fft.run(isa, spectra.spectrum[half].data(), spectra.other.data()), fft.n, &bright[b * block + half * fft_rows]);
+                    brightest(isa, fft.run(isa, spectra.spectrum[half].data(), spectra.other.data()), fft.n,
+                              &bright[b * block + half * fft_rows]);
                 }
             });
         }
@@ -80,7 +81,8 @@ class PolarLooks {
         for (std::size_t i = 0; i < block; ++i) {
             // What tables have divided by makes circles larger, the most at the edge of the spectrum.
             const double i_here = b * block + i < bright.size() ? bright[b * block + i] : 0.0;
-            out[i] = {0.0, kernels.largest * out[i].around, kernels.largest * out[i].sum, 1.2 * kernels.largest * circle.gains[0] * std::sqrt(i_here)};
+            out[i] = {0.0, kernels.largest * out[i].around, kernels.largest * out[i].sum,
+                      1.2 * kernels.largest * circle.gains[0] * std::sqrt(i_here)};
         }
     }
 

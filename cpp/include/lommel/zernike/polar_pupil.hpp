@@ -118,8 +118,8 @@ struct PolarTables {
 };
 
 // Bound on the error of U between circles with these errors: `left` is what orders left out can add.
-inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels, const PolarCircle& circle,
-                          double left, const PolarRowError& rows) {
+inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
+                          const PolarCircle& circle, double left, const PolarRowError& rows) {
     const double weights = kernels.weight * circle.weight, transform = style.exact ? roundoff<double> : roundoff<float>;
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
     // Exact circles have exact taps, rounded once.

@@ -30,7 +30,9 @@ struct PolarKernel {
         : step(apart), kernel(taps, beta), aliases(kernel.aliasing(step)), weight(kernel.weight()), chain(kernel.chain()),
           largest(1.0 / kernel.transform(step)), singles(kernel), doubles(kernel) {}
 
-    bool is(double apart, std::size_t taps, double beta) const { return step == apart && kernel.w == taps && kernel.beta() == beta; }
+    bool is(double apart, std::size_t taps, double beta) const {
+        return step == apart && kernel.w == taps && kernel.beta() == beta;
+    }
     std::size_t bytes() const { return sizeof(PolarKernel); }
     static constexpr std::size_t most_bytes = std::size_t{1} << 20;
 };
@@ -81,7 +83,8 @@ struct PolarTable {
     }
 
     bool is(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {
-        return step == apart && kernel.w == taps && kernel.beta() == beta && blocks >= block_count && degrees == grade(degree_count);
+        return step == apart && kernel.w == taps && kernel.beta() == beta && blocks >= block_count &&
+               degrees == grade(degree_count);
     }
     std::size_t bytes() const { return sizeof(double) * values.size(); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
@@ -114,8 +117,9 @@ struct PolarTable {
             degrees = std::min(table.degrees, (static_cast<std::size_t>(enough) + 4) / 4 * 4);
             const double n = static_cast<double>(degrees);
             half = static_cast<std::size_t>(0.5 * least([&](double width, double size) {
-                       return (size + (n + 1.0) * width + 38.0) / (2.0 * width);
-                   })) + 1;
+                                                return (size + (n + 1.0) * width + 38.0) / (2.0 * width);
+                                            })) +
+                   1;
         }
     };
 

@@ -44,7 +44,8 @@ class PolarZones {
     // For pixels `step` in v apart, of distances whose squares in pixels are `nearest` to `farthest`; I off by `tol` of the largest
     // among them at most. Returns false where the expansion alone, or the aliases of the most exact style, do not let that be.
     bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol) {
-        const double near = step * std::sqrt(static_cast<double>(nearest)), reach = step * std::sqrt(static_cast<double>(farthest));
+        const double near = step * std::sqrt(static_cast<double>(nearest)),
+                     reach = step * std::sqrt(static_cast<double>(farthest));
         const PolarLooks looks(pupil, reach);
         const PolarOrders orders(pupil);
         const double all = PolarBudget::image * tol * looks.brightest(near, reach);
@@ -67,7 +68,8 @@ class PolarZones {
         zones_.resize(polar_styles.size());
         double from = near;
         for (std::size_t s = 0; s < polar_styles.size() && from < reach; ++s) {
-            const double to = std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
+            const double to =
+                std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
             if (to <= from) {
                 continue;
             }
@@ -127,7 +129,8 @@ class PolarZones {
                 here = circle(orders.least(PolarBudget::orders * most, looks.v[i], kernels.growth), style.around);
                 looks.rows(i / block, kernels, *here, rows.data());
             }
-            if (polar_error(pupil, style, kernels, *here, PolarBudget::orders * most, rows[i % block]) > PolarBudget::promise * most) {
+            if (polar_error(pupil, style, kernels, *here, PolarBudget::orders * most, rows[i % block]) >
+                PolarBudget::promise * most) {
                 return i + 2 < looks.v.size() ? looks.v[i + 2] : 1e300;
             }
         }

@@ -1,4 +1,4 @@
-"""Interpolation between circles, term by term: its transforms against NumPy's, its kernel against Poisson's sum."""
+"""Interpolation between circles, term by term: docs/certificate.md 11."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Large windows of general wavefronts, interpolated between circles: docs/certificate.md 7."""
+"""Large windows of general wavefronts, interpolated between circles: docs/certificate.md 11."""
 
 from __future__ import annotations
 

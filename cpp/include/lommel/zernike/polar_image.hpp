@@ -26,7 +26,7 @@ class PolarImage {
     // Whether it is predicted to be faster than a sum over orders for each pixel, with tables of bearable size. In units of what
     // an order of a pixel takes: a pixel takes as much as so many orders, wherever it is, and a circle a transform; both prepare
     // sums over degrees for steps of v.
-    static bool pays(const ZernikeField& field, const Tiles& tiles, double step) {
+    static bool pays(const ZernikeField& field, const Tiles& tiles) {
         const double orders = static_cast<double>(field.outer().orders), degrees = static_cast<double>(field.outer().degrees);
         const double pixels = static_cast<double>(tiles.height * tiles.width), reach = field.reach();
         const double between = 32.0 * pixels + 6.0 * orders * reach;

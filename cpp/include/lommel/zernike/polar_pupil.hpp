@@ -120,7 +120,10 @@ struct PolarTables {
 // Bound on the error of U between circles with these errors: `left` is what orders left out can add.
 inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                           const PolarCircle& circle, double left, const PolarRowError& rows) {
-    const double weights = kernels.weight * circle.weight, transform = style.exact ? roundoff<double> : roundoff<float>;
+    const double weights = kernels.weight * circle.weight,
+                 // With two roundings before it.
+        transform = style.exact ? roundoff<double> * (circle.exact.rounding() + 2.0)
+                                : roundoff<float> * (circle.single.rounding() + 2.0);
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
     // Exact circles have exact taps, rounded once.
     const double between = style.exact ? kernels.taps(0.0).error + pixel * kernels.weight : kernels.taps(0.0f).error;
@@ -129,7 +132,7 @@ inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, cons
     const double sums = pixel * (5.0 + kernels.chain / kernels.weight + circle.chain / circle.weight);
     // A complex number is at most sqrt(2) times the larger one of its parts.
     return (pupil.base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernels.weight * rows.around +
-           weights * (circle.gains.back() * rows.sums + transform * (circle.exact.rounding() + 2.0) * rows.sum) +
+           weights * (circle.gains.back() * rows.sums + transform * rows.sum) +
            1.42 * 1.01 * (weights * sums + between * circle.weight + around * kernels.weight) * rows.largest;
 }
 

@@ -61,6 +61,29 @@ def test_the_transform_of_a_kernel_is_its_integral(taps, oversampling):
 
 
 @pytest.mark.parametrize(("taps", "oversampling"), KERNELS)
+def test_the_bound_on_aliases_is_that_of_the_certificate(taps, oversampling):
+    omegas = np.array([0.0, 0.7, np.pi / oversampling])
+    found = _core.gridding_bounds(taps, oversampling, 1.0, NONE, omegas)
+    beta = mp.mpf(found["beta"])
+    scale = taps * beta / mp.besseli(1, beta)
+
+    def most(omega):
+        square = (taps * omega / 2) ** 2 - beta**2
+        return (
+            transform(omega, taps, beta)
+            if square <= 0
+            else scale * min(mp.mpf(1) / 3, mp.sqrt(1 + 1 / square) / square)
+        )
+
+    far = taps * mp.pi * mp.mpf("64.5")
+    rest = 1 - (beta / far) ** 2
+    tail = scale * 2 * mp.sqrt(1 + 1 / (far**2 - beta**2)) / rest / (64 * (taps * mp.pi) ** 2)
+    for omega, bound in zip(omegas, found["aliases"], strict=True):
+        counted = mp.fsum(most(2 * mp.pi * k - omega) + most(2 * mp.pi * k) for k in range(1, 65))
+        assert bound == pytest.approx(float((counted + tail) / transform(omega, taps, beta)), rel=1e-9, abs=0.0)
+
+
+@pytest.mark.parametrize(("taps", "oversampling"), KERNELS)
 def test_aliases_sum_to_no_more_than_their_bound(taps, oversampling):
     omegas = np.array([0.0, 0.4, 1.0, np.pi / oversampling])
     step = np.pi / oversampling

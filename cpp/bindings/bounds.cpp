@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "lommel/radial/average_images.hpp"
 #include "lommel/radial/field.hpp"
 #include "lommel/special/bessel_table.hpp"
+#include "lommel/special/fft.hpp"
+#include "lommel/special/gridding.hpp"
 #include "lommel/zernike/images.hpp"
 
 #include "pupils.hpp"
@@ -157,6 +160,58 @@ Named disk_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coeffic
                  entry("distance", bounds.distance(count)));
 }
 
+// The transforms of eight rows of which the middle half is 0, but for the last pass, which is done here.
+template <class Real>
+std::pair<Out<complex, 2>, double> row_fft(In<complex, 2> rows) {
+    constexpr std::size_t eight = lommel::fft_rows, element = lommel::fft_element;
+    const std::size_t n = rows.shape(1), quarter = n / 4;
+    require(rows.shape(0) == eight && n >= 16 && lommel::RowFft<Real>::length(n) == n, "eight rows of 16 2^a 3^b");
+    const lommel::RowFft<Real> fft(n);
+    std::vector<Real, lommel::AlignedAllocator<Real>> given(n * element), other(n * element);
+    for (std::size_t i = 0; i < eight; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            given[j * element + i] = static_cast<Real>(rows.data()[i * n + j].real());
+            given[j * element + eight + i] = static_cast<Real>(rows.data()[i * n + j].imag());
+        }
+    }
+    auto out = new_array<complex, 2>({eight, n});
+    const Real* found = nullptr;
+    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { found = fft.run(isa, given.data(), other.data()); });
+    for (std::size_t i = 0; i < eight; ++i) {
+        for (std::size_t l = 0; l < n; ++l) {
+            const complex turns[4] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
+            complex sum = 0.0;
+            for (std::size_t j = 0; j < 4; ++j) {
+                const Real* const y = found + (l % quarter + j * quarter) * element + i;
+                sum += complex(y[0], y[eight]) * turns[j * (l / quarter) % 4];
+            }
+            out.data()[i * n + l] = sum;
+        }
+    }
+    return {out, fft.rounding() * lommel::roundoff<Real>};
+}
+
+// Of a kernel for so many taps: values at x, transforms and bounds on aliases at omega, and those of taps.
+Named gridding_bounds(std::size_t taps, double oversampling, double step, Doubles1 x, Doubles1 omega) {
+    const lommel::GriddingKernel kernel = lommel::GriddingKernel::of(taps, oversampling);
+    nb::list values, transforms, aliases;
+    for (std::size_t i = 0; i < x.shape(0); ++i) {
+        values.append(kernel(x.data()[i]));
+    }
+    for (std::size_t i = 0; i < omega.shape(0); ++i) {
+        transforms.append(kernel.transform(omega.data()[i]));
+        aliases.append(kernel.aliases(omega.data()[i]));
+    }
+    const auto doubles = std::make_unique<lommel::DoubleTaps>(kernel);
+    nb::list polynomials;  // from the highest power down, a row each
+    for (const auto& row : doubles->at) {
+        polynomials.append(std::vector<double>(row, row + taps));
+    }
+    return named(entry("beta", kernel.beta()), entry("values", values), entry("transforms", transforms),
+                 entry("aliases", aliases), entry("aliasing", kernel.aliasing(step)), entry("weight", kernel.weight()),
+                 entry("chain", kernel.chain()), entry("taps", polynomials), entry("tap_error", doubles->error));
+}
+
 Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, double reach,
                      double error) {
     const lommel::TermPairs pairs = pairs_of(n, m, coefficients);
@@ -295,6 +350,10 @@ void bindings::define_bounds(nb::module_& m) {
     m.def("zernike_field_bounds", &zernike_field_bounds, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
           "reach"_a, "error"_a, "wanted"_a, "piece"_a, "groups"_a,
           "Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.");
+    m.def("row_fft", &row_fft<double>, "rows"_a, "Their transforms, and the bound on an error over the sum of the magnitudes.");
+    m.def("row_fft_single", &row_fft<float>, "rows"_a, "The same in single precision.");
+    m.def("gridding_bounds", &gridding_bounds, "taps"_a, "oversampling"_a, "step"_a, "x"_a, "omega"_a,
+          "A kernel that interpolates between equal steps, its transform, and bounds on what it does.");
     m.def("single_rounding", &single_rounding, "orders"_a, "rows"_a, "coefficients"_a,
           "Bound on what single precision does to U on a ring.");
     m.def("disk_stack", &disk_stack, "terms"_a, "edge"_a, "obscuration"_a, "row"_a, "column"_a, "step"_a, "moved"_a,

@@ -75,6 +75,50 @@ void general_images_agree_with_radial_ones(double defocus, double obscuration, s
     check(worst <= (bound + std::abs(radial_bound) + 1.2e-7) * peak, "I of the general engine", worst / peak);
 }
 
+// Interpolated between circles, images must be what the series makes of them, whatever window, axis, tilt and obscuration; and
+// the same to the bit with any number of threads.
+void images_between_circles_agree_with_the_series(std::mt19937& random) {
+    std::uniform_real_distribution<double> phase(-8.0, 8.0), pitch(0.4, 3.0), shift(-20.0, 20.0);
+    std::uniform_int_distribution<std::size_t> side(60, 110);
+    const std::vector<lommel::ZernikeTerm> terms = {{1, 1}, {2, 0}, {2, -2}, {3, 1}, {3, -3}, {5, 1}};
+    for (const double obscuration : {0.0, 0.4}) {
+        std::vector<double> edge(2 * terms.size());
+        for (double& c : edge) {
+            c = phase(random);
+        }
+        const double powers[] = {0.0, obscuration};
+        const lommel::Amplitude amplitude(powers, 2);
+        const std::size_t height = side(random), width = side(random), pixels = height * width;
+        const lommel::DiskWindow window{height, width, 0.5 * static_cast<double>(height) + shift(random),
+                                        0.5 * static_cast<double>(width) + shift(random), pitch(random)};
+        lommel::DiskStack stack(terms, edge.data(), 2, obscuration, amplitude);
+        stack.move_axes(window);
+        stack.shrink();
+        const double tol = 1e-5, fine = 1e-9;
+        std::vector<double> exact(2 * pixels), scales = {1.0, 0.0}, bounds(2), peaks(2);
+        lommel::ZernikeRenderer<double>(stack, window, fine, 1, {exact.data(), scales.data(), bounds.data(), peaks.data()})
+            .run();
+        std::vector<float> images[3];
+        for (int way = 0; way < 3; ++way) {
+            images[way].assign(2 * pixels, -1.0F);
+            lommel::interpolation_worth() = way < 2 ? 1e300 : 0.0;
+            scales = {1.0, 0.0};
+            lommel::ZernikeRenderer<float>(stack, window, tol, 1 + way,
+                                           {images[way].data(), scales.data(), bounds.data(), peaks.data()})
+                .run();
+            for (std::size_t i = 0; i < 2 * pixels; ++i) {
+                const double top = *std::max_element(exact.begin() + static_cast<std::ptrdiff_t>(i / pixels * pixels),
+                                                     exact.begin() + static_cast<std::ptrdiff_t>((i / pixels + 1) * pixels));
+                const double error = std::abs(static_cast<double>(images[way][i]) - exact[i]) / top;
+                check(error <= bounds[i / pixels] + 2.0 * fine && bounds[i / pixels] <= tol, "I between circles", error);
+            }
+        }
+        lommel::interpolation_worth() = 1.0;
+        check(images[0] == images[1], "an image by one thread and by two", 0.0);
+        check(images[0] != images[2], "an image that is interpolated", 0.0);
+    }
+}
+
 template <class T>
 void images_keep_their_bounds(std::mt19937& random, std::size_t height, std::size_t width, std::size_t count,
                               double obscuration, double tol, int threads, bool normalize) {
@@ -335,10 +379,13 @@ int main() {
     for (const lommel::Level level : {lommel::Level::portable, lommel::Level::avx2, lommel::Level::avx512}) {
         lommel::level_limit() = level;
         every_path_of_the_engine(1);
+        std::mt19937 random(1);
+        images_between_circles_agree_with_the_series(random);
         every_kind_of_pixel(1);
         every_path_of_the_chordal_rule(1);
         every_path_of_the_spreader(1);
     }
+    lommel::interpolation_worth() = 1e300;
     std::vector<std::function<void()>> callers;
     for (unsigned seed = 2; seed < 6; ++seed) {
         callers.emplace_back([seed] { (seed % 2 == 0 ? every_path_of_the_engine : every_path_of_the_chordal_rule)(seed); });

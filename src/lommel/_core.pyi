@@ -99,6 +99,11 @@ def series_images(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None)
     Images of pupils of Zernike terms (n, m), by their series; scales are 0 on entry where values are to be divided by their largest one. 0, or the bound that is left.
     """
 
+def interpolation_worth(share: float) -> None:
+    """
+    Interpolate between circles where that is predicted to take at most this share of the series' time: 1, or 0 for never.
+    """
+
 @overload
 def chordal_images(terms: Annotated[NDArray[numpy.int32], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center_y: float, center_x: float, step: float, tol: float, threads: int, images: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')], scales: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], bounds: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], peaks: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float: ...
 
@@ -202,6 +207,19 @@ def zernike_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order=
 def zernike_field_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reach: float, error: float, wanted: float, piece: int, groups: int) -> dict[str, object]:
     """
     Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.
+    """
+
+def row_fft(rows: Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')], float]:
+    """
+    Their transforms, and the bound on an error over the sum of the magnitudes.
+    """
+
+def row_fft_single(rows: Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')], float]:
+    """The same in single precision."""
+
+def gridding_bounds(taps: int, oversampling: float, step: float, x: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], omega: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> dict[str, object]:
+    """
+    A kernel that interpolates between equal steps, its transform, and bounds on what it does.
     """
 
 def single_rounding(orders: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], rows: int, coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> float:

@@ -56,15 +56,24 @@ class ZernikeField {
         base_ += trim(outer_, 1.0, ZernikeBudget::small * error) + trim(inner_, area, ZernikeBudget::small * error);
     }
 
-    // The largest I at some directions at the distance v, by the Bessel functions themselves.
-    double look(double v) const {
-        thread_local std::vector<double> orders;  // re A, im A, re B, im B
-        const std::size_t count = std::max(outer_.orders, inner_.orders);
-        orders.assign(4 * count, 0.0);
+    // A_m and B_m at the distance v, by the Bessel functions themselves: re A, im A, re B, im B for each order.
+    void orders_at(double v, std::vector<double>& orders) const {
+        orders.assign(4 * std::max(outer_.orders, inner_.orders), 0.0);
         add_orders(outer_, v, 1.0, orders.data());
         if (obscured()) {
             add_orders(inner_, obscuration_ * v, -obscuration_ * obscuration_, orders.data());
         }
+    }
+
+    // The largest I at some directions at the distance v.
+    double look(double v) const {
+        thread_local std::vector<double> orders;
+        orders_at(v, orders);
+        return brightest(orders);
+    }
+
+    static double brightest(const std::vector<double>& orders) {
+        const std::size_t count = orders.size() / 4;
         double top = 0.0;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using I = decltype(isa);
@@ -147,6 +156,10 @@ class ZernikeField {
     double width() const { return width_; }  // of a piece
     double base() const { return base_; }
     bool obscured() const { return obscuration_ > 0.0; }
+    double obscuration() const { return obscuration_; }
+    double reach() const { return reach_; }
+    const ZernikeSeries& outer() const { return outer_; }
+    const ZernikeSeries& inner() const { return inner_; }
 
     // A plan for piece s, which has so many groups of pixels, with an error in U of no more than `error` if base() is
     // well below that.

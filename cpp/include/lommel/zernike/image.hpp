@@ -41,12 +41,13 @@ class ZernikeImage {
         threads_ = threads;
     }
 
-    // Expands the pupil to `error` in U, looks where it is bright, and gives every piece what error the tolerance allows there.
-    void prepare(const ZernikePhase& phase, const ZernikePhase& inner, double obscuration, double error, double tol,
-                 double lost = 0.0) {
+    ZernikeField& field() { return field_; }
+
+    // Looks where the pupil that the field has been expanded from is bright, and gives every piece what error the tolerance allows
+    // there.
+    void prepare(double tol) {
         const double reach = step_ * std::sqrt(static_cast<double>(pixels_->groups.back().square()));
         const double near = step_ * std::sqrt(static_cast<double>(pixels_->groups.front().square()));
-        field_.expand(phase, inner, obscuration, reach, error, lost);
         std::array<double, looks> v, bright;
         parallel_for(looks, threads_, [&](std::size_t, std::size_t i) {
             // Closer together near the axis, where most light is.

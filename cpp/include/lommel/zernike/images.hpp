@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "lommel/base/tasks.hpp"
@@ -13,6 +14,7 @@
 #include "lommel/pixels/render.hpp"
 #include "lommel/zernike/disk_stack.hpp"
 #include "lommel/zernike/image.hpp"
+#include "lommel/zernike/polar_image.hpp"
 
 namespace lommel {
 
@@ -30,6 +32,12 @@ class ZernikeRenderer {
     }
 
    private:
+    struct Painting {
+        T* values;
+        double scale;
+        int threads;
+    };
+
     ZernikePhase phase(std::size_t i) const {
         return {terms_, stack_.outer.data() + i * terms_.terms.size(), stack_.amplitude};
     }
@@ -50,32 +58,44 @@ class ZernikeRenderer {
         T* values = answer_.images + pupil * pixels;
         thread_local ZernikeImage kept;
         ZernikeImage& image = kept;
-        image.begin(cache<MirroredPixels>.get(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_),
-                                              stack_.rows[pupil], stack_.columns[pupil]),
-                    step_, threads);
+        const Tiles tiles(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_), stack_.rows[pupil],
+                          stack_.columns[pupil]);
         const double first =
             ZernikeBudget::field * tol * stack_.amplitude.integral(stack_.obscuration) / (phase(pupil).size() + 1.0);
         double error = first, peak = 0.0;
-        bool anew = true;
+        const auto expand = [&](ZernikeField& field, double reach) {
+            field.expand(phase(pupil), inner_phase(pupil), stack_.obscuration, reach, error, stack_.lost[pupil]);
+        };
+        const double reach = step_ * std::sqrt(static_cast<double>(tiles.farthest()));
+        expand(image.field(), reach);
+        bool anew = true, expanded = true;
         const auto attempt = [&] {
             if (anew) {
+                if (!expanded) {
+                    expand(image.field(), reach);
+                }
                 // Where all pixels are dim beside what lies between them, the first tolerance does not do.
-                image.prepare(phase(pupil), inner_phase(pupil), stack_.obscuration, error, tol * error / first,
-                              stack_.lost[pupil]);
+                image.prepare(tol * error / first);
+                expanded = false;
             }
             image.paint(scale, values);
             peak = image.peak();
             double off = image.error_at_peak();
             if (!divide && over_peak(image.wrong(), peak, off) > tol) {
-                scan(pupil, error, peak, off);
+                scan(pupil, expand, peak, off);
             }
             return finished_error<T>(over_peak(image.wrong(), peak, off), divide, true);
         };
-        answer_.bounds[pupil] = settle(tol_, attempt, [&](double) {
-            anew = !image.tighten(ZernikeBudget::most * tol * peak);
-            error *= anew ? ZernikeBudget::again : 1.0;
-            return error > unit_roundoff;
-        });
+        double& bound = answer_.bounds[pupil];
+        bound = between_circles(image.field(), tiles, tol, divide, {values, scale, threads}, peak);
+        if (bound > tol_) {
+            image.begin(cache<MirroredPixels>.get(tiles.height, tiles.width, tiles.row, tiles.column), step_, threads);
+            bound = settle(tol_, attempt, [&](double) {
+                anew = !image.tighten(ZernikeBudget::most * tol * peak);
+                error *= anew ? ZernikeBudget::again : 1.0;
+                return error > unit_roundoff;
+            });
+        }
         answer_.peaks[pupil] = peak;
         if (divide) {
             answer_.scales[pupil] = 1.0 / peak;
@@ -83,16 +103,46 @@ class ZernikeRenderer {
         }
     }
 
+    // Where that is likely to take less time, the image by interpolation between circles, and its largest I. Returns the bound on
+    // the error, which is not within the tolerance where this is of no use.
+    double between_circles(const ZernikeField& field, const Tiles& tiles, double tol, bool divide, const Painting& to,
+                           double& peak) const {
+        if constexpr (std::is_same_v<T, float>) {
+            if (tol_ < 1e-6 || !PolarImage::pays(field, tiles) || to.scale < 1e-25 || to.scale > 1e25) {
+                return 1e300;
+            }
+            thread_local PolarImage kept;
+            PolarImage& image = kept;
+            image.begin(tiles, step_, to.threads);
+            const PolarPupil pupil(field);
+            for (const double share : {1.0, PolarBudget::again}) {
+                if (!image.prepare(pupil, share * tol)) {
+                    break;
+                }
+                image.paint(to.scale, to.values);
+                peak = image.peak();
+                const double bound = finished_error<T>(over_peak(image.wrong(), peak, image.error_at_peak()), divide, true);
+                if (bound <= tol_) {
+                    return bound;
+                }
+            }
+        }
+        return 1e300;
+    }
+
     // The window may miss the peak: looks for a larger one where rays go.
-    void scan(std::size_t pupil, double error, double& peak, double& off) const {
+    template <class Expand>
+    void scan(std::size_t pupil, const Expand& expand, double& peak, double& off) const {
         double blur = 4.0;
         phase(pupil).amplitudes(
             [&](double amplitude, std::size_t n, std::size_t) { blur += amplitude * static_cast<double>(n * n); });
         constexpr std::int64_t side = 65;
         std::vector<double> values(static_cast<std::size_t>(side * side));
         ZernikeImage image;
-        image.begin(cache<MirroredPixels>.get(side, side, side / 2, side / 2), std::min(blur, 400.0) / 32.0, 1);
-        image.prepare(phase(pupil), inner_phase(pupil), stack_.obscuration, error, tol_, stack_.lost[pupil]);
+        const double step = std::min(blur, 400.0) / 32.0;
+        image.begin(cache<MirroredPixels>.get(side, side, side / 2, side / 2), step, 1);
+        expand(image.field(), step * std::sqrt(2.0) * (side / 2));
+        image.prepare(tol_);
         image.paint(1.0, values.data());
         if (image.peak() > peak) {
             peak = image.peak();

@@ -1,0 +1,180 @@
+// Fourier transforms of lengths 2^a 3^b, of eight sequences at once.
+//
+// The elements of all eight stand together: [element][eight real parts, eight imaginary parts]. Bound by loads and stores,
+// two passes of four multiply-adds per byte at best.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/simd.hpp"
+
+namespace lommel {
+
+constexpr std::size_t fft_rows = 8;
+constexpr std::size_t fft_element = 2 * fft_rows;  // numbers
+
+// Vectors of Real, at most eight to one.
+template <class I, class Real>
+struct RowPack;
+template <class I>
+struct RowPack<I, double> {
+    using type = typename I::pack;
+};
+template <class I>
+struct RowPack<I, float> {
+    using type = typename Vector<(I::lanes < 4 ? I::lanes : 4)>::floats;
+};
+
+template <class V>
+struct ComplexPack {
+    V re, im;
+    friend LOMMEL_INLINE ComplexPack operator+(ComplexPack a, ComplexPack b) { return {a.re + b.re, a.im + b.im}; }
+    friend LOMMEL_INLINE ComplexPack operator-(ComplexPack a, ComplexPack b) { return {a.re - b.re, a.im - b.im}; }
+    LOMMEL_INLINE ComplexPack times_i() const { return {V{} - im, re}; }
+    LOMMEL_INLINE ComplexPack times(V c, V s) const { return {re * c - im * s, im * c + re * s}; }
+};
+
+// X_l = sum over j of x_j exp(2 pi i j l / n), by Stockham's passes: after one of radix r, the transforms left are r times
+// shorter, and there are r times as many. The first and the last have radix 4.
+template <class Real>
+class RowFft {
+   public:
+    // n is 16 times a product of twos and threes.
+    explicit RowFft(std::size_t length) : n(length) {
+        std::size_t rest = n / 16;
+        radices_.push_back(4);
+        for (const std::size_t radix : {4, 3, 2}) {
+            for (; rest % radix == 0; rest /= radix) {
+                radices_.push_back(radix);
+            }
+        }
+        std::size_t size = n;
+        for (const std::size_t radix : radices_) {
+            for (std::size_t p = 0; p < size / radix; ++p) {
+                for (std::size_t k = 1; k < radix; ++k) {
+                    const double angle = 6.283185307179586477 * static_cast<double>(p * k) / static_cast<double>(size);
+                    turns_.push_back(static_cast<Real>(std::cos(angle)));
+                    turns_.push_back(static_cast<Real>(std::sin(angle)));
+                }
+            }
+            size /= radix;
+        }
+    }
+
+    // The least length from `least` on.
+    static std::size_t length(std::size_t least) {
+        std::size_t best = 16;
+        while (best < least) {
+            best *= 2;
+        }
+        for (std::size_t threes = 3; 16 * threes < 2 * least; threes *= 3) {
+            for (std::size_t n = 16 * threes; n < best; n *= 2) {
+                best = n >= least ? n : best;
+            }
+        }
+        return best;
+    }
+
+    const std::size_t n;
+
+    // Bound on the error of any X_l, in units of roundoff and of sum |x_j|: a sum of complex numbers is off by one unit, a product
+    // by sqrt(5), a tabulated root of unity by one, and by three of its angle in double precision; radix 3 has for those two terms
+    // that it turns a sum and two products more.
+    double rounding() const {
+        constexpr double root = 1.0 + (sizeof(Real) == 8 ? 3.0 * 6.2832 : 0.1);
+        double units = 2.0;
+        for (const std::size_t radix : radices_) {
+            units += (radix == 3 ? 4.7 : radix == 4 ? 2.0 : 1.0) + 2.24 + root;
+        }
+        return units;
+    }
+
+    // All passes but the last: afterwards X_{q + k n/4} is sum_j y_{q + j n/4} i^{jk}. Of x, only the first and the last quarter
+    // are read: the others are taken to be 0. Returns where y is, x or `other`.
+    template <class I>
+    LOMMEL_INLINE Real* run(I, Real* x, Real* other) const {
+        using V = typename RowPack<I, Real>::type;
+        std::size_t size = n, stride = 1;
+        const Real* turns = turns_.data();
+        bool first = true;
+        for (const std::size_t radix : radices_) {
+            if (first) {
+                pass<4, true, V>(x, other, size, stride, turns);
+            } else if (radix == 4) {
+                pass<4, false, V>(x, other, size, stride, turns);
+            } else if (radix == 3) {
+                pass<3, false, V>(x, other, size, stride, turns);
+            } else {
+                pass<2, false, V>(x, other, size, stride, turns);
+            }
+            first = false;
+            turns += 2 * (radix - 1) * (size / radix);
+            size /= radix;
+            stride *= radix;
+            std::swap(x, other);
+        }
+        return x;
+    }
+
+   private:
+    template <std::size_t Radix, bool Sparse, class V>
+    static LOMMEL_INLINE void pass(const Real* from, Real* to, std::size_t size, std::size_t stride, const Real* turns) {
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
+        using C = ComplexPack<V>;
+        const std::size_t apart = size / Radix;
+        for (std::size_t p = 0; p < apart; ++p, turns += 2 * (Radix - 1)) {
+            V c[Radix], s[Radix];
+            for (std::size_t k = 1; k < Radix; ++k) {
+                c[k] = splat<V>(turns[2 * k - 2]);
+                s[k] = splat<V>(turns[2 * k - 1]);
+            }
+            for (std::size_t q = 0; q < stride; ++q) {
+                for (std::size_t part = 0; part < fft_rows; part += lanes) {
+                    const auto at = [&](std::size_t k) LOMMEL_INLINE_LAMBDA {
+                        const Real* here = from + (q + stride * (p + apart * k)) * fft_element + part;
+                        return C{load<V>(here), load<V>(here + fft_rows)};
+                    };
+                    const auto put = [&](std::size_t k, C value) LOMMEL_INLINE_LAMBDA {
+                        Real* here = to + (q + stride * (Radix * p + k)) * fft_element + part;
+                        store(here, value.re);
+                        store(here + fft_rows, value.im);
+                    };
+                    if constexpr (Sparse) {
+                        const C a = at(0), b = at(3), turned = b.times_i();
+                        put(0, a + b);
+                        put(1, (a - turned).times(c[1], s[1]));
+                        put(2, (a - b).times(c[2], s[2]));
+                        put(3, (a + turned).times(c[3], s[3]));
+                    } else if constexpr (Radix == 4) {
+                        const C a = at(0), b = at(1), d = at(2), e = at(3);
+                        const C even = a + d, odd = b + e, other = a - d, turned = (b - e).times_i();
+                        put(0, even + odd);
+                        put(1, (other + turned).times(c[1], s[1]));
+                        put(2, (even - odd).times(c[2], s[2]));
+                        put(3, (other - turned).times(c[3], s[3]));
+                    } else if constexpr (Radix == 3) {
+                        const C a = at(0), b = at(1), d = at(2);
+                        const V half = splat<V>(Real(0.5)), root = splat<V>(Real(0.86602540378443864676));
+                        const C sum = b + d, apart_by = b - d;
+                        const C middle = {a.re - half * sum.re, a.im - half * sum.im};
+                        const C turned = C{root * apart_by.re, root * apart_by.im}.times_i();
+                        put(0, a + sum);
+                        put(1, (middle + turned).times(c[1], s[1]));
+                        put(2, (middle - turned).times(c[2], s[2]));
+                    } else {
+                        const C a = at(0), b = at(1);
+                        put(0, a + b);
+                        put(1, (a - b).times(c[1], s[1]));
+                    }
+                }
+            }
+        }
+    }
+
+    std::vector<std::size_t> radices_;  // but for the last
+    std::vector<Real> turns_;
+};
+
+}  // namespace lommel

@@ -1,0 +1,218 @@
+// A kernel that interpolates between equal steps, and its transform, by which what is interpolated is divided beforehand.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace lommel {
+
+// Half the distance from 1 to the next number.
+template <class Real>
+constexpr double roundoff = 0.5 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+
+// phi(x) = sqrt(y) I_1(beta sqrt(y)) / I_1(beta), y = 1 - (2x/w)^2, and 0 beyond x = w/2: the continuous one among the windows of
+// Kaiser and Bessel. If F(j) are samples, a step apart, of a function whose frequencies omega (in radians a step) have been
+// divided by the transform of phi, then sum_j phi(x - j) F(j) is that function, but for the aliases of every frequency.
+class GriddingKernel {
+   public:
+    GriddingKernel(std::size_t taps, double beta) : w(taps), beta_(beta), top_(shape(1.0)) {}
+
+    // Of that many taps for frequencies up to pi / oversampling.
+    static GriddingKernel of(std::size_t taps, double oversampling) {
+        constexpr double pi = 3.14159265358979323846;
+        return {taps, 0.975 * pi * static_cast<double>(taps) * (1.0 - 0.5 / oversampling)};
+    }
+
+    const std::size_t w;
+    double beta() const { return beta_; }
+
+    double operator()(double x) const {
+        const double z = 2.0 * x / static_cast<double>(w), y = 1.0 - z * z;
+        return y > 0.0 ? shape(y) / top_ : 0.0;
+    }
+
+    // The integral of phi(x) cos(omega x): w beta (cosh y - sinh(y) / y) / y^2 / I_1(beta), y^2 = beta^2 - (w omega / 2)^2.
+    double transform(double omega) const {
+        const double zeta = 0.5 * static_cast<double>(w) * omega;
+        return scale() * quotient(beta_ * beta_ - zeta * zeta);
+    }
+
+    // Bound on the sum of |transform(omega + 2 pi k)| over k other than 0, over transform(omega), for omega of 0 to pi; it rises
+    // with omega.
+    double aliases(double omega) const {
+        constexpr double pi = 3.14159265358979323846;
+        constexpr std::size_t counted = 64;
+        double sum = 0.0;
+        for (std::size_t k = 1; k <= counted; ++k) {
+            const double turns = 2.0 * pi * static_cast<double>(k);
+            // Those of omega + 2 pi k are less than that of 2 pi k.
+            sum += size(turns - omega) + size(turns);
+        }
+        // Beyond, (1 + 1/eta^2)^(1/2) / eta^2 with eta^2 >= zeta^2 (1 - (beta / zeta_0)^2), and zeta >= w pi (k - 1/2).
+        const double width = static_cast<double>(w), first = width * pi * (counted + 0.5), ratio = beta_ / first;
+        const double least = 1.0 - ratio * ratio, each = std::sqrt(1.0 + 1.0 / (first * first * least)) / least;
+        sum += 2.0 * scale() * each / (width * width * pi * pi * counted);
+        return sum / transform(omega);
+    }
+
+    // The root of the mean square of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1]: what they do at most to a
+    // function whose spectrum has that density times g(s), g of mean square 1.
+    double aliasing(double step) const {
+        constexpr double pi = 3.14159265358979323846;
+        constexpr std::size_t cells = 192;
+        double squares = 0.0;
+        for (std::size_t i = 0; i < cells; ++i) {
+            // s = cos(a); in a cell of a aliases are largest at its beginning, sin(a) at its end.
+            const double first = 0.5 * pi * static_cast<double>(i) / cells,
+                         last = 0.5 * pi * static_cast<double>(i + 1) / cells;
+            const double most = aliases(step * std::cos(first)), sine = std::sin(last);
+            squares += most * most * sine * sine;
+        }
+        return std::sqrt(2.0 * squares / cells);
+    }
+
+    // The largest sum of the taps, by Poisson's formula.
+    double weight() const { return transform(0.0) * (1.0 + aliases(0.0)); }
+
+    // Bound on the sum of (w - i) phi over the taps i = 0 .. w - 1 of any place: of a chain of sums tap i takes part in as many.
+    double chain() const {
+        constexpr std::size_t cells = 64;
+        double worst = 0.0;
+        for (std::size_t cell = 0; cell < cells; ++cell) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < w; ++i) {
+                // Within a cell every tap rises or falls.
+                const double x = 0.5 * static_cast<double>(w) - 1.0 - static_cast<double>(i);
+                const double first = x + static_cast<double>(cell) / cells, last = x + static_cast<double>(cell + 1) / cells;
+                sum += static_cast<double>(w - i) * std::max((*this)(first), (*this)(last));
+            }
+            worst = std::max(worst, sum);
+        }
+        return worst;
+    }
+
+    // The taps at t + w/2 - 1 - i, i < w, for t of 0 to 1, as polynomials of 2t - 1, from the highest power down: [power][tap],
+    // `stride` taps to a row. Returns a bound on the sum of their errors.
+    double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
+        using Number = long double;
+        constexpr std::size_t all = 32;  // Chebyshev coefficients, of which `terms` are kept
+        // Cosines of k (2j + 1) steps of pi / 64.
+        static const std::array<Number, 4 * all> cosines = [] {
+            std::array<Number, 4 * all> made;
+            for (std::size_t i = 0; i < 4 * all; ++i) {
+                made[i] = std::cos(3.14159265358979323846L * static_cast<Number>(i) / (2 * all));
+            }
+            return made;
+        }();
+        out.assign(terms * stride, 0.0);
+        double worst = 0.0;
+        for (std::size_t i = 0; i < std::min(w, stride); ++i) {
+            const double middle = 0.5 * static_cast<double>(w) - static_cast<double>(i) - 0.5;
+            std::array<Number, all> values, powers{}, before{}, here{}, next;
+            for (std::size_t j = 0; j < all; ++j) {
+                const Number z = 2.0L * (middle + 0.5L * cosines[2 * j + 1]) / static_cast<Number>(w);
+                values[j] = shape(1.0L - z * z) / static_cast<Number>(top_);
+            }
+            here[0] = 1.0L;  // T_k
+            double left = 0.0;
+            for (std::size_t k = 0; k < all; ++k) {
+                Number c = 0.0L;
+                for (std::size_t j = 0; j < all; ++j) {
+                    c += values[j] * cosines[k * (2 * j + 1) % (4 * all)];
+                }
+                c *= (k == 0 ? 1.0L : 2.0L) / all;
+                if (k >= terms) {
+                    left += static_cast<double>(std::abs(c));
+                    continue;
+                }
+                for (std::size_t p = 0; p < terms; ++p) {
+                    powers[p] += c * here[p];
+                    next[p] = (k == 0 ? 1.0L : 2.0L) * (p > 0 ? here[p - 1] : 0.0L) - (k == 0 ? 0.0L : before[p]);
+                }
+                before = here;
+                here = next;
+            }
+            for (std::size_t p = 0; p < terms; ++p) {
+                out[(terms - 1 - p) * stride + i] = static_cast<double>(powers[p]);
+            }
+            // Interpolation at `all` points: on the ellipse of sum rho of its semi-axes around the tap |y| is at most the product of
+            // |1 - z| and |1 + z|.
+            double rest = 1e300;
+            for (double rho = 2.0; rho < 100.0; rho *= 1.25) {
+                const double far = (2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
+                const double near = (-2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
+                const double most = shape((1.0 + far) * (1.0 + near)) / top_;
+                rest = std::min(rest, 4.0 * most * std::pow(rho, 1.0 - static_cast<double>(all)) / (rho - 1.0));
+            }
+            worst += left + rest;
+        }
+        return worst;
+    }
+
+   private:
+    // sqrt(y) I_1(beta sqrt(y)), entire in y.
+    template <class Real>
+    Real shape(Real y) const {
+        const Real x = Real(0.25) * beta_ * beta_ * y;
+        Real term = Real(0.5) * beta_ * y, sum = term;
+        for (Real k = 1; term > Real(1e-20) * sum; k += 1) {
+            term *= x / (k * (k + 1));
+            sum += term;
+        }
+        return sum;
+    }
+
+    double scale() const { return static_cast<double>(w) * beta_ / top_; }
+
+    static double quotient(double square) {
+        if (std::abs(square) < 1e-2) {
+            return (1.0 + square / 10.0 * (1.0 + square / 28.0 * (1.0 + square / 54.0))) / 3.0;
+        }
+        const double y = std::sqrt(std::abs(square));
+        return square > 0.0 ? (std::cosh(y) - std::sinh(y) / y) / square : (std::sin(y) / y - std::cos(y)) / -square;
+    }
+
+    // At most this is |transform| at omega and beyond.
+    double size(double omega) const {
+        const double zeta = 0.5 * static_cast<double>(w) * omega, square = zeta * zeta - beta_ * beta_;
+        if (square <= 0.0) {
+            return transform(omega);
+        }
+        return scale() * std::min(1.0 / 3.0, std::sqrt(1.0 + 1.0 / square) / square);
+    }
+
+    double beta_, top_;
+};
+
+// Its taps as polynomials of so many terms, for so many at once.
+template <class Real, std::size_t Terms, std::size_t Most>
+struct TapPolynomials {
+    static constexpr std::size_t terms = Terms, taps = Most;
+    alignas(64) Real at[Terms][taps];  // from the highest power down
+    double error;                      // bound on the sum of the errors of all taps at any place, roundings included
+
+    explicit TapPolynomials(const GriddingKernel& kernel) {
+        std::vector<double> exact;
+        error = kernel.polynomials(Terms, taps, exact);
+        double units = 0.0;
+        for (std::size_t i = 0; i < exact.size(); ++i) {
+            at[i / taps][i % taps] = static_cast<Real>(exact[i]);
+            // A coefficient c of x^k is rounded once; x, at most 1 by size, too, which it suffers k times; and it takes part in the
+            // k + 1 last products and sums.
+            const double k = static_cast<double>(Terms - 1 - i / taps);
+            units += (3.0 * k + 3.0) * std::abs(exact[i]);
+        }
+        error += units * roundoff<Real>;
+    }
+};
+using SingleTaps = TapPolynomials<float, 8, 8>;
+using DoubleTaps = TapPolynomials<double, 11, 16>;
+template <class Real>
+using Taps = std::conditional_t<sizeof(Real) == 8, DoubleTaps, SingleTaps>;
+
+}  // namespace lommel

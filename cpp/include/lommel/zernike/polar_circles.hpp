@@ -1,0 +1,314 @@
+// The field of any pupil on circles, ready for interpolation: sums over degrees, and Fourier transforms over azimuthal orders.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/special/fft.hpp"
+#include "lommel/special/gridding.hpp"
+#include "lommel/zernike/disk.hpp"
+#include "lommel/zernike/polar_table.hpp"
+
+namespace lommel {
+
+template <class T>
+using Aligned = std::vector<T, AlignedAllocator<T>>;
+
+// Equal angles around a circle, and the kernel that interpolates between them.
+struct PolarCircle {
+    RowFft<float> single;
+    RowFft<double> exact;
+    GriddingKernel kernel;
+    std::vector<double> gains, aliases;  // of each order: 1 / transform, and the bound on its aliases
+    double weight, chain;                // of the taps
+    SingleTaps singles;
+    DoubleTaps doubles;
+
+    PolarCircle(std::size_t points, std::size_t taps)
+        : single(points), exact(points), kernel(GriddingKernel::of(taps, taps < 8 ? 3.0 : 2.0)), weight(kernel.weight()),
+          chain(kernel.chain()), singles(kernel), doubles(kernel) {
+        for (std::size_t m = 0; m < points / 4; ++m) {
+            const double omega = 6.283185307179586477 * static_cast<double>(m) / static_cast<double>(points);
+            gains.push_back(1.0 / kernel.transform(omega));
+            aliases.push_back(kernel.aliases(omega));
+        }
+    }
+
+    static constexpr std::size_t least_points = 48;  // an eighth of a turn is longer than half of any kernel
+    std::size_t points() const { return single.n; }
+    const RowFft<float>& fft(float) const { return single; }
+    const RowFft<double>& fft(double) const { return exact; }
+    const SingleTaps& taps(float) const { return singles; }
+    const DoubleTaps& taps(double) const { return doubles; }
+
+    bool is(std::size_t points, std::size_t taps) const { return single.n == points && kernel.w == taps; }
+    std::size_t bytes() const { return 64 * single.n; }
+    static constexpr std::size_t most_bytes = std::size_t{4} << 20;
+};
+
+// Of one disk: its coefficients, for each order [n][re cos, im cos, re sin, im sin], times what it counts; and the transforms at
+// the distances, sixteen to a block, [block][n][distance], of which so many degrees matter.
+struct PolarDisk {
+    const ZernikeSeries* series;
+    const double *parts, *table;
+    std::size_t degrees;
+    const std::size_t* reached;
+};
+
+// Stores numbers of one precision as those of another.
+template <std::size_t Lanes, class V, class To>
+LOMMEL_INLINE void convert(V from, To* to) {
+    if constexpr (sizeof(V) == Lanes * sizeof(To)) {
+        store(to, from);
+    } else {
+        for (std::size_t i = 0; i < Lanes; ++i) {
+            to[i] = static_cast<To>(from[i]);
+        }
+    }
+}
+
+// Spectra of sixteen circles, eight together: what is transformed over the azimuthal orders.
+template <class Fft>
+struct PolarSpectra {
+    Aligned<Fft> spectrum[2], other;
+
+    // Sums over degrees, A_m and B_m, as c_m = (A_m - i B_m) / 2 and c_{-m} = (A_m + i B_m) / 2 times gains[m], for transforms of
+    // length n. Calls seen(m, p, size) with the magnitudes of each vector p of circles, at least |c_m| + |c_{-m}|.
+    template <class I, class Seen>
+    LOMMEL_INLINE void combine(I, std::size_t n, const double* gains, const std::vector<PolarDisk>& disks, std::size_t block,
+                               std::size_t orders, const Seen& seen) {
+        using V = typename I::pack;
+        constexpr std::size_t packs = PolarTable::block / I::lanes;
+        for (auto& numbers : spectrum) {
+            numbers.resize(n * fft_element);
+            const auto clear = [&](std::size_t from, std::size_t to) {
+                std::fill_n(numbers.data() + from * fft_element, (to - from) * fft_element, Fft(0));
+            };
+            clear(std::min(orders, n / 4), n / 4);
+            clear(3 * n / 4, std::max(3 * n / 4, n - orders + 1));
+        }
+        other.resize(n * fft_element);
+        for (std::size_t m = 0; m < orders; ++m) {
+            V parts[4][packs];
+            for (std::size_t c = 0; c < 4; ++c) {
+                for (std::size_t p = 0; p < packs; ++p) {
+                    parts[c][p] = splat<V>(0.0);
+                }
+            }
+            for (const PolarDisk& disk : disks) {
+                if (m >= disk.series->orders || m >= disk.reached[block]) {
+                    continue;
+                }
+                const std::size_t count = std::min(disk.series->used[m], (disk.reached[block] - m + 1) / 2);
+                const double* from = disk.table + (block * disk.degrees + m) * PolarTable::block;
+                const double* beta = disk.parts + 4 * disk.series->start[m];
+                for (std::size_t i = 0; i < count; ++i, from += 2 * PolarTable::block, beta += 4) {
+                    V f[packs];
+                    for (std::size_t p = 0; p < packs; ++p) {
+                        f[p] = load<V>(from + p * I::lanes);
+                    }
+                    for (std::size_t c = 0; c < 4; ++c) {
+                        const V b = splat<V>(beta[c]);
+                        for (std::size_t p = 0; p < packs; ++p) {
+                            parts[c][p] = parts[c][p] + b * f[p];
+                        }
+                    }
+                }
+            }
+            const V gain = splat<V>(m == 0 ? gains[m] : 0.5 * gains[m]);
+            for (std::size_t p = 0; p < packs; ++p) {
+                const V ar = parts[0][p], ai = parts[1][p], br = parts[2][p], bi = parts[3][p];
+                seen(m, p, (magnitude(ar) + magnitude(ai)) + (magnitude(br) + magnitude(bi)));
+                put(m, p * I::lanes, gain * (ar + bi), gain * (ai - br));
+                if (m > 0) {
+                    put(n - m, p * I::lanes, gain * (ar - bi), gain * (ai + br));
+                }
+            }
+        }
+    }
+
+   private:
+    template <class V>
+    static LOMMEL_INLINE V magnitude(V x) {
+        return larger(x, splat<V>(0.0) - x);
+    }
+
+    template <class V>
+    LOMMEL_INLINE void put(std::size_t at, std::size_t row, V re, V im) {
+        constexpr std::size_t lanes = sizeof(V) / sizeof(double);
+        Fft* to = &spectrum[row / fft_rows][at * fft_element + row % fft_rows];
+        convert<lanes>(re, to);
+        convert<lanes>(im, to + fft_rows);
+    }
+};
+
+// Four numbers, and four columns of four as rows.
+template <class Real>
+struct Quad {
+    Real at[4];
+};
+template <class Real>
+LOMMEL_INLINE void turn(const Real (*from)[fft_rows], std::size_t first, Quad<Real>* out) {
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            out[i].at[k] = from[k][first + i];
+        }
+    }
+}
+#if defined(__GNUC__) && !defined(__clang__)
+LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<float>* out) {
+    typedef float quad __attribute__((vector_size(16)));
+    typedef std::int32_t places __attribute__((vector_size(16)));
+    const quad a = load<quad>(from[0] + first), b = load<quad>(from[1] + first), c = load<quad>(from[2] + first),
+               d = load<quad>(from[3] + first);
+    const places low = {0, 4, 1, 5}, high = {2, 6, 3, 7}, first_half = {0, 1, 4, 5}, second_half = {2, 3, 6, 7};
+    const quad ab = __builtin_shuffle(a, b, low), cd = __builtin_shuffle(c, d, low), ab2 = __builtin_shuffle(a, b, high),
+               cd2 = __builtin_shuffle(c, d, high);
+    const quad rows[4] = {__builtin_shuffle(ab, cd, first_half), __builtin_shuffle(ab, cd, second_half),
+                          __builtin_shuffle(ab2, cd2, first_half), __builtin_shuffle(ab2, cd2, second_half)};
+    for (std::size_t i = 0; i < 4; ++i) {
+        store(out[i].at, rows[i]);
+    }
+}
+#endif
+
+// What a circle is off by once it is interpolated around, and how large its numbers are.
+struct PolarRowError {
+    double sums = 0.0;     // roundings before the transforms
+    double around = 0.0;   // aliases of the orders
+    double sum = 0.0;      // over orders of the magnitudes that are transformed
+    double largest = 0.0;  // number, real or imaginary
+};
+
+// Numbers [circle][angle][eight directions], the angles from -w/2 steps to one eighth of a turn and w/2 steps more. Directions are
+// those that differ in signs and order of |x|, |y|: psi + k pi/2 (re for k = 0..3, im), then (k+1) pi/2 - psi likewise.
+template <class Real>
+class PolarRows {
+   public:
+    static constexpr std::size_t directions = 16;  // numbers
+
+    void resize(const PolarCircle& circle, std::size_t count) {
+        margin_ = circle.kernel.w / 2;
+        angles_ = circle.points() / 8 + 2 * margin_ + 1;
+        values_.resize(count * angles_ * directions);
+    }
+
+    std::size_t stride() const { return angles_ * directions; }
+    // Of a circle, at the angle of so many steps, -margin() the least.
+    std::size_t margin() const { return margin_; }
+    const Real* row(std::size_t i) const { return &values_[i * stride()]; }
+
+    // Circles [16 block, 16 block + 16) of the tables' to rows from `first` on; orders below `orders`, at most a quarter of the
+    // points. Fills in the error of each.
+    template <class I, class Fft>
+    LOMMEL_INLINE void fill(I isa, const PolarCircle& circle, const std::vector<PolarDisk>& disks, std::size_t block,
+                            std::size_t orders, std::size_t first, PolarSpectra<Fft>& spectra, PolarRowError* errors) {
+        using V = typename I::pack;
+        constexpr std::size_t packs = PolarTable::block / I::lanes;
+        V around[packs], sum[packs];
+        for (std::size_t p = 0; p < packs; ++p) {
+            around[p] = sum[p] = splat<V>(0.0);
+        }
+        spectra.combine(isa, circle.points(), circle.gains.data(), disks, block, orders,
+                        [&](std::size_t m, std::size_t p, V size) LOMMEL_INLINE_LAMBDA {
+                            around[p] = around[p] + splat<V>(circle.aliases[m]) * size;
+                            sum[p] = sum[p] + splat<V>(circle.gains[m]) * size;
+                        });
+        for (std::size_t i = 0; i < PolarTable::block; ++i) {
+            errors[i].around = around[i / I::lanes][i % I::lanes];
+            errors[i].sum = sum[i / I::lanes][i % I::lanes];
+        }
+        for (std::size_t half = 0; half < PolarTable::block; half += fft_rows) {
+            const Fft* from = circle.fft(Fft()).run(isa, spectra.spectrum[half / fft_rows].data(), spectra.other.data());
+            scatter(isa, from, circle.points(), &values_[(first + half) * stride()], errors + half);
+        }
+    }
+
+   private:
+    // The last pass of the transform, and its numbers to where the directions want them.
+    template <class I, class Fft>
+    LOMMEL_INLINE void scatter(I, const Fft* from, std::size_t n, Real* to, PolarRowError* errors) const {
+        using V = typename RowPack<I, Fft>::type;
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Fft);
+        const std::size_t quarter = n / 4, eighth = n / 8;
+        V largest[fft_rows / lanes];
+        for (V& most : largest) {
+            most = splat<V>(Fft(0));
+        }
+        // X at psi_q + k pi/2 is that at (k+1) pi/2 - psi_{quarter - q}.
+        const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
+            alignas(64) Real turned[8][fft_rows];
+            for (std::size_t part = 0; part < fft_rows; part += lanes) {
+                const auto at = [&](std::size_t k) LOMMEL_INLINE_LAMBDA {
+                    const Fft* here = from + (q + quarter * k) * fft_element + part;
+                    return ComplexPack<V>{load<V>(here), load<V>(here + fft_rows)};
+                };
+                const auto a = at(0), b = at(1), d = at(2), e = at(3);
+                const auto even = a + d, odd = b + e, other = a - d, third = (b - e).times_i();
+                const ComplexPack<V> x[4] = {even + odd, other + third, even - odd, other - third};
+                V& most = largest[part / lanes];
+                for (std::size_t k = 0; k < 4; ++k) {
+                    convert<lanes>(x[k].re, turned[k] + part);
+                    convert<lanes>(x[k].im, turned[4 + k] + part);
+                    most = larger(most, larger(x[k].re, splat<V>(Fft(0)) - x[k].re));
+                    most = larger(most, larger(x[k].im, splat<V>(Fft(0)) - x[k].im));
+                }
+            }
+            Real *lower = to + (margin_ + q) * directions, *upper = to + (margin_ + quarter - q) * directions + 8;
+            for (std::size_t row = 0; row < fft_rows; row += 4) {
+                Quad<Real> re[4], im[4];
+                turn(turned, row, re);
+                turn(turned + 4, row, im);
+                for (std::size_t i = 0; i < 4; ++i, lower += stride(), upper += stride()) {
+                    if (low) {
+                        store(lower, re[i]);
+                        store(lower + 4, im[i]);
+                    }
+                    if (high) {
+                        store(upper, re[i]);
+                        store(upper + 4, im[i]);
+                    }
+                }
+            }
+        };
+        for (std::size_t q = 0; q < eighth - margin_; ++q) {
+            place(q, true, false);
+        }
+        for (std::size_t q = eighth - margin_; q <= eighth + margin_; ++q) {
+            place(q, true, true);
+        }
+        for (std::size_t q = eighth + margin_ + 1; q < quarter; ++q) {
+            place(q, false, true);
+        }
+        // Beyond the ends directions change places: psi_{-i} + k pi/2 is k pi/2 - psi_i.
+        for (std::size_t row = 0; row < fft_rows; ++row) {
+            Real* start = to + row * stride() + margin_ * directions;
+            for (std::size_t i = 0; i <= margin_; ++i) {
+                Real *out = start - i * directions, *in = start + i * directions;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    for (std::size_t part = 0; part < 8; part += 4) {
+                        out[8 + part + k] = in[part + (k + 1) % 4];
+                        if (i > 0) {
+                            out[part + k] = in[8 + part + (k + 3) % 4];
+                        }
+                    }
+                }
+            }
+        }
+        for (std::size_t i = 0; i < fft_rows; ++i) {
+            errors[i].largest = static_cast<double>(largest[i / lanes][i % lanes]);
+        }
+    }
+
+    std::size_t margin_ = 0, angles_ = 0;
+    Aligned<Real> values_;
+};
+
+}  // namespace lommel

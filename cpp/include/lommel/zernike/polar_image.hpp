@@ -1,0 +1,267 @@
+// An image of any wavefront, interpolated between circles tile by tile, and the error that is proven of each.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/pixels/tiles.hpp"
+#include "lommel/zernike/polar_zones.hpp"
+
+namespace lommel {
+
+// Of the time that the series is predicted to take, what this may take where it is tried. Changed by tests alone: 0 for never.
+inline double& interpolation_worth() {
+    static double share = 1.0;
+    return share;
+}
+
+class PolarImage {
+   public:
+    // Whether it is predicted to be faster than a sum over orders for each pixel, with tables of bearable size. In units of what
+    // an order of a pixel takes: a pixel takes as much as so many orders, wherever it is, and a circle a transform; both prepare
+    // sums over degrees for steps of v.
+    static bool pays(const ZernikeField& field, const Tiles& tiles) {
+        const double orders = static_cast<double>(field.outer().orders), degrees = static_cast<double>(field.outer().degrees);
+        const double pixels = static_cast<double>(tiles.height * tiles.width), reach = field.reach();
+        const double between = 32.0 * pixels + 6.0 * orders * reach;
+        return reach * degrees < 1e6 && between < interpolation_worth() * orders * pixels;
+    }
+
+    // Of those pixels, `step` in v apart. What is used for one image is kept for the next.
+    void begin(const Tiles& tiles, double step, int threads) {
+        tiles_ = &tiles;
+        list_ = tiles.all();
+        step_ = step;
+        threads_ = threads;
+    }
+
+    // Makes ready for I off by `tol` of the peak at most; returns whether there is hope for that.
+    bool prepare(const PolarPupil& pupil, double tol) {
+        if (!zones_.plan(pupil, step_, tiles_->nearest(), tiles_->farthest(), tol)) {
+            return false;
+        }
+        zones_.fill(pupil, threads_);
+        return true;
+    }
+
+    // Computes the image, I times `scale`.
+    template <class T>
+    void paint(double scale, T* image) {
+        parts_.assign(list_.size() * zones_.size(), Part());
+        parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
+            thread_local Tiles::Buffer<T> kept;
+            thread_local std::vector<Tiles::Line> lines;
+            Tiles::Buffer<T>& buffer = kept;
+            for (std::size_t z = 0; z < zones_.size(); ++z) {
+                const PolarZone& zone = zones_[z];
+                lines.clear();
+                tiles_->lines(list_[i], zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
+                if (!lines.empty()) {
+                    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                        Part& part = parts_[i * zones_.size() + z];
+                        if (zone.style->doubles && zone.style->around == 10) {
+                            pixels<10, 10, double>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else if (zone.style->doubles) {
+                            pixels<10, 8, double>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else if (zone.style->around == 8) {
+                            pixels<8, 8, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else if (zone.style->around == 6) {
+                            pixels<8, 6, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                        } else {
+                            pixels<8, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                        }
+                    });
+                }
+            }
+            tiles_->copy(list_[i], buffer, image);
+        });
+    }
+
+    double peak() const { return brightest().top; }
+    double error_at_peak() const { return brightest().error; }  // of U
+    double wrong() const {                                      // proven error of I
+        double most = 0.0;
+        for (const Part& part : parts_) {
+            most = std::max(most, part.wrong());
+        }
+        return most;
+    }
+
+   private:
+    // Of a tile in a zone.
+    struct Part {
+        double error = 0.0, top = 0.0;  // of U, and the largest I
+        double wrong() const { return intensity_error(std::sqrt(top), error); }
+    };
+
+    const Part& brightest() const {
+        return *std::max_element(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.top < b.top; });
+    }
+
+    // The taps of both kernels at eight at once.
+    template <class V, class Real>
+    static LOMMEL_INLINE void taps(const Taps<Real>& polynomials, Real x, Real* out, std::size_t count = Taps<Real>::taps) {
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
+        const V at = splat<V>(x);
+        for (std::size_t part = 0; part < count; part += lanes) {
+            V sum = load<V>(polynomials.at[0] + part);
+            for (std::size_t k = 1; k < Taps<Real>::terms; ++k) {
+                sum = sum * at + load<V>(polynomials.at[k] + part);
+            }
+            store(out + part, sum);
+        }
+    }
+
+    // The pixels of a tile on some lines, in one zone.
+    template <std::size_t Between, std::size_t Around, class Real, class I, class T>
+    LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines,
+                              double scale, Tiles::Buffer<T>& buffer, Part& part) const {
+        using V = std::conditional_t<sizeof(Real) == 8, typename I::pack, typename I::floats>;
+        using Narrow = typename RowPack<I, Real>::type;
+        using D = typename I::pack;
+        constexpr std::size_t at_once = Tiles::side, numbers = PolarRows<Real>::directions, lanes = sizeof(V) / sizeof(Real),
+                              packs = numbers / lanes;
+        const PolarRows<Real>& rows = zone.rows(Real());
+        const double per_row = step_ / zone.style->step(),
+                     per_angle = static_cast<double>(zone.circle->points()) / 6.283185307179586477;
+        // Places are those of the first taps.
+        const double row_shift =
+            static_cast<double>(PolarTable::before) - static_cast<double>(zone.first * PolarTable::block) - 0.5 * Between;
+        const double angle_shift = static_cast<double>(rows.margin()) - 0.5 * Around;
+        const std::size_t stride = rows.stride();
+        const V scales = splat<V>(static_cast<Real>(scale));
+        Real tops[8] = {};
+        const bool whole = tiles_->whole(tile);
+        std::int64_t nearest = 1 << 30, farthest = 0;
+        for (const Tiles::Line& line : lines) {
+            look();
+            const std::size_t here = static_cast<std::size_t>(line.count);
+            alignas(64) double x[2][at_once];
+            alignas(64) std::int64_t place[2][at_once];
+            constexpr std::size_t most = Taps<Real>::taps;
+            alignas(64) Real weights[at_once][2 * most], squares[at_once][numbers];
+            for (std::size_t i = 0; i < here; i += I::lanes) {
+                alignas(64) double b[I::lanes];
+                for (std::size_t k = 0; k < I::lanes; ++k) {
+                    b[k] = static_cast<double>(line.b + static_cast<std::int64_t>(std::min(i + k, here - 1)));
+                }
+                const D across = splat<D>(static_cast<double>(line.a)), along = load<D>(b),
+                        square = across * across + along * along;
+                alignas(64) double root[I::lanes];
+                store(root, square);
+                for (double& r : root) {
+                    r = std::sqrt(r);
+                }
+                split<I>(load<D>(root) * splat<D>(per_row) + splat<D>(row_shift), x[0] + i, place[0] + i);
+                split<I>(angle(across, along) * splat<D>(per_angle) + splat<D>(angle_shift), x[1] + i, place[1] + i);
+            }
+            nearest = std::min(nearest, place[0][0]);
+            farthest = std::max(farthest, place[0][here - 1]);
+            for (std::size_t i = 0; i < here; ++i) {
+                if (std::is_same_v<Real, float> && zone.style->exact) {
+                    // Rounded once.
+                    alignas(64) double exact[2][DoubleTaps::taps];
+                    taps<D>(zone.kernels->taps(0.0), x[0][i], exact[0], most);
+                    taps<D>(zone.circle->taps(0.0), x[1][i], exact[1], most);
+                    for (std::size_t k = 0; k < most; ++k) {
+                        weights[i][k] = static_cast<Real>(exact[0][k]);
+                        weights[i][most + k] = static_cast<Real>(exact[1][k]);
+                    }
+                    continue;
+                }
+                taps<Narrow>(zone.kernels->taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
+                taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + most);
+            }
+            for (std::size_t i = 0; i < here; ++i) {
+                const Real* start =
+                    rows.row(static_cast<std::size_t>(place[0][i])) + static_cast<std::size_t>(place[1][i]) * numbers;
+                constexpr std::size_t together = packs == 1 ? 8 : Between == 10 ? (packs == 2 ? 5 : 2) : packs == 2 ? 4 : 2;
+                V total[packs] = {};
+                for (std::size_t j = 0; j < Between; j += together) {
+                    V sum[together][packs];
+                    for (std::size_t l = 0; l < Around; ++l) {
+                        const V weight = splat<V>(weights[i][most + l]);
+                        for (std::size_t k = 0; k < together; ++k) {
+                            const Real* at = start + (j + k) * stride + l * numbers;
+                            for (std::size_t p = 0; p < packs; ++p) {
+                                const V value = weight * load<V>(at + p * lanes);
+                                sum[k][p] = l == 0 ? value : sum[k][p] + value;
+                            }
+                        }
+                    }
+                    for (std::size_t k = 0; k < together; ++k) {
+                        const V weight = splat<V>(weights[i][j + k]);
+                        for (std::size_t p = 0; p < packs; ++p) {
+                            total[p] = j + k == 0 ? weight * sum[k][p] : total[p] + weight * sum[k][p];
+                        }
+                    }
+                }
+                for (std::size_t p = 0; p < packs; ++p) {
+                    store(&squares[i][p * lanes], scales * (total[p] * total[p]));
+                }
+            }
+            for (std::size_t i = 0; i < here; ++i) {
+                alignas(32) Real values[8];
+                for (std::size_t k = 0; k < 4; ++k) {
+                    values[k] = squares[i][k] + squares[i][4 + k];
+                    values[4 + k] = squares[i][8 + k] + squares[i][12 + k];
+                }
+                const std::int64_t b = line.b + static_cast<std::int64_t>(i);
+                for (std::size_t k = 0; k < 8; ++k) {
+                    tops[k] = values[k] > tops[k] && (whole || tiles_->visible(line.a, b, k)) ? values[k] : tops[k];
+                }
+                buffer.put(tile, line.a, b, values);
+            }
+        }
+        for (const Real top : tops) {
+            part.top = std::max(part.top, static_cast<double>(top) / scale);
+        }
+        for (std::size_t row = static_cast<std::size_t>(nearest); row < static_cast<std::size_t>(farthest) + Between; ++row) {
+            part.error = std::max(part.error, zone.errors[row]);
+        }
+    }
+
+    // Whole steps below x, and 2 t - 1 of the rest t, 0 to 1; the next whole step is the place.
+    template <class I>
+    static LOMMEL_INLINE void split(typename I::pack x, double* rest, std::int64_t* place) {
+        using D = typename I::pack;
+        // As in sincos(): the nearest integer to x - 1/2 stands in the lowest bits.
+        const D magic = splat<D>(6755399441055744.0), shifted = (x + splat<D>(0.5)) + magic, next = shifted - magic;
+        store(rest, (x - next) * splat<D>(2.0) + splat<D>(1.0));
+        typename I::bits bits;
+        std::memcpy(&bits, &shifted, sizeof bits);
+        // Less those of the magic number.
+        std::memcpy(place, &bits, sizeof bits);
+        for (std::size_t i = 0; i < I::lanes; ++i) {
+            place[i] -= 0x4338000000000000;
+        }
+    }
+
+    // atan(b/a) for 0 <= b <= a: pi/8 and that of x = (b - t_0 a) / (a + t_0 b), |x| <= t_0 = tan(pi/8).
+    template <class D>
+    static LOMMEL_INLINE D angle(D a, D b) {
+        constexpr double middle = 0.41421356237309504880, eighth = 0.39269908169872415481;
+        const D tiny = splat<D>(1e-150), x = (b - splat<D>(middle) * a) / (a + splat<D>(middle) * b + tiny), z = x * x;
+        D sum = splat<D>(1.0 / 37.0);
+        for (int k = 17; k >= 0; --k) {
+            sum = splat<D>(1.0 / (2 * k + 1)) - sum * z;
+        }
+        return splat<D>(eighth) + x * sum;
+    }
+
+   private:
+    const Tiles* tiles_ = nullptr;
+    std::vector<Tiles::Tile> list_;
+    double step_ = 1.0;
+    int threads_ = 1;
+    PolarZones zones_;
+    std::vector<Part> parts_;
+};
+
+}  // namespace lommel

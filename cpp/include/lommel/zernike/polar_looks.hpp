@@ -1,0 +1,161 @@
+// Looks at a pupil's field before it is painted: where it is bright, and which orders matter there.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "lommel/zernike/polar_pupil.hpp"
+
+namespace lommel {
+
+// How bright it is at some distances, and how large the orders are there.
+class PolarLooks {
+   public:
+    static constexpr std::size_t block = LookTable::block;
+    std::vector<double> v, bright;  // of each look, the largest I
+    std::size_t orders;
+
+    PolarLooks(const PolarPupil& pupil, double reach)
+        : orders(pupil.orders()), blocks_(LookTable::blocks_to(reach)), sizes_(blocks_ * orders * block) {
+        std::vector<std::shared_ptr<const LookTable>> tables;
+        std::vector<PolarDisk> disks;
+        for (const PolarPupil::Disk& disk : pupil.disks) {
+            tables.push_back(cache<LookTable>.get(disk.shrunk, blocks_, disk.series->degrees));
+            const LookTable& table = *tables.back();
+            disks.push_back({disk.series, disk.parts.data(), table.values.data(), table.degrees, table.reached.data()});
+        }
+        const RowFft<float> fft(RowFft<float>::length(4 * orders));
+        const std::vector<double> gains(orders, 1.0);
+        thread_local PolarSpectra<float> kept;
+        PolarSpectra<float>& spectra = kept;
+        bright.assign(blocks_ * block, 0.0);
+        for (std::size_t b = 0; b < blocks_; ++b) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                using I = decltype(isa);
+                using V = typename I::pack;
+                spectra.combine(isa, fft.n, gains.data(), disks, b, orders,
+                                [&](std::size_t m, std::size_t p, V size)
+                                    LOMMEL_INLINE_LAMBDA { store(&sizes_[(b * orders + m) * block + p * I::lanes], size); });
+                for (std::size_t half = 0; half < 2; ++half) {
+                    brightest(isa, fft.run(isa, spectra.spectrum[half].data(), spectra.other.data()), fft.n,
+                              &bright[b * block + half * fft_rows]);
+                }
+            });
+        }
+        for (std::size_t i = 0; i < bright.size(); ++i) {
+            v.push_back(LookTable::at(i));
+        }
+        // Those far beyond the window only fill a block.
+        while (v.size() > 2 && v[v.size() - 2] > reach) {
+            v.pop_back();
+        }
+        bright.resize(v.size());
+    }
+
+    // The largest of those from one distance to another, and of one more on either side.
+    double brightest(double from, double to) const {
+        double most = 0.0;
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            if ((i + 1 == v.size() || v[i + 1] >= from) && (i == 0 || v[i - 1] <= to)) {
+                most = std::max(most, bright[i]);
+            }
+        }
+        return most;
+    }
+
+    // What circles at the looks of a block would be off by.
+    void rows(std::size_t b, const PolarKernels& kernels, const PolarCircle& circle, PolarRowError* out) const {
+        for (std::size_t i = 0; i < block; ++i) {
+            out[i] = PolarRowError();
+        }
+        for (std::size_t m = 0; m < std::min(orders, circle.gains.size()); ++m) {
+            const double* sizes = &sizes_[(b * orders + m) * block];
+            for (std::size_t i = 0; i < block; ++i) {
+                out[i].around += sizes[i] * circle.aliases[m];
+                out[i].sum += sizes[i] * circle.gains[m];
+            }
+        }
+        for (std::size_t i = 0; i < block; ++i) {
+            // What tables have divided by makes circles larger, the most at the edge of the spectrum.
+            const double i_here = b * block + i < bright.size() ? bright[b * block + i] : 0.0;
+            out[i] = {0.0, kernels.largest * out[i].around, kernels.largest * out[i].sum,
+                      1.2 * kernels.largest * circle.gains[0] * std::sqrt(i_here)};
+        }
+    }
+
+   private:
+    // The last pass of a transform, at two of four quadrants' ends.
+    template <class I>
+    static LOMMEL_INLINE void brightest(I, const float* from, std::size_t n, double* out) {
+        using V = typename RowPack<I, float>::type;
+        constexpr std::size_t lanes = sizeof(V) / sizeof(float);
+        const std::size_t quarter = n / 4 * fft_element;
+        for (std::size_t part = 0; part < fft_rows; part += lanes) {
+            V most = splat<V>(0.0f);
+            for (const float* here = from + part; here < from + quarter; here += fft_element) {
+                const auto at = [&](std::size_t k) LOMMEL_INLINE_LAMBDA {
+                    return ComplexPack<V>{load<V>(here + k * quarter), load<V>(here + k * quarter + fft_rows)};
+                };
+                const auto even = at(0) + at(2), odd = at(1) + at(3), other = at(0) - at(2), third = (at(1) - at(3)).times_i();
+                for (const auto x : {even + odd, even - odd, other + third, other - third}) {
+                    most = larger(most, x.re * x.re + x.im * x.im);
+                }
+            }
+            for (std::size_t i = 0; i < lanes; ++i) {
+                out[part + i] = most[i];
+            }
+        }
+    }
+
+    std::size_t blocks_;
+    Doubles sizes_;  // [block][order][look]
+};
+
+// What the azimuthal orders from each on can add to U.
+class PolarOrders {
+   public:
+    explicit PolarOrders(const PolarPupil& pupil) : tails_(pupil.orders() + 1) {
+        for (const PolarPupil::Disk& disk : pupil.disks) {
+            // Far away these fall with the distance times the radius.
+            const double stretch = 1.0 / (disk.shrunk * std::cbrt(disk.shrunk));
+            for (std::size_t m = 0; m < disk.series->orders; ++m) {
+                for (std::size_t j = 0; j < disk.series->used[m]; ++j) {
+                    const double* c = &disk.parts[4 * (disk.series->start[m] + j)];
+                    const double size = std::sqrt(c[0] * c[0] + c[1] * c[1]) + std::sqrt(c[2] * c[2] + c[3] * c[3]);
+                    tails_[m].near += size / static_cast<double>(m + 2 * j + 1);
+                    tails_[m].far += size * stretch;
+                }
+            }
+        }
+        for (std::size_t m = tails_.size() - 1; m-- > 0;) {
+            tails_[m].near += tails_[m + 1].near;
+            tails_[m].far += tails_[m + 1].far;
+        }
+    }
+
+    // At v and beyond, whose aliases between circles are `aliases` of what there is.
+    double left(std::size_t orders, double v, double aliases) const {
+        const Tail& tail = tails_[orders];
+        return v > 0.0 ? std::min(tail.near, tail.far * 1.572 / (v * std::cbrt(v)) + aliases * tail.near) : tail.near;
+    }
+    // The fewest that leave no more than `error`.
+    std::size_t least(double error, double v, double aliases) const {
+        std::size_t m = tails_.size() - 1;
+        while (m > 1 && left(m - 1, v, aliases) <= error) {
+            --m;
+        }
+        return m;
+    }
+
+   private:
+    // As |2 (n+1) J_{n+1}(v) / v| <= 1, and |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
+    struct Tail {
+        double near = 0.0, far = 0.0;
+    };
+    std::vector<Tail> tails_;
+};
+
+}  // namespace lommel

@@ -1,0 +1,139 @@
+// A pupil as it is interpolated between circles, in one of several styles, and the error of U that is proven of each.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "lommel/zernike/field.hpp"
+#include "lommel/zernike/polar_circles.hpp"
+
+namespace lommel {
+
+// Circles pi / oversampling apart, so many taps between them and between their angles; whether pixels are summed, and circles
+// transformed, in double precision.
+struct PolarStyle {
+    double oversampling;
+    std::size_t between, around;
+    bool doubles, exact;
+
+    double step() const { return 3.14159265358979323846 / oversampling; }
+    GriddingKernel kernel() const { return GriddingKernel::of(between, oversampling); }
+};
+// From the most exact one to that which costs least.
+inline constexpr std::array<PolarStyle, 8> polar_styles = {{{3.0, 10, 10, true, true},
+                                                            {2.0, 10, 8, true, true},
+                                                            {4.0, 8, 8, false, true},
+                                                            {2.0, 8, 8, false, true},
+                                                            {2.0, 8, 8, false, false},
+                                                            {2.0, 8, 6, false, false},
+                                                            {1.5, 8, 6, false, false},
+                                                            {1.5, 8, 4, false, false}}};
+
+// What a pupil is made of: its disk and, of the same phase, the one within that is dark.
+struct PolarPupil {
+    struct Disk {
+        const ZernikeSeries* series;
+        double shrunk, weight;  // radius; what its field counts in that of the pupil
+        Doubles parts;          // as PolarDisk has them
+    };
+    std::vector<Disk> disks;
+    double base;  // the error of U that its expansion has, and what roundings of places make of it
+
+    explicit PolarPupil(const ZernikeField& field)
+        // A place between circles is off by less than 12 units, and one around them by less than 24 of a turn's angle; |U'| < 1/2
+        // along any line.
+        : base(field.base() + 32.0 * unit_roundoff * (field.reach() + 64.0)) {
+        add(field.outer(), 1.0, 1.0);
+        if (field.obscured()) {
+            add(field.inner(), field.obscuration(), -field.obscuration() * field.obscuration());
+        }
+    }
+
+    std::size_t orders() const {
+        std::size_t most = 0;
+        for (const Disk& disk : disks) {
+            most = std::max(most, disk.series->orders);
+        }
+        return most;
+    }
+
+   private:
+    void add(const ZernikeSeries& series, double shrunk, double weight) {
+        disks.push_back({&series, shrunk, weight, Doubles(4 * series.cos_re.size())});
+        for (std::size_t i = 0; i < series.cos_re.size(); ++i) {
+            const double parts[4] = {series.cos_re[i], series.cos_im[i], series.sin_re[i], series.sin_im[i]};
+            for (std::size_t c = 0; c < 4; ++c) {
+                disks.back().parts[4 * i + c] = weight * parts[c];
+            }
+        }
+    }
+};
+
+// The kernels of both disks between circles of one style, and what they do to U.
+struct PolarKernels {
+    std::vector<std::shared_ptr<const PolarKernel>> disks;
+    double aliasing = 0.0;  // aliases
+    double growth = 0.0;    // relative, of the error of the expansion
+    double weight, chain, largest;
+
+    PolarKernels(const PolarPupil& pupil, const PolarStyle& style) {
+        const GriddingKernel kernel = style.kernel();
+        for (const PolarPupil::Disk& disk : pupil.disks) {
+            disks.push_back(cache<PolarKernel>.get(disk.shrunk * style.step(), kernel.w, kernel.beta()));
+            // Of what is expanded the mean square of g is at most 1, but for the error of the expansion.
+            aliasing += std::abs(disk.weight) * disks.back()->aliases;
+            growth = std::max(growth, disks.back()->aliases);
+        }
+        weight = disks[0]->weight;
+        chain = disks[0]->chain;
+        largest = disks[0]->largest;
+    }
+    const SingleTaps& taps(float) const { return disks[0]->singles; }
+    const DoubleTaps& taps(double) const { return disks[0]->doubles; }
+};
+
+// Their tables, of so many blocks.
+struct PolarTables {
+    std::vector<std::shared_ptr<const PolarTable>> tables;
+    std::vector<PolarDisk> disks;
+    double error = 0.0;  // of U, before it is transformed, by roundings of the sums over degrees and of the table
+
+    PolarTables(const PolarPupil& pupil, const PolarKernels& kernels, std::size_t blocks) {
+        for (std::size_t i = 0; i < pupil.disks.size(); ++i) {
+            const PolarPupil::Disk& disk = pupil.disks[i];
+            const PolarKernel& k = *kernels.disks[i];
+            tables.push_back(cache<PolarTable>.get(k.step, k.kernel.w, k.kernel.beta(), blocks, disk.series->degrees));
+            const PolarTable& table = *tables.back();
+            disks.push_back({disk.series, disk.parts.data(), table.values.data(), table.degrees, table.reached.data()});
+            // Cosines and sines, both by Cauchy: a chain over every other degree, and what the table leaves out and is off by.
+            const double chain = unit_roundoff * (static_cast<double>(disk.series->degrees) + 8.0);
+            error += 2.0 * std::abs(disk.weight) *
+                     (chain / k.kernel.transform(k.step) + table.rounding(blocks, disk.series->degrees) + PolarTable::left_out);
+        }
+    }
+};
+
+// Bound on the error of U between circles with these errors: `left` is what orders left out can add.
+inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
+                          const PolarCircle& circle, double left, const PolarRowError& rows) {
+    const double weights = kernels.weight * circle.weight,
+                 // With two roundings before it.
+        transform = style.exact ? roundoff<double> * (circle.exact.rounding() + 2.0)
+                                : roundoff<float> * (circle.single.rounding() + 2.0);
+    const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
+    // Exact circles have exact taps, rounded once.
+    const double between = style.exact ? kernels.taps(0.0).error + pixel * kernels.weight : kernels.taps(0.0f).error;
+    const double around = style.exact ? circle.taps(0.0).error + pixel * circle.weight : circle.taps(0.0f).error;
+    // Storing the circles, a product and a chain of sums for each kernel, and of I four roundings, which are half as much of U.
+    const double sums = pixel * (5.0 + kernels.chain / kernels.weight + circle.chain / circle.weight);
+    // A complex number is at most sqrt(2) times the larger one of its parts.
+    return (pupil.base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernels.weight * rows.around +
+           weights * (circle.gains.back() * rows.sums + transform * rows.sum) +
+           1.42 * 1.01 * (weights * sums + between * circle.weight + around * kernels.weight) * rows.largest;
+}
+
+}  // namespace lommel

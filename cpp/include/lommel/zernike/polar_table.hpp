@@ -1,0 +1,226 @@
+// The transforms 2 J_{n+1}(v) / v of Zernike polynomials at equal steps of v, made ready for interpolation between them.
+//
+// It depends on the step and on the kernel alone: one table serves every pupil, wavelength and pixel.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/special/bessel.hpp"
+#include "lommel/special/gridding.hpp"
+#include "lommel/special/sincos.hpp"
+
+namespace lommel {
+
+// A kernel between circles, `step` in v apart: its taps, and what its aliases do.
+struct PolarKernel {
+    double step;
+    GriddingKernel kernel;
+    double aliases;  // what they can add to U
+    double weight, chain, largest;  // of the taps; and the largest 1 / transform
+    SingleTaps singles;
+    DoubleTaps doubles;
+
+    PolarKernel(double apart, std::size_t taps, double beta)
+        : step(apart), kernel(taps, beta), aliases(kernel.aliasing(step)), weight(kernel.weight()), chain(kernel.chain()),
+          largest(1.0 / kernel.transform(step)), singles(kernel), doubles(kernel) {}
+
+    bool is(double apart, std::size_t taps, double beta) const {
+        return step == apart && kernel.w == taps && kernel.beta() == beta;
+    }
+    std::size_t bytes() const { return sizeof(PolarKernel); }
+    static constexpr std::size_t most_bytes = std::size_t{1} << 20;
+};
+
+// F_n(j) = 2 / (pi (n+1)) int_0^pi sin(a) sin((n+1) a) C(j h cos a) / t(h cos a) da, C the cosine for even n and the sine for odd
+// n, t the transform of the kernel: sum_j phi(v/h - j) F_n(j) is what zernike_transforms() gives, but for aliases. Sixteen
+// distances, of j rising, stand together: [block][n][distance], j = -16 the first. What a block holds depends on its place and
+// on grade(degrees) alone, so that no image depends on the tables that happen to be kept.
+struct PolarTable {
+    static constexpr std::size_t block = 16, before = 16;
+
+    double step;
+    GriddingKernel kernel;
+    std::size_t blocks, degrees;
+    Doubles values;
+    std::vector<std::size_t> reached;  // of each block, the degrees that matter; the others add less than `left_out`
+
+    // What degrees that a block leaves out can add to U, whatever the pupil.
+    static constexpr double left_out = 1e-13;
+
+    PolarTable(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count)
+        : step(apart), kernel(taps, beta), blocks((block_count + 3) / 4 * 4), degrees(grade(degree_count)),
+          values(blocks * degrees * block), reached(blocks) {
+        for (std::size_t b = 0; b < blocks; ++b) {
+            look();
+            const Rule rule(*this, b);
+            reached[b] = rule.degrees;
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { fill(isa, b, rule); });
+        }
+    }
+
+    // The next power of two, or half as much again.
+    static std::size_t grade(std::size_t degrees) {
+        std::size_t made = 32;
+        while (made < degrees) {
+            made = made % 3 == 0 ? made / 3 * 4 : made / 2 * 3;
+        }
+        return made;
+    }
+
+    // By Cauchy, as sum |beta|^2 / (n+1) is at most 1: the root of sum (n+1)^2 F_n^2 is at most 1 / t(h) by Parseval, t being least
+    // at the edge. What roundings do to it in the blocks before `end`: each of the nodes of the rule adds one, arguments, of up to
+    // v, are off by 12 units of v, and sines by as much.
+    double rounding(std::size_t end, std::size_t count) const {
+        const double v = farthest(end - 1);
+        return 2.3e-16 / kernel.transform(step) * std::sqrt(static_cast<double>(count)) *
+               (static_cast<double>(Rule(*this, end - 1).half) + 60.0 + 12.0 * v);
+    }
+
+    bool is(double apart, std::size_t taps, double beta, std::size_t block_count, std::size_t degree_count) const {
+        return step == apart && kernel.w == taps && kernel.beta() == beta && blocks >= block_count &&
+               degrees == grade(degree_count);
+    }
+    std::size_t bytes() const { return sizeof(double) * values.size(); }
+    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
+
+    const double* at(std::size_t b) const { return &values[b * degrees * block]; }
+
+   private:
+    double farthest(std::size_t b) const { return step * static_cast<double>(std::max<std::size_t>(1, b) * block); }
+
+    // The degrees of a block that matter, and half the points of the midpoint rule in a, N, for them. On the strip |Im a| <= b the
+    // integrand, without its factors in front, is at most cosh(b) cosh((n+1) b) exp(v sinh b) / t(h cosh b), for t, whose zeros are
+    // real, is least on the real line. So (n+1) |F_n| is at most 2 cosh(b) exp(v sinh b - (n+1) b) / t(h cosh b), and the rule errs by
+    // twice the integrand over exp(2 N b) - 1.
+    struct Rule {
+        std::size_t degrees, half;
+
+        Rule(const PolarTable& table, std::size_t b) {
+            const double v = table.farthest(b);
+            const auto least = [&](const auto& needed) {
+                double best = 1e300;
+                for (double width = 0.05; width < 1.5 && table.step * std::cosh(width) < 3.1; width *= 1.1) {
+                    best = std::min(best, needed(width, v * std::sinh(width) -
+                                                            std::log(table.kernel.transform(table.step * std::cosh(width)))));
+                }
+                return best;
+            };
+            const double enough = least([](double width, double size) {
+                return (size + std::log(2.0 * std::cosh(width) / ((1.0 - std::exp(-width)) * left_out))) / width;
+            });
+            degrees = std::min(table.degrees, (static_cast<std::size_t>(enough) + 4) / 4 * 4);
+            const double n = static_cast<double>(degrees);
+            half = static_cast<std::size_t>(0.5 * least([&](double width, double size) {
+                                                return (size + (n + 1.0) * width + 38.0) / (2.0 * width);
+                                            })) +
+                   1;
+        }
+    };
+
+    template <class I>
+    LOMMEL_INLINE void fill(I isa, std::size_t b, const Rule& rule) {
+        using V = typename I::pack;
+        constexpr std::size_t packs = block / I::lanes, together = 2;
+        const std::size_t nodes = rule.half, count = rule.degrees;
+        const std::size_t turn = 8 * nodes;  // in units of half an angle between nodes, a_k = (2k + 1) units
+        std::vector<double> sines(turn);
+        for (std::size_t i = 0; i < turn; ++i) {
+            sines[i] = std::sin(6.283185307179586477 * static_cast<double>(i) / static_cast<double>(turn));
+        }
+        Doubles weights(nodes * count), waves(2 * nodes * block), places(nodes), shares(nodes);
+        for (std::size_t k = 0; k < nodes; ++k) {
+            places[k] = sines[2 * nodes + 2 * k + 1];
+            shares[k] = 2.0 * sines[2 * k + 1] / (static_cast<double>(nodes) * kernel.transform(step * places[k]));
+            for (std::size_t n = 0, at = 2 * k + 1; n < count; ++n) {
+                weights[k * count + n] = sines[at] / static_cast<double>(n + 1);
+                at = at + 2 * k + 1 < turn ? at + 2 * k + 1 : at + 2 * k + 1 - turn;
+            }
+        }
+        alignas(64) double v[block];
+        for (std::size_t i = 0; i < block; ++i) {
+            v[i] = step * (static_cast<double>(b * block + i) - static_cast<double>(before));
+        }
+        for (std::size_t k = 0; k < nodes; ++k) {
+            for (std::size_t i = 0; i < block; i += I::lanes) {
+                V sine, cosine;
+                sincos(isa, splat<V>(places[k]) * load<V>(v + i), sine, cosine);
+                store(&waves[k * block + i], cosine * splat<V>(shares[k]));
+                store(&waves[(nodes + k) * block + i], sine * splat<V>(shares[k]));
+            }
+        }
+        double* to = &values[b * degrees * block];
+        for (std::size_t n = 0; n < count; n += 2 * together) {
+            for (std::size_t parity = 0; parity < 2; ++parity) {
+                V sums[together][packs];
+                for (std::size_t i = 0; i < together; ++i) {
+                    for (std::size_t p = 0; p < packs; ++p) {
+                        sums[i][p] = splat<V>(0.0);
+                    }
+                }
+                for (std::size_t k = 0; k < nodes; ++k) {
+                    const double* wave = &waves[(parity * nodes + k) * block];
+                    const double* weight = &weights[k * count + n + parity];
+                    for (std::size_t i = 0; i < together; ++i) {
+                        const V here = splat<V>(weight[2 * i]);
+                        for (std::size_t p = 0; p < packs; ++p) {
+                            sums[i][p] = sums[i][p] + here * load<V>(wave + p * I::lanes);
+                        }
+                    }
+                }
+                for (std::size_t i = 0; i < together; ++i) {
+                    for (std::size_t p = 0; p < packs; ++p) {
+                        store(to + (n + parity + 2 * i) * block + p * I::lanes, sums[i][p]);
+                    }
+                }
+            }
+        }
+    }
+};
+
+// The transforms themselves, at distances that are looked at to see how bright it is there: 40 sinh(k/18), times `shrunk`.
+struct LookTable {
+    static constexpr std::size_t block = PolarTable::block;
+
+    double shrunk;
+    std::size_t blocks, degrees;
+    Doubles values;
+    std::vector<std::size_t> reached;
+
+    LookTable(double part, std::size_t block_count, std::size_t degree_count)
+        : shrunk(part), blocks(block_count), degrees((degree_count + 31) / 32 * 32), values(blocks * degrees * block),
+          reached(blocks) {
+        std::vector<double> one, scratch;
+        for (std::size_t i = 0; i < blocks * block; ++i) {
+            look();
+            const double v = shrunk * at(i);
+            // Higher ones vanish; of as many whatever is asked for, lest an image depend on the table that happens to be kept.
+            const std::size_t count = static_cast<std::size_t>(v + 6.0 * std::cbrt(v) + 15.0) / 2;
+            one.resize(count);
+            for (std::size_t parity = 0; parity < 2; ++parity) {
+                zernike_transforms(parity, v, count, one.data(), scratch);
+                for (std::size_t k = 0; k < std::min(count, degrees / 2); ++k) {
+                    values[((i / block) * degrees + 2 * k + parity) * block + i % block] = one[k];
+                }
+            }
+            reached[i / block] = std::min(degrees, 2 * count);
+        }
+    }
+
+    static double at(std::size_t i) { return 40.0 * std::sinh(static_cast<double>(i) / 18.0); }
+    // Blocks up to one that holds a distance of at least v.
+    static std::size_t blocks_to(double v) { return static_cast<std::size_t>(18.0 * std::asinh(v / 40.0) + 1.0) / block + 1; }
+
+    bool is(double part, std::size_t block_count, std::size_t degree_count) const {
+        return shrunk == part && blocks >= block_count && degrees >= degree_count;
+    }
+    std::size_t bytes() const { return sizeof(double) * values.size(); }
+    static constexpr std::size_t most_bytes = std::size_t{16} << 20;
+};
+
+}  // namespace lommel

@@ -1,0 +1,161 @@
+// Ranges of distances, each interpolated between circles as the tolerance asks there.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/zernike/polar_looks.hpp"
+
+namespace lommel {
+
+// What the error of a polar image is spent on.
+struct PolarBudget {
+    // Of the tolerance, on the image where it is brightest; brightness is a guess, of which U may have this many times more.
+    static constexpr double image = 0.9, brighter = 1.15;
+    // Of what that allows U to be off by: what a style may promise, and what orders left out may add to it.
+    static constexpr double promise = 0.95, orders = 0.05;
+    // What is asked of all styles where that did not do.
+    static constexpr double again = 0.3;
+};
+
+struct PolarZone {
+    const PolarStyle* style;
+    std::int64_t low, high;   // squares of the distances of its pixels, in pixels
+    std::size_t first, last;  // blocks of circles of the table
+    std::size_t orders;
+    std::shared_ptr<const PolarKernels> kernels;
+    std::shared_ptr<const PolarCircle> circle;
+    PolarRows<double> doubles;  // the circles: these or the others
+    PolarRows<float> floats;
+    std::vector<double> errors;  // of U, for each circle
+    double left;                 // what orders left out can add to it
+
+    const PolarRows<double>& rows(double) const { return doubles; }
+    const PolarRows<float>& rows(float) const { return floats; }
+};
+
+class PolarZones {
+   public:
+    // For pixels `step` in v apart, of distances whose squares in pixels are `nearest` to `farthest`; I off by `tol` of the largest
+    // among them at most. Returns false where the expansion alone, or the aliases of the most exact style, do not let that be.
+    bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol) {
+        const double near = step * std::sqrt(static_cast<double>(nearest)),
+                     reach = step * std::sqrt(static_cast<double>(farthest));
+        const PolarLooks looks(pupil, reach);
+        const PolarOrders orders(pupil);
+        const double all = PolarBudget::image * tol * looks.brightest(near, reach);
+        // Of U, where it is that bright.
+        const auto allowed = [&](double intensity) {
+            const double u = PolarBudget::brighter * std::sqrt(intensity);
+            return all / (u + std::sqrt(u * u + all));
+        };
+        std::array<double, polar_styles.size() + 1> starts;
+        std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
+        starts.back() = 1e300;
+        for (std::size_t s = polar_styles.size(); s-- > 0;) {
+            kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
+            starts[s] = s == 0 ? 0.0 : start(pupil, polar_styles[s], *kernels[s], looks, orders, allowed);
+        }
+        if (pupil.base + kernels[0]->aliasing > allowed(looks.brightest(near, reach))) {
+            return false;
+        }
+        count_ = 0;
+        zones_.resize(polar_styles.size());
+        double from = near;
+        for (std::size_t s = 0; s < polar_styles.size() && from < reach; ++s) {
+            const double to =
+                std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
+            if (to <= from) {
+                continue;
+            }
+            PolarZone& zone = zones_[count_++];
+            const double ring = polar_styles[s].step() * PolarTable::block, most = allowed(looks.brightest(from, to));
+            zone.style = &polar_styles[s];
+            zone.kernels = kernels[s];
+            zone.first = static_cast<std::size_t>(from / ring);
+            zone.last = static_cast<std::size_t>(to / ring) + 3;
+            zone.low = count_ == 1 ? nearest : zones_[count_ - 2].high;
+            zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
+            zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
+            zone.circle = circle(zone.orders, zone.style->around);
+            zone.left = orders.left(zone.orders, from, zone.kernels->growth);
+            zone.errors.resize((zone.last - zone.first) * PolarTable::block);
+            from = to;
+        }
+        return true;
+    }
+
+    // Computes all circles.
+    void fill(const PolarPupil& pupil, int threads) {
+        for (PolarZone* zone = zones_.data(); zone < zones_.data() + count_; ++zone) {
+            const std::size_t count = zone->errors.size();
+            if (zone->style->doubles) {
+                zone->doubles.resize(*zone->circle, count);
+                fill<double>(pupil, *zone, zone->doubles, threads);
+            } else {
+                zone->floats.resize(*zone->circle, count);
+                if (zone->style->exact) {
+                    fill<double>(pupil, *zone, zone->floats, threads);
+                } else {
+                    fill<float>(pupil, *zone, zone->floats, threads);
+                }
+            }
+        }
+    }
+
+    std::size_t size() const { return count_; }
+    const PolarZone& operator[](std::size_t i) const { return zones_[i]; }
+
+   private:
+    static std::shared_ptr<const PolarCircle> circle(std::size_t orders, std::size_t taps) {
+        return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points, 4 * orders)), taps);
+    }
+
+    // The distance from which on a style does.
+    template <class Allowed>
+    static double start(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels, const PolarLooks& looks,
+                        const PolarOrders& orders, const Allowed& allowed) {
+        constexpr std::size_t block = PolarLooks::block;
+        std::array<PolarRowError, block> rows;
+        std::shared_ptr<const PolarCircle> here;
+        for (std::size_t i = looks.v.size(); i-- > 0;) {
+            const double most = allowed(looks.brightest(looks.v[i], looks.v[i]));
+            if (!here || i % block == block - 1) {
+                here = circle(orders.least(PolarBudget::orders * most, looks.v[i], kernels.growth), style.around);
+                looks.rows(i / block, kernels, *here, rows.data());
+            }
+            if (polar_error(pupil, style, kernels, *here, PolarBudget::orders * most, rows[i % block]) >
+                PolarBudget::promise * most) {
+                return i + 2 < looks.v.size() ? looks.v[i + 2] : 1e300;
+            }
+        }
+        return 0.0;
+    }
+
+    template <class Fft, class Real>
+    static void fill(const PolarPupil& pupil, PolarZone& zone, PolarRows<Real>& rows, int threads) {
+        const PolarTables tables(pupil, *zone.kernels, zone.last);
+        parallel_for(zone.last - zone.first, threads, [&](std::size_t, std::size_t i) {
+            thread_local PolarSpectra<Fft> spectra;
+            std::array<PolarRowError, PolarTable::block> errors;
+            const std::size_t first = i * PolarTable::block;
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                rows.fill(isa, *zone.circle, tables.disks, zone.first + i, zone.orders, first, spectra, errors.data());
+            });
+            for (std::size_t k = 0; k < PolarTable::block; ++k) {
+                errors[k].sums = tables.error;
+                zone.errors[first + k] = polar_error(pupil, *zone.style, *zone.kernels, *zone.circle, zone.left, errors[k]);
+            }
+        });
+    }
+
+    std::vector<PolarZone> zones_;  // kept from one image to the next, with their memory
+    std::size_t count_ = 0;
+};
+
+}  // namespace lommel

@@ -51,10 +51,6 @@ LOMMEL_INLINE V splat(double x) {
         V v;
         asm("vbroadcastsd %1, %0" : "=v"(v) : "vm"(x));
         return v;
-    } else if constexpr (sizeof(V) == 32) {
-        V v;
-        asm("vbroadcastsd %1, %0" : "=x"(v) : "xm"(x));
-        return v;
     }
 #endif
     return x - V{};
@@ -65,10 +61,6 @@ LOMMEL_INLINE V splat(float x) {
     if constexpr (sizeof(V) == 64) {
         V v;
         asm("vbroadcastss %1, %0" : "=v"(v) : "vm"(x));
-        return v;
-    } else if constexpr (sizeof(V) == 32) {
-        V v;
-        asm("vbroadcastss %1, %0" : "=x"(v) : "xm"(x));
         return v;
     }
 #endif

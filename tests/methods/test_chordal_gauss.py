@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import lommel as lm
@@ -44,6 +44,7 @@ def error(answer: lm.PSF, exact: np.ndarray) -> float:
 
 
 @settings(max_examples=30, deadline=None)
+@example(0, 0.0, 0.0, 6.0, (1, 1), 1.0, (0.0, 6.0), 1e-9)
 @given(
     seed=st.integers(0, 2**32 - 1),
     rms=st.floats(0.0, 3.0),
@@ -60,10 +61,15 @@ def test_random_wavefronts_agree_with_direct_quadrature(
     wavefront = random_wavefront(np.random.default_rng(seed), rms)
     pupil = lm.Pupil(wavefront, obscuration=obscuration, apodization=apodization)
     grid = lm.Grid(shape, pixel, center=center)
-    answer = lm.psf(
-        pupil, shape, pixel, method=lm.ChordalGauss(tol), center=center, normalize="strehl", dtype=np.float64
-    )
     exact = polar(pupil, grid)
+    options = {"method": lm.ChordalGauss(tol), "center": center, "normalize": "strehl", "dtype": np.float64}
+    try:
+        answer = lm.psf(pupil, shape, pixel, **options)
+    except lm.ToleranceError:
+        # Roundings, over the largest value of a window that misses the light.
+        assert tol == 1e-9
+        assert exact.max() < 1e-3 * pupil.amplitude**2
+        return
     assert error(answer, exact) <= answer.error_bound + 1e-12 / exact.max()
     assert answer.error_bound <= tol
 

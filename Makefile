@@ -211,7 +211,7 @@ types: env ## check the types
 bench: build ## measure against the FFT, NumPy and what peers there are; write docs/benchmarks.md
 	@.venv/bin/python benchmarks/run.py --write
 
-# Beside .venv, which stays as requirements.lock has it. GROUP=peers-all also brings torch: gigabytes.
+# Beside .venv, which stays as requirements.lock has it. One of the packages brings PyTorch: gigabytes.
 GROUP ?= peers
 peers: build ## fetch other packages for make bench to compare with, into .tools/peers
 	@$(find_uv)

@@ -40,13 +40,21 @@ class Mixed(Window):
             terms[n, m], terms[n, -m] = size * math.cos(m * angle), size * math.sin(m * angle)
         return lm.Pupil(lm.Wavefront(size, nonradial=terms))
 
-    def phase(self, x: Any, y: Any, t: Any) -> Any:
+    @staticmethod
+    def written(x: Any, y: Any, t: Any, constants: Any) -> Any:
         """Return the phase in radians, written out, at points of the pupil; t = x^2 + y^2."""
+        defocus, a, b, c, d, e, f = constants
+        coma = (3.0 * t - 2.0) * (a * x + b * y)
+        astigmatism = c * (x * x - y * y) + d * x * y
+        trefoil = e * (x * x - 3.0 * y * y) * x + f * (3.0 * x * x - y * y) * y
+        return defocus * t + coma + astigmatism + trefoil
+
+    @property
+    def constants(self) -> tuple[float, ...]:
+        """Coefficients of defocus, and of the two halves of coma, astigmatism and trefoil."""
         a, b, c = self.directions
-        coma = (3.0 * t - 2.0) * (math.cos(a) * x + math.sin(a) * y)
-        astigmatism = math.cos(2 * b) * (x * x - y * y) + math.sin(2 * b) * 2.0 * x * y
-        trefoil = math.cos(3 * c) * (x * x - 3.0 * y * y) * x + math.sin(3 * c) * (3.0 * x * x - y * y) * y
-        return self.reach * (2.0 * t + coma + astigmatism + trefoil)
+        turns = (math.cos(a), math.sin(a), math.cos(2 * b), 2.0 * math.sin(2 * b), math.cos(3 * c), math.sin(3 * c))
+        return (2.0 * self.reach, *(self.reach * turn for turn in turns))
 
     @property
     def slopes(self) -> tuple[float, float]:
@@ -57,9 +65,13 @@ class Mixed(Window):
         """Return the same, turned by half a turn: what a transform of the other sign makes of it."""
         return replace(self, directions=tuple(angle + math.pi for angle in self.directions))
 
+    @property
+    def degrees(self) -> str:
+        """The directions, in words."""
+        return ", ".join(f"{math.degrees(angle):.0f}°" for angle in self.directions)
+
     def __str__(self) -> str:
-        degrees = ", ".join(f"{math.degrees(angle):.0f}°" for angle in self.directions)
-        return f"{self.reach:g} rad each, directions {degrees}, pixel {self.pixel:g} λN"
+        return f"{self.reach:g} rad each, directions {self.degrees}, pixel {self.pixel:g} λN"
 
 
 def exact_rows(question: Mixed, rows: NDArray[np.int64]) -> NDArray[np.float64]:

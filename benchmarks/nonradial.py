@@ -2,31 +2,51 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib.util import find_spec
 
 import lommel as lm
 from benchmarks.baselines import fft
 from benchmarks.engine import engine
 from benchmarks.mixed import ALIGNED, RANDOM, Mixed, error
+from benchmarks.peers_image import ducc0_single
 from benchmarks.settings import Settings
 from benchmarks.targets import Measured, worst
-from benchmarks.timing import race
+from benchmarks.timing import Contender, race
+
+PIXELS = (0.25, 0.5, 1.0)
 
 
-def _cases(settings: Settings) -> list[Mixed]:
-    if settings.quick:
-        return [Mixed(directions=d) for d in (ALIGNED, RANDOM[0])]
-    return [Mixed(pixel=p, directions=d) for d in (ALIGNED, *RANDOM) for p in (0.25, 0.5, 1.0)]
+def _cases(settings: Settings, *pixels: float) -> list[Mixed]:
+    directions = (RANDOM[0],) if settings.quick else (ALIGNED, *RANDOM)
+    return [Mixed(pixel=p, directions=d) for d in directions for p in pixels]
 
 
-def against_fft(settings: Settings, *, threads: int) -> Measured:
+def against_fft(
+    settings: Settings, *, pixels: tuple[float, ...], threads: int, reaches: tuple[float, ...] = (10.0, 3.0)
+) -> Measured:
     """Measure 512², against the FFT."""
     other, found = fft(), []
-    mild = [] if settings.quick else [Mixed(pixel=p, reach=3.0, directions=RANDOM[0]) for p in (0.25, 0.5, 1.0)]
-    for q in (*_cases(settings), *mild):
+    for q in (replace(q, reach=r) for r in reaches for q in _cases(settings, *pixels)):
         mine = engine(q, threads=threads, out=True)
         result = race([mine, other], settings.rounds)
         note = f"{q}: {mine.config}, {1e3 * result.median(mine.name):.2f} ms; {other.config}"
+        found.append(Measured(result.ratio(other.name, mine.name), error(q, result.values[mine.name]), note))
+    return worst(found, more=True)
+
+
+def against_ducc0(settings: Settings, *, pixel: float) -> Measured:
+    """Measure 512², against the non-uniform FFT of DUCC in single precision."""
+    for name in ("ducc0", "numba"):
+        if find_spec(name) is None:
+            raise NotImplementedError(f"{name} is not installed")
+    found = []
+    for q in _cases(settings, pixel):
+        mine, theirs = engine(q, out=True), ducc0_single(q)
+        other = Contender("ducc0", lambda _, call=theirs.call: call())  # type: ignore[misc]
+        result = race([mine, other], settings.rounds)
+        off = min(error(way, result.values[other.name], fit=True) for way in (q, q.turned()))
+        note = f"{q}: {mine.config}; ducc0, {theirs.config}, whose error is {off:.1e}"
         found.append(Measured(result.ratio(other.name, mine.name), error(q, result.values[mine.name]), note))
     return worst(found, more=True)
 
@@ -45,7 +65,7 @@ def _method(name: str, pixel: float) -> lm.Method:
 def method_against_fft(settings: Settings, *, name: str) -> Measured:
     """Measure 512² by another method, against the FFT."""
     other, found = fft(), []
-    for q in _cases(settings)[:6]:
+    for q in _cases(settings, *PIXELS)[:6]:
         mine = engine(q, method=_method(name, q.pixel))
         result = race([mine, other], settings.rounds, budget=1.0)
         note = f"{q}: {mine.config}; {other.config}"

@@ -34,6 +34,7 @@ def _adapters() -> tuple[dict[str, tuple[str, Adapter]], dict[str, tuple[str, Ad
         "hcipy": ("hcipy", image.hcipy),
         "poppy": ("poppy", image.poppy),
         "dLux": ("dLux", image.dlux),
+        "solvephase": ("solvephase", image.solvephase),
         "finufft": ("finufft", image.finufft),
         "ducc0": ("ducc0", image.ducc0),
     }
@@ -84,22 +85,27 @@ def images(settings: Settings) -> Table:
 
 def nonradial(settings: Settings) -> Table:
     """One PSF of 512² of a pupil that is not radially symmetric, by the same packages."""
-    q = mixed.Mixed(directions=mixed.RANDOM[0])
+    asked = [mixed.Mixed(pixel=pixel, directions=mixed.RANDOM[0]) for pixel in (0.25, 0.5, 1.0)]
     table = Table(
         "peers-nonradial",
         "Other packages: one PSF of a pupil that is not radially symmetric",
-        f"512², coma, astigmatism, trefoil and defocus of {q}, one thread, in the same way, but of packages "
-        "that sample the pupil on a lattice their usual configuration only. An image turned by half a turn, as "
-        "transforms of the other sign make it, is as good.",
-        _COLUMNS,
+        f"512², coma, astigmatism, trefoil and defocus of {asked[1].reach:g} rad each, directions "
+        f"{asked[1].degrees}, one thread, in the same way, but of packages that sample the pupil on a lattice their "
+        "usual configuration at 0.5 λN only. An image turned by half a turn, as transforms of the other sign make "
+        "it, is as good.",
+        {"pixel": "text"} | _COLUMNS,
     )
+    images = _adapters()[0]
+    for q in asked[1:2] if settings.quick else asked:
 
-    def error(one: Setup, values: NDArray[Any]) -> float:
-        seen = replace(q, center=((q.n - 1) / 2.0, (q.n - 1) / 2.0)) if one.between else q
-        return min(mixed.error(way, values, fit=True) for way in (seen, seen.turned()))
+        def error(one: Setup, values: NDArray[Any], q: mixed.Mixed = q) -> float:
+            seen = replace(q, center=((q.n - 1) / 2.0, (q.n - 1) / 2.0)) if one.between else q
+            return min(mixed.error(way, values, fit=True) for way in (seen, seen.turned()))
 
-    most = {"prysm": 1, "hcipy": 1, "dLux": 1}
-    return _run(settings, table, _adapters()[0], q, {False: engine(q)}, error, most)
+        most = {"prysm": 1, "hcipy": 1, "dLux": 1, "solvephase": 1, "ducc0": 2}
+        adapters = {name: one for name, one in images.items() if q.pixel == 0.5 or name in ("finufft", "ducc0")}
+        _run(settings, table, adapters, q, {False: engine(q)}, error, most, before=(f"{q.pixel:g} λN",))
+    return table
 
 
 def stacks(settings: Settings) -> Table:
@@ -144,11 +150,12 @@ def _run(
     mine: dict[bool, Contender],
     error: Callable[[Setup, NDArray[Any]], float],
     most: Mapping[str, int] | None = None,
+    before: tuple[str, ...] = (),
 ) -> Table:
-    """Measure each package; `most` limits how many of its configurations."""
+    """Measure each package; `most` limits how many of its configurations, `before` comes first in every row."""
     for name, (module, adapter) in adapters.items():
         if find_spec(module) is None:
-            table.add(name, None, None, None, "skipped: not installed")
+            table.add(*before, name, None, None, None, "skipped: not installed")
             continue
         setup: Setup | None = None
         try:
@@ -160,8 +167,8 @@ def _run(
                     first = mine[setup.averaged]
                     result = race([first, one], settings.rounds, budget=0.5 if settings.quick else 2.0)
                     judged = error(setup, result.values[name]) if setup.judged else None
-                    table.add(name, setup.config, result.ratio(name, first.name), judged, None)
+                    table.add(*before, name, setup.config, result.ratio(name, first.name), judged, None)
         except Exception as reason:  # whatever another package raises belongs in its row
             said = " ".join(str(reason).split())[:100]
-            table.add(name, setup.config if setup else None, None, None, f"{type(reason).__name__}: {said}")
+            table.add(*before, name, setup.config if setup else None, None, None, f"{type(reason).__name__}: {said}")
     return table

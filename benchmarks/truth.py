@@ -39,9 +39,19 @@ class Window(ABC):
     def pupil(self, share: float = 1.0) -> lm.Pupil:
         """Return the pupil with `share` of the aberrations."""
 
+    @staticmethod
     @abstractmethod
+    def written(x: Any, y: Any, t: Any, constants: Any) -> Any:
+        """Return the phase in radians, written out for compilers too, at points of the pupil; t = x^2 + y^2."""
+
+    @property
+    @abstractmethod
+    def constants(self) -> tuple[float, ...]:
+        """What `written` needs to know of the aberrations."""
+
     def phase(self, x: Any, y: Any, t: Any) -> Any:
-        """Return the phase in radians, written out, at points of the pupil; t = x^2 + y^2."""
+        """Return the phase in radians at points of the pupil; t = x^2 + y^2."""
+        return self.written(x, y, t, self.constants)
 
     @property
     @abstractmethod
@@ -81,12 +91,18 @@ class Question(Window):
         wavefront = lm.Wavefront(share * self.defocus, share * self.spherical, [share * c for c in self.higher])
         return lm.Pupil(wavefront, obscuration=self.obscuration)
 
-    def phase(self, x: Any, y: Any, t: Any) -> Any:
+    @staticmethod
+    def written(x: Any, y: Any, t: Any, constants: Any) -> Any:  # noqa: ARG004
         """Return the phase in radians at t = rho^2."""
-        total: Any = 0.0
-        for c in (*self.higher[::-1], self.spherical, 2.0 * self.defocus):
+        total = 0.0 * t
+        for c in constants:
             total = (total + c) * t
         return total
+
+    @property
+    def constants(self) -> tuple[float, ...]:
+        """Coefficients of the powers of t, the highest first."""
+        return (*self.higher[::-1], self.spherical, 2.0 * self.defocus)
 
     @property
     def slopes(self) -> tuple[float, float]:

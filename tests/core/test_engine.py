@@ -37,6 +37,7 @@ def test_all_engines_give_the_same_samples_of_radial_pupils(images):
     assert np.all(error <= made.error * made.values.max(axis=(1, 2)) + 1e-10)
     assert np.all(made.error <= 1e-8)
     assert np.all(made.scale == 1.0)
+    assert made.peak == pytest.approx(made.values.max(axis=(1, 2)), rel=1e-6)
 
 
 def test_without_a_scale_each_image_is_divided_by_its_largest_value(images):

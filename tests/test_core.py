@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 import lommel
 from lommel import _core
+from rendering import rendered
 
 STUB = Path(lommel.__file__).with_name("_core.pyi")
 CONTIGUOUS = np.linspace(0.0, 5.0, 6)
@@ -82,17 +83,21 @@ def _render(**changes: Any) -> float:
         "coefficients": np.ones((n, 2)),
         "obscuration": 0.1,
         "amplitude": np.array([0.0, 0.2]),
+        "center_y": 2.0,
+        "center_x": 3.0,
         "step": 0.5,
+        "integrate": False,
         "tol": 1e-6,
         "threads": 1,
         "images": np.empty((n, 5, 7), kind),
         "scales": np.ones(n),
         "bounds": np.empty(n),
+        "peaks": np.empty(n),
         "powers": np.ones(k, np.int64),
         "derivative_images": np.empty((k, n, 5, 7), kind),
         "derivative_bounds": np.empty((k, n)),
     }
-    return _core.differentiate(**(arguments | changes))
+    return _core.render(**(arguments | changes))
 
 
 def test_rendering_refuses_what_does_not_fit() -> None:
@@ -100,8 +105,8 @@ def test_rendering_refuses_what_does_not_fit() -> None:
     for changes, message in (
         ({"coefficients": np.ones((0, 2))}, "must not be empty"),
         ({"coefficients": np.ones((2, 0))}, "must not be empty"),
-        ({"coefficients": np.ones((3, 2))}, "derivatives must match the images"),
-        ({"scales": np.ones(1)}, "one image, scale and bound a pupil"),
+        ({"coefficients": np.ones((3, 2))}, "one image, scale, bound and peak a pupil"),
+        ({"scales": np.ones(1)}, "one image, scale, bound and peak a pupil"),
         ({"obscuration": 1.0}, "obscuration"),
         ({"obscuration": float("nan")}, "obscuration"),
         ({"amplitude": np.array([0.0, -1.0])}, "amplitude must be at most 1"),
@@ -109,7 +114,7 @@ def test_rendering_refuses_what_does_not_fit() -> None:
         ({"amplitude": np.array([0.0, 101.0])}, "amplitude must have an exponent of 100 at most"),
         ({"amplitude": np.array([0.0, float("nan")])}, "amplitude must have an exponent"),
         ({"amplitude": np.zeros(12)}, "amplitude must have at most 11 powers"),
-        ({"step": 0.0}, "must be positive"),
+        ({"step": 0.0}, "step must be above 0"),
         ({"tol": float("nan")}, "must be positive"),
         ({"powers": np.ones(2, np.int64)}, "one derivative a power"),
         ({"powers": np.zeros(1, np.int64)}, "powers must be"),
@@ -210,19 +215,12 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
         return out
 
     def render() -> NDArray[np.float32]:
-        n = len(pupils)
-        out = np.empty((n, 300, 301), np.float32)
-        _core.render(pupils, 0.0, np.zeros(1), 1.0, 1e-6, 2, out, np.ones(n), np.empty(n))
-        return out
+        return rendered(pupils, 0.0, [0.0], (300, 301), 1.0, 1e-6, dtype=np.float32, threads=2).images
 
     def pixels() -> NDArray[np.float32]:
-        n = max(1, len(pupils) // 4)
-        out = np.empty((n, 300, 301), np.float32)
-        slopes, none = np.empty((0, n, 300, 301), np.float32), np.empty(0, np.int64)
-        place = (150.0, 150.0 / scale, 0.7, True, 1e-6, 2)
-        parts = np.ones(n), np.empty(n), np.empty(n)
-        _core.render_pixels(pupils[:n], 0.0, np.zeros(1), *place, out, *parts, none, slopes, np.empty((0, n)))
-        return out
+        some = pupils[: max(1, len(pupils) // 4)]
+        place: dict[str, Any] = {"center": (150.0, 150.0 / scale), "integrate": True, "threads": 2}
+        return rendered(some, 0.0, [0.0], (300, 301), 0.7, 1e-6, dtype=np.float32, **place).images
 
     def averages() -> NDArray[np.float64]:
         place = (100.5, 77.7, 0.7, True, 8, 2)
@@ -240,7 +238,7 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
         "render": render,
         "field": lambda: _core.field(pupils, 0.3, np.array([0.0, 0.5]), far, 1e-6)[0][0],
         "profile": lambda: _core.profile(pupils, 0.3, np.array([0.0, 0.5]), far, 1e-6)[0][0],
-        "render_pixels": pixels,
+        "render with averages": pixels,
         "pixel_values": averages,
         "huygens_sum": lambda: _core.huygens_sum(sources, sources, np.exp(1e4j * sources), points, points, 0.1, 1e7),
     }

@@ -1,12 +1,11 @@
-// Averages of many PSFs over pixels, and blur by depth.
+// Products of matrices, and blur by depth.
 #include <algorithm>
 #include <cmath>
 
 #include "lommel/imaging/product.hpp"
-#include "lommel/imaging/profile_sums.hpp"
 #include "lommel/imaging/spread.hpp"
 
-#include "pupils.hpp"
+#include "python.hpp"
 
 using namespace bindings;
 
@@ -15,28 +14,11 @@ namespace {
 template <class T>
 using Strided = nb::ndarray<const T, nb::numpy, nb::ndim<2>, nb::device::cpu>;
 
-// Bounds are negative where the tolerance cannot be met.
-std::tuple<Out<double, 2>, Out<double, 1>> means(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude,
-                                                 In<double, 1> v, double tol, In<double, 2> matrix, int threads) {
-    const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
-    require(matrix.shape(0) == v.shape(0) && v.shape(0) > 0 && threads >= 0, "the matrix must have a row for each v");
-    auto out = new_array<double, 2>({stack.count, matrix.shape(1)});
-    auto bounds = new_array<double, 1>({stack.count});
-    released([&] {
-        lommel::profile_sums(stack, v.data(), v.shape(0), tol, matrix.data(), matrix.shape(1), threads, out.data(),
-                             bounds.data());
-    });
-    return {out, bounds};
-}
-
 Out<double, 2> product(In<double, 2> rows, In<double, 2> matrix, int threads) {
     const std::size_t count = rows.shape(1);
     require(matrix.shape(0) == count && threads >= 0, "the matrix must have a row for each column");
     auto out = new_array<double, 2>({rows.shape(0), matrix.shape(1)});
-    const auto fill = [&](std::size_t first, std::size_t some, double* values) {
-        std::copy_n(rows.data() + first * count, some * count, values);
-    };
-    released([&] { lommel::product(rows.shape(0), count, matrix.data(), matrix.shape(1), threads, fill, out.data()); });
+    released([&] { lommel::product(rows.data(), rows.shape(0), count, matrix.data(), matrix.shape(1), threads, out.data()); });
     return out;
 }
 
@@ -100,8 +82,6 @@ void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<
 }  // namespace
 
 void bindings::define_imaging(nb::module_& m) {
-    m.def("means", &means, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "matrix"_a, "threads"_a,
-          "Weighted sums of I at rising v, and bounds on the error of I over its peak.");
     m.def("product", &product, "rows"_a, "matrix"_a, "threads"_a, "The product of two matrices.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);

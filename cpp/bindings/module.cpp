@@ -57,7 +57,6 @@ NB_MODULE(_core, m) {
     define_special(m);
     define_pixels(m);
     define_radial(m);
-    define_averages(m);
     define_zernike(m);
     define_chordal(m);
     define_paper(m);

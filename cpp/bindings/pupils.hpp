@@ -50,10 +50,11 @@ std::vector<lommel::ZernikeTerm> terms_of(const In<Integer, 2>& given, std::size
 }
 
 // Of each pupil an image and the numbers that go with it.
-template <class T, class... Numbers>
-void require_answers(std::size_t pupils, const Out<T, 3>& images, const Numbers&... numbers) {
-    require(images.shape(0) == pupils && ((numbers.shape(0) == pupils) && ...),
-            sizeof...(numbers) == 2 ? "one image, scale and bound a pupil" : "one image, scale, bound and peak a pupil");
+template <class T>
+void require_answers(std::size_t pupils, const Out<T, 3>& images, const Out<double, 1>& scales, const Out<double, 1>& bounds,
+                     const Out<double, 1>& peaks) {
+    require(images.shape(0) == pupils && scales.shape(0) == pupils && bounds.shape(0) == pupils && peaks.shape(0) == pupils,
+            "one image, scale, bound and peak a pupil");
     require_image(images.shape(1), images.shape(2));
 }
 
@@ -71,8 +72,8 @@ template <class T>
 void require_derivatives(std::size_t powers, std::size_t pupils, const Out<T, 3>& of, const Out<T, 4>& images,
                          const Out<double, 2>& bounds) {
     require(images.shape(0) == powers && bounds.shape(0) == powers, "one derivative a power");
-    require(images.shape(1) == pupils && images.shape(2) == of.shape(1) && images.shape(3) == of.shape(2) &&
-                bounds.shape(1) == pupils,
+    require(powers == 0 || (images.shape(1) == pupils && images.shape(2) == of.shape(1) && images.shape(3) == of.shape(2) &&
+                            bounds.shape(1) == pupils),
             "derivatives must match the images");
 }
 

@@ -27,7 +27,6 @@ using namespace nb::literals;
 void define_special(nb::module_& m);
 void define_pixels(nb::module_& m);
 void define_radial(nb::module_& m);
-void define_averages(nb::module_& m);
 void define_zernike(nb::module_& m);
 void define_chordal(nb::module_& m);
 void define_paper(nb::module_& m);

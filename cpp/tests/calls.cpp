@@ -46,7 +46,8 @@ void far_windows(double obscuration) {
         }
         double image[25], scale = 1.0;
         try {
-            lommel::Renderer<double>(stack, 5, 5, reach, 1e-6, 1, {image, &scale, &bound, nullptr, 0, nullptr, nullptr}).run();
+            lommel::Renderer<double>(stack, 5, 5, reach, 1e-6, 1, {image, &scale, &bound, &peak, nullptr, 0, nullptr, nullptr})
+                .run();
         } catch (const std::domain_error&) {
             ++refused;
         }
@@ -106,9 +107,9 @@ void a_call_stops_where_it_is_told_to() {
 // The largest value of an image of some defocus.
 double image_of(std::size_t side, double defocus) {
     std::vector<double> image(side * side);
-    double scale = 1.0, bound = 0.0;
+    double scale = 1.0, bound = 0.0, peak = 0.0;
     lommel::Renderer<double>({&defocus, 1, 1, 0.0}, side, side, 0.7, 1e-6, 2,
-                             {image.data(), &scale, &bound, nullptr, 0, nullptr, nullptr})
+                             {image.data(), &scale, &bound, &peak, nullptr, 0, nullptr, nullptr})
         .run();
     return *std::max_element(image.begin(), image.end());
 }

@@ -124,7 +124,7 @@ void images_keep_their_bounds(std::mt19937& random, std::size_t height, std::siz
                               double obscuration, double tol, int threads, bool normalize) {
     std::uniform_real_distribution<double> phase(-120.0, 120.0), pitch(0.2, 4.0);
     const double step = pitch(random);
-    std::vector<double> coefficients(2 * count), scales(count, normalize ? 0.0 : 1.0), bounds(count);
+    std::vector<double> coefficients(2 * count), scales(count, normalize ? 0.0 : 1.0), bounds(count), peaks(count);
     for (double& c : coefficients) {
         c = phase(random);
     }
@@ -139,8 +139,8 @@ void images_keep_their_bounds(std::mt19937& random, std::size_t height, std::siz
     const lommel::Stack stack{coefficients.data(), count, 2, obscuration, amplitude};
     const bool with_slopes = count < 4;
     lommel::Renderer<T>(stack, height, width, step, tol, threads,
-                        {images.data(), scales.data(), bounds.data(), powers.data(), with_slopes ? powers.size() : 0,
-                         slopes.data(), slope_bounds.data()})
+                        {images.data(), scales.data(), bounds.data(), peaks.data(), powers.data(),
+                         with_slopes ? powers.size() : 0, slopes.data(), slope_bounds.data()})
         .run();
     // The same pixels by the Bessel functions themselves.
     for (std::size_t pupil = 0; pupil < count; pupil += 1 + count / 3) {
@@ -340,11 +340,10 @@ void pixels_around_any_axis(std::mt19937& random) {
         const double obscuration = c.count == 1 ? 0.3 : 0.0;
         const std::size_t derivatives = scales[0] > 0.0 && c.count < 6 ? 2 : 0;
         const double falling[] = {0.0, 0.2, 0.3};
-        lommel::PixelRenderer<T>(
-            {coefficients.data(), c.count, 2, obscuration, lommel::Amplitude(falling, 3)},
-            {c.height, c.width, c.row, c.column, c.step, c.integrate}, 1e-5, 2,
-            {images.data(), scales.data(), bounds.data(), powers, derivatives, slopes.data(), slope_bounds.data()},
-            peaks.data())
+        lommel::PixelRenderer<T>({coefficients.data(), c.count, 2, obscuration, lommel::Amplitude(falling, 3)},
+                                 {c.height, c.width, c.row, c.column, c.step, c.integrate}, 1e-5, 2,
+                                 {images.data(), scales.data(), bounds.data(), peaks.data(), powers, derivatives, slopes.data(),
+                                  slope_bounds.data()})
             .run();
         for (std::size_t i = 0; i < c.count; ++i) {
             check(bounds[i] > 0.0 && bounds[i] <= 1e-5, "bound of averages", bounds[i]);

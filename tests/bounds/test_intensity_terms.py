@@ -15,6 +15,7 @@ import lommel as lm
 from lommel import _core
 from lommel.methods.method import annulus, normalized_error, relative_error
 from lommel.special.legendre import gauss_legendre
+from rendering import rendered
 
 UNIT = 2.0**-53
 few = settings(max_examples=15)
@@ -67,9 +68,9 @@ def test_what_storing_adds(relative, single, twice):
 def test_the_kind_of_an_image_is_counted(kind, divided):
     phase, bounds = np.array([[9.0, -4.0]]), []
     for dtype in (np.float64, kind):
-        images, bound, scales = np.empty((1, 6, 9), dtype), np.empty(1), np.full(1, 0.0 if divided else 1.0)
-        assert _core.render(phase, 0.2, np.zeros(1), 0.8, 1e-5, 1, images, scales, bound) == 0.0
-        bounds.append(bound[0])
+        made = rendered(phase, 0.2, [0.0], (6, 9), 0.8, 1e-5, divided=divided, dtype=dtype)
+        assert made.unmet == 0.0
+        bounds.append(made.bounds[0])
     whole = [_core.stored_bound(0.0, single, divided) for single in (False, kind == np.float32)]
     assert bounds[1] - bounds[0] == pytest.approx(whole[1] - whole[0], rel=1e-4, abs=0.0)
 
@@ -129,9 +130,8 @@ def test_the_scan_finds_a_ring_of_light_that_the_window_misses():
 @few
 @given(phases, lights, obscurations, st.sampled_from([1e-3, 1e-6, 1e-9]), st.booleans())
 def test_the_bound_of_an_image_is_that_of_its_field(phase, light, obscuration, tol, divided):
-    images, bounds, scales = np.empty((1, 6, 9)), np.empty(1), np.full(1, 0.0 if divided else 1.0)
     step = 0.8
-    unmet = _core.render(np.array([phase]), obscuration, np.array(light), step, tol, 1, images, scales, bounds)
+    unmet, images, scales, bounds, *_ = rendered([phase], obscuration, light, (6, 9), step, tol, divided=divided)
     if unmet:
         assert unmet > tol
         return
@@ -180,24 +180,10 @@ def test_what_rounding_does_not_allow_is_refused():
 @few
 @given(phases, lights, obscurations, st.integers(1, 4), st.sampled_from([1e-4, 1e-8]))
 def test_the_bound_of_a_derivative(phase, light, obscuration, power, tol):
-    images, bounds, scales = np.empty((1, 5, 5)), np.empty(1), np.ones(1)
-    slopes, slope_bounds = np.empty((1, 1, 5, 5)), np.empty((1, 1))
-    step, powers = 0.6, np.array([power])
-    unmet = _core.differentiate(
-        np.array([phase]),
-        obscuration,
-        np.array(light),
-        step,
-        tol,
-        1,
-        images,
-        scales,
-        bounds,
-        powers,
-        slopes,
-        slope_bounds,
-    )
-    if unmet:
+    step = 0.6
+    made = rendered([phase], obscuration, light, (5, 5), step, tol, powers=[power])
+    images, slope_bounds = made.images, made.slope_bounds
+    if made.unmet:
         return
     reach = math.sqrt(8) * step
     radii = step * np.sqrt([0, 1, 2, 4, 5, 8])
@@ -220,10 +206,8 @@ def test_the_derivative_by_defocus_is_twice_that_by_the_power_and_so_is_its_boun
     answer = lm.psf(
         pupil, 9, 0.5, derivatives=("defocus", "spherical", "rho^6"), dtype=np.float64, normalize="strehl"
     )
-    images, bounds, scales = np.empty((1, 9, 9)), np.empty(1), np.ones(1)
-    slopes, slope_bounds = np.empty((3, 1, 9, 9)), np.empty((3, 1))
-    places = (images, scales, bounds, np.array([1, 2, 3]), slopes, slope_bounds)
-    _core.differentiate(pupil.radial_terms(), 0.0, np.zeros(1), 0.5 * math.pi, 1e-6, 1, *places)
+    made = rendered(pupil.radial_terms(), 0.0, [0.0], (9, 9), 0.5 * math.pi, 1e-6, powers=[1, 2, 3])
+    slopes, slope_bounds = made.slopes, made.slope_bounds
     assert answer.derivative_bounds["defocus"] == pytest.approx(2.0 * slope_bounds[0, 0], rel=1e-12, abs=0.0)
     assert answer.derivative_bounds["spherical"] == pytest.approx(slope_bounds[1, 0], rel=1e-12, abs=0.0)
     assert np.allclose(answer.derivatives["defocus"], 2.0 * slopes[0, 0], rtol=1e-12, atol=0)

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from scipy.special import j1
 
 import lommel as lm
+import rendering
 from lommel import _core
 from lommel.core.answers import Intensities
 from lommel.methods.subpixel import subpixel_intensity
@@ -138,25 +139,16 @@ def peak_on_a_line(lens: Lens, window: Window, level: int, error: float) -> mp.m
 
 def rendered(lens: Lens, window: Window, tol: float, divided: bool, single: bool, powers: list[int]):
     """Return what the core proves: the bound, the peak, those of derivatives; its caches full of what it needs."""
-    images = np.empty((1, window.height, window.width), np.float32 if single else np.float64)
-    slopes, slope_bounds = np.empty((len(powers), *images.shape), images.dtype), np.empty((len(powers), 1))
+    pupil, kind = ([lens.phase], lens.obscuration, [0.0, lens.gaussian]), np.float32 if single else np.float64
     for _ in range(2):
-        scales, bounds, peaks = np.full(1, 0.0 if divided else 1.0), np.empty(1), np.empty(1)
-        pupil = (np.array([lens.phase]), lens.obscuration, np.array([0.0, lens.gaussian]))
-        unmet = _core.render_pixels(
-            *pupil,
-            *window[2:],
-            tol,
-            1,
-            images,
-            scales,
-            bounds,
-            peaks,
-            np.array(powers, np.int64),
-            slopes,
-            slope_bounds,
-        )
-    return None if unmet else (bounds[0], peaks[0], slope_bounds[:, 0])
+        made = of_window(*pupil, window, tol, divided=divided, powers=powers, dtype=kind)
+    return None if made.unmet else (made.bounds[0], made.peaks[0], made.slope_bounds[:, 0])
+
+
+def of_window(pupils, obscuration: float, light: list[float], window: Window, tol: float, **options: Any):
+    height, width, row, column, step, integrate = window
+    place = {"center": (row, column), "integrate": integrate}
+    return rendering.rendered(pupils, obscuration, light, (height, width), step, tol, **place, **options)
 
 
 WINDOWS = [
@@ -253,27 +245,7 @@ def test_the_largest_average_may_lie_outside_the_window():
 def test_the_bounds_of_a_stack(window, rows, tol, divided):
     """One table of Bessel functions for all: terms that do for the whole box, and no pieces."""
     pupils, gaussian = np.array(rows), 0.3
-    images, bounds, peaks = (
-        np.empty((len(rows), window.height, window.width)),
-        np.empty(len(rows)),
-        np.empty(len(rows)),
-    )
-    scales, none = np.full(len(rows), 0.0 if divided else 1.0), np.empty((0, *images.shape))
-    unmet = _core.render_pixels(
-        pupils,
-        0.0,
-        np.array([0.0, gaussian]),
-        *window[2:],
-        tol,
-        1,
-        images,
-        scales,
-        bounds,
-        peaks,
-        np.empty(0, np.int64),
-        none,
-        none[..., 0, 0],
-    )
+    unmet, _, _, bounds, *_ = of_window(pupils, 0.0, [0.0, gaussian], window, tol, divided=divided)
     if unmet:
         return
     allowed = mp.mpf(tol) - mp.mpf(1.1) * storing(mp.mpf(0), False)

@@ -14,6 +14,7 @@ from scipy.special import j1, spherical_jn
 from lommel import _core
 from lommel.special.bessel import legendre_transforms
 from lommel.special.legendre import gauss_legendre
+from rendering import rendered
 
 U = mp.mpf(2) ** -53
 # At 1, of the numbers that tables are made with; where these are doubles, that is counted.
@@ -316,9 +317,8 @@ def test_the_largest_size_is_that_of_the_largest_piece(piece):
 )
 def test_the_whole_of_a_stack(rows, tol, divided):
     pupils = np.array(rows)
-    images, bounds = np.empty((len(rows), 9, 7)), np.empty(len(rows))
-    scales = np.full(len(rows), 0.0 if divided else 1.0)
-    assert _core.render(pupils, 0.0, np.array([0.0, 0.3]), 0.7, tol, 1, images, scales, bounds) == 0.0
+    unmet, images, scales, bounds, *_ = rendered(pupils, 0.0, [0.0, 0.3], (9, 7), 0.7, tol, divided=divided)
+    assert unmet == 0.0
     reach = float(np.hypot(4, 3)) * 0.7
     worst = np.abs(pupils).max(axis=0)
     error = _core.peaks(worst, np.array([0.0, 0.3]), 0.0, tol)["first_error"]

@@ -9,9 +9,9 @@ int main() {
     const double coefficients[] = {0.0, 5.0};  // of R_2^0: no defocus, and 5 rad at the edge against 5 rad on the axis
     const std::size_t side = 33;
     const double step = 0.5, tol = 1e-9;
-    std::vector<double> images(2 * side * side), scales(2, 1.0), bounds(2);
+    std::vector<double> images(2 * side * side), scales(2, 1.0), bounds(2), peaks(2);
     lommel::Renderer<double>({coefficients, 2, 1, 0.0}, side, side, step, tol, 2,
-                             {images.data(), scales.data(), bounds.data(), nullptr, 0, nullptr, nullptr})
+                             {images.data(), scales.data(), bounds.data(), peaks.data(), nullptr, 0, nullptr, nullptr})
         .run();
     double worst = 0.0;
     for (std::size_t x = 0; x < side; ++x) {

@@ -10,6 +10,7 @@ from scipy.special import j0
 
 from lommel import _core
 from lommel.methods.subpixel import gauss_pixel, pixel_error, pixel_nodes
+from rendering import rendered
 
 ROUNDOFF = 2.0**-53
 
@@ -140,25 +141,10 @@ def test_large_windows_take_few_radii_and_any_number_of_threads(integrate: bool,
 def test_the_largest_value_is_one_in_the_window() -> None:
     # Rings are padded; what pads them must not outshine the pixels.
     for step, row in ((0.4, 40.0), (3.0, -7.5)):
-        out = np.empty((1, 3, 2))
-        coefficients, scales = np.zeros((1, 2)), np.zeros(1)
-        bounds, peaks, none = np.empty(1), np.empty(1), np.empty((0, 1, 3, 2))
-        place = (row, row, step, True, 1e-3, 1)
-        unmet = _core.render_pixels(
-            coefficients,
-            0.0,
-            np.zeros(1),
-            *place,
-            out,
-            scales,
-            bounds,
-            peaks,
-            np.empty(0, np.int64),
-            none,
-            np.empty((0, 1)),
-        )
-        assert unmet == 0
-        assert out.max() == pytest.approx(1.0, abs=1e-15)
+        place = {"center": (row, row), "integrate": True}
+        made = rendered(np.zeros((1, 2)), 0.0, [0.0], (3, 2), step, 1e-3, divided=True, **place)
+        assert made.unmet == 0
+        assert made.images.max() == pytest.approx(1.0, abs=1e-15)
 
 
 def test_what_the_core_cannot_do_is_refused() -> None:

@@ -13,50 +13,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel import _core
-from lommel._core import (
-    bessel_sequence,
-    chebyshev_intensity,
-    closed_form_field,
-    collect,
-    distinct_radii,
-    gauss_error,
-    gauss_legendre,
-    huygens_sum,
-    legendre_transforms,
-    product,
-    scatter,
-    spread,
-)
 from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Images, Intensities, Slopes, Wanted, not_met
 
-__all__ = [
-    "DiskStack",
-    "PixelRadii",
-    "RadialStack",
-    "Window",
-    "bessel_sequence",
-    "chebyshev_intensity",
-    "chordal_images",
-    "closed_form_field",
-    "collect",
-    "distinct_radii",
-    "gauss_error",
-    "gauss_legendre",
-    "huygens_sum",
-    "legendre_transforms",
-    "pixel_radii",
-    "pixel_values",
-    "product",
-    "radial_fields",
-    "radial_images",
-    "radial_means",
-    "radial_profiles",
-    "scatter",
-    "series_images",
-    "spread",
-    "window_images",
-]
+# As the core has them.
+bessel_sequence = _core.bessel_sequence
+chebyshev_intensity = _core.chebyshev_intensity
+closed_form_field = _core.closed_form_field
+collect = _core.collect
+distinct_radii = _core.distinct_radii
+gauss_error = _core.gauss_error
+gauss_legendre = _core.gauss_legendre
+huygens_sum = _core.huygens_sum
+legendre_transforms = _core.legendre_transforms
+product = _core.product
+scatter = _core.scatter
+spread = _core.spread
 
 
 class RadialStack(NamedTuple):
@@ -104,11 +76,18 @@ class Window(NamedTuple):
     step: float
 
 
-def _places(count: int, shape: tuple[int, int], wanted: Wanted) -> tuple[NDArray[Any], Array, Array]:
-    """Return where the core writes: images, what they are multiplied by, and bounds on their error."""
+# No powers, and so no derivatives: for small images, to which such arrays would add a tenth.
+_NO_SLOPES: dict[Any, tuple[NDArray[np.int64], NDArray[Any], Array]] = {
+    kind: (np.empty(0, np.int64), np.empty((0, 0, 0, 0), kind), np.empty((0, 0))) for kind in (np.float32, np.float64)
+}
+
+
+def _places(count: int, window: Window, wanted: Wanted) -> tuple[NDArray[Any], Array, Array, Array]:
+    """Return where the core writes: images, what they are multiplied by, bounds on their error, and peaks."""
+    values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     scales = np.empty(count)
     scales.fill(0.0 if wanted.scale is None else wanted.scale)
-    return np.empty((count, *shape), wanted.dtype) if wanted.out is None else wanted.out, scales, np.empty(count)
+    return values, scales, np.empty(count), np.empty(count)
 
 
 def _require(unmet: float, tol: float, over: str) -> None:
@@ -116,8 +95,10 @@ def _require(unmet: float, tol: float, over: str) -> None:
         raise not_met(tol, unmet, over)
 
 
-def radial_images(stack: RadialStack, window: Window, tol: float, wanted: Wanted) -> Images:
-    """Return samples around an axis in the middle of pixel ``(height // 2, width // 2)``.
+def radial_images(
+    stack: RadialStack, window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
+) -> Images:
+    """Return samples around an axis anywhere, or averages over pixels.
 
     Parameters
     ----------
@@ -125,6 +106,8 @@ def radial_images(stack: RadialStack, window: Window, tol: float, wanted: Wanted
     tol : float
         Bound on the error over the peak of the PSF or, of values divided by their largest, over that.
     wanted : Wanted
+    integrate : bool, default False
+        Whether pixels average.
 
     Returns
     -------
@@ -135,31 +118,15 @@ def radial_images(stack: RadialStack, window: Window, tol: float, wanted: Wanted
     ToleranceError
         If `tol` cannot be met.
     """
-    places, threads = _places(len(stack.terms), window.shape, wanted), wanted.threads
-    slopes = None
-    if wanted.powers:
-        powers, slopes = _slopes(wanted, places[0])
-        unmet = _core.differentiate(*stack, window.step, tol, threads, *places, powers, *slopes)
-    else:
-        unmet = _core.render(*stack, window.step, tol, threads, *places)
-    _require(unmet, tol, "the peak")
-    return Images(*places, slopes)
-
-
-def window_images(stack: RadialStack, window: Window, tol: float, wanted: Wanted, *, integrate: bool) -> Images:
-    """Return averages over pixels, or samples around an axis anywhere; otherwise as :func:`radial_images`."""
-    places, peaks = _places(len(stack.terms), window.shape, wanted), np.empty(len(stack.terms))
-    powers, slopes = _slopes(wanted, places[0])
+    values, scales, bounds, peaks = places = _places(len(stack.terms), window, wanted)
+    written, n = _NO_SLOPES[values.dtype.type], len(wanted.powers)
+    if n:
+        powers = np.array(wanted.powers, dtype=np.int64)
+        written = powers, np.empty((n, *values.shape), values.dtype), np.empty((n, len(values)))
     given = (*stack, *window.center, window.step, integrate, tol, wanted.threads)
-    unmet = _core.render_pixels(*given, *places, peaks, powers, *slopes)
+    unmet = _core.render(*given, *places, *written)
     _require(unmet, tol, "the largest value in the window" if wanted.scale is None else "the peak")
-    return Images(*places, slopes if wanted.powers else None, peaks)
-
-
-def _slopes(wanted: Wanted, values: NDArray[Any]) -> tuple[NDArray[np.int64], Slopes]:
-    """Return the powers that derivatives are wanted by, and where the core writes these."""
-    powers = np.array(wanted.powers, dtype=np.int64)
-    return powers, Slopes(np.empty((len(powers), *values.shape), values.dtype), np.empty((len(powers), len(values))))
+    return Images(values, scales, bounds, Slopes(*written[1:]) if n else None, peaks)
 
 
 def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
@@ -175,10 +142,10 @@ def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted)
 def _disk_images(
     compute: Callable[..., float], over: str, stack: DiskStack, window: Window, tol: float, wanted: Wanted
 ) -> Images:
-    places, peaks = _places(len(stack.edge), window.shape, wanted), np.empty(len(stack.edge))
-    unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places, peaks)
+    values, scales, bounds, peaks = places = _places(len(stack.edge), window, wanted)
+    unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places)
     _require(unmet, tol, over)
-    return Images(*places, None, peaks)
+    return Images(values, scales, bounds, None, peaks)
 
 
 def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:
@@ -186,7 +153,7 @@ def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:
     return FieldValues(*_core.field(*stack, v, tol))
 
 
-def radial_profiles(stack: RadialStack, v: Array, tol: float) -> Intensities:
+def radial_profiles(stack: RadialStack, v: Array, tol: float, threads: int = 1) -> Intensities:
     """Return I at rising v, within `tol` of the peak.
 
     Raises
@@ -194,21 +161,9 @@ def radial_profiles(stack: RadialStack, v: Array, tol: float) -> Intensities:
     ToleranceError
         If `tol` cannot be met.
     """
-    values, bounds, peaks = _core.profile(*stack, v, tol)
-    _require_all(bounds, tol)
+    values, bounds, peaks = _core.profile(*stack, v, tol, threads)
+    _require(-min(float(bounds.min()), 0.0), tol, "the peak")
     return Intensities(values, bounds, peaks)
-
-
-def radial_means(stack: RadialStack, v: Array, tol: float, matrix: Array, threads: int = 0) -> Array:
-    """Return ``I(v) @ matrix``, shape ``(n, sums)``, I as of :func:`radial_profiles`."""
-    sums, bounds = _core.means(*stack, v, tol, matrix, threads)
-    _require_all(bounds, tol)
-    return sums
-
-
-def _require_all(bounds: Array, tol: float) -> None:
-    if bounds.min() < 0.0:
-        raise not_met(tol, float(-bounds.min()), "the peak")
 
 
 class PixelRadii(NamedTuple):

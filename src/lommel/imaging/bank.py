@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.imaging.defocus_nodes import DefocusNodes, Parabola
-from lommel.imaging.pixel_rule import PixelRule, pixel_rule
+from lommel.imaging.pixel_rule import pixel_rule, quarters, sums_of_windows
 from lommel.methods.choice import of_profiles
 from lommel.optics.pupil import Pupil
 from lommel.optics.spectrum import in_light
@@ -118,9 +118,56 @@ class Bank:
         weights = [math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)]
         away = np.abs(np.arange(-self.half, self.half + 1))
         mixed = np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1)
-        half = np.interp(position, np.arange(self.count), self.halves)
-        energy = weights @ _held(self.energies[first : first + 4], np.full(4, half))
-        return np.asarray(mixed[away[:, None], away] * self.used(defocus) / energy)
+        made = mixed[away[:, None], away] * self.used(defocus)
+        return np.asarray(made / made.sum())
+
+
+@dataclass(frozen=True)
+class _Channel:
+    """The light of a point on the pixels of a sensor, at any defocus: what :func:`build_bank` is given of it."""
+
+    pupil: Pupil
+    phase: Callable[[NDArray[np.float64]], Wavefront]
+    spectrum: Sequence[tuple[float, float]]
+    pixel: float
+    threads: int
+
+    def defocused(self, defocus: NDArray[np.float64]) -> Pupil:
+        """Return the pupil at each defocus."""
+        return self.pupil.carrying(self.phase(defocus) + self.pupil.wavefront, None)
+
+    def shares(self, defocus: NDArray[np.float64], half: int) -> NDArray[np.float64]:
+        """Return the share of the light of a point in each pixel of the octant, shape ``(n, cells)``."""
+        total: Any = 0.0
+        for wavelength, weight in self.spectrum:
+            there = in_light(self.defocused(defocus), wavelength)
+            step = math.pi * self.pixel / there.scale
+            rule = pixel_rule(half, step)
+            share = weight * step**2 / (4.0 * math.pi * there.transmission)
+            total += share * _METHOD.means(there, step * rule.radii, rule.matrix, self.threads)
+        return np.asarray(total)
+
+    def enough(self, defocus: tuple[float, float], energy: float, largest: int) -> tuple[int, Parabola]:
+        """Return half of a window that holds `energy` of the light at both ends of the range and in its middle.
+
+        And what is nearly 1 over the peaks.
+        """
+        ends = np.linspace(*defocus, 3)
+        blur = self.defocused(ends).geometric_radius().max()
+        half = math.ceil(float(blur) / self.pixel) + 1
+        while True:
+            if half > largest:
+                raise ValueError(
+                    f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of "
+                    f"the light; stop down, allow larger windows (largest={half} or more), or ask for less of it "
+                    "(energy=)"
+                )
+            shares = self.shares(ends, half)
+            sums = sums_of_windows(shares, half)
+            if sums[:, -1].min() >= energy:
+                half = int((sums >= energy).argmax(axis=1).max()) + 1
+                return half, Parabola.through(ends, shares.max(axis=1))
+            half = math.ceil(1.3 * half) + 1
 
 
 def build_bank(
@@ -173,7 +220,8 @@ def build_bank(
         If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
     """
     low, high = defocus
-    half, parabola = _enough(pupil, phase, spectrum, pixel, defocus, energy, largest, threads)
+    channel = _Channel(pupil, phase, spectrum, pixel, threads)
+    half, parabola = channel.enough(defocus, energy, largest)
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / 6.0, 0.05)
     start = low - spacing
@@ -182,7 +230,7 @@ def build_bank(
     shortest = min(wavelength for wavelength, _ in spectrum)
     per_radian = pupil.wavelength / shortest
     at = DefocusNodes.of(
-        lambda nodes: _means(pupil, phase, spectrum, pixel, nodes, half, threads)[1],
+        lambda nodes: channel.shares(nodes, half),
         start,
         start + gaps * spacing,
         parabola,
@@ -210,49 +258,35 @@ def build_bank(
     first = max(0, math.floor((low - start) / spacing) - 1)
     last = min(len(exact), math.ceil((high - start) / spacing) + 3)
     first = max(0, min(first, last - 4))
-    rule = _means(pupil, phase, spectrum, pixel, np.empty(0), half, threads)[0]
-    return _packed(rule, exact[first:last], start + first * spacing, spacing, error, energy, dtype)
-
-
-def _packed(
-    rule: PixelRule,
-    exact: NDArray[np.float64],
-    start: float,
-    spacing: float,
-    error: float,
-    energy: float,
-    dtype: DTypeLike,
-) -> Bank:
-    """Cut the windows to what holds `energy`, and leave the compiled core the room it needs."""
-    sums = rule.sums(exact)
+    exact = exact[first:last]
+    # The windows are cut to what holds `energy`, and leave the compiled core the room it needs.
+    sums = sums_of_windows(exact, half)
     enough = np.pad(_enough_of(sums, energy + 1e-12), 1, mode="edge")  # rounding is not to leave less
     # Those on either side count, so that what is interpolated holds enough as well.
     halves = np.maximum(np.maximum(enough[:-2], enough[2:]), enough[1:-1])
     used = math.ceil(halves.max())
     windows = _at_cache_lines((len(exact) + 1, used + 1, (used // 16 + 1) * 16), np.dtype(dtype))
-    windows[:-1, :, : used + 1] = rule.quarter(exact.astype(dtype), used)
+    windows[:-1, :, : used + 1] = quarters(exact.astype(dtype), used)
     kept = np.ascontiguousarray(sums[:, : used + 1])
     # Half-way between windows the sums and the half widths are what the core makes of them.
     between = (9.0 * (kept[1:-2] + kept[2:-1]) - kept[:-3] - kept[3:]) / 16.0
-    held = min(_held(kept, halves).min(), _held(between, 0.5 * (halves[1:-2] + halves[2:-1])).min())
-    return Bank(start, spacing, windows, halves, kept, float(1.0 - held), error)
+    held = min(_held(kept, halves), _held(between, 0.5 * (halves[1:-2] + halves[2:-1])))
+    return Bank(start + first * spacing, spacing, windows, halves, kept, 1.0 - held, error)
 
 
-def _held(sums: NDArray[np.float64], halves: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the sum of so much of each window, from the sums up to whole distances."""
-    outer = np.ceil(halves).astype(np.int64)
-    rows = np.arange(len(sums))
-    rim = halves + 1.0 - outer
-    return np.asarray(rim * sums[rows, outer] + (1.0 - rim) * sums[rows, np.maximum(outer - 1, 0)])
+def _held(sums: NDArray[np.float64], halves: NDArray[np.float64]) -> float:
+    """Return the least that so much of a window holds, from the sums up to whole distances."""
+    rows, outer = np.arange(len(sums)), np.ceil(halves).astype(np.int64)
+    ring = sums[rows, outer] - sums[rows, outer - 1]
+    return float((sums[rows, outer] - (outer - halves) * ring).min())
 
 
 def _enough_of(sums: NDArray[np.float64], energy: float) -> NDArray[np.float64]:
     """Return the half width of each window that holds `energy`, or all of it where it holds less."""
-    outer = np.where(sums[:, -1] >= energy, (sums >= energy).argmax(axis=1), sums.shape[1] - 1)
-    rows, inner = np.arange(len(sums)), np.maximum(outer - 1, 0)
-    ring = sums[rows, outer] - sums[rows, inner]
-    share = np.divide(energy - sums[rows, inner], ring, out=np.ones(len(sums)), where=ring > 0.0)
-    return np.asarray(inner + np.where(outer > 0, np.clip(share, 0.0, 1.0), 0.0))
+    asked = np.minimum(energy, sums[:, -1])
+    rows, outer = np.arange(len(sums)), (sums >= asked[:, None]).argmax(axis=1)
+    ring = sums[rows, outer] - sums[rows, outer - 1]
+    return np.asarray(outer - np.divide(sums[rows, outer] - asked, ring, out=np.zeros(len(sums)), where=outer > 0))
 
 
 def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
@@ -261,60 +295,6 @@ def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any
     room = np.zeros(size + 64, dtype=np.uint8)
     first = -room.ctypes.data % 64
     return room[first : first + size].view(dtype).reshape(shape)
-
-
-def _enough(
-    pupil: Pupil,
-    phase: Callable[[NDArray[np.float64]], Wavefront],
-    spectrum: Sequence[tuple[float, float]],
-    pixel: float,
-    defocus: tuple[float, float],
-    energy: float,
-    largest: int,
-    threads: int,
-) -> tuple[int, Parabola]:
-    """Return half of a window that holds `energy` of the light at both ends of the range and in its middle.
-
-    And what is nearly 1 over the peaks.
-    """
-    ends = np.array([defocus[0], 0.5 * (defocus[0] + defocus[1]), defocus[1]])
-    blur = pupil.carrying(phase(ends) + pupil.wavefront, None).geometric_radius().max()
-    half = math.ceil(float(blur) / pixel) + 1
-    while True:
-        if half > largest:
-            raise ValueError(
-                f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the "
-                f"light; stop down, allow larger windows (largest={half} or more), or ask for less of it (energy=)"
-            )
-        rule, means = _means(pupil, phase, spectrum, pixel, ends, half, threads)
-        sums = rule.sums(means)
-        if sums[:, -1].min() >= energy:
-            half = int(max((row >= energy).argmax() for row in sums)) + 1
-            return half, Parabola.through(ends, means.max(axis=1))
-        half = math.ceil(1.3 * half) + 1
-
-
-def _means(
-    pupil: Pupil,
-    phase: Callable[[NDArray[np.float64]], Wavefront],
-    spectrum: Sequence[tuple[float, float]],
-    pixel: float,
-    defocus: NDArray[np.float64],
-    half: int,
-    threads: int,
-) -> tuple[PixelRule, NDArray[np.float64]]:
-    """Return the share of the light of a point in each pixel of the octant, shape ``(n, cells)``, and its rule."""
-    assert pupil.wavelength is not None
-    total: Any = 0.0
-    for wavelength, weight in spectrum:
-        step = math.pi * pixel * pupil.wavelength / (wavelength * pupil.scale)
-        rule = pixel_rule(half, step)
-        if defocus.size == 0:
-            break
-        there = in_light(pupil.carrying(phase(defocus) + pupil.wavefront, None), wavelength)
-        share = weight * step**2 / (4.0 * math.pi * there.transmission)
-        total += share * _METHOD.means(there, step * rule.radii, rule.matrix, threads)
-    return rule, total
 
 
 def _interpolation_error(exact: NDArray[np.float64], middle: NDArray[np.float64]) -> float:

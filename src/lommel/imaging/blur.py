@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
+
+_Given = tuple[NDArray[Any], Array, Array, Array, NDArray[np.int64], NDArray[np.int64]]
 
 
 @shares(BlurKeywords, Settings)
@@ -146,14 +149,10 @@ class DepthBlur:
         TypeError, ValueError
             If `image` is not finite light of the shape of the depth, or `weight` does not fit.
         """
-        planes = self._planes(image)
-        out = np.empty(planes.shape, dtype=self.dtype)
-        for channel, bank in enumerate(self.banks):
-            rows, columns, (down, right) = self._larger(bank)
-            room = np.zeros((rows.size + 2 * bank.beyond[0], columns.size + 2 * bank.beyond[1]), dtype=self.dtype)
-            where = self._positions(channel, weight), rows, columns
-            engine.spread(bank.windows, bank.halves, bank.energies, *where, planes[..., channel], self.threads, room)
-            out[..., channel] = room[down : down + self.shape[0], right : right + self.shape[1]]
+        out = np.empty((*self.shape, len(self.banks)), dtype=self.dtype)
+        for channel, (plane, room, inside, given) in enumerate(self._parts(image, weight)):
+            engine.spread(*given, plane, self.threads, room)
+            out[..., channel] = inside
         return out.reshape(image.shape)
 
     def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -176,15 +175,12 @@ class DepthBlur:
         TypeError, ValueError
             As :meth:`forward`.
         """
-        planes = self._planes(image)
-        out = np.empty(planes.shape, dtype=self.dtype)
-        for channel, bank in enumerate(self.banks):
-            rows, columns, (down, right) = self._larger(bank)
-            room = np.zeros((rows.size + 2 * bank.beyond[0], columns.size + 2 * bank.beyond[1]), dtype=self.dtype)
-            room[down : down + self.shape[0], right : right + self.shape[1]] = planes[..., channel]
+        out = np.empty((*self.shape, len(self.banks)), dtype=self.dtype)
+        for channel, (plane, room, inside, given) in enumerate(self._parts(image, weight)):
+            inside[:] = plane
+            *_, rows, columns = given
             taken = np.empty((rows.size, columns.size), dtype=self.dtype)
-            where = self._positions(channel, weight), rows, columns
-            engine.collect(bank.windows, bank.halves, bank.energies, *where, room, self.threads, taken)
+            engine.collect(*given, room, self.threads, taken)
             # What points beyond the edges took goes to those that they are copies of.
             out[..., channel] = _folded(_folded(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
         return out.reshape(image.shape)
@@ -211,17 +207,25 @@ class DepthBlur:
         if not np.all(np.isfinite(array)):
             raise ValueError(f"image must be finite, got {array[~np.isfinite(array)].flat[0]}")
 
-    def _planes(self, image: NDArray[Any]) -> NDArray[Any]:
+    def _parts(
+        self, image: NDArray[Any], weight: NDArray[Any] | None
+    ) -> Iterator[tuple[NDArray[Any], NDArray[Any], NDArray[Any], _Given]]:
+        """Yield for each channel its plane, the room that windows spread over, the image in that, and what spreads.
+
+        That is the bank, where points are in it, and the rows and columns of the image with its border.
+        """
         self.require(image)
         array = np.require(np.asarray(image), self.dtype, "A")  # without a mask, as require has seen
-        return array.reshape(*self.shape, len(self.banks))
-
-    def _larger(self, bank: Bank) -> tuple[NDArray[np.int64], NDArray[np.int64], tuple[int, int]]:
-        """Return the rows and columns of the image with its border, and where it begins in what they spread over."""
-        margin = 0 if self.border == "zero" else bank.half
+        planes = array.reshape(*self.shape, len(self.banks))
         mode: Any = "symmetric" if self.border == "reflect" else "edge"
-        rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode=mode) for side in self.shape)
-        return rows, columns, (margin + bank.beyond[0], margin + bank.beyond[1])
+        for channel, bank in enumerate(self.banks):
+            margin = 0 if self.border == "zero" else bank.half
+            rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode=mode) for side in self.shape)
+            down, right = bank.beyond
+            room = np.zeros((rows.size + 2 * down, columns.size + 2 * right), dtype=self.dtype)
+            inside = room[margin + down :, margin + right :][: self.shape[0], : self.shape[1]]
+            where = self._positions(channel, weight), rows, columns
+            yield planes[..., channel], room, inside, (bank.windows, bank.halves, bank.energies, *where)
 
     def _positions(self, channel: int, weight: NDArray[Any] | None) -> NDArray[np.float64]:
         """Return where each point is in the bank of a channel, below 0 for those left out."""

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,78 +13,76 @@ from numpy.typing import NDArray
 from lommel.special.legendre import gauss_legendre
 
 
-@dataclass(frozen=True)
-class PixelRule:
+class PixelRule(NamedTuple):
     """A rule for the mean of I over each pixel of a centred window of odd side.
 
-    ``mean = I(step * radii) @ matrix`` gives one value for each pixel of the octant, in the sequence of `cells`;
-    :meth:`unfold` makes windows of them.
+    ``mean = I(step * radii) @ matrix`` gives one value for each pixel of the octant; see :func:`octant`.
 
     Attributes
     ----------
     radii : ndarray, shape (n,)
         Where I must be known, rising, in pixels.
     matrix : ndarray, shape (n, cells)
-    cells : ndarray of int, shape (cells, 2)
-        Column and row, 0 <= row <= column, from the middle pixel.
     """
 
     radii: NDArray[np.float64]
     matrix: NDArray[np.float64]
-    cells: NDArray[np.int64]
 
-    def sums(self, means: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the sum over 0, 1, 2, ... pixels from the middle, shape ``(n, half + 1)`` from ``(n, cells)``.
 
-        Parameters
-        ----------
-        means : ndarray, shape (n, cells)
-            Of the pixels of the octant.
+def octant(half: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return column and row, 0 <= row <= column, of the pixels of an octant; those of a smaller window come first.
 
-        Returns
-        -------
-        ndarray
-        """
-        column, row = self.cells.T
-        # How many pixels of the window a cell stands for.
-        alike = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
-        starts = np.flatnonzero(row == 0)
-        return np.asarray(np.cumsum(np.add.reduceat(means * alike, starts, axis=1), axis=1))
+    Parameters
+    ----------
+    half : int
+        Pixels from the middle one to the edge.
 
-    def quarter(self, means: NDArray[Any], half: int) -> NDArray[Any]:
-        """Return the pixels of windows from the middle row and column on, shape ``(n, half + 1, half + 1)``.
+    Returns
+    -------
+    column, row : ndarray of int, shape (cells,)
+        From the middle pixel.
+    """
+    return np.tril_indices(half + 1)
 
-        Parameters
-        ----------
-        means : ndarray, shape (n, cells)
-            Of the pixels of the octant.
-        half : int
-            At most that of the rule.
 
-        Returns
-        -------
-        ndarray
-        """
-        octant = np.zeros((half + 1, half + 1), dtype=np.int64)
-        inside = self.cells[:, 0] <= half
-        x, y = self.cells[inside].T
-        octant[y, x] = octant[x, y] = np.flatnonzero(inside)
-        return np.asarray(means[:, octant])
+def sums_of_windows(means: NDArray[np.float64], half: int) -> NDArray[np.float64]:
+    """Return the sum over 0, 1, 2, ... pixels from the middle, shape ``(n, half + 1)`` from ``(n, cells)``.
 
-    def unfold(self, means: NDArray[Any], half: int) -> NDArray[Any]:
-        """Return windows of ``2 half + 1`` pixels a side, shape ``(n, side, side)``.
+    Parameters
+    ----------
+    means : ndarray, shape (n, cells)
+        Of the pixels of the octant.
+    half : int
+        Pixels from the middle one to the edge.
 
-        Parameters
-        ----------
-        means, half
-            As of :meth:`quarter`.
+    Returns
+    -------
+    ndarray
+    """
+    column, row = octant(half)
+    # How many pixels of the window a cell stands for.
+    alike = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
+    return np.asarray(np.cumsum(np.add.reduceat(means * alike, np.flatnonzero(row == 0), axis=1), axis=1))
 
-        Returns
-        -------
-        ndarray
-        """
-        distance = np.abs(np.arange(-half, half + 1))
-        return self.quarter(means, half)[:, distance[:, None], distance]
+
+def quarters(means: NDArray[Any], half: int) -> NDArray[Any]:
+    """Return the pixels of windows from the middle row and column on, shape ``(n, half + 1, half + 1)``.
+
+    Parameters
+    ----------
+    means : ndarray, shape (n, cells)
+        Of the pixels of the octant.
+    half : int
+        At most that of the octant.
+
+    Returns
+    -------
+    ndarray
+    """
+    column, row = octant(half)
+    cell = np.empty((half + 1, half + 1), dtype=np.int64)
+    cell[row, column] = cell[column, row] = np.arange(row.size)
+    return np.asarray(means[:, cell])
 
 
 def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:
@@ -120,21 +117,17 @@ def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:
 @lru_cache(maxsize=16)
 def _rule(half: int, eighths: int, margin: int) -> PixelRule:
     step = 2.0 ** (eighths / 8.0)
-    nodes, weights, counts, cells = [], [], [], []
-    for column in range(half + 1):
-        for row in range(column + 1):
-            cells.append((column, row))
-            # Pixels on an axis are cut in half there, the middle one in four.
-            x0, y0 = max(0.0, column - 0.5), max(0.0, row - 0.5)
-            x1, y1 = column + 0.5, row + 0.5
-            share = (2.0 if column == 0 else 1.0) * (2.0 if row == 0 else 1.0)
-            count = 0
-            for r, w in _cell(x0, x1, y0, y1, step, margin):
-                nodes.append(r)
-                weights.append(share * w)
-                count += r.size
-            counts.append(count)
-    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    nodes, weights, counts = [], [], []
+    for column, row in zip(*octant(half), strict=True):
+        # Pixels on an axis are cut in half there, the middle one in four.
+        x0, y0 = max(0.0, column - 0.5), max(0.0, row - 0.5)
+        x1, y1 = column + 0.5, row + 0.5
+        share = (2.0 if column == 0 else 1.0) * (2.0 if row == 0 else 1.0)
+        r, w = _cell(x0, x1, y0, y1, step, margin)
+        nodes.append(r)
+        weights.append(share * w)
+        counts.append(r.size)
+    starts = np.cumsum([0, *counts[:-1]])
     reach = math.sqrt(2.0) * (half + 0.5)
     # The coefficients of exp(i phase x) are Bessel functions of the phase, which vanish soon beyond it.
     phase = 2.0 * step * reach
@@ -145,7 +138,7 @@ def _rule(half: int, eighths: int, margin: int) -> PixelRule:
     at = (np.arange(count, dtype=np.float64)[::-1] + 0.5) * (0.5 * math.pi / count)
     transform = np.cos(2.0 * np.outer(at, np.arange(count))) * (2.0 / count)
     transform[:, 0] *= 0.5
-    return PixelRule(reach * np.cos(at), transform @ moments, np.array(cells, dtype=np.int64))
+    return PixelRule(reach * np.cos(at), transform @ moments)
 
 
 def _moments(
@@ -162,10 +155,10 @@ def _moments(
 
 def _cell(
     x0: float, x1: float, y0: float, y1: float, step: float, margin: int
-) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return radii (in pixels) and weights for the integral over [x0, x1] x [y0, y1], 0 <= y0 <= x0."""
     corners = [math.hypot(x0, y0), math.hypot(x0, y1), math.hypot(x1, y0), math.hypot(x1, y1)]
-    parts = []
+    radii, weights = [], []
     for i, (low, high) in enumerate(pairwise(corners)):
         if high - low < 1e-12 * high:
             continue
@@ -177,5 +170,6 @@ def _cell(
         inverse = 1.0 / r
         first = np.arcsin(np.minimum(1.0, y0 * inverse)) if i < 2 else np.arccos(np.minimum(1.0, x1 * inverse))
         last = np.arccos(np.minimum(1.0, x0 * inverse)) if i < 1 else np.arcsin(np.minimum(1.0, y1 * inverse))
-        parts.append((r, w * u * np.maximum(0.0, last - first)))
-    return parts
+        radii.append(r)
+        weights.append(w * u * np.maximum(0.0, last - first))
+    return np.concatenate(radii), np.concatenate(weights)

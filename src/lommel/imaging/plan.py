@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.encoding import to_light
+from lommel.base.encoding import clipped_share, from_light, to_light
 from lommel.base.options import shares
 from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.layers import occlude
@@ -165,7 +165,8 @@ class FocusPlan:
             self._check(out)
         blur = self.blur(focus_distance=focus_distance, f_number=f_number)
         seen = occlude(blur, self._light) if self.settings.occlusion else blur.forward(self._light)
-        made = photograph(seen, blur, self._encoding, self.dtype)
+        values = from_light(seen, self._encoding, self.dtype)
+        made = photograph(values, blur, clipped_share(seen, self.dtype))
         if out is None:
             return made
         np.copyto(out, made.values)

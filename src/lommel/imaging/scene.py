@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.encoding import clipped_share, from_light
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.settings import MISSING
 
@@ -43,15 +42,10 @@ class Photograph:
         return np.array(self.values, dtype=dtype, copy=copy)
 
 
-def photograph(seen: NDArray[Any], blur: DepthBlur, encoding: str, dtype: DTypeLike) -> Photograph:
-    """Return light as a photograph of `dtype`, with what is known of its error."""
-    return Photograph(
-        from_light(seen, encoding, dtype),
-        blur.lost,
-        max(bank.error for bank in blur.banks),
-        2 * max(bank.half for bank in blur.banks) + 1,
-        clipped_share(seen, dtype),
-    )
+def photograph(values: NDArray[Any], blur: DepthBlur, clipped: float) -> Photograph:
+    """Return values as a photograph, with what is known of their error and the share that was clipped."""
+    half = max(bank.half for bank in blur.banks)
+    return Photograph(values, blur.lost, max(bank.error for bank in blur.banks), 2 * half + 1, clipped)
 
 
 def fill_missing(depth: ArrayLike, missing: str) -> NDArray[Any]:

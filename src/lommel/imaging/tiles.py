@@ -13,7 +13,7 @@ from lommel.base import validation
 from lommel.base.encoding import clipped_share, from_light, to_light
 from lommel.base.options import shares
 from lommel.imaging.blur import DepthBlur, require_lens
-from lommel.imaging.scene import Photograph, fill_missing
+from lommel.imaging.scene import Photograph, fill_missing, photograph
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
 
@@ -93,8 +93,7 @@ class TileBlur:
 
     def photograph(self, values: NDArray[Any], clipped: float) -> Photograph:
         """Return values as a photograph, with what is known of their error and the share that was clipped."""
-        errors = [bank.error for bank in self._whole.banks]
-        return Photograph(values, self._whole.lost, max(errors), 2 * self.overlap + 1, clipped)
+        return photograph(values, self._whole, clipped)
 
 
 @shares(Keywords, Settings, occlusion=False)
@@ -193,8 +192,6 @@ def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, flo
     TypeError, ValueError
         If a distance is not a number above 0, or missing where none may be.
     """
-    if depth.ndim != 2 or 0 in depth.shape:
-        raise ValueError(f"depth must have the shape (height, width), got {depth.shape}")
     if depth.dtype.kind not in "iuf":
         raise TypeError(f"depth must hold metres, got {depth.dtype}")
     rows = max(1, _STRIP // depth.shape[1])

@@ -82,7 +82,7 @@ def averaged_images(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted
     scales = 1.0 / tops if wanted.scale is None else np.full(len(tops), wanted.scale)
     values = np.empty(made.values.shape, wanted.dtype) if wanted.out is None else wanted.out
     np.multiply(made.values, scales[:, None, None], out=values, casting="same_kind")
-    return Images(values, scales, made.error)
+    return Images(values, scales, made.error, None, made.peak)
 
 
 def least_average(step: float) -> float:

@@ -8,9 +8,8 @@ from typing import ClassVar
 from lommel.base import validation
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import chordal_images
-from lommel.methods.averaging import Sample, averaged, averaged_images
 from lommel.methods.method import Method
-from lommel.methods.terms import disk_stack, window_of
+from lommel.methods.terms import disk_images
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
@@ -64,26 +63,13 @@ class ChordalGauss(Method):
     def __post_init__(self) -> None:
         object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
-    def unsupported(self, pupil: Pupil) -> str | None:
-        """Return None: every pupil is supported."""
-        return None
-
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``, with its bound."""
-        sample = self._sample(threads)
-        if grid.integrate:
-            return averaged(sample, pupil, grid, self.tol, normalize=False)
-        made = sample(pupil, grid, self.tol)
+        made = self.images(pupil, grid, Wanted(threads=threads))
         return Intensities(made.values, made.error, made.peak)
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
         if wanted.powers:
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
-        if grid.integrate:
-            return averaged_images(self._sample(wanted.threads), pupil, grid, self.tol, wanted)
-        return chordal_images(disk_stack(pupil), window_of(pupil, grid), self.tol, wanted)
-
-    def _sample(self, threads: int) -> Sample:
-        wanted = Wanted(threads=threads)
-        return lambda pupil, grid, tol: chordal_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)
+        return disk_images(chordal_images, pupil, grid, self.tol, wanted)

@@ -188,14 +188,7 @@ class ClosedForm(FieldMethod):
         inner = (-0.25 * (v * split) ** 2) ** m / factorials**2 * moments
         outer = np.zeros((3, v.size), dtype=np.complex128)
         beyond = split < 1.0
-        beta, low = v[beyond], split[beyond]
-        a, b = tangent_line(self.tangent)
-        for sign in (1.0, -1.0):
-            moments = chirp_moments(alpha, sign * beta, low, 1.0, erf=self.erf)
-            half = 0.5 * np.exp(-0.25j * sign * math.pi)
-            outer[:, beyond] += half * np.stack([a * beta * moments[2], b * moments[1], moments[0] / beta])
-        if self.variant == "corrected":
-            outer *= math.sqrt(2.0 / math.pi)
+        outer[:, beyond] = self._beyond(v[beyond], alpha, 0.0, split[beyond], 1.0)
         return np.concatenate([inner, outer])
 
     def _disk(self, coefficients: NDArray[np.float64], v: NDArray[np.float64]) -> FieldValues:
@@ -212,8 +205,6 @@ class ClosedForm(FieldMethod):
         """Return the sum of all integrals over segments with phases alpha R^2 + beta R + gamma (Eq. 17)."""
         with np.errstate(divide="ignore", over="ignore"):
             split = np.minimum(self.transition / v, 1.0)
-        a, b = tangent_line(self.tangent)
-        factor = math.sqrt(2.0 / math.pi) if self.variant == "corrected" else 1.0
         total = np.zeros(v.size, dtype=np.complex128)
         for i, (low, high) in enumerate(pairwise(pieces.edges.tolist())):
             alpha, beta = float(pieces.alpha[i]), float(pieces.beta[i])
@@ -223,13 +214,21 @@ class ClosedForm(FieldMethod):
                 part[inside] = self._within(v[inside], alpha, beta, low, np.minimum(split[inside], high))
             beyond = split < high
             if np.any(beyond):
-                at, start = v[beyond], np.maximum(split[beyond], low)
-                for sign in (1.0, -1.0):
-                    m = chirp_moments(alpha, beta + sign * at, start, high, erf=self.erf)
-                    half = 0.5 * factor * np.exp(-0.25j * sign * math.pi)
-                    part[beyond] += half * (a * at * m[2] + b * m[1] + m[0] / at)
+                start = np.maximum(split[beyond], low)
+                part[beyond] += self._beyond(v[beyond], alpha, beta, start, high).sum(axis=0)
             total += np.exp(1j * pieces.gamma[i]) * part
         return total
+
+    def _beyond(
+        self, v: NDArray[np.float64], alpha: float, beta: float, low: NDArray[np.float64], high: float
+    ) -> NDArray[np.complex128]:
+        """Return the integrals of the asymptotic form (Eq. 7) with the tangent line (Eq. 9), in three parts."""
+        a, b = tangent_line(self.tangent)
+        parts = np.zeros((3, v.size), dtype=np.complex128)
+        for sign in (1.0, -1.0):
+            m = chirp_moments(alpha, beta + sign * v, low, high, erf=self.erf)
+            parts += 0.5 * np.exp(-0.25j * sign * math.pi) * np.stack([a * v * m[2], b * m[1], m[0] / v])
+        return parts * math.sqrt(2.0 / math.pi) if self.variant == "corrected" else parts
 
     def _within(
         self, v: NDArray[np.float64], alpha: float, beta: float, low: float, high: NDArray[np.float64]

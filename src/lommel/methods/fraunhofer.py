@@ -12,12 +12,11 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.core.answers import Intensities
 from lommel.methods.method import Method
-from lommel.methods.sampling import blur_and_window, illuminated, transmission
+from lommel.methods.sampling import MAX_SAMPLES, pupil_functions, require_samples
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
 _MAX_SIDE = 16384
-_MAX_SAMPLES = 8192
 
 
 @dataclass(frozen=True)
@@ -58,13 +57,9 @@ class Fraunhofer(Method):
     edge: str = "binary"
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=8, most=_MAX_SAMPLES))
+        object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=8, most=MAX_SAMPLES))
         object.__setattr__(self, "padding", validation.real("padding", self.padding, least=1.0))
         validation.choice("edge", self.edge, ("binary", "grey"))
-
-    def unsupported(self, pupil: Pupil) -> str | None:
-        """Return None: every pupil is supported."""
-        return None
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
@@ -77,21 +72,17 @@ class Fraunhofer(Method):
         stride, side, spacing = self._layout(pupil, grid)
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
-        rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
-        mask = illuminated(pupil, x, transmission(pupil, x, 0.5 * spacing, self.edge))
         # An axis off the default place is a tilt of the pupil.
         away = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.center)
         tilt = np.exp(-1j * (away[0] * x[:, None] + away[1] * x))
         place = np.arange(-count, count + 1) % side
         rows = stride * (np.arange(grid.height) - grid.height // 2) % side
         columns = stride * (np.arange(grid.width) - grid.width // 2) % side
-        wavefronts = pupil.wavefront.flattened()
-        out = np.empty((wavefronts.shape[0], *grid.shape))
-        for i, image in enumerate(out):
-            phase = wavefronts[i].phase(rho, theta)
+        out = np.empty((math.prod(pupil.shape), *grid.shape))
+        for image, given in zip(out, pupil_functions(pupil, x, 0.5 * spacing, self.edge), strict=True):
             padded = np.zeros((side, side), dtype=np.complex128)
             # Added, not assigned: without padding the first and the last samples share a place.
-            np.add.at(padded, np.ix_(place, place), mask * np.exp(1j * phase) * tilt)
+            np.add.at(padded, np.ix_(place, place), given * tilt)
             field = _fft2(padded) if grid.integrate else _fft2(padded)[np.ix_(rows, columns)]
             intensity = (spacing**2 / math.pi) ** 2 * (field.real**2 + field.imag**2)
             image[:] = _averaged(intensity, stride)[np.ix_(rows, columns)] if grid.integrate else intensity
@@ -106,16 +97,7 @@ class Fraunhofer(Method):
         padding = max(self.padding, 2.0) if grid.integrate else self.padding
         stride = max(1, math.ceil(padding * step / math.pi - 1e-9))
         per_diameter = stride * math.pi / step  # FFT length over pupil samples that makes the pitches fit
-        # Light from +-blur must not come back at the other side of the window.
-        blur, window = blur_and_window(pupil, grid)
-        needed = math.ceil((blur + window) / math.pi)
-        if needed > self.samples:
-            where = f"the geometric blur (v = {blur:.4g}) and the window (v = {window:.4g})"
-            if needed > _MAX_SAMPLES:
-                raise ValueError(f"Fraunhofer would alias: {where} need {needed:.3g} samples, over {_MAX_SAMPLES}")
-            raise ValueError(
-                f"Fraunhofer(samples={self.samples}) would alias: {where} need at least samples={needed}"
-            )
+        require_samples(self, self.samples, pupil, grid)
         wanted = max(self.samples * per_diameter, stride * max(grid.shape))
         if wanted > _MAX_SIDE:
             raise ValueError(

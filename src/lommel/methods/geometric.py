@@ -45,10 +45,6 @@ class Geometric(Method):
     def __post_init__(self) -> None:
         object.__setattr__(self, "rings", validation.integer("rings", self.rings, least=1, most=64))
 
-    def unsupported(self, pupil: Pupil) -> str | None:
-        """Return None: every pupil is supported."""
-        return None
-
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I averaged over pixels, shape ``(n, height, width)``."""
         step = grid.step(pupil)

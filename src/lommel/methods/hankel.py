@@ -50,10 +50,6 @@ class Hankel(FieldMethod):
     def __post_init__(self) -> None:
         object.__setattr__(self, "tol", validation.real("tol", self.tol, least=1e-15, below=1e-2))
 
-    def unsupported(self, pupil: Pupil) -> str | None:
-        """Return None: every pupil is supported."""
-        return None
-
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v, with the bound of the quadrature and an estimate of the rounding."""
         from scipy.special import j0

@@ -81,11 +81,8 @@ def _from_u(u: float, u1: NDArray[np.float64], u2: NDArray[np.float64]) -> NDArr
 def _shadow(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
     """Return the field for v >= u by U_1 and U_2, both divided by u."""
     out = np.empty(v.size, dtype=np.complex128)
-    for block, j, sign in _blocks(v):
-        ratio = u / v[block, None]
-        # (-1)^s (u/v)^(m-1) / v J_m(v) with m = n + 2s
-        weighted = sign * j * _powers(ratio, j.shape[1] - 1) / v[block, None]
-        out[block] = _from_u(u, weighted[:, 0::2].sum(axis=1), weighted[:, 1::2].sum(axis=1))
+    for block, u1, u2 in _sums(v, u / v, first=1):
+        out[block] = _from_u(u, u1 / v[block], u2 / v[block])
     return out
 
 
@@ -93,9 +90,7 @@ def _light(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
     """Return the field for v < u by V_0 and V_1."""
     out = np.empty(v.size, dtype=np.complex128)
     c, s = math.cos(0.5 * u), math.sin(0.5 * u)
-    for block, j, sign in _blocks(v, first=0):
-        weighted = sign * j * _powers(v[block, None] / u, j.shape[1] - 1)
-        v0, v1 = weighted[:, 0::2].sum(axis=1), weighted[:, 1::2].sum(axis=1)
+    for block, v0, v1 in _sums(v, v / u, first=0):
         edge = 0.5 * v[block] ** 2 / u
         out[block] = 2.0 / u * ((np.sin(edge) + s * v0 - c * v1) + 1j * (np.cos(edge) - c * v0 - s * v1))
     return out
@@ -112,21 +107,19 @@ def _near_focus(u: float, v: NDArray[np.float64]) -> NDArray[np.complex128]:
     return _from_u(u, sums[0], sums[1])
 
 
-def _blocks(
-    v: NDArray[np.float64], first: int = 1
+def _sums(
+    v: NDArray[np.float64], ratio: NDArray[np.float64], first: int
 ) -> Iterator[tuple[slice, NDArray[np.float64], NDArray[np.float64]]]:
-    """Yield slices of v with J_first, J_{first+1}, ... there and the signs + + - - of Lommel's sums."""
+    """Yield slices of v and, there, ``sum_s (-1)^s ratio^(n + 2s - first) J_{n+2s}(v)`` for n = first, first + 1."""
     if not v.size:
         return
     reach = float(v.max())
     count = int(reach + 12.0 * (reach + 1.0) ** (1.0 / 3.0)) + 40
     rows = max(1, _BLOCK // count)
-    sign = np.where(np.arange(count - first) // 2 % 2 == 0, 1.0, -1.0)
+    power = np.arange(count - first)
+    sign = np.where(power // 2 % 2 == 0, 1.0, -1.0)
     for start in range(0, v.size, rows):
         block = slice(start, start + rows)
-        yield block, bessel_sequence(v[block], count)[:, first:], sign
-
-
-def _powers(ratio: NDArray[np.float64], largest: int) -> NDArray[np.float64]:
-    with np.errstate(under="ignore"):
-        return np.asarray(ratio ** np.arange(largest + 1))
+        with np.errstate(under="ignore"):
+            weighted = sign * bessel_sequence(v[block], count)[:, first:] * ratio[block, None] ** power
+        yield block, weighted[:, 0::2].sum(axis=1), weighted[:, 1::2].sum(axis=1)

@@ -12,13 +12,12 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.core.answers import Intensities
 from lommel.methods.method import Method
-from lommel.methods.sampling import illuminated, samples_needed, transmission
+from lommel.methods.sampling import MAX_SAMPLES, pupil_functions, require_samples
 from lommel.methods.subpixel import gauss_pixel
 from lommel.optics.aperture import cell_centers
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-_MAX_SAMPLES = 8192
 _MAX_FIELD = 2**27  # complex values held at once: 2 GiB
 
 
@@ -63,12 +62,8 @@ class MatrixFourier(Method):
     edge: str = "grey"
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=8, most=_MAX_SAMPLES))
+        object.__setattr__(self, "samples", validation.integer("samples", self.samples, least=8, most=MAX_SAMPLES))
         validation.choice("edge", self.edge, ("grey", "binary"))
-
-    def unsupported(self, pupil: Pupil) -> str | None:
-        """Return None: every pupil is supported."""
-        return None
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
@@ -78,13 +73,7 @@ class MatrixFourier(Method):
         ValueError
             If light would wrap around into the window, or if the field takes more than 2^27 values.
         """
-        needed = samples_needed(pupil, grid)
-        if needed > self.samples:
-            over = f"{needed:.3g} samples, over {_MAX_SAMPLES}"
-            advice = f"at least samples={needed}" if needed <= _MAX_SAMPLES else over
-            raise ValueError(
-                f"MatrixFourier(samples={self.samples}) would alias: the geometric blur and the window need {advice}"
-            )
+        require_samples(self, self.samples, pupil, grid)
         step = grid.step(pupil)
         offset, weight = gauss_pixel(step, 1e-8) if grid.integrate else (np.zeros(1), np.ones(1))
         if grid.height * grid.width * offset.size**2 > _MAX_FIELD:
@@ -92,18 +81,14 @@ class MatrixFourier(Method):
                 f"pixels of v = {step:.3g} take {offset.size} x {offset.size} points each, {grid.height} x "
                 f"{grid.width} of them more than the limit of {_MAX_FIELD}"
             )
-        half = 1.0 / self.samples
         x = cell_centers(self.samples)
-        amplitude = illuminated(pupil, x, transmission(pupil, x, half, self.edge))
         to_rows, to_columns = (
             np.exp(-1j * np.multiply.outer((step / grid.pixel * part[:, None] + offset).ravel(), x))
             for part in (grid.y, grid.x)
         )
-        rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
-        wavefronts = pupil.wavefront.flattened()
-        out = np.empty((wavefronts.shape[0], *grid.shape))
-        for i, image in enumerate(out):
-            field = to_rows @ (amplitude * np.exp(1j * wavefronts[i].phase(rho, theta))) @ to_columns.T
+        out = np.empty((math.prod(pupil.shape), *grid.shape))
+        for image, given in zip(out, pupil_functions(pupil, x, 1.0 / self.samples, self.edge), strict=True):
+            field = to_rows @ given @ to_columns.T
             fine = (4.0 / (math.pi * self.samples**2)) ** 2 * (field.real**2 + field.imag**2)
             shaped: NDArray[np.float64] = fine.reshape(grid.height, offset.size, grid.width, offset.size)
             image[:] = np.einsum("yaxb,a,b->yx", shaped, weight, weight, optimize=True)

@@ -47,9 +47,9 @@ class Method(ABC):
 
     tol: float = 1e-6
 
-    @abstractmethod
     def unsupported(self, pupil: Pupil) -> str | None:
-        """Return why `pupil` is not supported, or None if it is."""
+        """Return why `pupil` is not supported, or None if it is: here, that every one is."""
+        return None
 
     @abstractmethod
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:

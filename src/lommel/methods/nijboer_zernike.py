@@ -10,17 +10,9 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.core.answers import FieldValues, Images, Intensities, Wanted
-from lommel.core.engine import (
-    radial_fields,
-    radial_images,
-    radial_means,
-    radial_profiles,
-    series_images,
-    window_images,
-)
-from lommel.methods.averaging import Sample, averaged, averaged_images
+from lommel.core.engine import product, radial_fields, radial_images, radial_profiles, series_images
 from lommel.methods.method import FieldMethod
-from lommel.methods.terms import disk_stack, radial_stack, window_of
+from lommel.methods.terms import disk_images, radial_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
@@ -71,10 +63,6 @@ class NijboerZernike(FieldMethod):
     def __post_init__(self) -> None:
         object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
-    def unsupported(self, pupil: Pupil) -> str | None:
-        """Return None: every pupil is supported."""
-        return None
-
     def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising v with its error bound, small enough for an intensity within `tol` of the peak."""
         return radial_fields(radial_stack(pupil), v, self.tol)
@@ -90,31 +78,21 @@ class NijboerZernike(FieldMethod):
 
         `v` rises, `matrix` has the shape ``(len(v), sums)``; by at most so many `threads`.
         """
-        return radial_means(radial_stack(pupil), v, self.tol, matrix, threads)
+        profiles = radial_profiles(radial_stack(pupil), v, self.tol, threads)
+        return product(profiles.values, matrix, threads)
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if pupil.radial and grid.symmetric:
             return super().intensity(pupil, grid, threads)
-        if not pupil.radial and grid.integrate:
-            return averaged(self._sample(threads), pupil, grid, self.tol, normalize=False)
         made = self.images(pupil, grid, Wanted(threads=threads))
         return Intensities(made.values, made.error, made.peak)
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
-        window = window_of(pupil, grid)
         if pupil.radial:
-            stack = radial_stack(pupil)
-            if grid.symmetric:
-                return radial_images(stack, window, self.tol, wanted)
-            return window_images(stack, window, self.tol, wanted, integrate=grid.integrate)
+            window = window_of(pupil, grid)
+            return radial_images(radial_stack(pupil), window, self.tol, wanted, integrate=grid.integrate)
         if wanted.powers:
             raise ValueError("derivatives are available of radially symmetric pupils only")
-        if grid.integrate:
-            return averaged_images(self._sample(wanted.threads), pupil, grid, self.tol, wanted)
-        return series_images(disk_stack(pupil), window, self.tol, wanted)
-
-    def _sample(self, threads: int) -> Sample:
-        wanted = Wanted(threads=threads)
-        return lambda pupil, grid, tol: series_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)
+        return disk_images(series_images, pupil, grid, self.tol, wanted)

@@ -70,10 +70,6 @@ class NonuniformFFT(Method):
     def __post_init__(self) -> None:
         object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
-    def unsupported(self, pupil: Pupil) -> str | None:
-        """Return None: every pupil is supported."""
-        return None
-
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``.
 
@@ -87,11 +83,12 @@ class NonuniformFFT(Method):
             If double precision does not hold the tolerance, relative to the peak of the PSF.
         """
         library()
-        if pupil.mask is not None and (needed := samples_needed(pupil, grid)) > pupil.mask.side:
-            raise ValueError(
-                f"the mask of side {pupil.mask.side} is too coarse: the geometric blur and the window need a side of "
-                f"at least {needed:.5g}"
-            )
+        if pupil.mask is not None:
+            needed, why = samples_needed(pupil, grid)
+            if needed > pupil.mask.side:
+                raise ValueError(
+                    f"the mask of side {pupil.mask.side} is too coarse: {why} need a side of at least {needed:.5g}"
+                )
         pupils = [pupil] if pupil.shape == () else [pupil[index] for index in np.ndindex(pupil.shape)]
         return Intensities(np.stack([self._image(one, grid, threads) for one in pupils]), None)
 

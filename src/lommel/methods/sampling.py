@@ -3,28 +3,48 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.methods.method import Method
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-
-def blur_and_window(pupil: Pupil, grid: Grid) -> tuple[float, float]:
-    """Return how far from the axis light falls by ray optics, and how far the window reaches along x or y, in v."""
-    step = grid.step(pupil)
-    blur = float(pupil.v(pupil.geometric_radius()).max())
-    window = max(float(np.abs(part).max()) for part in (grid.x, grid.y)) * step / grid.pixel + 0.5 * step
-    return blur, window
+MAX_SAMPLES = 8192
+"""Across the aperture, at most."""
 
 
-def samples_needed(pupil: Pupil, grid: Grid) -> int:
-    """Return the fewest samples across the aperture for which no light wraps around into the window.
+def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
+    """Return the fewest samples across the aperture for which no light wraps around into the window, and why so many.
 
     Images of n samples repeat at ``pi n`` in v: that of the blur on the other side must not reach the window.
     """
-    return math.ceil(sum(blur_and_window(pupil, grid)) / math.pi)
+    step = grid.step(pupil)
+    blur = float(pupil.v(pupil.geometric_radius()).max())
+    window = max(float(np.abs(part).max()) for part in (grid.x, grid.y)) * step / grid.pixel + 0.5 * step
+    why = f"the geometric blur (v = {blur:.4g}) and the window (v = {window:.4g})"
+    return math.ceil((blur + window) / math.pi), why
+
+
+def require_samples(method: Method, samples: int, pupil: Pupil, grid: Grid) -> None:
+    """Raise ValueError where light would wrap around into the window."""
+    needed, why = samples_needed(pupil, grid)
+    if needed > samples:
+        advice = (
+            f"at least samples={needed}" if needed <= MAX_SAMPLES else f"{needed:.3g} samples, over {MAX_SAMPLES}"
+        )
+        raise ValueError(f"{type(method).__name__}(samples={samples}) would alias: {why} need {advice}")
+
+
+def pupil_functions(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str) -> Iterator[NDArray[np.complex128]]:
+    """Yield the field in square cells of side ``2 half`` centred at ``(x, x)``, for each of the flattened stack."""
+    rho, theta = np.hypot(x[:, None], x), np.arctan2(x[:, None], x)
+    amplitude = illuminated(pupil, x, transmission(pupil, x, half, edge))
+    wavefronts = pupil.wavefront.flattened()
+    for i in range(wavefronts.shape[0]):
+        yield amplitude * np.exp(1j * wavefronts[i].phase(rho, theta))
 
 
 def transmission(pupil: Pupil, x: NDArray[np.float64], half: float, edge: str) -> NDArray[np.float64]:

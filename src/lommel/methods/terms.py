@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+from lommel.core.answers import Images, Wanted
 from lommel.core.engine import DiskStack, RadialStack, Window
+from lommel.methods.averaging import averaged_images
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
@@ -25,3 +29,15 @@ def disk_stack(pupil: Pupil) -> DiskStack:
 def window_of(pupil: Pupil, grid: Grid) -> Window:
     """Return the pixels of a grid in v."""
     return Window(grid.shape, grid.center, grid.step(pupil))
+
+
+def disk_images(
+    sample: Callable[[DiskStack, Window, float, Wanted], Images], pupil: Pupil, grid: Grid, tol: float, wanted: Wanted
+) -> Images:
+    """Return the images of any wavefront by what samples pixels: as it is, or averaged from finer samples."""
+    if not grid.integrate:
+        return sample(disk_stack(pupil), window_of(pupil, grid), tol, wanted)
+    plain = Wanted(threads=wanted.threads)
+    return averaged_images(
+        lambda some, fine, tol: sample(disk_stack(some), window_of(some, fine), tol, plain), pupil, grid, tol, wanted
+    )

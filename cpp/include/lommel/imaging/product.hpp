@@ -10,11 +10,9 @@
 
 namespace lommel {
 
-// out[row * sums + j] = sum over i of values[row][i] matrix[i * sums + j]; fill(first, some, to) writes the values of so many
-// rows to to[row * count + i].
-template <class Fill>
-void product(std::size_t rows, std::size_t count, const double* matrix, std::size_t sums, int threads, const Fill& fill,
-             double* out) {
+// out[row * sums + j] = sum over i of given[row * count + i] matrix[i * sums + j].
+inline void product(const double* given, std::size_t rows, std::size_t count, const double* matrix, std::size_t sums,
+                    int threads, double* out) {
     constexpr std::size_t together = 4, step = 16;
     const std::size_t stride = (sums + step - 1) / step * step;
     Doubles table(count * stride);
@@ -25,7 +23,7 @@ void product(std::size_t rows, std::size_t count, const double* matrix, std::siz
         const std::size_t first = task * together, some = std::min(together, rows - first);
         // Rows that are not there are zero.
         Doubles values(together * count), results(together * stride);
-        fill(first, some, values.data());
+        std::copy_n(given + first * count, some * count, values.data());
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using V = typename decltype(isa)::pack;
             constexpr std::size_t lanes = decltype(isa)::lanes;

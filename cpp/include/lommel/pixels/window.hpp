@@ -23,6 +23,8 @@ struct PixelWindow {
                integrate == o.integrate;
     }
     double side() const { return integrate ? step : 0.0; }
+    // As render.hpp has it.
+    bool centered() const { return center_y == static_cast<double>(height / 2) && center_x == static_cast<double>(width / 2); }
 };
 
 // Distances from the axis along one side of a window: the distinct ones, rising, and which one each pixel has.
@@ -49,11 +51,10 @@ struct PixelGroups {
     Fold rows, columns;
     std::vector<std::int32_t> index;  // [distance along y][distance along x]
     std::vector<double> v, cosine;    // of each group: its distance, and the cosine of four times its angle
-    bool centered;                    // as render.hpp has it
+    bool centered;
 
     explicit PixelGroups(const PixelWindow& w)
-        : rows(w.height, w.center_y), columns(w.width, w.center_x),
-          centered(w.center_y == static_cast<double>(w.height / 2) && w.center_x == static_cast<double>(w.width / 2)) {
+        : rows(w.height, w.center_y), columns(w.width, w.center_x), centered(w.centered()) {
         const std::vector<double>&down = rows.distances, &across = columns.distances;
         const std::size_t common = std::min(down.size(), across.size());
         const bool alike = std::equal(down.begin(), down.begin() + static_cast<std::ptrdiff_t>(common), across.begin());

@@ -62,7 +62,7 @@ class Renderer {
     void deliver(std::size_t pupil, const double* intensity, double peak, double bound) {
         thread_local std::vector<T> profile, assembled;
         profile.resize(layout_->count);
-        store_scaled(intensity, finish(pupil, peak, bound), layout_->count, profile.data());
+        store_scaled(intensity, answer_.finish(pupil, peak, peak, bound), layout_->count, profile.data());
         T* image = answer_.images + pupil * pixels();
         if (pixels() * sizeof(T) > (std::size_t{1} << 14)) {
             return paint(profile.data(), image, 1);
@@ -71,13 +71,6 @@ class Renderer {
         assembled.resize(pixels());
         paint(profile.data(), assembled.data(), 1);
         std::memcpy(image, assembled.data(), pixels() * sizeof(T));
-    }
-
-    // Returns the scale.
-    double finish(std::size_t pupil, double peak, double bound) {
-        answer_.bounds[pupil] = bound;
-        double& scale = answer_.scales[pupil];
-        return scale = scale == 0.0 ? 1.0 / peak : scale;
     }
 
     // One pupil, by pieces.
@@ -94,7 +87,7 @@ class Renderer {
                               LOMMEL_INLINE_LAMBDA { store_scaled(intensity, scale, count, values + first); };
         const Settled settled = settle_field<T>(field, phase, stack_.obscuration, places, tol_, divide,
                                                 [&] { return intensities(field, places, threads, take); });
-        finish(pupil, settled.top, settled.relative);
+        answer_.finish(pupil, settled.top, settled.peak, settled.relative);
         if (divide) {
             store_scaled(values, answer_.scales[pupil], layout_->count, values);
         }

@@ -6,6 +6,7 @@
 #include <complex>
 #include <cstddef>
 
+#include "lommel/base/parallel.hpp"
 #include "lommel/radial/intensity.hpp"
 #include "lommel/radial/stack.hpp"
 
@@ -55,11 +56,11 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
 // I at rising v, out[pupil * count + i]; bounds on its error over the peak, negative where `tol` cannot be met, and what
 // the peak was taken to be.
 inline void profiles(const Stack& stack, const double* v, std::size_t count, double tol, double* out, double* bounds,
-                     double* peaks) {
+                     double* peaks, int threads = 1) {
     const Doubles radii = padded(v, count);
     const Places places(radii.data(), count, 1.0);
-    Field field;
-    for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
+    parallel_for(stack.count, threads, [&](std::size_t, std::size_t pupil) {
+        thread_local Field field;
         const auto take = [&](std::size_t first, std::size_t here, const double* values)
                               LOMMEL_INLINE_LAMBDA { std::copy_n(values, here, out + pupil * count + first); };
         try {
@@ -70,7 +71,7 @@ inline void profiles(const Stack& stack, const double* v, std::size_t count, dou
         } catch (const ToleranceNotMet& failure) {
             bounds[pupil] = -failure.bound;
         }
-    }
+    });
 }
 
 }  // namespace lommel

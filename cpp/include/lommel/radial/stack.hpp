@@ -68,16 +68,22 @@ struct Box {
 };
 
 // Where the answer goes. For each pupil: the image, what the intensity was multiplied by (0 on entry: divide by the
-// largest value instead), the bound on the error over the peak, and dI/dc_k for each of `derivatives`.
+// largest value instead), the bound on the error over the peak, that peak, and dI/dc_k for each of `derivatives`.
 template <class T>
 struct Answer {
     T* images;
-    double* scales;
-    double* bounds;
+    double *scales, *bounds, *peaks;
     const std::size_t* powers;  // the k of dI/dc_k
     std::size_t derivatives;
     T* derivative_images;  // [derivative][pupil][height][width]
     double* derivative_bounds;  // [derivative][pupil], over the peak of the intensity
+
+    // Notes what a pupil came to, `top` being the largest value of its image; returns the scale.
+    double finish(std::size_t pupil, double top, double peak, double bound) const {
+        bounds[pupil] = bound;
+        peaks[pupil] = peak;
+        return scales[pupil] = scales[pupil] == 0.0 ? 1.0 / top : scales[pupil];
+    }
 };
 
 // What the error of an image is spent on.

@@ -1,0 +1,47 @@
+"""Images of radially symmetric pupils as the core itself returns them, with all that goes with them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from lommel import _core
+
+
+class Rendered(NamedTuple):
+    unmet: float
+    images: np.ndarray
+    scales: np.ndarray
+    bounds: np.ndarray
+    peaks: np.ndarray
+    slopes: np.ndarray
+    slope_bounds: np.ndarray
+
+
+def rendered(
+    pupils: Any,
+    obscuration: float,
+    light: Any,
+    shape: tuple[int, int],
+    step: float,
+    tol: float,
+    *,
+    center: tuple[float, float] | None = None,
+    integrate: bool = False,
+    divided: bool = False,
+    powers: Sequence[int] = (),
+    dtype: Any = np.float64,
+    threads: int = 1,
+) -> Rendered:
+    """Return what is rendered on an image of this shape, around its middle unless a center is named."""
+    coefficients = np.array(pupils, np.float64)
+    count, which = len(coefficients), np.array(powers, np.int64)
+    images, scales = np.empty((count, *shape), dtype), np.full(count, 0.0 if divided else 1.0)
+    bounds, peaks = np.empty(count), np.empty(count)
+    slopes, slope_bounds = np.empty((len(which), *images.shape), dtype), np.empty((len(which), count))
+    place = (*(center or (shape[0] // 2, shape[1] // 2)), step, integrate, tol, threads)
+    written = (images, scales, bounds, peaks, which, slopes, slope_bounds)
+    unmet = _core.render(coefficients, obscuration, np.array(light, np.float64), *place, *written)
+    return Rendered(unmet, images, scales, bounds, peaks, slopes, slope_bounds)

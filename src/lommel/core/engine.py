@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from lommel import _core
 from lommel._core import (
+    average_samples,
     bessel_sequence,
     chebyshev_intensity,
     closed_form_field,
@@ -35,6 +36,7 @@ __all__ = [
     "PixelRadii",
     "RadialStack",
     "Window",
+    "average_samples",
     "bessel_sequence",
     "chebyshev_intensity",
     "chordal_images",

@@ -8,7 +8,7 @@ from typing import ClassVar
 from lommel.base import validation
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import chordal_images
-from lommel.methods.averaging import Sample, averaged, averaged_images
+from lommel.methods.averaging import averaged, averaged_images
 from lommel.methods.method import Method
 from lommel.methods.terms import disk_stack, window_of
 from lommel.optics.grid import Grid
@@ -70,10 +70,10 @@ class ChordalGauss(Method):
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at, or averaged over, the pixels, shape ``(n, height, width)``, with its bound."""
-        sample = self._sample(threads)
+        wanted = Wanted(threads=threads)
         if grid.integrate:
-            return averaged(sample, pupil, grid, self.tol, normalize=False)
-        made = sample(pupil, grid, self.tol)
+            return averaged(_sample, pupil, grid, self.tol, wanted)
+        made = _sample(pupil, grid, self.tol, wanted)
         return Intensities(made.values, made.error, made.peak)
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
@@ -81,9 +81,9 @@ class ChordalGauss(Method):
         if wanted.powers:
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         if grid.integrate:
-            return averaged_images(self._sample(wanted.threads), pupil, grid, self.tol, wanted)
-        return chordal_images(disk_stack(pupil), window_of(pupil, grid), self.tol, wanted)
+            return averaged_images(_sample, pupil, grid, self.tol, wanted)
+        return _sample(pupil, grid, self.tol, wanted)
 
-    def _sample(self, threads: int) -> Sample:
-        wanted = Wanted(threads=threads)
-        return lambda pupil, grid, tol: chordal_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)
+
+def _sample(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    return chordal_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)

@@ -18,7 +18,7 @@ from lommel.core.engine import (
     series_images,
     window_images,
 )
-from lommel.methods.averaging import Sample, averaged, averaged_images
+from lommel.methods.averaging import averaged, averaged_images
 from lommel.methods.method import FieldMethod
 from lommel.methods.terms import disk_stack, radial_stack, window_of
 from lommel.optics.grid import Grid
@@ -97,24 +97,23 @@ class NijboerZernike(FieldMethod):
         if pupil.radial and grid.symmetric:
             return super().intensity(pupil, grid, threads)
         if not pupil.radial and grid.integrate:
-            return averaged(self._sample(threads), pupil, grid, self.tol, normalize=False)
+            return averaged(_sample, pupil, grid, self.tol, Wanted(threads=threads))
         made = self.images(pupil, grid, Wanted(threads=threads))
         return Intensities(made.values, made.error, made.peak)
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
-        window = window_of(pupil, grid)
         if pupil.radial:
-            stack = radial_stack(pupil)
+            stack, window = radial_stack(pupil), window_of(pupil, grid)
             if grid.symmetric:
                 return radial_images(stack, window, self.tol, wanted)
             return window_images(stack, window, self.tol, wanted, integrate=grid.integrate)
         if wanted.powers:
             raise ValueError("derivatives are available of radially symmetric pupils only")
         if grid.integrate:
-            return averaged_images(self._sample(wanted.threads), pupil, grid, self.tol, wanted)
-        return series_images(disk_stack(pupil), window, self.tol, wanted)
+            return averaged_images(_sample, pupil, grid, self.tol, wanted)
+        return _sample(pupil, grid, self.tol, wanted)
 
-    def _sample(self, threads: int) -> Sample:
-        wanted = Wanted(threads=threads)
-        return lambda pupil, grid, tol: series_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)
+
+def _sample(pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+    return series_images(disk_stack(pupil), window_of(pupil, grid), tol, wanted)

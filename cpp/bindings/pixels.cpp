@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "lommel/pixels/filter.hpp"
 #include "lommel/pixels/render.hpp"
 #include "lommel/pixels/table.hpp"
 #include "lommel/radial/average_values.hpp"
@@ -78,6 +79,22 @@ Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double cent
     return penalties;
 }
 
+// Rows of pixels follow each other, images need not.
+using Images = nb::ndarray<double, nb::numpy, nb::ndim<3>, nb::device::cpu>;
+
+template <class T>
+void average_samples(In<T, 3> samples, In<double, 1> weights, std::size_t stride, int threads, Images out) {
+    require(stride > 0 && weights.size() > 0 && out.size() > 0 && samples.shape(0) == out.shape(0), "empty, or not as many");
+    require(out.stride(2) == 1 && out.stride(1) == static_cast<std::int64_t>(out.shape(2)), "rows must follow each other");
+    const lommel::PixelFilter filter{weights.data(), weights.size(), stride};
+    require(samples.shape(1) == filter.samples(out.shape(1)) && samples.shape(2) == filter.samples(out.shape(2)),
+            "samples must be as many as the pixels take");
+    released([&] {
+        filter.average(samples.data(), out.shape(0), out.shape(1), out.shape(2), out.data(),
+                       static_cast<std::size_t>(out.stride(0)), threads);
+    });
+}
+
 }  // namespace
 
 void bindings::define_pixels(nb::module_& m) {
@@ -93,6 +110,10 @@ void bindings::define_pixels(nb::module_& m) {
           "multiplied by at these radii and between the places of harmonics, and roundings over the largest I.");
     m.def("pixel_values", &pixel_values, "profiles"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
           "threads"_a, "out"_a.noconvert(), "Pixels of windows from profiles at pixel_radii(); returns further roundings.");
+    for_both([&](auto sample) {
+        m.def("average_samples", &average_samples<decltype(sample)>, "samples"_a.noconvert(), "weights"_a, "stride"_a,
+              "threads"_a, "out"_a.noconvert(), "Averages over pixels from finer samples, by a filter along both axes.");
+    });
     m.def("interpolation_error", &lommel::interpolation_error, "half"_a, "points"_a,
           "Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.");
     m.def("gauss_error", &lommel::gauss_error, "side"_a, "points"_a,

@@ -44,6 +44,13 @@ def pixel_values(profiles: Annotated[NDArray[numpy.float64], dict(shape=(None, N
     Pixels of windows from profiles at pixel_radii(); returns further roundings.
     """
 
+@overload
+def average_samples(samples: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], stride: int, threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), device='cpu')]) -> None: ...
+
+@overload
+def average_samples(samples: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], stride: int, threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), device='cpu')]) -> None:
+    """Averages over pixels from finer samples, by a filter along both axes."""
+
 def interpolation_error(half: float, points: int) -> float:
     """
     Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.

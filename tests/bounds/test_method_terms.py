@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 from lommel import _core
-from lommel.core.answers import Images, Intensities
+from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods import bounds
 from lommel.methods.averaging import averaged, filtered_by, least_average
 from lommel.methods.method import stored
@@ -238,11 +238,11 @@ def test_an_average_claims_the_errors_of_samples_and_of_the_filter(step, value, 
     grid = lm.Grid(3, step / math.pi)
     asked = []
 
-    def sample(one, fine, least):
+    def sample(one, fine, least, wanted):
         asked.append(0.01 * least)
         return Images(np.full((1, *fine.shape), value), np.ones(1), np.array(asked[-1:]), None, np.array([top]))
 
-    made = averaged(sample, pupil, grid, tol, normalize=normalize)
+    made = averaged(sample, pupil, grid, tol, Wanted(scale=None if normalize else 1.0))
     lowest = least_average(step)
     taps = filtered_by(grid.step(pupil), 2e-3 * (0.4 if normalize else 1.0) * tol * lowest)
     own = (2 + taps.error) * taps.error * pupil.amplitude**2

@@ -10,6 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import lommel as lm
+from lommel._core import average_samples, limit_instructions
 from lommel.methods import averaging
 from lommel.methods.averaging import filtered_by, least_average
 
@@ -45,11 +46,33 @@ def test_waves_within_the_band_are_averaged_over_each_pixel(wave):
         sizes.append(fine.shape)
         return 1.0 + np.cos(wave * step * fine.x + 0.4) * np.cos(0.7 * wave * step * fine.y[:, None])[None]
 
-    found = averaging.filtered(samples, grid, taps)[0]
+    found = averaging.filtered(samples, np.empty((1, *grid.shape)), grid, taps)[0]
     across = np.sinc(0.5 * wave * step / math.pi) * np.cos(wave * step * grid.x + 0.4)
     down = np.sinc(0.35 * wave * step / math.pi) * np.cos(0.7 * wave * step * grid.y)
     assert found == pytest.approx(1.0 + down[:, None] * across, abs=6e-9)
     assert len(sizes) == 1
+
+
+@pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+@pytest.mark.parametrize(
+    ("stride", "taps", "shape"), [(1, 1, (3, 2)), (1, 13, (5, 40)), (3, 7, (4, 129)), (5, 31, (2, 64))]
+)
+def test_the_core_filters_as_numpy_does(level, kind, stride, taps, shape):
+    random = np.random.default_rng(5)
+    weights = random.normal(size=taps)
+    fine = tuple((n - 1) * stride + taps for n in shape)
+    samples = random.normal(size=(2, *fine)).astype(kind)
+    seen = np.lib.stride_tricks.sliding_window_view(samples.astype(float), (taps, taps), axis=(1, 2))
+    expected = np.einsum("nyxab,a,b->nyx", seen[:, ::stride, ::stride], weights, weights)
+    images = np.full((2, shape[0] + 1, shape[1]), np.nan)
+    limit_instructions(level)
+    try:
+        average_samples(samples, weights, stride, 1, images[:, :-1])
+    finally:
+        limit_instructions("avx512")
+    assert images[:, :-1] == pytest.approx(np.maximum(expected, 0.0), abs=1e-13 * taps**2)
+    assert np.isnan(images[:, -1]).all()
 
 
 @pytest.mark.parametrize(
@@ -66,7 +89,6 @@ def test_no_average_is_negative(method):
 def test_tiles_change_nothing(monkeypatch):
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
     whole = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)
-    monkeypatch.setattr(averaging, "_SIDE", 40)
     monkeypatch.setattr(averaging, "_VALUES", 1)
     tiled = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)
     assert tiled.values == pytest.approx(whole.values, abs=2e-6 * whole.values.max())
@@ -95,7 +117,7 @@ def test_half_of_what_is_promised_of_the_best_placed_pixel_would_be_too_little_t
 
 def test_pixels_too_wide_for_a_filter_are_refused_with_a_way_out():
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
-    with pytest.raises(ValueError, match=r"pixel must be at most 130 lambda\*N .* got 200 lambda\*N; take smaller"):
+    with pytest.raises(ValueError, match=r"pixel must be at most 171 lambda\*N .* got 200 lambda\*N; take smaller"):
         lm.psf(pupil, 3, 200.0, integrate=True)
 
 

@@ -17,6 +17,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Images, Intensities, Slopes, Wanted, not_met
 
 # As the core has them.
+average_samples = _core.average_samples
 bessel_sequence = _core.bessel_sequence
 chebyshev_intensity = _core.chebyshev_intensity
 closed_form_field = _core.closed_form_field

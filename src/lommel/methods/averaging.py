@@ -12,49 +12,56 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
 from lommel.core.answers import Images, Intensities, ToleranceError, Wanted, not_met
+from lommel.core.engine import average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-_SIDE = 2048  # samples along a side at once
 _VALUES = 2**23  # samples at once
-_WIDEST = 0.8  # v between samples: half of what the band of I allows
+_WIDEST, _CLOSER = 1.05, 0.8  # v between samples: two thirds of what the band of I allows, and half
 _MOST = 512  # samples across a pixel
+_SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
 
 
-Sample = Callable[[Pupil, Grid, float], Images]
-"""From pupils, pixels and a tolerance to the intensity at their centres in double precision."""
+Sample = Callable[[Pupil, Grid, float, Wanted], Images]
+"""From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted."""
 
 
-def averaged(
-    sample: Sample, pupil: Pupil, grid: Grid, tol: float, *, normalize: bool, dtype: DTypeLike = np.float64
-) -> Intensities:
-    """Return the intensity averaged over each pixel, with bounds on its error below `tol` once stored as `dtype`.
+def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Intensities:
+    """Return the intensity averaged over each pixel, with bounds on its error below `tol` once stored as is wanted.
 
-    The error is over the largest average that a pixel has anywhere, or, with `normalize`, that of values divided by
-    the largest average in the window.
+    The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
+    divided by the largest average in the window.
 
     Raises
     ------
     ToleranceError
         If the bound stays above `tol`.
     """
-    step, ceiling = grid.step(pupil), pupil.amplitude**2
+    try:
+        return _averaged(sample, pupil, grid, tol, wanted, _WIDEST)
+    except ToleranceError:
+        # Filters of fewer samples are longer, and may reach light that errors relate to where all pixels are dark.
+        return _averaged(sample, pupil, grid, tol, wanted, _CLOSER)
+
+
+def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, widest: float) -> Intensities:
+    step, ceiling, dtype, normalize = grid.step(pupil), pupil.amplitude**2, wanted.dtype, wanted.scale is None
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
     aim = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
     # As if the largest average were a few times the least it can be, and the peak not faint.
     finer, response = 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
     for _ in range(5):
-        taps = filtered_by(step, response)
+        taps = filtered_by(step, response, widest)
         try:
-            total, given, peaks = _filtered(sample, pupil, grid, finer / taps.gain**2, taps)
+            total, given, peaks = _filtered(sample, pupil, grid, finer / taps.gain**2, taps, wanted.threads)
         except ToleranceError as fault:
             raise ToleranceError(
                 f"tol={tol:g} cannot be met by averages over pixels of {step / math.pi:.3g} lambda*N, for which "
@@ -70,14 +77,18 @@ def averaged(
         bounds = stored(normalized_error(relative) if normalize else relative, dtype)
         if bounds.max() <= tol:
             return Intensities(total, bounds, found)
-        finer *= min(1.0, 0.5 * aim / float((given / found).max()))
+        if finer >= _SINGLE * taps.gain**2:
+            # What single precision stores is off by more than what doubles are, and tells little of it.
+            finer = 0.9 * _SINGLE
+        else:
+            finer *= min(1.0, 0.5 * aim / float((given / found).max()))
         response *= min(1.0, 0.2 * aim / float((own / found).max()))
     raise not_met(tol, 1.0 if not found.min() > 0 else float(bounds.max()), "the largest value in the window")
 
 
 def averaged_images(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
     """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
-    made = averaged(sample, pupil, grid, tol, normalize=wanted.scale is None, dtype=wanted.dtype)
+    made = averaged(sample, pupil, grid, tol, wanted)
     tops = made.values.max(axis=(1, 2))
     scales = 1.0 / tops if wanted.scale is None else np.full(len(tops), wanted.scale)
     values = np.empty(made.values.shape, wanted.dtype) if wanted.out is None else wanted.out
@@ -117,20 +128,19 @@ class Taps(NamedTuple):
     gain: float
 
 
-def samples_across(step: float) -> int:
-    """Return how many samples a pixel of pitch `step` in v takes along an axis."""
-    count = max(1, math.ceil(step / _WIDEST))
-    if count > _MOST:
+def samples_across(step: float, widest: float = _WIDEST) -> int:
+    """Return how many samples a pixel of pitch `step` in v takes along an axis, `widest` apart at most."""
+    if step > _MOST * _WIDEST:
         raise ValueError(
             f"pixel must be at most {_MOST * _WIDEST / math.pi:.0f} lambda*N to average a pupil that is not radially "
             f"symmetric over it, got {step / math.pi:.4g} lambda*N; take smaller pixels, and average blocks of them"
         )
-    return count
+    return max(1, math.ceil(step / widest))
 
 
 @lru_cache(maxsize=64)
-def filtered_by(step: float, error: float) -> Taps:
-    """Return the shortest filter for pixels of pitch `step` in v whose response errs by at most `error`.
+def filtered_by(step: float, error: float, widest: float = _WIDEST) -> Taps:
+    """Return the shortest filter for pixels of pitch `step` in v, samples at most `widest` apart, off by `error`.
 
     Weights by least squares at Chebyshev points of the band. The error of the response is even and entire, of type
     k h; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 k h + 48`` (its Chebyshev series falls below
@@ -138,7 +148,7 @@ def filtered_by(step: float, error: float) -> Taps:
     ``cos(M s)`` (as in :func:`least_average`), and one of 2 M Chebyshev points is within ``pi / (4 M)`` of that: it
     is at most sqrt(2) times as large as at these points.
     """
-    stride = samples_across(step)
+    stride = samples_across(step, widest)
     h = step / stride
     half = stride // 2 + 2
     while True:
@@ -158,59 +168,47 @@ def filtered_by(step: float, error: float) -> Taps:
 
 
 def _filtered(
-    sample: Sample, pupil: Pupil, grid: Grid, tol: float, taps: Taps
+    sample: Sample, pupil: Pupil, grid: Grid, tol: float, taps: Taps, threads: int
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Return averages, the errors that those of the samples make of them, and peaks, of the flattened stack."""
     count = math.prod(pupil.shape)
+    wanted = Wanted(dtype=np.dtype(np.float32 if tol >= _SINGLE else np.float64), threads=threads)
     total, error, peaks = np.empty((count, *grid.shape)), np.zeros(count), np.zeros(count)
-    values = math.prod(min(_SIDE, n * taps.stride + taps.weights.size) for n in grid.shape)
+    values = math.prod(_samples(pixels, taps) for pixels in grid.shape)
     for part, one in _blocks(pupil, max(1, _VALUES // values)):
 
-        def samples(fine: Grid, part: slice = part, one: Pupil = one) -> NDArray[np.float64]:
-            made = sample(one, fine, tol)
+        def samples(fine: Grid, part: slice = part, one: Pupil = one) -> NDArray[Any]:
+            made = sample(one, fine, tol, wanted)
             assert made.error is not None
             assert made.peak is not None
             error[part] = np.maximum(error[part], taps.gain**2 * made.error * made.peak)
             peaks[part] = np.maximum(peaks[part], made.peak * (1.0 - made.error))
             return made.values
 
-        total[part] = filtered(samples, grid, taps)
+        filtered(samples, total[part], grid, taps, threads)
     return total, error, peaks
 
 
-def filtered(samples: Callable[[Grid], NDArray[np.float64]], grid: Grid, taps: Taps) -> NDArray[np.float64]:
-    """Return averages over the pixels of `grid`, shape (n, height, width), tile by tile of finer samples."""
-    side = max(1, (_SIDE - taps.weights.size) // taps.stride + 1)
-    rows = []
-    for y in range(0, grid.height, side):
-        row = []
-        for x in range(0, grid.width, side):
-            fine = _fine(grid, slice(y, min(y + side, grid.height)), slice(x, min(x + side, grid.width)), taps)
-            average = _apply(taps, _apply(taps, samples(fine), axis=1), axis=2)
-            # No average of an intensity is negative, and none less exact for it.
-            row.append(np.maximum(average, 0.0))
-        rows.append(np.concatenate(row, axis=2))
-    return np.concatenate(rows, axis=1)
+def filtered(
+    samples: Callable[[Grid], NDArray[Any]], out: NDArray[np.float64], grid: Grid, taps: Taps, threads: int = 0
+) -> NDArray[np.float64]:
+    """Write averages over the pixels of `grid` to `out`, shape (n, height, width), some rows at once; return it."""
+    most = max(1, int(_VALUES / (_samples(grid.width, taps) * taps.stride)))
+    for y in range(0, grid.height, most):
+        rows = out[:, y : y + most]
+        average_samples(samples(_fine(grid, y, rows.shape[1], taps)), taps.weights, taps.stride, threads, rows)
+    return out
 
 
-def _fine(grid: Grid, rows: slice, columns: slice, taps: Taps) -> Grid:
-    """Return the samples that the averages over part of the pixels take."""
-    margin = taps.weights.size // 2
-    shape = tuple((part.stop - part.start - 1) * taps.stride + taps.weights.size for part in (rows, columns))
-    center = tuple(
-        (at - part.start) * taps.stride + margin for at, part in zip(grid.center, (rows, columns), strict=True)
-    )
-    return Grid(shape, grid.pixel / taps.stride, center=center)
+def _samples(pixels: int, taps: Taps) -> int:
+    return (pixels - 1) * taps.stride + taps.weights.size
 
 
-def _apply(taps: Taps, samples: NDArray[np.float64], axis: int) -> NDArray[np.float64]:
-    """Filter along an axis, one value a pixel; bound by memory, one pass a tap."""
-    lines = np.moveaxis(samples, axis, 0)
-    pixels = (len(lines) - taps.weights.size) // taps.stride + 1
-    total = np.zeros((pixels, *lines.shape[1:]))
-    for k, weight in enumerate(taps.weights):
-        total += weight * lines[k : k + (pixels - 1) * taps.stride + 1 : taps.stride]
-    return np.moveaxis(total, 0, axis)
+def _fine(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
+    """Return the samples that the averages over some rows of pixels take."""
+    margin, (y, x) = taps.weights.size // 2, grid.center
+    at = (y - row) * taps.stride + margin, x * taps.stride + margin
+    return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.pixel / taps.stride, center=at)
 
 
 def _blocks(pupil: Pupil, size: int) -> Iterator[tuple[slice, Pupil]]:

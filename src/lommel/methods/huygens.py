@@ -100,7 +100,8 @@ class HuygensFresnel(FieldMethod):
             return super().intensity(pupil, grid, threads)
         if grid.integrate:
             taps = filtered_by(grid.step(pupil), 1e-9)
-            return Intensities(filtered(lambda fine: self._samples(pupil, fine), grid, taps), None)
+            values = np.empty((math.prod(pupil.shape), *grid.shape))
+            return Intensities(filtered(lambda fine: self._samples(pupil, fine), values, grid, taps, threads), None)
         return Intensities(self._samples(pupil, grid), None)
 
     def _samples(self, pupil: Pupil, grid: Grid) -> NDArray[np.float64]:

@@ -113,7 +113,8 @@ class NonuniformFFT(Method):
             image: Array
             if grid.integrate:
                 taps = filtered_by(step, 0.05 * self.tol * lowest * (bright / amplitude) ** 2)
-                image = filtered(lambda fine: samples(fine, budget)[None], grid, taps)[0]  # noqa: B023
+                image = np.empty(grid.shape)
+                filtered(lambda fine: samples(fine, budget)[None], image[None], grid, taps, threads)  # noqa: B023
             else:
                 image = samples(grid, budget)
             if seen < bright:

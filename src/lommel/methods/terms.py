@@ -35,9 +35,8 @@ def disk_images(
     sample: Callable[[DiskStack, Window, float, Wanted], Images], pupil: Pupil, grid: Grid, tol: float, wanted: Wanted
 ) -> Images:
     """Return the images of any wavefront by what samples pixels: as it is, or averaged from finer samples."""
-    if not grid.integrate:
-        return sample(disk_stack(pupil), window_of(pupil, grid), tol, wanted)
-    plain = Wanted(threads=wanted.threads)
-    return averaged_images(
-        lambda some, fine, tol: sample(disk_stack(some), window_of(some, fine), tol, plain), pupil, grid, tol, wanted
-    )
+
+    def sampled(some: Pupil, pixels: Grid, tol: float, wanted: Wanted) -> Images:
+        return sample(disk_stack(some), window_of(some, pixels), tol, wanted)
+
+    return averaged_images(sampled, pupil, grid, tol, wanted) if grid.integrate else sampled(pupil, grid, tol, wanted)

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -39,7 +40,12 @@ struct Vector {
     typedef double pack __attribute__((vector_size(8 * Lanes)));
     typedef std::int64_t bits __attribute__((vector_size(8 * Lanes)));
     typedef float floats __attribute__((vector_size(8 * Lanes)));  // twice as many
+    typedef float narrow __attribute__((vector_size(4 * Lanes)));  // as many
 };
+template <class V, class Narrow>
+LOMMEL_INLINE V converted(Narrow p) {
+    return __builtin_convertvector(p, V);
+}
 
 // x - 0 is x, and compilers know it; a list of x's they would insert one by one.
 template <class V>
@@ -127,6 +133,7 @@ template <std::size_t Lanes>
 struct Vector {
     using pack = Pack<double, Lanes>;
     using floats = Pack<float, 2 * Lanes>;
+    using narrow = Pack<float, Lanes>;
     struct bits {
         std::int64_t v[Lanes];
         friend bits operator+(bits a, std::int64_t b) {
@@ -149,6 +156,12 @@ LOMMEL_INLINE V splat(Real x) {
 template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
     return V::each(a, b, [](double x, double y) { return x > y ? x : y; });
+}
+template <class V, class Narrow>
+LOMMEL_INLINE V converted(Narrow p) {
+    V wide;
+    std::copy(std::begin(p.v), std::end(p.v), wide.v);
+    return wide;
 }
 template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
@@ -179,6 +192,15 @@ LOMMEL_INLINE V load(const Real* from) {
 template <class V, class Real>
 LOMMEL_INLINE void store(Real* to, V p) {
     std::memcpy(to, &p, sizeof p);
+}
+// As many values as doubles, whatever they are.
+template <class I>
+LOMMEL_INLINE typename I::pack widened(const float* from) {
+    return converted<typename I::pack>(load<typename Vector<I::lanes>::narrow>(from));
+}
+template <class I>
+LOMMEL_INLINE typename I::pack widened(const double* from) {
+    return load<typename I::pack>(from);
 }
 template <class V>
 LOMMEL_INLINE double lane_sum(V v) {

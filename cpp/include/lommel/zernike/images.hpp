@@ -108,7 +108,7 @@ class ZernikeRenderer {
     double between_circles(const ZernikeField& field, const Tiles& tiles, double tol, bool divide, const Painting& to,
                            double& peak) const {
         if constexpr (std::is_same_v<T, float>) {
-            if (tol_ < 1e-6 || !PolarImage::pays(field, tiles) || to.scale < 1e-25 || to.scale > 1e25) {
+            if (!PolarImage::pays(field, tiles) || to.scale < 1e-25 || to.scale > 1e25) {
                 return 1e300;
             }
             thread_local PolarImage kept;

@@ -314,10 +314,6 @@ def _figure_format(path: Path) -> str:
 
 def _save_figure(figure: Any, path: Path) -> None:
     """Write a figure through a temporary name."""
-    import io
-
     from lommel.base import atomic
 
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format=_figure_format(path), dpi=150)
-    atomic.write(path, buffer.getvalue())
+    atomic.write(path, atomic.contents(figure.savefig, format=_figure_format(path), dpi=150))

@@ -178,6 +178,15 @@ def real_array(name: str, value: ArrayLike, *, least: float = -math.inf) -> Arra
     return found
 
 
+def broadcast(names: str, *arrays: NDArray[Any]) -> tuple[Array, ...]:
+    """Return arrays in the shape that they broadcast to; ValueError with their `names`, as "x and y", otherwise."""
+    try:
+        return np.broadcast_arrays(*arrays)
+    except ValueError:
+        shapes = " and ".join(str(part.shape) for part in arrays)
+        raise ValueError(f"{names} must broadcast, got shapes {shapes}") from None
+
+
 def axes(name: str, value: Any) -> None:
     """Refuse what is neither None nor axes of matplotlib, which may not be there, with a TypeError."""
     if value is not None and not callable(getattr(value, "imshow", None)):

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers
+from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
 from lommel.measures.answer import Answer, checked
 from lommel.measures.energy import encircled_energy, radial_energy
@@ -88,15 +88,13 @@ def axis_strehl(answer: Answer) -> Numbers:
     elif method.sampling == "center":
         parts = method.components(pupil)
         total = sum(part.weight * np.asarray(aperture_means.strehl(part.pupil)) for part in parts)
-        mean: Numbers = np.asarray(total / sum(part.weight for part in parts))[()]
-        return mean
+        return numbers(total / sum(part.weight for part in parts), pupil.shape)
     else:
         row, column = (round(c) for c in answer.grid.center)
         if not (0 <= row < answer.grid.height and 0 <= column < answer.grid.width):
             raise ValueError(f"the axis at {answer.grid.center} is outside the window of {type(method).__name__}")
         center = answer.values[..., row, column] / answer.scale
-    result: Numbers = np.asarray(center / method.unaberrated_peak(pupil), dtype=np.float64)[()]
-    return result
+    return numbers(center / method.unaberrated_peak(pupil), pupil.shape)
 
 
 def peak_strehl(answer: Answer) -> Numbers:
@@ -116,8 +114,7 @@ def peak_strehl(answer: Answer) -> Numbers:
     """
     checked(answer)
     top = answer.values.max(axis=(-2, -1)) / answer.scale
-    result: Numbers = np.asarray(top / answer.method.unaberrated_peak(answer.pupil), dtype=np.float64)[()]
-    return result
+    return numbers(top / answer.method.unaberrated_peak(answer.pupil), answer.pupil.shape)
 
 
 def fwhm(answer: Answer, along: str = "mean") -> Numbers:
@@ -154,8 +151,7 @@ def fwhm(answer: Answer, along: str = "mean") -> Numbers:
         lines = {"x": image[row], "y": image[:, column]}
         widths = [_width(lines[name], name) for name in (("x", "y") if along == "mean" else (along,))]
         out.append(grid.pixel * sum(widths) / len(widths))
-    result: Numbers = np.array(out).reshape(answer.pupil.shape)[()]
-    return result
+    return numbers(out, answer.pupil.shape)
 
 
 def _width(line: Array, name: str) -> float:
@@ -201,8 +197,7 @@ def radial_fwhm(method: RadialMethod, pupil: Pupil) -> Numbers:
         if last > values.size - _ORDER - 1:
             raise ValueError(f"the intensity does not fall to half of the largest within v = {far:.3g}")
         out[i] = 2.0 * step * line.falls_to(0.5 * peak, last, last + 1)
-    result: Numbers = (out * (pupil.scale / math.pi)).reshape(pupil.shape)[()]
-    return result
+    return numbers(out * (pupil.scale / math.pi), pupil.shape)
 
 
 def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> Numbers:
@@ -247,8 +242,7 @@ def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> 
             return float(encircled_energy(one, radius, about=about)) - wanted
 
         out.append(2.0 * brentq(lacks, 0.0, reach, xtol=1e-9 * one.pixel))
-    result: Numbers = np.array(out).reshape(answer.pupil.shape)[()]
-    return result
+    return numbers(out, answer.pupil.shape)
 
 
 def radial_diameter(method: RadialMethod, pupil: Pupil, fraction: float) -> Numbers:
@@ -272,8 +266,7 @@ def radial_diameter(method: RadialMethod, pupil: Pupil, fraction: float) -> Numb
     for i, values in enumerate(table):
         cross = int(np.argmax(values >= wanted))
         out[i] = 2.0 * step * _Even(-values).falls_to(-wanted, cross - 1, cross)
-    result: Numbers = (out * unit).reshape(pupil.shape)[()]
-    return result
+    return numbers(out * unit, pupil.shape)
 
 
 def _require_radial(method: RadialMethod, pupil: Pupil) -> None:
@@ -302,11 +295,7 @@ class _Even:
         return total
 
     def falls_to(self, level: float, low: float, high: float) -> float:
-        """Return the place between `low` and `high` at which the values fall to `level`, by bisection."""
-        for _ in range(50):
-            middle = 0.5 * (low + high)
-            if float(self(np.array([middle]))[0]) > level:
-                low = middle
-            else:
-                high = middle
-        return 0.5 * (low + high)
+        """Return the place between `low` and `high` at which the values fall to `level`, which they do."""
+        from scipy.optimize import brentq
+
+        return float(brentq(lambda at: float(self(np.array([at]))[0]) - level, low, high, xtol=1e-15))

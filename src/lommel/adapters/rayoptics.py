@@ -120,8 +120,7 @@ def _tracer(model: Any, wavelength: float | None, apertures: bool) -> tuple[trac
         raise ImportError("this needs ray-optics: pip install rayoptics") from None
     if not isinstance(model, OpticalModel):
         raise TypeError(f"model must be a ray-optics OpticalModel, got {validation.shown(model)}")
-    if not isinstance(apertures, bool):
-        raise TypeError(f"apertures must be True or False, got {validation.shown(apertures)}")
+    validation.truth("apertures", apertures)
     spec = model["optical_spec"]
     nanometres = spec["wvls"].central_wvl if wavelength is None else 1e9 * validation.wavelength(wavelength)
     first = model["analysis_results"]["parax_data"].fod

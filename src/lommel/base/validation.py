@@ -134,6 +134,13 @@ def integer(name: str, value: Any, *, least: int, most: int) -> int:
     return number
 
 
+def truth(name: str, value: Any) -> bool:
+    """Return `value` if it is True or False; TypeError otherwise."""
+    if not isinstance(value, bool):
+        raise TypeError(f"{name} must be True or False, got {shown(value)}")
+    return value
+
+
 def choice(name: str, value: Any, allowed: Iterable[str]) -> str:
     """Return `value` if it is one of `allowed`; ValueError otherwise."""
     options = list(allowed)

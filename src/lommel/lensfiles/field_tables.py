@@ -16,6 +16,7 @@ from lommel.base import reading, validation
 from lommel.base.units import parse_length
 from lommel.field.maps import FieldMap
 from lommel.lensfiles.messages import TOLD
+from lommel.lensfiles.sections import number
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
@@ -218,14 +219,7 @@ def _cell(cell: Any, kind: str) -> float:
     """Return a length in metres or a number, given as such or as a text."""
     if kind == "length":
         return validation.real("a position", parse_length(cell), unit="metres")
-    value = _number(cell) if isinstance(cell, str) else cell
+    value = number(cell) if isinstance(cell, str) else cell
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ValueError(f"must be a number, got {validation.shown(cell)}")
     return validation.real("a coefficient", value)
-
-
-def _number(text: str) -> float | None:
-    try:
-        return float(text)
-    except ValueError:
-        return None

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from os import PathLike
 from typing import Annotated, Any, Literal, get_args
 
@@ -46,21 +47,6 @@ def _shape(value: Any) -> tuple[int, int]:
         raise ValueError(str(error)) from None
 
 
-def _pitch(value: float) -> float:
-    return _told_with_units(lambda: validation.pixel(value, metric=True))
-
-
-def _wavelength(value: float) -> float:
-    return _told_with_units(lambda: validation.wavelength(value))
-
-
-def _told_with_units(check: Callable[[], float]) -> float:
-    try:
-        return check()
-    except ValueError as error:
-        raise ValueError(with_units(str(error))) from None
-
-
 def _radius(value: Any) -> str | float:
     """Return a length or an angle as it was written, if it is one."""
     if not 0.0 < parse_radius(value, 1.0) < math.inf:
@@ -82,20 +68,27 @@ def _amplitude(value: Any) -> float | Apodization | str:
     raise ValueError(f'must be a number from 0 to 100, a list, or "aplanatic", got {validation.shown(value)}')
 
 
+class _Seidel(Section):
+    W131: Number = 0.0
+    W222: Number = 0.0
+    W220: Number = 0.0
+    W311: Number = 0.0
+
+
 class _Lens(Section):
     focal_length: Length
     f_number: Annotated[Number, Field(gt=0)] | None = None
     aperture_diameter: Length | None = None
     focus_distance: Distance | None = None
     sensor_distance: Length | None = None
-    wavelength: Annotated[Length, AfterValidator(_wavelength)]
+    wavelength: Annotated[Length, AfterValidator(validation.wavelength)]
     obscuration: Annotated[Number, Field(ge=0, lt=1)] = 0.0
     model: Literal["paraxial", "aplanatic"] = "paraxial"
     corrected_for: Literal["object", "focus"] = "object"
     apodization: Annotated[Any, BeforeValidator(_amplitude)] = 0.0
 
 
-class _Aberrations(Section):
+class _Aberrations(_Seidel):
     defocus: Number = 0.0
     spherical: Number = 0.0
     W020: Number = 0.0
@@ -103,10 +96,6 @@ class _Aberrations(Section):
     W060: Number = 0.0
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
-    W131: Number = 0.0
-    W222: Number = 0.0
-    W220: Number = 0.0
-    W311: Number = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
     zernike: dict[str, Any] | None = None  # told by zernike_files what it may hold
 
@@ -116,21 +105,17 @@ class _Object(Section):
 
 
 class _Sensor(Section):
-    pixel: Annotated[Length, AfterValidator(_pitch)]
+    pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
     shape: Annotated[tuple[int, int], BeforeValidator(_shape)] | None = None
     integrate: Annotated[bool, Field(strict=True)] | None = None
 
 
-_SEIDEL = ("W131", "W222", "W220", "W311")
+_SEIDEL = tuple(_Seidel.model_fields)
 
 
-class _Field(Section):
+class _Field(_Seidel):
     sensor: tuple[Length, Length]
     edge: Length | None = None
-    W131: Number = 0.0
-    W222: Number = 0.0
-    W220: Number = 0.0
-    W311: Number = 0.0
     order: Literal["noll", "ansi", "fringe"] = "noll"
     unit: Literal["waves", "radians", "metres"] = "waves"
     normalization: Literal["rms", "edge"] = "rms"
@@ -272,9 +257,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
         raw = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         raise LensFileError(f"{validation.line(source)}: not valid TOML: {reading.reason(error)}") from None
-    if not isinstance(folder_only, bool):
-        raise TypeError(f"folder_only must be True or False, got {validation.shown(folder_only)}")
-    context = {"folder": source.parent, "folder_only": folder_only}
+    context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
     table, found = _zernike(raw, text, context)
     try:
         file = _File.model_validate(raw, context=context)
@@ -363,7 +346,7 @@ def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrumen
 
 def _describe(fault: Any, text: str) -> str:
     keys = [str(part) for part in fault["loc"] if not isinstance(part, int) or len(fault["loc"]) == 1]
-    message = fault["msg"].removeprefix("Value error, ")
+    message = with_units(fault["msg"].removeprefix("Value error, "))
     if fault["type"] == "extra_forbidden":
         model: Any = _File
         for part in keys[:-1]:

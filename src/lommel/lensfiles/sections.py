@@ -32,6 +32,14 @@ Number = Annotated[float, Field(strict=True), AfterValidator(finite)]
 Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
 
 
+def number(text: str) -> float | str:
+    """Return the number that a cell of a table holds; what is none stays as it is, to be told."""
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
 def beside(context: dict[str, Any] | None, name: str) -> Path:
     """Return the path of a file that a lens file names; ValueError if it may not be there."""
     given = context or {}

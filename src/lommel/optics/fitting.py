@@ -221,8 +221,7 @@ def opd_map(
     TypeError, ValueError
         If an argument is out of range.
     """
-    if not isinstance(wavefront, Wavefront):
-        raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
+    validation.instance("wavefront", wavefront, Wavefront)
     scale = radians_per(unit, wavelength)
     size = validation.image_shape(shape)
     x, y = _pupil_coordinates(size, center, radius)

@@ -134,16 +134,15 @@ class Lens:
                     f"focus_distance must exceed the focal length {f:g} m (no real image otherwise), got {s:g}"
                 )
             d = 1.0 / (1.0 / f - 1.0 / s)
-        aberrations = Wavefront() if aberrations is None else aberrations
-        if not isinstance(aberrations, Wavefront):
-            raise TypeError(f"aberrations must be a Wavefront, got {validation.shown(aberrations)}")
+        if aberrations is None:
+            aberrations = Wavefront()
         values: dict[str, Any] = {
             "focal_length": f,
             "aperture_diameter": diameter,
             "sensor_distance": d,
             "wavelength": validation.wavelength(wavelength),
             "obscuration": validation.real("obscuration", obscuration, least=0.0, below=1.0),
-            "aberrations": aberrations,
+            "aberrations": validation.instance("aberrations", aberrations, Wavefront),
             "spider": spider,
             "vignetting": vignetting,
             "mask": mask,

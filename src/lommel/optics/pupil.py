@@ -78,8 +78,7 @@ class Pupil:
     radial: bool = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.wavefront, Wavefront):
-            raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(self.wavefront)}")
+        validation.instance("wavefront", self.wavefront, Wavefront)
         if self.geometry is not None and not isinstance(self.geometry, Geometry):
             raise TypeError(
                 f"geometry must be a Geometry, as Lens.pupil makes, got {validation.shown(self.geometry)}"

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from lommel.base.options import sentence
-from lommel.base.units import format_length, parse_length
+from lommel.base.units import format_length
 from lommel.cli.parts import Length, one_line_errors, print_json, progress
 from lommel.cli.photo_job import KINDS, Request
 from lommel.imaging import Photograph
@@ -32,10 +32,7 @@ class _Wavelengths(click.ParamType[tuple[float, ...]]):
     name = "lengths"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
-        try:
-            return tuple(parse_length(part.strip()) for part in value.split(","))
-        except ValueError as error:
-            self.fail(str(error), param, ctx)
+        return tuple(Length().convert(part.strip(), param, ctx) for part in value.split(","))
 
 
 def _photo_command(command: Callable[..., None]) -> Callable[..., None]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -37,15 +38,18 @@ def peak_position(answer: Answer) -> Array:
     """
     checked(answer)
     grid = answer.grid
-    values = np.asarray(answer.values, dtype=np.float64).reshape(-1, *grid.shape)
-    out = np.empty((len(values), 2))
-    for i, image in enumerate(values):
-        row, column = np.unravel_index(int(image.argmax()), grid.shape)
-        out[i] = (
-            grid.x[column] + grid.pixel * _vertex(image[row], int(column)),
-            grid.y[row] + grid.pixel * _vertex(image[:, column], int(row)),
-        )
-    return out.reshape(*answer.pupil.shape, 2)
+    out = [
+        (grid.x[column] + grid.pixel * _vertex(across, column), grid.y[row] + grid.pixel * _vertex(down, row))
+        for row, column, across, down in _brightest(answer)
+    ]
+    return np.array(out).reshape(*answer.pupil.shape, 2)
+
+
+def _brightest(answer: Answer) -> Iterator[tuple[int, int, Array, Array]]:
+    """Yield row and column of the brightest pixel of each image, and the values along both."""
+    for image in np.asarray(answer.values, dtype=np.float64).reshape(-1, *answer.grid.shape):
+        row, column = divmod(int(image.argmax()), answer.grid.width)
+        yield row, column, image[row], image[:, column]
 
 
 def _vertex(line: Array, at: int) -> float:
@@ -144,13 +148,10 @@ def fwhm(answer: Answer, along: str = "mean") -> Numbers:
     validation.choice("along", along, ("mean", "x", "y"))
     if answer.radial_method is not None:
         return radial_fwhm(answer.radial_method, answer.pupil)
-    grid = answer.grid
     out = []
-    for image in np.asarray(answer.values, dtype=np.float64).reshape(-1, *grid.shape):
-        row, column = np.unravel_index(int(image.argmax()), grid.shape)
-        lines = {"x": image[row], "y": image[:, column]}
-        widths = [_width(lines[name], name) for name in (("x", "y") if along == "mean" else (along,))]
-        out.append(grid.pixel * sum(widths) / len(widths))
+    for _, _, across, down in _brightest(answer):
+        widths = [_width(line, name) for name, line in (("x", across), ("y", down)) if along in ("mean", name)]
+        out.append(answer.pixel * sum(widths) / len(widths))
     return numbers(out, answer.pupil.shape)
 
 

@@ -152,8 +152,7 @@ class Lens:
         }
         # What is no such shape, or leaves nothing clear, is told now.
         Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
-        for name, value in values.items():
-            object.__setattr__(self, name, value)
+        vars(self).update(values)
         if model == "aplanatic":
             self.phase(0.0)  # a rim out of reach is told now
 

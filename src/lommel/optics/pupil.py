@@ -84,22 +84,20 @@ class Pupil:
                 f"geometry must be a Geometry, as Lens.pupil makes, got {validation.shown(self.geometry)}"
             )
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
-        object.__setattr__(self, "obscuration", eps)
         light = illumination(self.apodization)
-        object.__setattr__(self, "illumination", light)
-        if not isinstance(self.apodization, Apodization):
-            object.__setattr__(self, "apodization", light.slope)
+        kept = light if isinstance(self.apodization, Apodization) else light.slope
+        vars(self).update(obscuration=eps, illumination=light, apodization=kept)
         if (self.wavelength is None) != (self.f_number is None):
             raise ValueError(
                 "wavelength and f_number must be given together (sensor in metres) or not at all "
                 f"(sensor in lambda*N), got wavelength={self.wavelength!r}, f_number={self.f_number!r}"
             )
         if self.wavelength is not None:
-            object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
-            object.__setattr__(self, "f_number", validation.real("f_number", self.f_number, above=0.0))
-        object.__setattr__(self, "circular", all(part is None for part in (self.spider, self.vignetting, self.mask)))
-        object.__setattr__(self, "radial", self.circular and self.wavefront.radial)
-        if not self.circular:
+            wavelength = validation.wavelength(self.wavelength)
+            vars(self).update(wavelength=wavelength, f_number=validation.real("f_number", self.f_number, above=0.0))
+        circular = all(part is None for part in (self.spider, self.vignetting, self.mask))
+        vars(self).update(circular=circular, radial=circular and self.wavefront.radial)
+        if not circular:
             self._check_aperture()
 
     def _check_aperture(self) -> None:

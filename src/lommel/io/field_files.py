@@ -105,27 +105,16 @@ def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> 
 
     def fill(folder: Path) -> None:
         group = zarr.create_group(folder, zarr_format=3, attributes={"lommel": said})
-        shape = grid.values.shape
         dimensions = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
-        # A chunk for each PSF: what is read together.
-        store = group.create_array(
+        group.create_array(
             "values",
-            shape=shape,
-            chunks=(1, 1, *shape[2:]),
-            dtype=grid.values.dtype,
+            data=grid.values,
+            chunks=(1, 1, *grid.values.shape[2:]),  # a chunk for each PSF: what is read together
             compressors=None,  # so that its size is known before it is read
             dimension_names=list(dimensions),
         )
-        store[...] = grid.values
         for name, positions in dimensions.items():
-            axis = group.create_array(
-                name,
-                shape=positions.shape,
-                dtype="float64",
-                dimension_names=[name],
-                attributes={"units": grid.unit},
-            )
-            axis[...] = positions
+            group.create_array(name, data=positions, dimension_names=[name], attributes={"units": grid.unit})
 
     atomic.write_folder(target, fill)
 

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from lommel.base import reading, validation
-from lommel.lensfiles.sections import Angle, Length, Number, Section, beside
+from lommel.base.encoding import to_light
+from lommel.lensfiles.sections import Angle, Length, Number, Section, read_beside
 from lommel.optics.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
 
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff")
@@ -76,15 +77,10 @@ class _Mask(Section):
     @field_validator("file")
     @classmethod
     def _file(cls, value: Any, info: ValidationInfo) -> Any:
-        if not isinstance(value, str):
-            raise ValueError(f"must be the name of a file, {', '.join(_SUFFIXES)}, got {validation.shown(value)}")
         if "holds" not in info.data:
             return value  # its own fault is told
-        try:
-            values = read_transmission(beside(info.context, value))
-        except OSError as error:
-            raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
-        mask = Mask(values)
+        wanted = f"the name of a file, {', '.join(_SUFFIXES)}"
+        mask = Mask(read_beside(info.context, value, wanted, read_transmission))
         return mask if info.data["holds"] == "amplitude" else Mask(np.sqrt(mask.values))
 
 
@@ -144,6 +140,4 @@ def read_transmission(path: Path) -> NDArray[Any]:
         raise ValueError(f"{path.name!r} is no picture: {reading.reason(error)}") from None
     if values.ndim != 2:
         raise ValueError(f"{path.name!r} must be a grey picture, got one in colour")
-    if values.dtype.kind == "u":
-        return np.asarray(values / np.iinfo(values.dtype).max)
-    return values
+    return to_light(repr(path.name), values, "linear", np.float64)

@@ -28,7 +28,7 @@ from lommel.field.maps import FieldMap
 from lommel.lensfiles import field_tables, messages, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
-from lommel.lensfiles.sections import Distance, Length, Number, Section, SignedLength, beside
+from lommel.lensfiles.sections import Distance, Length, Number, Section, SignedLength, read_beside
 from lommel.lensfiles.zernike_tables import ZernikeTable
 from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
@@ -139,33 +139,23 @@ class _Field(_Seidel):
     @field_validator("file")
     @classmethod
     def _file(cls, value: Any, info: ValidationInfo) -> Any:
-        if not isinstance(value, str):
-            raise ValueError(f"must be the name of a CSV file, got {validation.shown(value)}")
         if "order" not in info.data:
             return value
-        try:
-            return field_tables.read_csv(beside(info.context, value), info.data["order"])
-        except OSError as error:
-            raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
+        read = partial(field_tables.read_csv, order=info.data["order"])
+        return read_beside(info.context, value, "the name of a CSV file", read)
 
     @model_validator(mode="after")
     def _one_way(self) -> _Field:
         given = self.model_fields_set
-        ways = {"rows": "rows" in given, "file": "file" in given, ", ".join(_SEIDEL): bool(given & set(_SEIDEL))}
-        if sum(ways.values()) != 1:
-            got = " and ".join(name for name, there in ways.items() if there) or "none"
-            raise ValueError(
-                f"needs Seidel coefficients ({', '.join(_SEIDEL)}), rows, or file: one of them, got {got}"
-            )
-        stray = {"columns"} if "rows" not in given else set()
-        if ways[", ".join(_SEIDEL)]:
-            stray |= {"order", "unit", "normalization", "direction"}
-        else:
-            stray |= {"edge"}
-        if found := sorted(stray & given):
-            raise ValueError(
-                f"{', '.join(found)} has no meaning with {next(n for n, there in ways.items() if there)}"
-            )
+        seidel, of_tables = ", ".join(_SEIDEL), {"order", "unit", "normalization", "direction"}
+        # What says what changes, and what has no meaning beside it.
+        ways = {"rows": {"edge"}, "file": {"edge", "columns"}, seidel: {"columns", *of_tables}}
+        found = [way for way in ways if given & set(way.split(", "))]
+        if len(found) != 1:
+            got = " and ".join(found) or "none"
+            raise ValueError(f"needs Seidel coefficients ({seidel}), rows, or file: one of them, got {got}")
+        if stray := sorted(ways[found[0]] & given):
+            raise ValueError(f"{', '.join(stray)} has no meaning with {found[0]}")
         return self
 
     def map(self, pupil: Pupil) -> FieldMap:
@@ -288,21 +278,15 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
 
     if "file" not in section:
         return zernike_files.build_section(section, where)
-    name, others = section["file"], [key for key in section if key != "file"]
-    if others:
-        return None, [f"{where(['file'])}: the file states everything; leave out {', '.join(others)}"]
-    if not isinstance(name, str):
-        return None, [f"{where(['file'])}: must be the path of a table, got {validation.shown(name)}"]
     try:
-        path = beside(context, name)
-        table = zernike_files.load_zernike(path)
-    except OSError as error:
-        return None, [f"{where(['file'])}: {validation.line(path)}: {error.strerror or error}"]
+        if others := [key for key in section if key != "file"]:
+            raise ValueError(f"the file states everything; leave out {', '.join(others)}")
+        table = read_beside(context, section["file"], "the path of a table", zernike_files.load_zernike)
+        if table.wavelength is None and table.unit in ("radians", "waves"):
+            raise ValueError(f"{validation.line(section['file'])}: must state the wavelength of its {table.unit}")
+        return table, []
     except ValueError as error:
         return None, [f"{where(['file'])}: {error}"]
-    if table.wavelength is None and table.unit in ("radians", "waves"):
-        return None, [f"{where(['file'])}: {validation.line(path)}: must state the wavelength of its {table.unit}"]
-    return table, []
 
 
 def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrument:

@@ -35,14 +35,6 @@ Number = Annotated[float, Field(strict=True), AfterValidator(finite)]
 Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
 
 
-def number(text: str) -> float | str:
-    """Return the number that a cell of a table holds; what is none stays as it is, to be told."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
 def read_beside(context: dict[str, Any] | None, name: Any, what: str, read: Callable[[Path], _Read]) -> _Read:
     """Return what is read from a file that a lens file names; ValueError if it cannot be, or may not be there."""
     if not isinstance(name, str):

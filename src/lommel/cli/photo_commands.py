@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
 from lommel.base.options import sentence
 from lommel.base.units import format_length
@@ -99,11 +100,11 @@ def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> No
     """  # noqa: D301 (\b is meant)
     request = Request.of(options)
     find(output, "--output")
-    with _terminated_as_interrupted(), progress("reading"):
+    with _terminated_as_interrupted(), progress("reading") as started:
         job = request.job(output)
         find(output, "--output", holding=f"of {job.dtype}")
         lens = job.lens(focus, "--focus")
-    with _terminated_as_interrupted(), progress("blurring"):
+        started("blurring")
         start = time.perf_counter()
         made = job.photograph(lens)
         seconds = time.perf_counter() - start
@@ -165,7 +166,7 @@ def focus_pull(
                 started(f"frame {number} of {frames}, focus {format_length(lens.focus_distance)}")
                 photograph = job.photograph(lens)
                 values, clipped = stored(photograph.values, job.encoding, job.dtype)
-                photographs.append(_without_values(photograph))
+                photographs.append(replace(photograph, values=np.empty(0)))  # a view would keep them all
                 shares.append(clipped)
                 yield values
 
@@ -186,10 +187,6 @@ def _quality(photographs: list[Photograph], clipped: list[float]) -> dict[str, A
         "interpolation_error": max(p.error for p in photographs),
         "clipped": max(clipped),
     }
-
-
-def _without_values(photograph: Photograph) -> Photograph:
-    return replace(photograph, values=photograph.values[:0])
 
 
 def _finite(distance: float) -> float | str:

@@ -138,6 +138,13 @@ def _center(answer: Answer, about: str) -> Array:
     return window_centroid(answer).reshape(-1, 2)
 
 
+def require_radial(method: RadialMethod, pupil: Pupil) -> None:
+    """Raise ValueError if a pupil is not radially symmetric, or not supported."""
+    method.require(pupil)
+    if not pupil.radial:
+        raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
+
+
 def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numbers:
     """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 (1 - eps^2))``, by quadrature.
 

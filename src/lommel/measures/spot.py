@@ -11,7 +11,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
 from lommel.measures.answer import Answer, checked
-from lommel.measures.energy import encircled_energy, radial_energy
+from lommel.measures.energy import encircled_energy, radial_energy, require_radial
 from lommel.methods.method import RadialMethod
 from lommel.optics.pupil import Pupil
 
@@ -180,7 +180,7 @@ def radial_fwhm(method: RadialMethod, pupil: Pupil) -> Numbers:
     of exponential type 2 (of one wavelength) this adds less than 2e-11 of the peak of the same aperture without
     aberration.
     """
-    _require_radial(method, pupil)
+    require_radial(method, pupil)
     far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
     step = _STEP / method.stretch(pupil)
     places = step * np.arange(math.ceil(far / step) + _ORDER, dtype=np.float64)
@@ -249,7 +249,7 @@ def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> 
 def radial_diameter(method: RadialMethod, pupil: Pupil, fraction: float) -> Numbers:
     """Return the diameter that holds `fraction` of the light; see :func:`lommel.measures.spot.energy_diameter`."""
     wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
-    _require_radial(method, pupil)
+    require_radial(method, pupil)
     unit = pupil.scale / math.pi
     step = _STEP / method.stretch(pupil)
     count = 64 + math.ceil(float(pupil.v(pupil.geometric_radius()).max()) / step)
@@ -268,12 +268,6 @@ def radial_diameter(method: RadialMethod, pupil: Pupil, fraction: float) -> Numb
         cross = int(np.argmax(values >= wanted))
         out[i] = 2.0 * step * _Even(-values).falls_to(-wanted, cross - 1, cross)
     return numbers(out * unit, pupil.shape)
-
-
-def _require_radial(method: RadialMethod, pupil: Pupil) -> None:
-    method.require(pupil)
-    if not pupil.radial:
-        raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
 
 
 class _Even:

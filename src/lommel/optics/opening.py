@@ -132,12 +132,8 @@ class Opening:
     def __post_init__(self) -> None:
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
         object.__setattr__(self, "obscuration", eps)
-        if self.spider is not None:
-            validation.instance("spider", self.spider, Spider)
-        if self.vignetting is not None and not isinstance(self.vignetting, Ellipse | CatEye):
-            raise TypeError(
-                f"vignetting must be an Ellipse, a CatEye or None, got {validation.shown(self.vignetting)}"
-            )
+        validation.optional("spider", self.spider, Spider)
+        validation.optional("vignetting", self.vignetting, Ellipse, CatEye)
 
     @property
     def circular(self) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypedDict
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,14 +15,6 @@ from lommel.lensfiles.sections import Angle, Length, Number, Section, read_besid
 from lommel.optics.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
 
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff")
-
-
-class Shapes(TypedDict, total=False):
-    """What narrows an aperture, as :class:`lommel.Lens` takes it."""
-
-    spider: Spider
-    vignetting: Ellipse | CatEye
-    mask: Mask
 
 
 class _Spider(Section):
@@ -98,18 +90,13 @@ class ApertureSection(Section):
             raise ValueError("takes one of ellipse and cat_eye, got both")
         return self
 
-    def shapes(self, radius: float) -> Shapes:
-        """Return what narrows an aperture of this radius (metres), for :class:`lommel.Lens`."""
-        found: Shapes = {}
-        if self.spider is not None:
-            found["spider"] = self.spider.spider(radius)
-        if self.ellipse is not None:
-            found["vignetting"] = Ellipse(self.ellipse.a, self.ellipse.b, self.ellipse.angle)
-        if self.cat_eye is not None:
-            found["vignetting"] = CatEye(self.cat_eye.shift, self.cat_eye.radius)
-        if self.mask is not None:
-            found["mask"] = self.mask.file
-        return found
+    def shapes(self, radius: float) -> dict[str, Any]:
+        """Return what narrows an aperture of this radius (metres), by the names that :class:`lommel.Lens` has."""
+        ellipse = self.ellipse and Ellipse(**dict(self.ellipse))
+        eye = self.cat_eye and CatEye(**dict(self.cat_eye))
+        spider = self.spider and self.spider.spider(radius)
+        found = {"spider": spider, "vignetting": ellipse or eye, "mask": self.mask and self.mask.file}
+        return {name: shape for name, shape in found.items() if shape is not None}
 
 
 def read_transmission(path: Path) -> NDArray[Any]:

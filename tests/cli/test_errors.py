@@ -53,7 +53,7 @@ BAD = [
     ("psf unit.toml", "aberrations.zernike.unit (line 9): is missing; it is one of radians, waves"),
     ("psf index.toml", "aberrations.zernike.terms.0 (line 14): a Zernike index in the order 'noll' must be from 1"),
     ("psf infinite.toml", "aberrations.zernike.terms.8 (line 14): the coefficient must be finite, got inf"),
-    ("info absent.toml", "nowhere.csv: No such file or directory"),
+    ("info absent.toml", "'nowhere.csv' cannot be read: No such file or directory"),
     ("psf coma.toml -m hankel -o a.tif", "Hankel supports radially symmetric pupils only"),
     ("psf {phone} --shape 0", "shape must be from 1 to 16384, got 0"),
     ("psf {phone} --shape 64by64", "'64by64' is not a size; write 65 or 64x128"),

@@ -24,6 +24,7 @@ import numpy as np
 from lommel.adapters import traced
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.optional import library
 from lommel.field.maps import FieldMap
 from lommel.optics.pupil import Pupil
 
@@ -105,11 +106,10 @@ def field_map(
 
 def _tracer(optic: Any, wavelength: float | None) -> tuple[traced.Trace, float]:
     """Return what traces a field, and the wavelength in metres."""
-    try:
-        from optiland.optic import Optic
-        from optiland.wavefront import Wavefront
-    except ImportError:
-        raise ImportError("this needs optiland: pip install optiland") from None
+    library("optiland", "this needs", "")
+    from optiland.optic import Optic
+    from optiland.wavefront import Wavefront
+
     if not isinstance(optic, Optic):
         raise TypeError(f"optic must be an optiland Optic, got {validation.shown(optic)}")
     micrometres = optic.primary_wavelength if wavelength is None else 1e6 * validation.wavelength(wavelength)

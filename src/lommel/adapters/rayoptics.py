@@ -25,6 +25,7 @@ import numpy as np
 from lommel.adapters import traced
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.optional import library
 from lommel.field.maps import FieldMap
 from lommel.optics.pupil import Pupil
 
@@ -111,17 +112,15 @@ def field_map(
 
 def _tracer(model: Any, wavelength: float | None, apertures: bool) -> tuple[traced.Trace, float]:
     """Return what traces a field, and the wavelength in metres."""
-    try:
-        from rayoptics.optical.opticalmodel import OpticalModel
-        from rayoptics.raytr import trace as rays
-        from rayoptics.raytr.opticalspec import Field
-        from rayoptics.raytr.waveabr import wave_abr_full_calc
-    except ImportError:
-        raise ImportError("this needs ray-optics: pip install rayoptics") from None
+    library("rayoptics", "this needs", "")
+    from rayoptics.optical.opticalmodel import OpticalModel
+    from rayoptics.raytr import trace as rays
+    from rayoptics.raytr.opticalspec import Field
+    from rayoptics.raytr.waveabr import wave_abr_full_calc
+
     if not isinstance(model, OpticalModel):
         raise TypeError(f"model must be a ray-optics OpticalModel, got {validation.shown(model)}")
-    if not isinstance(apertures, bool):
-        raise TypeError(f"apertures must be True or False, got {validation.shown(apertures)}")
+    validation.truth("apertures", apertures)
     spec = model["optical_spec"]
     nanometres = spec["wvls"].central_wvl if wavelength is None else 1e9 * validation.wavelength(wavelength)
     first = model["analysis_results"]["parax_data"].fod

@@ -2,8 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Numbers = np.float64 | NDArray[np.float64]
+
+
+def numbers(values: Any, shape: tuple[int, ...]) -> Numbers:
+    """Return an array of this shape, or the number that one without axes holds."""
+    found: Numbers = np.asarray(values, dtype=np.float64).reshape(shape)[()]
+    return found

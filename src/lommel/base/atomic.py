@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import secrets
 import shutil
@@ -11,10 +12,18 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 # Short, so that it fits wherever the name asked for does, and such that nobody else's file is called so.
 _PREFIX = ".lommel-"
 _DAY = 86400.0
+
+
+def contents(save: Callable[..., object], *args: Any, **options: Any) -> bytes:
+    """Return what a function writes into the file that is its first argument."""
+    file = io.BytesIO()
+    save(file, *args, **options)
+    return file.getvalue()
 
 
 def write(target: Path, data: bytes) -> None:

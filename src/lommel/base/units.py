@@ -8,20 +8,11 @@ from collections.abc import Iterable
 
 from lommel.base.validation import real, shown
 
-_LENGTHS = {
-    "m": 1.0,
-    "km": 1e3,
-    "cm": 1e-2,
-    "mm": 1e-3,
-    "um": 1e-6,
-    "µm": 1e-6,  # micro sign
-    "μm": 1e-6,  # Greek mu
-    "nm": 1e-9,
-    "pm": 1e-12,
-    "angstrom": 1e-10,
-    "in": 25.4e-3,
-    "inch": 25.4e-3,
-}
+# The second and the third um have a micro sign and a Greek mu.
+_POWERS = {"m": 0, "km": 3, "cm": -2, "mm": -3, "um": -6, "µm": -6, "μm": -6, "nm": -9, "pm": -12, "angstrom": -10}
+LENGTHS = {unit: float(f"1e{power}") for unit, power in _POWERS.items()} | {"in": 25.4e-3, "inch": 25.4e-3}
+"""Metres of each unit of length."""
+
 _ANGLES = {
     "rad": 1.0,
     "mrad": 1e-3,
@@ -30,7 +21,6 @@ _ANGLES = {
     "arcsec": math.pi / 648000,
     "mas": math.pi / 648000000,
 }
-_POWERS = {"m": 0, "km": 3, "cm": -2, "mm": -3, "um": -6, "µm": -6, "μm": -6, "nm": -9, "pm": -12, "angstrom": -10}
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?inf(?:inity)?)\s*(\S*)\s*", re.ASCII)
 
 
@@ -54,7 +44,7 @@ def parse_length(text: str | float) -> float:
     ValueError
         If it is not a text of a number with one of these units.
     """
-    return _parse(text, _LENGTHS, "length", "550 nm")
+    return _parse(text, LENGTHS, "length", "550 nm")
 
 
 def parse_angle(text: str | float) -> float:
@@ -101,7 +91,7 @@ def parse_radius(text: str | float, focal_length: float) -> float:
     found = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     if found and found[2] in _ANGLES:
         return parse_angle(found[0]) * real("focal_length", focal_length, above=0.0)
-    return _parse(text, _LENGTHS, "length", "5 um", others=_ANGLES)
+    return _parse(text, LENGTHS, "length", "5 um", others=_ANGLES)
 
 
 def format_length(metres: float, *, like: float | None = None, digits: int = 4) -> str:
@@ -124,11 +114,11 @@ def format_length(metres: float, *, like: float | None = None, digits: int = 4) 
         return "infinity" if metres > 0 else "-infinity"
     size = abs(metres if like is None else like)
     for name in ("m", "mm", "um", "nm"):
-        if size >= 0.99995 * _LENGTHS[name]:
+        if size >= 0.99995 * LENGTHS[name]:
             break
     else:
         name = "m" if size == 0 else "nm"
-    return f"{metres / _LENGTHS[name]:.{digits}g} {name}"
+    return f"{metres / LENGTHS[name]:.{digits}g} {name}"
 
 
 def with_units(message: str) -> str:

@@ -61,6 +61,13 @@ def instance(name: str, value: _Value, kind: type[Any]) -> _Value:
     return value
 
 
+def optional(name: str, value: Any, *kinds: type[Any]) -> None:
+    """Refuse what is neither None nor of one of these types, with a TypeError."""
+    if value is not None and not isinstance(value, kinds):
+        allowed = " or ".join(kind.__name__ for kind in kinds)
+        raise TypeError(f"{name} must be of the type {allowed}, or None, got {shown(value)}")
+
+
 def path(name: str, value: Any) -> Path:
     """Return `value` as a path; TypeError or ValueError if it is none."""
     if not isinstance(value, str | os.PathLike) or isinstance(os.fspath(value), bytes):
@@ -101,13 +108,8 @@ def real(
     if math.isnan(number) or (math.isinf(number) and not infinite):
         raise ValueError(f"{name} must be finite, got {number}")
     if not (number > above and number >= least and number < below) and not (infinite and math.isinf(number)):
-        limits = []
-        if above > -math.inf:
-            limits.append(f"> {above:g}")
-        if least > -math.inf:
-            limits.append(f">= {least:g}")
-        if below < math.inf:
-            limits.append(f"< {below:g}")
+        bounds = ((">", above), (">=", least), ("<", below))
+        limits = [f"{sign} {bound:g}" for sign, bound in bounds if math.isfinite(bound)]
         suffix = f" {unit}" if unit else ""
         raise ValueError(f"{name} must be {' and '.join(limits)}{suffix}, got {number:g}")
     if math.isinf(number) and number < 0:
@@ -132,6 +134,13 @@ def integer(name: str, value: Any, *, least: int, most: int) -> int:
     if not least <= number <= most:
         raise ValueError(f"{name} must be from {least} to {most}, got {shown(number)}")
     return number
+
+
+def truth(name: str, value: Any) -> bool:
+    """Return `value` if it is True or False; TypeError otherwise."""
+    if not isinstance(value, bool):
+        raise TypeError(f"{name} must be True or False, got {shown(value)}")
+    return value
 
 
 def choice(name: str, value: Any, allowed: Iterable[str]) -> str:
@@ -176,6 +185,15 @@ def real_array(name: str, value: ArrayLike, *, least: float = -math.inf) -> Arra
         raise ValueError(f"{name} must be finite{limit}, got {found[bad].flat[0]}")
     found.flags.writeable = False
     return found
+
+
+def broadcast(names: str, *arrays: NDArray[Any]) -> tuple[Array, ...]:
+    """Return arrays in the shape that they broadcast to; ValueError with their `names`, as "x and y", otherwise."""
+    try:
+        return np.broadcast_arrays(*arrays)
+    except ValueError:
+        shapes = " and ".join(str(part.shape) for part in arrays)
+        raise ValueError(f"{names} must broadcast, got shapes {shapes}") from None
 
 
 def axes(name: str, value: Any) -> None:

@@ -1,4 +1,4 @@
-"""The command line: ``lommel psf``, ``lommel compare``, ``lommel info``, ``lommel paper``; see also cli_imaging."""
+"""The command line: ``lommel psf``, ``lommel info``, ``lommel compare``, ``lommel paper``; more in photo_commands."""
 
 from __future__ import annotations
 
@@ -6,16 +6,18 @@ import dataclasses
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from lommel.base.optional import how_to_get
 from lommel.base.validation import shown
+from lommel.methods import METHODS, ClosedForm
 
 try:
     import click
 
-    from lommel.cli.methods import METHOD_NAMES, build_method, methods
+    from lommel.cli.methods import build_method, methods
     from lommel.cli.parts import Length, Shape, one_line_errors, print_json, progress
     from lommel.cli.photo_commands import blur, focus_pull
 except ImportError as missing:  # pragma: no cover
@@ -25,11 +27,13 @@ if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Instrument
     from lommel.psf import PSF
 
+_FILE: Any = click.Path(dir_okay=False, path_type=Path)
+
 
 def _lens_command(command: Callable[..., None], *more: Callable[..., Any]) -> Callable[..., None]:
     """Add what every command takes: the lens file, what overrides it, and --json."""
     parts = [
-        click.argument("lens", type=click.Path(dir_okay=False, path_type=Path)),
+        click.argument("lens", type=_FILE),
         click.option("--object-distance", type=Length(), help='Instead of the file\'s: "1.5 m", "inf".'),
         click.option("--pixel", type=Length(), help='Pixel pitch, instead of the file\'s: "3.45 um".'),
         click.option("--shape", type=Shape(), help="Window in pixels, instead of the file's: 65 or 64x128."),
@@ -75,15 +79,15 @@ for command in (blur, focus_pull, methods):
 
 @main.command()
 @_psf_command
-@click.option("-o", "--output", "outputs", multiple=True, type=click.Path(dir_okay=False, path_type=Path),
+@click.option("-o", "--output", "outputs", multiple=True, type=_FILE,
               help="The values: .tif (OME), .npy or .npz; or a grey picture to look at: .png, the square root of the "
               "values, enlarged to 512 pixels or more. Repeatable. With --field .tif, .zarr or .npz.")  # fmt: skip
 @click.option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
               help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
-@click.option("--plot", "figure", type=click.Path(dir_okay=False, path_type=Path),
+@click.option("--plot", "figure", type=_FILE,
               help="A figure with axes and scale: .png, .pdf, .svg.")  # fmt: skip
 @click.option("-m", "--method", "method_name", default="auto", show_default=True,
-              type=click.Choice(("auto", *METHOD_NAMES)),
+              type=click.Choice(("auto", *METHODS)),
               help="How to evaluate the diffraction integral; auto: what suits the pupil.")  # fmt: skip
 @click.option("--tol", type=float, help="Tolerance, relative to the peak, of methods that have one.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
@@ -93,20 +97,16 @@ for command in (blur, focus_pull, methods):
 @click.option("--dtype", type=click.Choice(["float32", "float64"]), help="Of the values.")
 @one_line_errors
 def psf(
-    lens: Path,
-    object_distance: float | None,
-    pixel: float | None,
-    shape: Any,
-    integrate: bool | None,
-    as_json: bool,
     outputs: tuple[Path, ...],
     field: Any,
     figure: Path | None,
     method_name: str,
     tol: float | None,
     settings: tuple[str, ...],
+    as_json: bool,
     normalize: str,
     dtype: str | None,
+    **lens: Any,
 ) -> None:
     """Compute the PSF of a lens, print what it is, and write it to files.
 
@@ -126,43 +126,48 @@ def psf(
         (psf_files if field is None else field_files).find(path, "--output")
     if figure is not None:
         _figure_format(figure)
-    instrument = _instrument(lens, object_distance, pixel, shape, integrate)
-    method = build_method(method_name, settings)
+    instrument = _instrument(**lens)
+    options: dict[str, Any] = {"method": build_method(method_name, settings), "tol": tol, "normalize": normalize}
     if tol is not None and any(setting.startswith("tol=") for setting in settings):
         raise ValueError("tol is given twice, by --tol and by --set")
-    if field is not None:
-        options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
-        options["integrate"] = instrument.integrate
-        _psf_over_field(instrument, field, options, outputs, figure, as_json)
-        return
-    with progress(f"{instrument.window[0]} x {instrument.window[1]} pixels"):
+    window, pixel = instrument.window, instrument.pixel
+    options |= {"dtype": dtype, "integrate": instrument.integrate}
+    work: Callable[[], Any]
+    if field is None:
+        count, work = "", partial(compute, instrument.pupil(), window, pixel, **options)
+    else:
+        if not isinstance(field, tuple) or len(field) != 2:
+            raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
+        count, options["sensor"] = f"{field[0]} x {field[1]} PSFs of ", instrument.sensor
+        work = partial(instrument.field().grid, *field, shape=window, pixel=pixel, **options)
+    with progress(f"{count}{window[0]} x {window[1]} pixels"):
         start = time.perf_counter()
-        answer = compute(
-            instrument.pupil(),
-            instrument.window,
-            instrument.pixel,
-            method=method,
-            tol=tol,
-            normalize=normalize,
-            dtype=dtype,
-            integrate=instrument.integrate,
-        )
+        answer: Any = work()
         seconds = time.perf_counter() - start
-        facts = report.describe_lens(instrument) | {"psf": report.describe_psf(answer, seconds)}
+        if field is None:
+            facts = report.describe_lens(instrument) | {"psf": report.describe_psf(answer, seconds)}
+        else:
+            facts = report.describe_field(instrument, answer, seconds)
         for path in outputs:
             answer.save(path)
         if figure is not None:
             axes = answer.plot()
-            axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9)
+            if field is None:
+                axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9)
+            else:
+                axes.set_title(instrument.name, fontsize=9, loc="left", pad=22)
             _save_figure(axes.figure, figure)
-    written = [str(path) for path in (*outputs, *([figure] if figure else []))]
     if as_json:
-        print_json(facts | {"files": written})
+        print_json(facts | {"files": [str(path) for path in (*outputs, *([figure] if figure else []))]})
         return
-    tables.print_lens(facts)
-    tables.print_psf(answer, facts["psf"])
+    if field is None:
+        tables.print_lens(facts)
+        tables.print_psf(answer, facts["psf"])
+    else:
+        tables.print_field(answer, facts)
     for path in outputs:
-        click.echo(f"wrote {path}{_of_picture(answer) if path.suffix.lower() == '.png' else ''}")
+        picture = field is None and path.suffix.lower() == ".png"
+        click.echo(f"wrote {path}{_of_picture(answer) if picture else ''}")
     if figure is not None:
         click.echo(f"wrote {figure}")
 
@@ -176,48 +181,10 @@ def _of_picture(answer: PSF) -> str:
     return f": {width} x {height} pixels, {each}square root of the values, 16 bit"
 
 
-def _psf_over_field(
-    instrument: Instrument,
-    field: Any,
-    options: dict[str, Any],
-    outputs: tuple[Path, ...],
-    figure: Path | None,
-    as_json: bool,
-) -> None:
-    """Do what ``lommel psf --field`` does."""
-    from lommel.cli import tables
-    from lommel.reports import report
-
-    if not isinstance(field, tuple) or len(field) != 2:
-        raise ValueError(f"--field must be ROWSxCOLUMNS such as 5x7, got {shown(field)}")
-    rows, columns = field
-    field_map, sensor = instrument.field(), instrument.sensor
-    assert sensor is not None  # as long as there is a map
-    with progress(f"{rows} x {columns} PSFs of {instrument.window[0]} x {instrument.window[1]} pixels"):
-        start = time.perf_counter()
-        grid = field_map.grid(
-            rows, columns, sensor=sensor, shape=instrument.window, pixel=instrument.pixel, **options
-        )
-        facts = report.describe_field(instrument, grid, time.perf_counter() - start)
-        for path in outputs:
-            grid.save(path)
-        if figure is not None:
-            axes = grid.plot()
-            axes.set_title(instrument.name, fontsize=9, loc="left", pad=22)
-            _save_figure(axes.figure, figure)
-    written = [str(path) for path in (*outputs, *([figure] if figure else []))]
-    if as_json:
-        print_json(facts | {"files": written})
-        return
-    tables.print_field(grid, facts)
-    for name in written:
-        click.echo(f"wrote {name}")
-
-
 @main.command()
 @_lens_command
 @one_line_errors
-def info(lens: Path, object_distance: float | None, pixel: float | None, shape: Any, as_json: bool) -> None:
+def info(as_json: bool, **lens: Any) -> None:
     """Print what is known about a lens.
 
     Wavefront in radians and waves, what narrows the aperture, Airy radius, geometric blur, Strehl ratio and
@@ -232,7 +199,7 @@ def info(lens: Path, object_distance: float | None, pixel: float | None, shape: 
     from lommel.cli import tables
     from lommel.reports import report
 
-    facts = report.describe_lens(_instrument(lens, object_distance, pixel, shape))
+    facts = report.describe_lens(_instrument(**lens))
     if as_json:
         print_json(facts)
     else:
@@ -241,18 +208,10 @@ def info(lens: Path, object_distance: float | None, pixel: float | None, shape: 
 
 @main.command()
 @_psf_command
-@click.option("--figure", type=click.Path(dir_okay=False, path_type=Path),
+@click.option("--figure", type=_FILE,
               help="Write the PSFs and their slices side by side: .png, .pdf, .svg.")  # fmt: skip
 @one_line_errors
-def compare(
-    lens: Path,
-    object_distance: float | None,
-    pixel: float | None,
-    shape: Any,
-    integrate: bool | None,
-    as_json: bool,
-    figure: Path | None,
-) -> None:
+def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:
     """Compute the PSF of a lens by every method and judge each by a reference.
 
     That is plain quadrature (Hankel); where the wavefront depends on the direction the certified series at a
@@ -270,12 +229,11 @@ def compare(
       lommel compare camera.toml --figure methods.png
     """  # noqa: D301 (\b is meant)
     from lommel.cli import tables
-    from lommel.methods import METHODS, ClosedForm
     from lommel.reports import report
 
     if figure is not None:
         _figure_format(figure)
-    instrument = _instrument(lens, object_distance, pixel, shape, integrate)
+    instrument = _instrument(**lens)
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as started:
         methods = [
@@ -334,23 +292,17 @@ def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
         click.echo(f"wrote {name}")
 
 
-def _instrument(
-    path: Path, object_distance: float | None, pixel: float | None, shape: Any, integrate: bool | None = None
-) -> Instrument:
+def _instrument(lens: Path, **options: Any) -> Instrument:
+    """Return what a lens file describes, but for what the options of a command say instead."""
     from lommel.base import validation
     from lommel.lensfiles.lens_files import load_instrument
 
-    instrument = load_instrument(path)
-    changes: dict[str, Any] = {}
-    if object_distance is not None:
-        changes["object_distance"] = object_distance
-    if pixel is not None:
-        changes["pixel"] = validation.pixel(pixel, metric=True)
-    if shape is not None:
-        changes["shape"] = validation.image_shape(shape)
-    if integrate is not None:
-        changes["integrate"] = integrate
-    return dataclasses.replace(instrument, **changes)
+    changes = {name: value for name, value in options.items() if value is not None}
+    if "pixel" in changes:
+        validation.pixel(changes["pixel"], metric=True)
+    if "shape" in changes:
+        changes["shape"] = validation.image_shape(changes["shape"])
+    return dataclasses.replace(load_instrument(lens), **changes)
 
 
 def _figure_format(path: Path) -> str:
@@ -362,10 +314,6 @@ def _figure_format(path: Path) -> str:
 
 def _save_figure(figure: Any, path: Path) -> None:
     """Write a figure through a temporary name."""
-    import io
-
     from lommel.base import atomic
 
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format=_figure_format(path), dpi=150)
-    atomic.write(path, buffer.getvalue())
+    atomic.write(path, atomic.contents(figure.savefig, format=_figure_format(path), dpi=150))

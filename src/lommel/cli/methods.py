@@ -3,29 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
 from lommel.base.validation import shown
 from lommel.cli.parts import one_line_errors, print_json
-
-if TYPE_CHECKING:
-    from lommel.methods import Method
-
-METHOD_NAMES = (
-    "nijboer-zernike",
-    "hankel",
-    "lommel-series",
-    "huygens-fresnel",
-    "fraunhofer",
-    "matrix-fourier",
-    "nonuniform-fft",
-    "closed-form",
-    "tuned-closed-form",
-    "geometric",
-    "chordal-gauss",
-)
+from lommel.methods import ERFS, METHODS, Method
 
 
 @click.command()
@@ -39,7 +23,6 @@ def methods(as_json: bool) -> None:
       lommel methods
     """  # noqa: D301 (\b is meant)
     from lommel.cli import tables
-    from lommel.methods import METHODS
 
     rows = [
         {
@@ -57,8 +40,6 @@ def methods(as_json: bool) -> None:
 
 def build_method(name: str, settings: tuple[str, ...] = ()) -> Method | None:
     """Return a method from its command-line name and ``NAME=VALUE`` settings; None, left to the pupil, for "auto"."""
-    from lommel.methods import ERFS, METHODS
-
     if name == "auto":
         if settings:
             raise ValueError(f"--set needs --method, whose option it is, got --set {settings[0]}")
@@ -107,7 +88,5 @@ def _value(text: str) -> Any:
 
 def _shown(item: Any) -> str:
     """Return the default of an option as --set takes it."""
-    from lommel.methods import ERFS
-
     default = item.default_factory() if item.default is dataclasses.MISSING else item.default
     return next((name for name, kind in ERFS.items() if isinstance(default, kind)), str(default).lower())

@@ -18,6 +18,7 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeEl
 
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
+from lommel.methods import METHODS
 
 
 class Length(click.ParamType[float]):
@@ -92,8 +93,6 @@ def _told(error: Exception) -> str:
 
 def _with_options(message: str) -> str:
     """Return what the library says, with the options of the running command for its arguments and methods."""
-    from lommel.methods import METHODS
-
     context = click.get_current_context(silent=True)
     options = {name for part in (context.command.params if context else ()) for name in part.opts}
     names = {kind.__name__: name for name, kind in METHODS.items()}

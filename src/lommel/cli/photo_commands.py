@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
 from lommel.base.options import sentence
-from lommel.base.units import format_length, parse_length
+from lommel.base.units import format_length
 from lommel.cli.parts import Length, one_line_errors, print_json, progress
 from lommel.cli.photo_job import KINDS, Request
 from lommel.imaging import Photograph
@@ -32,10 +33,7 @@ class _Wavelengths(click.ParamType[tuple[float, ...]]):
     name = "lengths"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
-        try:
-            return tuple(parse_length(part.strip()) for part in value.split(","))
-        except ValueError as error:
-            self.fail(str(error), param, ctx)
+        return tuple(Length().convert(part.strip(), param, ctx) for part in value.split(","))
 
 
 def _photo_command(command: Callable[..., None]) -> Callable[..., None]:
@@ -102,11 +100,11 @@ def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> No
     """  # noqa: D301 (\b is meant)
     request = Request.of(options)
     find(output, "--output")
-    with _terminated_as_interrupted(), progress("reading"):
+    with _terminated_as_interrupted(), progress("reading") as started:
         job = request.job(output)
         find(output, "--output", holding=f"of {job.dtype}")
         lens = job.lens(focus, "--focus")
-    with _terminated_as_interrupted(), progress("blurring"):
+        started("blurring")
         start = time.perf_counter()
         made = job.photograph(lens)
         seconds = time.perf_counter() - start
@@ -168,7 +166,7 @@ def focus_pull(
                 started(f"frame {number} of {frames}, focus {format_length(lens.focus_distance)}")
                 photograph = job.photograph(lens)
                 values, clipped = stored(photograph.values, job.encoding, job.dtype)
-                photographs.append(_without_values(photograph))
+                photographs.append(replace(photograph, values=np.empty(0)))  # a view would keep them all
                 shares.append(clipped)
                 yield values
 
@@ -189,10 +187,6 @@ def _quality(photographs: list[Photograph], clipped: list[float]) -> dict[str, A
         "interpolation_error": max(p.error for p in photographs),
         "clipped": max(clipped),
     }
-
-
-def _without_values(photograph: Photograph) -> Photograph:
-    return replace(photograph, values=photograph.values[:0])
 
 
 def _finite(distance: float) -> float | str:

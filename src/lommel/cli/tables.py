@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
@@ -28,6 +29,29 @@ def _console() -> Console:
     # A pipe has no width; tables are then as wide as they need to be. Names are shown as they are written.
     width = None if sys.stdout.isatty() else 160
     return Console(width=width, markup=False, emoji=False, highlight=False)
+
+
+def _table(*names: str, left: int = 0, no_wrap: bool = False, title: str | None = None) -> Table:
+    """Return a table with columns of these names, that at the place `left` of words and the others of numbers."""
+    table = Table(box=None, pad_edge=False, title=title, title_justify="left")
+    for place, name in enumerate(names):
+        table.add_column(name, justify="left" if place == left else "right", no_wrap=no_wrap)
+    return table
+
+
+def _list(rows: Iterable[tuple[str, str]], title: str | None = None) -> Table:
+    """Return a table of what there is to say, each with its name."""
+    table = Table(box=None, pad_edge=False, title=title, title_justify="left", show_header=False)
+    table.add_column(style="cyan")
+    table.add_column()
+    for row in rows:
+        table.add_row(*row)
+    return table
+
+
+def _how_made(facts: dict[str, Any]) -> list[tuple[str, str]]:
+    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
+    return [("error bound", bound), ("time", f"{1e3 * facts['seconds']:.1f} ms")]
 
 
 def print_lens(facts: dict[str, Any]) -> None:
@@ -66,26 +90,17 @@ def print_lens(facts: dict[str, Any]) -> None:
              f" with the pixel {facts['mtf_at_nyquist_with_pixel']:.4g}"),
         ] if facts["mtf_at_nyquist_with_pixel"] is not None else []),
     ]  # fmt: skip
-    table = Table(show_header=False, box=None, pad_edge=False)
-    table.add_column(style="cyan")
-    table.add_column()
-    for row in lines:
-        table.add_row(*row)
-    terms = Table(box=None, pad_edge=False, title="Zernike terms", title_justify="left")
-    for name in ("name", "(n, m)", "waves rms"):
-        terms.add_column(name, justify="left" if name == "name" else "right")
+    terms = _table("name", "(n, m)", "waves rms", title="Zernike terms")
     for term in facts["zernike"]:
         terms.add_row(term["name"], f"({term['n']}, {term['m']})", f"{term['waves_rms']:+.4g}")
-    energies = Table(box=None, pad_edge=False, title="Encircled energy", title_justify="left")
-    for name in ("within", "radius", "this lens", "unaberrated"):
-        energies.add_column(name, justify="left" if name == "within" else "right")
+    energies = _table("within", "radius", "this lens", "unaberrated", title="Encircled energy")
     for row in facts["encircled_energy"]:
         here = "-" if row["fraction"] is None else f"{row['fraction']:.1%}"
         ideal = "-" if row["unaberrated"] is None else f"{row['unaberrated']:.1%}"
         energies.add_row(row["within"], format_length(row["radius"]), here, ideal)
     console = _console()
     console.print(facts["name"], style="bold")
-    console.print(table)
+    console.print(_list(lines))
     if any(term["m"] for term in facts["zernike"]):
         console.print()
         console.print(terms)
@@ -114,9 +129,8 @@ def _print_field_of_lens(console: Console, field: dict[str, Any]) -> None:
     seidel = ", ".join(f"{name} = {waves:.4g}" for name, waves in field["seidel"].items())
     if seidel:
         seidel = f": {seidel} waves {format_length(field['reach'])} from the axis"
-    table = Table(box=None, pad_edge=False, title=f"Over the field{seidel}", title_justify="left")
-    for name in ("from the axis", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)"):
-        table.add_column(name, justify="left" if name.startswith("largest") else "right")
+    names = ("from the axis", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)")
+    table = _table(*names, left=3, title=f"Over the field{seidel}")
     for place in field["places"]:
         largest = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:3]
         terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
@@ -177,23 +191,17 @@ def _per_mm(frequency: float) -> str:
 
 def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
     """Print what :func:`lommel.reports.report.describe_psf` says."""
-    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
-    table = Table(title="PSF", title_justify="left", show_header=False, box=None, pad_edge=False)
-    table.add_column(style="cyan")
-    table.add_column()
-    for row in (
+    lines = [
         ("method", repr(answer.method)),
         ("values", f"{' x '.join(map(str, facts['shape']))} {facts['dtype']}, {MEANING[facts['normalize']]}"),
         ("pixels", f"{HOW[facts['sampling']]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"),
         ("largest value", f"{facts['peak']:.4g}"),
         ("energy in the window", f"{facts['energy']:.2%}"),
-        ("error bound", bound),
-        ("time", f"{1e3 * facts['seconds']:.1f} ms"),
-    ):
-        table.add_row(*row)
+        *_how_made(facts),
+    ]
     console = _console()
     console.print()
-    console.print(table)
+    console.print(_list(lines, title="PSF"))
     if facts["sum"] is not None:
         console.print(
             f"The values sum to {facts['sum']:.4g}, not to the light in the window: samples this far apart are no "
@@ -210,26 +218,16 @@ def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
 def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
     """Print what :func:`lommel.reports.report.describe_field` says: the largest value of each PSF, in its place."""
     rows, columns, height, width = facts["shape"]
-    bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
-    table = Table(show_header=False, box=None, pad_edge=False)
-    table.add_column(style="cyan")
-    table.add_column()
-    sums = [value for row in facts["sum"] or [[0.0]] for value in row]
-    least, most = min(sums), max(sums)
-    for row in (
+    lines = [
         ("sensor", f"{format_length(facts['sensor'][0])} x {format_length(facts['sensor'][1])} (height x width)"),
         ("method", repr(grid.psf.method)),
         ("values", f"{rows} x {columns} PSFs of {height} x {width} {facts['dtype']}, {MEANING[facts['normalize']]}"),
         ("pixel", f"{format_length(facts['pixel'])}, {HOW[facts['sampling']]}"),
-        *(
-            [("sums of the values", f"{least:.4g} to {most:.4g}: samples this far apart are no share of the light")]
-            if facts["sum"] is not None
-            else []
-        ),
-        ("error bound", bound),
-        ("time", f"{1e3 * facts['seconds']:.1f} ms"),
-    ):
-        table.add_row(*row)
+    ]
+    if facts["sum"] is not None:
+        sums = [value for row in facts["sum"] for value in row]
+        said = f"{min(sums):.4g} to {max(sums):.4g}: samples this far apart are no share of the light"
+        lines.append(("sums of the values", said))
     peaks = Table(box=None, pad_edge=False, title="Largest value at y (down) and x (across)", title_justify="left")
     peaks.add_column("", style="cyan", justify="right", no_wrap=True)
     reach = max(facts["sensor"])
@@ -239,7 +237,7 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
         peaks.add_row(format_length(y, like=reach), *(f"{value:.4g}" for value in values))
     console = _console()
     console.print(facts["name"], style="bold")
-    console.print(table)
+    console.print(_list([*lines, *_how_made(facts)]))
     console.print()
     console.print(peaks)
 
@@ -250,9 +248,7 @@ def print_comparison(
     """Print the rows of :func:`lommel.reports.report.compare`, judged by the `reference` of that name."""
     height, width = instrument.window
     size = f"{height} x {width} pixels of {format_length(instrument.pixel)}, {HOW[sampling]}"
-    table = Table(box=None, pad_edge=False)
-    for name in ("method", "time", "MSE", "peak error", "error bound"):
-        table.add_column(name, justify="left" if name == "method" else "right", no_wrap=True)
+    table = _table("method", "time", "MSE", "peak error", "error bound", no_wrap=True)
     table.add_column("")
 
     def number(value: float | None) -> str:
@@ -267,14 +263,8 @@ def print_comparison(
         if row["sampling"] not in (None, sampling):
             note = f"{HOW[row['sampling']]}; {note}"
         spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
-        table.add_row(
-            row["method"],
-            spent,
-            number(row["mse"]),
-            number(row["peak_error"]),
-            number(row["error_bound"]),
-            note,
-        )
+        errors = (number(row[key]) for key in ("mse", "peak_error", "error_bound"))
+        table.add_row(row["method"], spent, *errors, note)
     console = _console()
     console.print(instrument.name, style="bold")
     # A reference with a row of its own is marked there.
@@ -297,9 +287,8 @@ def print_numbers(rows: list[dict[str, Any]]) -> None:
     """Print the rows of :func:`lommel.paper.numbers.rows`."""
     from lommel.paper.numbers import closest_text, number
 
-    table = Table(box=None, pad_edge=False, title="The numbers of the paper", title_justify="left")
-    for name in ("quantity", "paper", "as printed", "corrected", "closest, as printed"):
-        table.add_column(name, justify="left" if name == "quantity" else "right", no_wrap=True)
+    names = ("quantity", "paper", "as printed", "corrected", "closest, as printed")
+    table = _table(*names, no_wrap=True, title="The numbers of the paper")
     for row in rows:
         values = [number(row[key]) for key in ("paper", "printed", "corrected")]
         table.add_row(row["quantity"], *values, closest_text(row["closest"]["printed"]))

@@ -238,11 +238,8 @@ class FieldMap:
         TypeError, ValueError
             If a position is not finite or lies beyond the map; the message names it and the limits.
         """
-        across, down = validation.real_array("x", x), validation.real_array("y", y)
-        try:
-            across, down = np.broadcast_arrays(across, down)
-        except ValueError:
-            raise ValueError(f"x and y must broadcast, got shapes {across.shape} and {down.shape}") from None
+        places = validation.real_array("x", x), validation.real_array("y", y)
+        across, down = validation.broadcast("x and y", *places)
         if across.size == 0:
             raise ValueError(f"x and y must not be empty, got shape {across.shape}")
         outside = ~self._wavefronts.contains(across, down)

@@ -26,13 +26,13 @@ class WavefrontsOnSensor(ABC):
     reach: float
     """Distance from the axis of the farthest position."""
 
-    @abstractmethod
     def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
-        """Return which positions are in the part."""
+        """Return which positions are in the part: of a circle around the axis, if it is no other."""
+        return np.asarray(np.hypot(x, y) <= self.reach * (1.0 + _ROUNDING))
 
-    @abstractmethod
     def limits(self, unit: str) -> str:
         """Return what the part is, in words."""
+        return f"which reaches {self.reach:.6g} {unit} from the axis"
 
     @abstractmethod
     def wavefront(self, x: Array, y: Array) -> Wavefront:
@@ -50,7 +50,8 @@ class OnGrid(WavefrontsOnSensor):
         degrees = {"kx": min(3, self.y.size - 1), "ky": min(3, self.x.size - 1)}
         # Over positions from 0 to 1, because FITPACK compares with absolute tolerances.
         down, across = self._scaled(self.x, self.y)[::-1]
-        self.splines = [RectBivariateSpline(down, across, values[..., k], **degrees, s=0) for k in _every(values)]
+        columns = np.moveaxis(values, -1, 0)
+        self.splines = [RectBivariateSpline(down, across, column, **degrees, s=0) for column in columns]
         self.reach = float(np.hypot(np.abs(self.x).max(), np.abs(self.y).max()))
 
     def _scaled(self, x: Array, y: Array) -> tuple[Array, Array]:
@@ -150,14 +151,6 @@ class Radial(WavefrontsOnSensor):
         scaled = self.height / self.reach
         self.spline = CubicSpline(np.concatenate([-scaled[:0:-1], scaled]), mirrored)
 
-    def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
-        """Return which positions are no farther from the axis than the greatest height."""
-        return np.asarray(np.hypot(x, y) <= self.reach * (1.0 + _ROUNDING))
-
-    def limits(self, unit: str) -> str:
-        """Return the greatest height."""
-        return f"which reaches {self.reach:.6g} {unit} from the axis"
-
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
         along = self.spline(np.minimum(np.hypot(x, y) / self.reach, 1.0))
@@ -172,14 +165,6 @@ class Seidel(WavefrontsOnSensor):
     def __init__(self, edge: float, waves: Mapping[str, float]) -> None:
         self.reach = validation.real("edge", edge, above=0.0)
         self.waves = {name: validation.real(name, value) for name, value in waves.items()}
-
-    def contains(self, x: Array, y: Array) -> NDArray[np.bool_]:
-        """Return which positions are within the edge of the field."""
-        return np.asarray(np.hypot(x, y) <= self.reach * (1.0 + _ROUNDING))
-
-    def limits(self, unit: str) -> str:
-        """Return the edge of the field."""
-        return f"which reaches {self.reach:.6g} {unit} from the axis"
 
     def wavefront(self, x: Array, y: Array) -> Wavefront:
         """Return the wavefronts, of the shape of x and y."""
@@ -203,14 +188,8 @@ def _span(known: Array) -> str:
     return f"{known[0]:.6g} to {known[-1]:.6g}"
 
 
-def _every(values: Array) -> range:
-    return range(values.shape[-1])
-
-
 def _known(wavefront: Wavefront, shape: tuple[int, ...], what: str) -> tuple[Array, tuple[tuple[int, int], ...]]:
     """Return the coefficients of the terms at the edge, shape ``shape + (k,)``, and (n, m) of each."""
-    if not isinstance(wavefront, Wavefront):
-        raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
-    if wavefront.shape != shape:
+    if validation.instance("wavefront", wavefront, Wavefront).shape != shape:
         raise ValueError(f"wavefront must have the shape {what}, {shape}, got {wavefront.shape}")
     return wavefront.edge, wavefront.terms

@@ -67,18 +67,14 @@ def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, Array, Arra
     """
     form, source = find(path, verb="read"), Path(path)
     psf, description = form.read(source, kind)
-    try:
+    if _KEY not in description:
+        raise FileError(f"{validation.line(source)} is not a grid of PSFs: no positions; PSF.load reads it")
+    with psf_files.told(source, "a grid of PSFs"):
         field = description[_KEY]
         x, y = validation.real_array("x", field["x"]), validation.real_array("y", field["y"])
         height, width = (validation.real("sensor", side, above=0.0) for side in field["sensor"])
         if psf.pupil.shape != (y.size, x.size):
             raise ValueError(f"positions of shape {(y.size, x.size)} for PSFs of shape {psf.pupil.shape}")
-    except KeyError:
-        raise FileError(f"{validation.line(source)} is not a grid of PSFs: no positions; PSF.load reads it") from None
-    except (ValueError, TypeError) as error:
-        raise FileError(
-            f"{validation.line(source)} is not a grid of PSFs written by lommel: {reading.reason(error)}"
-        ) from error
     return psf, x, y, (height, width)
 
 
@@ -105,27 +101,16 @@ def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> 
 
     def fill(folder: Path) -> None:
         group = zarr.create_group(folder, zarr_format=3, attributes={"lommel": said})
-        shape = grid.values.shape
         dimensions = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
-        # A chunk for each PSF: what is read together.
-        store = group.create_array(
+        group.create_array(
             "values",
-            shape=shape,
-            chunks=(1, 1, *shape[2:]),
-            dtype=grid.values.dtype,
+            data=grid.values,
+            chunks=(1, 1, *grid.values.shape[2:]),  # a chunk for each PSF: what is read together
             compressors=None,  # so that its size is known before it is read
             dimension_names=list(dimensions),
         )
-        store[...] = grid.values
         for name, positions in dimensions.items():
-            axis = group.create_array(
-                name,
-                shape=positions.shape,
-                dtype="float64",
-                dimension_names=[name],
-                attributes={"units": grid.unit},
-            )
-            axis[...] = positions
+            group.create_array(name, data=positions, dimension_names=[name], attributes={"units": grid.unit})
 
     atomic.write_folder(target, fill)
 
@@ -135,7 +120,7 @@ def _read_zarr(source: Path, kind: type[Made]) -> tuple[Made, dict[str, Any]]:
 
     if not source.exists():
         raise FileNotFoundError(2, os.strerror(2), str(source))
-    try:
+    with psf_files.told(source, "a grid of PSFs"):
         size = _size(source)
         group: Any = zarr.open_group(source, mode="r")
         description: dict[str, Any] = dict(group.attrs["lommel"])
@@ -144,10 +129,6 @@ def _read_zarr(source: Path, kind: type[Made]) -> tuple[Made, dict[str, Any]]:
             raise ValueError(f"its values take {store.nbytes} bytes, plainly stored, got {size}")
         values: NDArray[Any] = np.asarray(store[...])
         return psf_files.rebuild({"values": values}, description, kind), description
-    except Exception as error:
-        raise FileError(
-            f"{validation.line(source)} is not a grid of PSFs written by lommel: {reading.reason(error)}"
-        ) from error
 
 
 def _size(folder: Path) -> int:

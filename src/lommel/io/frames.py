@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import io
 import os
 import re
 from collections.abc import Iterable
@@ -124,10 +123,8 @@ def _numbered(target: Path, frames: Iterable[NDArray[Any]], quality: int) -> lis
 def _stack(frames: list[NDArray[Any]], _duration: float, _quality: int) -> bytes:
     import tifffile
 
-    buffer = io.BytesIO()
     photometric = "rgb" if frames[0].ndim == 3 else "minisblack"
-    tifffile.imwrite(buffer, np.stack(frames), photometric=photometric, metadata=None)
-    return buffer.getvalue()
+    return atomic.contents(tifffile.imwrite, np.stack(frames), photometric=photometric, metadata=None)
 
 
 def _animation(form: str, frames: list[NDArray[Any]], duration: float, quality: int) -> bytes:
@@ -138,9 +135,7 @@ def _animation(form: str, frames: list[NDArray[Any]], duration: float, quality: 
     first, *others = map(Image.fromarray, frames)
     options: dict[str, Any] = {"quality": quality} if form == "webp" else {}
     options["duration"] = duration if form == "png" else round(duration)
-    buffer = io.BytesIO()
-    first.save(buffer, form, save_all=True, append_images=others, loop=0, **options)
-    return buffer.getvalue()
+    return atomic.contents(first.save, form, save_all=True, append_images=others, loop=0, **options)
 
 
 _8, _DEEP = "of uint8", ("of uint16", "of float32", "of float64")

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import reading
+from lommel.base import atomic, reading
 from lommel.base.version import version
 
 
@@ -104,18 +104,14 @@ def write_tiff(values: NDArray[Any], _quality: int, profile: bytes | None) -> by
     """Return a TIFF file; without losses, whatever the quality."""
     import tifffile
 
-    buffer, photometric = io.BytesIO(), "rgb" if values.ndim == 3 else "minisblack"
-    made_by = f"lommel {version()}"
-    tifffile.imwrite(buffer, values, photometric=photometric, iccprofile=profile, metadata=None, software=made_by)
-    return buffer.getvalue()
+    options = {"photometric": "rgb" if values.ndim == 3 else "minisblack", "software": f"lommel {version()}"}
+    return atomic.contents(tifffile.imwrite, values, iccprofile=profile, metadata=None, **options)
 
 
 def _by_pillow(values: NDArray[Any], profile: bytes | None, form: str, **options: Any) -> bytes:
     from PIL import Image
 
-    buffer = io.BytesIO()
-    Image.fromarray(values).save(buffer, form, icc_profile=profile, **options)
-    return buffer.getvalue()
+    return atomic.contents(Image.fromarray(values).save, form, icc_profile=profile, **options)
 
 
 def _png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None) -> bytes:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -85,16 +87,22 @@ def load_described(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, d
     """Read a PSF and the whole description in its file, which may say more than a PSF holds."""
     form, source = find(path, verb="read"), Path(path)
     data = reading.contents(source)
-    try:
+    with told(source, "a PSF"):
         arrays, text = form.read(data)
         description = json.loads(text)
         return rebuild(arrays, description, kind), description
-    except ImportError:
+
+
+@contextmanager
+def told(source: Path, what: str) -> Iterator[None]:
+    """Tell whatever goes wrong as a fault of the file, but for a library that is missing."""
+    try:
+        yield
+    except (ImportError, FileError):
         raise
     except Exception as error:
-        raise FileError(
-            f"{validation.line(source)} is not a PSF written by lommel: {reading.reason(error)}"
-        ) from error
+        said = reading.reason(error)
+        raise FileError(f"{validation.line(source)} is not {what} written by lommel: {said}") from error
 
 
 def describe(psf: Answer) -> dict[str, Any]:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import io
 import json
 import math
 from typing import Any
 
 import numpy as np
 
-from lommel.base import reading
+from lommel.base import atomic, reading
 from lommel.base.checksums import sealed
 from lommel.measures.answer import Answer
 
@@ -21,9 +20,8 @@ _MARK = b"\n#lommel "  # between the array and the description in a .npy file
 
 def npy(psf: Answer, description: dict[str, Any]) -> bytes:
     """Return an array with the description behind it."""
-    buffer = io.BytesIO()
-    np.save(buffer, psf.values, allow_pickle=False)
-    return buffer.getvalue() + _MARK + _text(description, {"values": psf.values}).encode()
+    said = _text(description, {"values": psf.values}).encode()
+    return atomic.contents(np.save, psf.values, allow_pickle=False) + _MARK + said
 
 
 def read_npy(data: bytes) -> tuple[dict[str, Any], str]:
@@ -36,10 +34,9 @@ def read_npy(data: bytes) -> tuple[dict[str, Any], str]:
 
 def npz(psf: Answer, description: dict[str, Any]) -> bytes:
     """Return an archive of the values, the derivatives and the description."""
-    buffer = io.BytesIO()
     arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
-    np.savez_compressed(buffer, allow_pickle=False, description=np.array(_text(description, arrays)), **arrays)
-    return buffer.getvalue()
+    said = np.array(_text(description, arrays))
+    return atomic.contents(np.savez_compressed, allow_pickle=False, description=said, **arrays)
 
 
 def read_npz(data: bytes) -> tuple[dict[str, Any], str]:

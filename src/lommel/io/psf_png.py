@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import reading, validation
+from lommel.base import atomic, reading, validation
 from lommel.base.checksums import sealed
 from lommel.measures.answer import Answer
 
@@ -40,9 +40,7 @@ def write(psf: Answer, description: dict[str, Any]) -> bytes:
     info = PngImagePlugin.PngInfo()
     info.add_text("Software", description["software"])
     info.add_text("lommel", json.dumps(sealed(description | picture, {"values": grey})))
-    buffer = io.BytesIO()
-    Image.fromarray(_enlarged(grey, scale(psf))).save(buffer, format="png", pnginfo=info)
-    return buffer.getvalue()
+    return atomic.contents(Image.fromarray(_enlarged(grey, scale(psf))).save, format="png", pnginfo=info)
 
 
 def read(data: bytes) -> tuple[dict[str, Any], str]:

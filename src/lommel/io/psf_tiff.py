@@ -6,7 +6,7 @@ import io
 import json
 from typing import Any
 
-from lommel.base import reading
+from lommel.base import atomic, reading
 from lommel.base.checksums import sealed
 from lommel.measures.answer import Answer
 
@@ -30,9 +30,7 @@ def write(psf: Answer, description: dict[str, Any], planes: dict[str, Any] | Non
     if planes:
         metadata["Plane"] = planes
     values = psf.values if psf.values.ndim == 2 else psf.values.reshape(-1, *psf.shape[-2:])
-    buffer = io.BytesIO()
-    tifffile.imwrite(buffer, values, ome=True, photometric="minisblack", metadata=metadata)
-    return buffer.getvalue()
+    return atomic.contents(tifffile.imwrite, values, ome=True, photometric="minisblack", metadata=metadata)
 
 
 def read(data: bytes) -> tuple[dict[str, Any], str]:

@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypedDict
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from lommel.base import reading, validation
-from lommel.lensfiles.sections import Angle, Length, Number, Section, beside
+from lommel.base.encoding import to_light
+from lommel.lensfiles.sections import Angle, Length, Number, Section, read_beside
 from lommel.optics.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
 
 _SUFFIXES = (".npy", ".png", ".tif", ".tiff")
-
-
-class Shapes(TypedDict, total=False):
-    """What narrows an aperture, as :class:`lommel.Lens` takes it."""
-
-    spider: Spider
-    vignetting: Ellipse | CatEye
-    mask: Mask
 
 
 class _Spider(Section):
@@ -76,15 +69,10 @@ class _Mask(Section):
     @field_validator("file")
     @classmethod
     def _file(cls, value: Any, info: ValidationInfo) -> Any:
-        if not isinstance(value, str):
-            raise ValueError(f"must be the name of a file, {', '.join(_SUFFIXES)}, got {validation.shown(value)}")
         if "holds" not in info.data:
             return value  # its own fault is told
-        try:
-            values = read_transmission(beside(info.context, value))
-        except OSError as error:
-            raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
-        mask = Mask(values)
+        wanted = f"the name of a file, {', '.join(_SUFFIXES)}"
+        mask = Mask(read_beside(info.context, value, wanted, read_transmission))
         return mask if info.data["holds"] == "amplitude" else Mask(np.sqrt(mask.values))
 
 
@@ -102,18 +90,13 @@ class ApertureSection(Section):
             raise ValueError("takes one of ellipse and cat_eye, got both")
         return self
 
-    def shapes(self, radius: float) -> Shapes:
-        """Return what narrows an aperture of this radius (metres), for :class:`lommel.Lens`."""
-        found: Shapes = {}
-        if self.spider is not None:
-            found["spider"] = self.spider.spider(radius)
-        if self.ellipse is not None:
-            found["vignetting"] = Ellipse(self.ellipse.a, self.ellipse.b, self.ellipse.angle)
-        if self.cat_eye is not None:
-            found["vignetting"] = CatEye(self.cat_eye.shift, self.cat_eye.radius)
-        if self.mask is not None:
-            found["mask"] = self.mask.file
-        return found
+    def shapes(self, radius: float) -> dict[str, Any]:
+        """Return what narrows an aperture of this radius (metres), by the names that :class:`lommel.Lens` has."""
+        ellipse = self.ellipse and Ellipse(**dict(self.ellipse))
+        eye = self.cat_eye and CatEye(**dict(self.cat_eye))
+        spider = self.spider and self.spider.spider(radius)
+        found = {"spider": spider, "vignetting": ellipse or eye, "mask": self.mask and self.mask.file}
+        return {name: shape for name, shape in found.items() if shape is not None}
 
 
 def read_transmission(path: Path) -> NDArray[Any]:
@@ -144,6 +127,4 @@ def read_transmission(path: Path) -> NDArray[Any]:
         raise ValueError(f"{path.name!r} is no picture: {reading.reason(error)}") from None
     if values.ndim != 2:
         raise ValueError(f"{path.name!r} must be a grey picture, got one in colour")
-    if values.dtype.kind == "u":
-        return np.asarray(values / np.iinfo(values.dtype).max)
-    return values
+    return to_light(repr(path.name), values, "linear", np.float64)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 import re
 from collections.abc import Sequence
@@ -15,6 +14,7 @@ import numpy as np
 from lommel.base import reading, validation
 from lommel.base.units import parse_length
 from lommel.field.maps import FieldMap
+from lommel.lensfiles import cells
 from lommel.lensfiles.messages import TOLD
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront import Wavefront
@@ -120,12 +120,8 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     source = validation.path("path", path)
     validation.choice("order", order, ("noll", "ansi", "fringe"))
     try:
-        numbered = [
-            (number, [cell.strip() for cell in row])
-            for number, row in enumerate(csv.reader(reading.text(source).splitlines()), 1)
-            if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
-        ]
-    except (ValueError, csv.Error) as error:
+        numbered = list(cells.rows(reading.text(source)))
+    except ValueError as error:
         raise ValueError(f"{source.name}: {reading.reason(error)}") from None
     if not numbered:
         raise ValueError(f"{source.name} is empty; its first line must name the columns")
@@ -191,12 +187,12 @@ def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], or
     if len(columns) == len(places):
         faults.append("there must be a column for a Zernike coefficient, such as Z4")
     kinds = [*(("length", name) for name in places), *(("number", name) for name in columns[len(places) :])]
-    cells: list[list[float]] = [[] for _ in columns]
+    read: list[list[float]] = [[] for _ in columns]
     for where, row in rows:
         if len(row) != len(columns):
             faults.append(f"{where} must have {len(columns)} cells, as there are columns, got {len(row)}")
             continue
-        for values, cell, (kind, name) in zip(cells, row, kinds, strict=True):
+        for values, cell, (kind, name) in zip(read, row, kinds, strict=True):
             try:
                 values.append(_cell(cell, kind))
             except ValueError as error:
@@ -207,7 +203,7 @@ def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], or
         faults = [validation.brief(fault, 200) for fault in faults[:TOLD]] + faults[TOLD:]
         more = f"; and {len(faults) - TOLD} more" if len(faults) > TOLD else ""
         raise ValueError("; ".join(faults[:TOLD]) + more)
-    whole = [tuple(values) for values in cells]
+    whole = [tuple(values) for values in read]
     count = len(places)
     return FieldTable(
         dict(zip(places, whole[:count], strict=True)), dict(zip(indices, whole[count:], strict=True)), order
@@ -218,14 +214,7 @@ def _cell(cell: Any, kind: str) -> float:
     """Return a length in metres or a number, given as such or as a text."""
     if kind == "length":
         return validation.real("a position", parse_length(cell), unit="metres")
-    value = _number(cell) if isinstance(cell, str) else cell
+    value = cells.number(cell) if isinstance(cell, str) else cell
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ValueError(f"must be a number, got {validation.shown(cell)}")
     return validation.real("a coefficient", value)
-
-
-def _number(text: str) -> float | None:
-    try:
-        return float(text)
-    except ValueError:
-        return None

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from os import PathLike
 from typing import Annotated, Any, Literal, get_args
 
@@ -27,7 +28,7 @@ from lommel.field.maps import FieldMap
 from lommel.lensfiles import field_tables, messages, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
-from lommel.lensfiles.sections import Distance, Length, Number, Section, SignedLength, beside
+from lommel.lensfiles.sections import Distance, Length, Number, Section, SignedLength, read_beside
 from lommel.lensfiles.zernike_tables import ZernikeTable
 from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
@@ -44,21 +45,6 @@ def _shape(value: Any) -> tuple[int, int]:
         return validation.image_shape(value)
     except TypeError as error:
         raise ValueError(str(error)) from None
-
-
-def _pitch(value: float) -> float:
-    return _told_with_units(lambda: validation.pixel(value, metric=True))
-
-
-def _wavelength(value: float) -> float:
-    return _told_with_units(lambda: validation.wavelength(value))
-
-
-def _told_with_units(check: Callable[[], float]) -> float:
-    try:
-        return check()
-    except ValueError as error:
-        raise ValueError(with_units(str(error))) from None
 
 
 def _radius(value: Any) -> str | float:
@@ -82,20 +68,27 @@ def _amplitude(value: Any) -> float | Apodization | str:
     raise ValueError(f'must be a number from 0 to 100, a list, or "aplanatic", got {validation.shown(value)}')
 
 
+class _Seidel(Section):
+    W131: Number = 0.0
+    W222: Number = 0.0
+    W220: Number = 0.0
+    W311: Number = 0.0
+
+
 class _Lens(Section):
     focal_length: Length
     f_number: Annotated[Number, Field(gt=0)] | None = None
     aperture_diameter: Length | None = None
     focus_distance: Distance | None = None
     sensor_distance: Length | None = None
-    wavelength: Annotated[Length, AfterValidator(_wavelength)]
+    wavelength: Annotated[Length, AfterValidator(validation.wavelength)]
     obscuration: Annotated[Number, Field(ge=0, lt=1)] = 0.0
     model: Literal["paraxial", "aplanatic"] = "paraxial"
     corrected_for: Literal["object", "focus"] = "object"
     apodization: Annotated[Any, BeforeValidator(_amplitude)] = 0.0
 
 
-class _Aberrations(Section):
+class _Aberrations(_Seidel):
     defocus: Number = 0.0
     spherical: Number = 0.0
     W020: Number = 0.0
@@ -103,10 +96,6 @@ class _Aberrations(Section):
     W060: Number = 0.0
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
-    W131: Number = 0.0
-    W222: Number = 0.0
-    W220: Number = 0.0
-    W311: Number = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
     zernike: dict[str, Any] | None = None  # told by zernike_files what it may hold
 
@@ -116,21 +105,17 @@ class _Object(Section):
 
 
 class _Sensor(Section):
-    pixel: Annotated[Length, AfterValidator(_pitch)]
+    pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
     shape: Annotated[tuple[int, int], BeforeValidator(_shape)] | None = None
     integrate: Annotated[bool, Field(strict=True)] | None = None
 
 
-_SEIDEL = ("W131", "W222", "W220", "W311")
+_SEIDEL = tuple(_Seidel.model_fields)
 
 
-class _Field(Section):
+class _Field(_Seidel):
     sensor: tuple[Length, Length]
     edge: Length | None = None
-    W131: Number = 0.0
-    W222: Number = 0.0
-    W220: Number = 0.0
-    W311: Number = 0.0
     order: Literal["noll", "ansi", "fringe"] = "noll"
     unit: Literal["waves", "radians", "metres"] = "waves"
     normalization: Literal["rms", "edge"] = "rms"
@@ -154,33 +139,23 @@ class _Field(Section):
     @field_validator("file")
     @classmethod
     def _file(cls, value: Any, info: ValidationInfo) -> Any:
-        if not isinstance(value, str):
-            raise ValueError(f"must be the name of a CSV file, got {validation.shown(value)}")
         if "order" not in info.data:
             return value
-        try:
-            return field_tables.read_csv(beside(info.context, value), info.data["order"])
-        except OSError as error:
-            raise ValueError(f"{value!r} cannot be read: {error.strerror or error}") from None
+        read = partial(field_tables.read_csv, order=info.data["order"])
+        return read_beside(info.context, value, "the name of a CSV file", read)
 
     @model_validator(mode="after")
     def _one_way(self) -> _Field:
         given = self.model_fields_set
-        ways = {"rows": "rows" in given, "file": "file" in given, ", ".join(_SEIDEL): bool(given & set(_SEIDEL))}
-        if sum(ways.values()) != 1:
-            got = " and ".join(name for name, there in ways.items() if there) or "none"
-            raise ValueError(
-                f"needs Seidel coefficients ({', '.join(_SEIDEL)}), rows, or file: one of them, got {got}"
-            )
-        stray = {"columns"} if "rows" not in given else set()
-        if ways[", ".join(_SEIDEL)]:
-            stray |= {"order", "unit", "normalization", "direction"}
-        else:
-            stray |= {"edge"}
-        if found := sorted(stray & given):
-            raise ValueError(
-                f"{', '.join(found)} has no meaning with {next(n for n, there in ways.items() if there)}"
-            )
+        seidel, of_tables = ", ".join(_SEIDEL), {"order", "unit", "normalization", "direction"}
+        # What says what changes, and what has no meaning beside it.
+        ways = {"rows": {"edge"}, "file": {"edge", "columns"}, seidel: {"columns", *of_tables}}
+        found = [way for way in ways if given & set(way.split(", "))]
+        if len(found) != 1:
+            got = " and ".join(found) or "none"
+            raise ValueError(f"needs Seidel coefficients ({seidel}), rows, or file: one of them, got {got}")
+        if stray := sorted(ways[found[0]] & given):
+            raise ValueError(f"{', '.join(stray)} has no meaning with {found[0]}")
         return self
 
     def map(self, pupil: Pupil) -> FieldMap:
@@ -272,9 +247,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
         raw = tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         raise LensFileError(f"{validation.line(source)}: not valid TOML: {reading.reason(error)}") from None
-    if not isinstance(folder_only, bool):
-        raise TypeError(f"folder_only must be True or False, got {validation.shown(folder_only)}")
-    context = {"folder": source.parent, "folder_only": folder_only}
+    context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
     table, found = _zernike(raw, text, context)
     try:
         file = _File.model_validate(raw, context=context)
@@ -305,21 +278,15 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
 
     if "file" not in section:
         return zernike_files.build_section(section, where)
-    name, others = section["file"], [key for key in section if key != "file"]
-    if others:
-        return None, [f"{where(['file'])}: the file states everything; leave out {', '.join(others)}"]
-    if not isinstance(name, str):
-        return None, [f"{where(['file'])}: must be the path of a table, got {validation.shown(name)}"]
     try:
-        path = beside(context, name)
-        table = zernike_files.load_zernike(path)
-    except OSError as error:
-        return None, [f"{where(['file'])}: {validation.line(path)}: {error.strerror or error}"]
+        if others := [key for key in section if key != "file"]:
+            raise ValueError(f"the file states everything; leave out {', '.join(others)}")
+        table = read_beside(context, section["file"], "the path of a table", zernike_files.load_zernike)
+        if table.wavelength is None and table.unit in ("radians", "waves"):
+            raise ValueError(f"{validation.line(section['file'])}: must state the wavelength of its {table.unit}")
+        return table, []
     except ValueError as error:
         return None, [f"{where(['file'])}: {error}"]
-    if table.wavelength is None and table.unit in ("radians", "waves"):
-        return None, [f"{where(['file'])}: {validation.line(path)}: must state the wavelength of its {table.unit}"]
-    return table, []
 
 
 def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrument:
@@ -363,7 +330,7 @@ def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrumen
 
 def _describe(fault: Any, text: str) -> str:
     keys = [str(part) for part in fault["loc"] if not isinstance(part, int) or len(fault["loc"]) == 1]
-    message = fault["msg"].removeprefix("Value error, ")
+    message = with_units(fault["msg"].removeprefix("Value error, "))
     if fault["type"] == "extra_forbidden":
         model: Any = _File
         for part in keys[:-1]:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
 from lommel.base.units import parse_angle, parse_length
 from lommel.base.validation import shown
+
+_Read = TypeVar("_Read")
 
 
 def _positive(value: float) -> float:
@@ -32,14 +35,19 @@ Number = Annotated[float, Field(strict=True), AfterValidator(finite)]
 Angle = Annotated[float, BeforeValidator(parse_angle), AfterValidator(finite)]
 
 
-def beside(context: dict[str, Any] | None, name: str) -> Path:
-    """Return the path of a file that a lens file names; ValueError if it may not be there."""
+def read_beside(context: dict[str, Any] | None, name: Any, what: str, read: Callable[[Path], _Read]) -> _Read:
+    """Return what is read from a file that a lens file names; ValueError if it cannot be, or may not be there."""
+    if not isinstance(name, str):
+        raise ValueError(f"must be {what}, got {shown(name)}")
     given = context or {}
     folder = Path(given.get("folder", Path()))
     path = folder / name
     if given.get("folder_only") and not path.resolve().is_relative_to(folder.resolve()):
         raise ValueError(f"must lie in the folder of the lens file, got {shown(name)}")
-    return path
+    try:
+        return read(path)
+    except OSError as error:
+        raise ValueError(f"{name!r} cannot be read: {error.strerror or error}") from None
 
 
 class Section(BaseModel):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import re
 import tomllib
@@ -15,7 +13,7 @@ from typing import Any
 from lommel.base import atomic, reading, validation
 from lommel.base.options import near
 from lommel.base.units import parse_length
-from lommel.lensfiles import messages
+from lommel.lensfiles import cells, messages
 from lommel.lensfiles.zernike_tables import UNITS, ZernikeTable
 from lommel.optics.descriptions import NORMALIZATIONS
 from lommel.optics.wavefront import Wavefront
@@ -175,10 +173,10 @@ def build(
     places: dict[tuple[int, int], str] = {}
     for text, value, at in terms:
         try:
-            number = validation.real("the coefficient", value)
+            coefficient = validation.real("the coefficient", value)
         except (ValueError, TypeError) as error:
             found.append(f"{at}: {error}")
-            number = 0.0
+            coefficient = 0.0
         if known is None:
             continue  # What an index means is not known.
         try:
@@ -186,11 +184,11 @@ def build(
             term = zernike.term(index, known)
             if term in places:
                 raise ValueError(f"the term {text} was given before, {places[term]}")
-            Wavefront.zernike({index: number}, order=known)
+            Wavefront.zernike({index: coefficient}, order=known)
         except (ValueError, TypeError) as error:
             found.append(f"{at}: {error}")
             continue
-        values[index], places[term] = number, at
+        values[index], places[term] = coefficient, at
     if not terms:
         found.append(f"{where('terms')}: is missing or empty; it holds the coefficients by index")
     if found:
@@ -244,52 +242,34 @@ def _read_csv(text: str) -> tuple[ZernikeTable | None, list[str]]:
     found: list[str] = []
     columns: list[str] | None = None
     terms: list[tuple[str, Any, str]] = []
-    for number, line in enumerate(text.splitlines(), 1):
-        if line.lstrip().startswith("#"):
-            key, colon, value = line.lstrip()[1:].partition(":")
-            key = key.strip()
-            if colon and key in settings:
-                found.append(f"{key} (line {number}): is given twice, first in line {lines[key]}")
-            elif colon:
-                settings[key], lines[key] = value.strip(), number
-            continue
-        cells = _cells(line)
-        if not any(cells):
-            continue
+    for place, line in enumerate(text.splitlines(), 1):
+        comment, colon, value = line.partition(":")
+        key = comment.strip().removeprefix("#").strip()
+        if colon and comment.lstrip().startswith("#"):
+            if key in settings:
+                found.append(f"{key} (line {place}): is given twice, first in line {lines[key]}")
+            else:
+                settings[key], lines[key] = value.strip(), place
+    for place, row in cells.rows(text):
         if columns is None:
-            columns = cells
-            *index, value = (cell.lower() for cell in cells)
+            columns = row
+            *index, value = (cell.lower() for cell in row)
             order = settings.get("order")
             known = index == ["n", "m"] if order == "nm" else index in [[name] for name in (*_INDICES, str(order))]
             if not (known and value in _VALUES):
                 wanted = "n,m,value" if order == "nm" else "index,value"
-                found.append(f"line {number}: the columns must be {wanted}, got {line.strip()}")
+                found.append(f"line {place}: the columns must be {wanted}, got {', '.join(row)}")
             continue
-        if len(cells) != len(columns):
-            found.append(f"line {number}: must have {len(columns)} cells, got {len(cells)}: {line.strip()}")
+        if len(row) != len(columns):
+            found.append(f"line {place}: must have {len(columns)} cells, got {len(row)}: {', '.join(row)}")
             continue
-        terms.append((",".join(cells[:-1]), _number(cells[-1]), f"line {number}"))
+        terms.append((",".join(row[:-1]), cells.number(row[-1]), f"line {place}"))
 
     def where(key: str) -> str:
         return f"{key} (line {lines[key]})" if key in lines else key
 
     table, more = build(settings, terms, where)
     return (None if found else table), [*found, *more]
-
-
-def _cells(line: str) -> list[str]:
-    try:
-        return [cell.strip() for cell in next(csv.reader(io.StringIO(line)), [])]
-    except csv.Error:  # of an endless cell
-        return [line]
-
-
-def _number(text: str) -> Any:
-    """Return the number that a cell holds; what is none stays as it is, to be told."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
 
 
 def _index(text: str, order: str) -> _Index:

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from lommel.base import validation
-from lommel.base.units import _LENGTHS
+from lommel.base.units import LENGTHS
 from lommel.optics.descriptions import NORMALIZATIONS
 from lommel.optics.spectrum import same_path
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
 
-UNITS = ("radians", "waves", "metres", *_LENGTHS)
+UNITS = ("radians", "waves", "metres", *LENGTHS)
 
 
 @dataclass(frozen=True)
@@ -85,9 +85,7 @@ class ZernikeTable:
         TypeError, ValueError
             If it is a stack, if there is no such order, unit or normalization, or if a wavelength is missing.
         """
-        if not isinstance(wavefront, Wavefront):
-            raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
-        if wavefront.shape != ():
+        if validation.instance("wavefront", wavefront, Wavefront).shape != ():
             raise ValueError(f"wavefront must be a single one, got a stack of shape {wavefront.shape}")
         plain, size = _unit(validation.choice("unit", unit, UNITS))
         found = wavefront.to_zernike(order=order, unit=plain, normalization=normalization, wavelength=wavelength)
@@ -131,4 +129,4 @@ class ZernikeTable:
 
 def _unit(unit: str) -> tuple[str, float]:
     """Return a unit of :meth:`lommel.Wavefront.zernike`, and how many of it one `unit` is."""
-    return ("metres", _LENGTHS.get(unit, 1.0)) if unit not in ("radians", "waves") else (unit, 1.0)
+    return ("metres", LENGTHS.get(unit, 1.0)) if unit not in ("radians", "waves") else (unit, 1.0)

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers
+from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import ToleranceError
 from lommel.optics.opening import degree_needed
 from lommel.optics.pupil import Pupil, checked, ray_height
@@ -52,8 +52,7 @@ def rms(pupil: Pupil | Wavefront, *, unit: str = "radians") -> Numbers:
     """
     validation.choice("unit", unit, ("radians", "waves"))
     of = Pupil(pupil) if isinstance(pupil, Wavefront) else checked(pupil)
-    result: Numbers = np.sqrt(_variance(of))[()] / (1.0 if unit == "radians" else 2.0 * math.pi)
-    return result
+    return numbers(np.sqrt(_variance(of)) / (1.0 if unit == "radians" else 2.0 * math.pi), of.shape)
 
 
 def marechal(pupil: Pupil) -> Numbers:
@@ -76,8 +75,7 @@ def marechal(pupil: Pupil) -> Numbers:
     V. N. Mahajan, "Strehl ratio for primary aberrations in terms of their aberration variance",
     J. Opt. Soc. Am. 73, 860 (1983), doi:10.1364/JOSA.73.000860.
     """
-    result: Numbers = np.exp(-_variance(checked(pupil)))[()]
-    return result
+    return numbers(np.exp(-_variance(checked(pupil))), pupil.shape)
 
 
 def strehl(pupil: Pupil) -> Numbers:
@@ -103,11 +101,8 @@ def strehl(pupil: Pupil) -> Numbers:
         If the phase takes more than 2^24 nodes.
     """
     flat = checked(pupil).wavefront.flattened()
-    out = np.empty(flat.shape)
-    for i in range(out.size):
-        out[i] = _strehl(replace(pupil, wavefront=flat[i], geometry=None))
-    result: Numbers = out.reshape(pupil.shape)[()]
-    return result
+    single = (replace(pupil, wavefront=flat[i], geometry=None) for i in range(*flat.shape))
+    return numbers([_strehl(one) for one in single], pupil.shape)
 
 
 def centroid(pupil: Pupil) -> Array:
@@ -150,8 +145,7 @@ def spot_radius(pupil: Pupil) -> Numbers:
     rays = _gradient(pupil.wavefront, rho, theta)
     away = rays - (rays * weight).sum(axis=-1, keepdims=True)
     variance = (away**2 * weight).sum(axis=(-2, -1))
-    result: Numbers = (np.sqrt(variance) * (pupil.scale / math.pi)).reshape(pupil.shape)[()]
-    return result
+    return numbers(np.sqrt(variance) * (pupil.scale / math.pi), pupil.shape)
 
 
 def _variance(pupil: Pupil) -> Array:

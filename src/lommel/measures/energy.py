@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers
+from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures.answer import Answer, checked
 from lommel.methods.method import RadialMethod
 from lommel.optics.pupil import Pupil
@@ -53,8 +53,7 @@ def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis") 
         for j, r in enumerate(at.ravel()):
             covered = disk_overlap(r, columns - half, columns + half, rows - half, rows + half) / grid.pixel**2
             inside[i, j] = np.sum(covered * share[i])
-    result: Numbers = inside.reshape(answer.pupil.shape + at.shape)[()]
-    return result
+    return numbers(inside, answer.pupil.shape + at.shape)
 
 
 def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axis") -> Numbers:
@@ -86,8 +85,7 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
         sides = [float(a) for a in _within_reach(pupil, "half_width", at, radial_method.stretch(pupil))]
         energies = [_rectangles(radial_method, pupil, [(4.0, a, a)]) for a in sides]
         exact = np.stack(energies, axis=-1) if sides else np.zeros((math.prod(pupil.shape), 0))
-        radial: Numbers = exact.reshape(pupil.shape + at.shape)[()]
-        return radial
+        return numbers(exact, pupil.shape + at.shape)
     grid = answer.grid
     share = energy_per_pixel(answer).reshape(-1, *grid.shape)
 
@@ -100,8 +98,7 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
         np.einsum("ky,yx,kx->k", covered(grid.y - y), one, covered(grid.x - x), optimize=True)
         for one, (x, y) in zip(share, center, strict=True)
     ]
-    result: Numbers = np.stack(inside).reshape(pupil.shape + at.shape)[()]
-    return result
+    return numbers(inside, pupil.shape + at.shape)
 
 
 def window_centroid(answer: Answer) -> Array:
@@ -141,6 +138,13 @@ def _center(answer: Answer, about: str) -> Array:
     return window_centroid(answer).reshape(-1, 2)
 
 
+def require_radial(method: RadialMethod, pupil: Pupil) -> None:
+    """Raise ValueError if a pupil is not radially symmetric, or not supported."""
+    method.require(pupil)
+    if not pupil.radial:
+        raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
+
+
 def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numbers:
     """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 (1 - eps^2))``, by quadrature.
 
@@ -178,9 +182,7 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
         counts.append(x.size)
     intensity = method.profile(pupil, np.concatenate(nodes)).values
     light = np.cumsum(intensity * np.concatenate(weights), axis=1)
-    within = light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission)
-    result: Numbers = within.reshape(pupil.shape + at.shape)[()]
-    return result
+    return numbers(light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
 
 
 def _within_reach(pupil: Pupil, name: str, at: Array, stretch: float) -> Array:
@@ -203,10 +205,8 @@ def window_energy(answer: Answer) -> Numbers:
     """
     checked(answer)
     if answer.radial_method is None:
-        summed: Numbers = energy_per_pixel(answer).sum(axis=(-2, -1))[()]
-        return summed
-    pupil = answer.pupil
-    grid = answer.grid
+        return numbers(energy_per_pixel(answer).sum(axis=(-2, -1)), answer.pupil.shape)
+    pupil, grid = answer.pupil, answer.grid
     step = grid.step(pupil) / grid.pixel
     half = 0.5 * grid.pixel
     # Inclusion and exclusion of rectangles with one corner on the axis.
@@ -215,8 +215,7 @@ def window_energy(answer: Answer) -> Numbers:
         for a in (grid.x[-1] + half, half - grid.x[0])
         for b in (grid.y[-1] + half, half - grid.y[0])
     ]
-    total: Numbers = _rectangles(answer.radial_method, pupil, corners).reshape(pupil.shape)[()]
-    return total
+    return numbers(_rectangles(answer.radial_method, pupil, corners), pupil.shape)
 
 
 def _rectangles(method: RadialMethod, pupil: Pupil, rectangles: list[tuple[float, float, float]]) -> Array:

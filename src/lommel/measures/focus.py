@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.measures.energy import radial_energy
+from lommel.measures.energy import radial_energy, require_radial
 from lommel.methods.choice import of_profiles
 from lommel.methods.method import RadialMethod
 from lommel.optics.pupil import Pupil, checked
@@ -50,9 +50,7 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
     at = validation.real("radius", radius, above=0.0)
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
-    way.require(pupil)
-    if not pupil.radial:
-        raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
+    require_radial(way, pupil)
     # dPhi/d(rho^2) of the aberration, over the pupil: minus half of it is the defocus that focuses the zone.
     t = np.linspace(pupil.obscuration**2, 1.0, 257)
     slope = 2.0 * zernike.legendre_slope(pupil.radial_terms()[0], 2.0 * t - 1.0)
@@ -64,10 +62,5 @@ def best_focus(pupil: Pupil, radius: float, *, method: RadialMethod | None = Non
         return np.asarray(radial_energy(way, moved, at))
 
     start = float(scan[np.argmax(within(scan))])
-    found = minimize_scalar(
-        lambda c: -float(within(c)),
-        bounds=(start - 0.5, start + 0.5),
-        method="bounded",
-        options={"xatol": 1e-6},
-    )
-    return float(found.x)
+    bounds, options = (start - 0.5, start + 0.5), {"xatol": 1e-6}
+    return float(minimize_scalar(lambda c: -float(within(c)), bounds=bounds, method="bounded", options=options).x)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers
+from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import aperture_means
 from lommel.measures.answer import Answer, checked
-from lommel.measures.energy import encircled_energy, radial_energy
+from lommel.measures.energy import encircled_energy, radial_energy, require_radial
 from lommel.methods.method import RadialMethod
 from lommel.optics.pupil import Pupil
 
@@ -37,15 +38,18 @@ def peak_position(answer: Answer) -> Array:
     """
     checked(answer)
     grid = answer.grid
-    values = np.asarray(answer.values, dtype=np.float64).reshape(-1, *grid.shape)
-    out = np.empty((len(values), 2))
-    for i, image in enumerate(values):
-        row, column = np.unravel_index(int(image.argmax()), grid.shape)
-        out[i] = (
-            grid.x[column] + grid.pixel * _vertex(image[row], int(column)),
-            grid.y[row] + grid.pixel * _vertex(image[:, column], int(row)),
-        )
-    return out.reshape(*answer.pupil.shape, 2)
+    out = [
+        (grid.x[column] + grid.pixel * _vertex(across, column), grid.y[row] + grid.pixel * _vertex(down, row))
+        for row, column, across, down in _brightest(answer)
+    ]
+    return np.array(out).reshape(*answer.pupil.shape, 2)
+
+
+def _brightest(answer: Answer) -> Iterator[tuple[int, int, Array, Array]]:
+    """Yield row and column of the brightest pixel of each image, and the values along both."""
+    for image in np.asarray(answer.values, dtype=np.float64).reshape(-1, *answer.grid.shape):
+        row, column = divmod(int(image.argmax()), answer.grid.width)
+        yield row, column, image[row], image[:, column]
 
 
 def _vertex(line: Array, at: int) -> float:
@@ -88,15 +92,13 @@ def axis_strehl(answer: Answer) -> Numbers:
     elif method.sampling == "center":
         parts = method.components(pupil)
         total = sum(part.weight * np.asarray(aperture_means.strehl(part.pupil)) for part in parts)
-        mean: Numbers = np.asarray(total / sum(part.weight for part in parts))[()]
-        return mean
+        return numbers(total / sum(part.weight for part in parts), pupil.shape)
     else:
         row, column = (round(c) for c in answer.grid.center)
         if not (0 <= row < answer.grid.height and 0 <= column < answer.grid.width):
             raise ValueError(f"the axis at {answer.grid.center} is outside the window of {type(method).__name__}")
         center = answer.values[..., row, column] / answer.scale
-    result: Numbers = np.asarray(center / method.unaberrated_peak(pupil), dtype=np.float64)[()]
-    return result
+    return numbers(center / method.unaberrated_peak(pupil), pupil.shape)
 
 
 def peak_strehl(answer: Answer) -> Numbers:
@@ -116,8 +118,7 @@ def peak_strehl(answer: Answer) -> Numbers:
     """
     checked(answer)
     top = answer.values.max(axis=(-2, -1)) / answer.scale
-    result: Numbers = np.asarray(top / answer.method.unaberrated_peak(answer.pupil), dtype=np.float64)[()]
-    return result
+    return numbers(top / answer.method.unaberrated_peak(answer.pupil), answer.pupil.shape)
 
 
 def fwhm(answer: Answer, along: str = "mean") -> Numbers:
@@ -147,15 +148,11 @@ def fwhm(answer: Answer, along: str = "mean") -> Numbers:
     validation.choice("along", along, ("mean", "x", "y"))
     if answer.radial_method is not None:
         return radial_fwhm(answer.radial_method, answer.pupil)
-    grid = answer.grid
     out = []
-    for image in np.asarray(answer.values, dtype=np.float64).reshape(-1, *grid.shape):
-        row, column = np.unravel_index(int(image.argmax()), grid.shape)
-        lines = {"x": image[row], "y": image[:, column]}
-        widths = [_width(lines[name], name) for name in (("x", "y") if along == "mean" else (along,))]
-        out.append(grid.pixel * sum(widths) / len(widths))
-    result: Numbers = np.array(out).reshape(answer.pupil.shape)[()]
-    return result
+    for _, _, across, down in _brightest(answer):
+        widths = [_width(line, name) for name, line in (("x", across), ("y", down)) if along in ("mean", name)]
+        out.append(answer.pixel * sum(widths) / len(widths))
+    return numbers(out, answer.pupil.shape)
 
 
 def _width(line: Array, name: str) -> float:
@@ -183,7 +180,7 @@ def radial_fwhm(method: RadialMethod, pupil: Pupil) -> Numbers:
     of exponential type 2 (of one wavelength) this adds less than 2e-11 of the peak of the same aperture without
     aberration.
     """
-    _require_radial(method, pupil)
+    require_radial(method, pupil)
     far = float(pupil.v(pupil.geometric_radius()).max()) + 12.0
     step = _STEP / method.stretch(pupil)
     places = step * np.arange(math.ceil(far / step) + _ORDER, dtype=np.float64)
@@ -201,8 +198,7 @@ def radial_fwhm(method: RadialMethod, pupil: Pupil) -> Numbers:
         if last > values.size - _ORDER - 1:
             raise ValueError(f"the intensity does not fall to half of the largest within v = {far:.3g}")
         out[i] = 2.0 * step * line.falls_to(0.5 * peak, last, last + 1)
-    result: Numbers = (out * (pupil.scale / math.pi)).reshape(pupil.shape)[()]
-    return result
+    return numbers(out * (pupil.scale / math.pi), pupil.shape)
 
 
 def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> Numbers:
@@ -247,14 +243,13 @@ def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> 
             return float(encircled_energy(one, radius, about=about)) - wanted
 
         out.append(2.0 * brentq(lacks, 0.0, reach, xtol=1e-9 * one.pixel))
-    result: Numbers = np.array(out).reshape(answer.pupil.shape)[()]
-    return result
+    return numbers(out, answer.pupil.shape)
 
 
 def radial_diameter(method: RadialMethod, pupil: Pupil, fraction: float) -> Numbers:
     """Return the diameter that holds `fraction` of the light; see :func:`lommel.measures.spot.energy_diameter`."""
     wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
-    _require_radial(method, pupil)
+    require_radial(method, pupil)
     unit = pupil.scale / math.pi
     step = _STEP / method.stretch(pupil)
     count = 64 + math.ceil(float(pupil.v(pupil.geometric_radius()).max()) / step)
@@ -272,14 +267,7 @@ def radial_diameter(method: RadialMethod, pupil: Pupil, fraction: float) -> Numb
     for i, values in enumerate(table):
         cross = int(np.argmax(values >= wanted))
         out[i] = 2.0 * step * _Even(-values).falls_to(-wanted, cross - 1, cross)
-    result: Numbers = (out * unit).reshape(pupil.shape)[()]
-    return result
-
-
-def _require_radial(method: RadialMethod, pupil: Pupil) -> None:
-    method.require(pupil)
-    if not pupil.radial:
-        raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
+    return numbers(out * unit, pupil.shape)
 
 
 class _Even:
@@ -302,11 +290,7 @@ class _Even:
         return total
 
     def falls_to(self, level: float, low: float, high: float) -> float:
-        """Return the place between `low` and `high` at which the values fall to `level`, by bisection."""
-        for _ in range(50):
-            middle = 0.5 * (low + high)
-            if float(self(np.array([middle]))[0]) > level:
-                low = middle
-            else:
-                high = middle
-        return 0.5 * (low + high)
+        """Return the place between `low` and `high` at which the values fall to `level`, which they do."""
+        from scipy.optimize import brentq
+
+        return float(brentq(lambda at: float(self(np.array([at]))[0]) - level, low, high, xtol=1e-15))

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers
+from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures.overlap import autocorrelation
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.pupil import Pupil, checked
@@ -75,9 +75,10 @@ def otf(
         pitch = validation.pixel(pixel, metric=pupil.wavelength is not None)
         blur = np.sinc(across * pitch) * np.sinc(down * pitch)
     total = np.zeros((math.prod(pupil.shape), across.size), dtype=np.complex128)
-    if spectrum is not None and not isinstance(spectrum, Polychromatic):
-        raise TypeError(f"spectrum must be a Polychromatic, got {validation.shown(spectrum)}")
-    for share, _, part in [Component(1.0, 1.0, pupil)] if spectrum is None else spectrum.components(pupil):
+    parts = [Component(1.0, 1.0, pupil)]
+    if spectrum is not None:
+        parts = validation.instance("spectrum", spectrum, Polychromatic).components(pupil)
+    for share, _, part in parts:
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
         total += share * autocorrelation(part, f, goal)
     result: Complexes = (total.reshape(pupil.shape + across.shape) * blur)[()]
@@ -114,8 +115,8 @@ def mtf(
     >>> camera = lm.Pupil(lm.Wavefront(1.5), wavelength=550e-9, f_number=2.8)
     >>> at_nyquist = lm.mtf(camera, 1 / (2 * 3.45e-6), pixel=3.45e-6)
     """
-    result: Numbers = np.abs(otf(pupil, fx, fy, pixel=pixel, spectrum=spectrum, tol=tol))
-    return result
+    value = otf(pupil, fx, fy, pixel=pixel, spectrum=spectrum, tol=tol)
+    return numbers(np.abs(value), value.shape)
 
 
 def ptf(
@@ -145,8 +146,7 @@ def ptf(
         Radians; with s what `fx` and `fy` broadcast to.
     """
     value = otf(pupil, fx, fy, spectrum=spectrum, tol=tol)
-    result: Numbers = np.where(np.abs(value) > tol, np.angle(value), 0.0)[()]
-    return result
+    return numbers(np.where(np.abs(value) > tol, np.angle(value), 0.0), value.shape)
 
 
 def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel: float | None = None) -> Numbers:
@@ -205,8 +205,7 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
             out[i] = low if ends[0] <= 0.0 else high
         else:
             out[i] = brentq(above, low, high, xtol=1e-10 * cutoff)
-    result: Numbers = out.reshape(pupil.shape)[()]
-    return result
+    return numbers(out, pupil.shape)
 
 
 def _round(pupil: Pupil) -> None:
@@ -220,9 +219,6 @@ def _round(pupil: Pupil) -> None:
 
 def frequencies(fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
     """Return frequencies along columns and rows, broadcast."""
-    across, down = validation.real_array("fx", fx), validation.real_array("fy", fy)
-    try:
-        both = np.broadcast_arrays(across, down)
-    except ValueError:
-        raise ValueError(f"fx and fy must broadcast, got shapes {across.shape} and {down.shape}") from None
-    return both[0], both[1]
+    parts = validation.real_array("fx", fx), validation.real_array("fy", fy)
+    across, down = validation.broadcast("fx and fy", *parts)
+    return across, down

@@ -54,14 +54,14 @@ class Spider:
     angles: tuple[float, ...]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "width", validation.real("width", self.width, above=0.0, below=2.0))
+        width = validation.real("width", self.width, above=0.0, below=2.0)
         angles = validation.real_array("angles", self.angles)
         if angles.ndim != 1 or not 1 <= angles.size <= MAX_VANES:
             raise ValueError(
                 f"angles must be a sequence of 1 to {MAX_VANES} numbers, "
                 f"got {validation.shown(self.angles)} of shape {angles.shape}"
             )
-        object.__setattr__(self, "angles", tuple(angles.tolist()))
+        vars(self).update(width=width, angles=tuple(angles.tolist()))
 
     @classmethod
     def equal(cls, count: int, width: float, first: float = 0.0) -> Spider:
@@ -184,8 +184,7 @@ class CatEye:
                 f"shift must be shorter than 1 + radius = {1.0 + radius:g}, or the circles do not overlap, "
                 f"got {validation.shown(self.shift)}"
             )
-        object.__setattr__(self, "shift", (x, y))
-        object.__setattr__(self, "radius", radius)
+        vars(self).update(shift=(x, y), radius=radius)
 
     def margin(self, x: Array, y: Array) -> Array:
         """Return the distance of points (`x`, `y`) from the edge of the second circle; negative outside of it."""
@@ -242,8 +241,8 @@ class Mask:
         if values.max() == 0.0:
             raise ValueError("values must not be 0 throughout: no light would pass")
         values.flags.writeable = False
-        object.__setattr__(self, "values", values)
-        object.__setattr__(self, "_digest", hashlib.sha256(repr(values.shape).encode() + values.tobytes()).digest())
+        digest = hashlib.sha256(repr(values.shape).encode() + values.tobytes()).digest()
+        vars(self).update(values=values, _digest=digest)
 
     @classmethod
     def sample(cls, function: Callable[[Array, Array], ArrayLike], side: int) -> Mask:

@@ -79,9 +79,8 @@ class Apodization:
         if not size <= _LARGEST * (1.0 + 1e-12):
             raise ValueError(f"powers must lead to an exponent of at most {_LARGEST:g}, got {size:.4g}")
         exponent.setflags(write=False)
-        object.__setattr__(self, "powers", tuple(powers))
-        object.__setattr__(self, "error", validation.real("error", self.error, least=0.0))
-        object.__setattr__(self, "exponent", exponent)
+        error = validation.real("error", self.error, least=0.0)
+        vars(self).update(powers=tuple(powers), error=error, exponent=exponent)
 
     @classmethod
     def gaussian(cls, g: float) -> Apodization:

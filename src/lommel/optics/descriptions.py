@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
@@ -23,13 +23,7 @@ class Descriptions(Terms):
 
     if TYPE_CHECKING:
         # Of Wavefront.
-        def __init__(
-            self,
-            defocus: ArrayLike = 0.0,
-            spherical: ArrayLike = 0.0,
-            higher: Sequence[ArrayLike] = (),
-            nonradial: Mapping[tuple[int, int], ArrayLike] | None = None,
-        ) -> None: ...
+        def __init__(self, *parts: Any) -> None: ...
 
     @classmethod
     def zernike(

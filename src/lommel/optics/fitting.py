@@ -117,7 +117,7 @@ def fit_radial(
         raise ValueError(f"phase must have one value for each rho, got shapes {values.shape} and {at.shape}")
     terms = [(n, 0) for n in range(0, highest + 1, 2)]
     coefficients, residual, condition = _least_squares(at, np.zeros(at.size), values[None], terms, weights)
-    return _finish(terms, coefficients, residual, residual[0], condition, (), unit, scale, limit, weights)
+    return _finish(terms, coefficients, residual, condition, (), unit, scale, limit, weights)
 
 
 def fit_opd(
@@ -188,8 +188,7 @@ def fit_opd(
         for member, rest in zip(members, left, strict=True):
             residual[member][where] = rest
         condition = max(condition, worst)
-    left = residual.reshape(maps.shape)
-    return _finish(terms, coefficients, residual, left, condition, stack, unit, scale, limit)
+    return _finish(terms, coefficients, residual, condition, stack, unit, scale, limit)
 
 
 def opd_map(
@@ -221,8 +220,7 @@ def opd_map(
     TypeError, ValueError
         If an argument is out of range.
     """
-    if not isinstance(wavefront, Wavefront):
-        raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(wavefront)}")
+    validation.instance("wavefront", wavefront, Wavefront)
     scale = radians_per(unit, wavelength)
     size = validation.image_shape(shape)
     x, y = _pupil_coordinates(size, center, radius)
@@ -279,7 +277,6 @@ def _basis(rho: Array, theta: Array, terms: list[tuple[int, int]]) -> Iterator[t
 def _finish(
     terms: list[tuple[int, int]],
     coefficients: Array,
-    flat: Array,
     residual: Array,
     condition: float,
     stack: tuple[int, ...],
@@ -289,7 +286,7 @@ def _finish(
     weights: Array | None = None,
 ) -> WavefrontFit:
     """Return the answer, if its residuals (first axis the flattened stack, NaN where unused) are within `tol`."""
-    rest = flat.reshape(len(flat), -1)
+    rest = residual.reshape(len(residual), -1)
     count = np.isfinite(rest).sum(axis=1)
     # The constant is among the terms: the mean of the residual is 0.
     rms = np.sqrt(np.nanmean(rest**2, axis=1) if weights is None else rest**2 @ weights)
@@ -303,7 +300,7 @@ def _finish(
         piston=coefficients[:, terms.index((0, 0))].reshape(stack),
         rms=rms.reshape(stack),
         peak_to_valley=(np.nanmax(rest, axis=1) - np.nanmin(rest, axis=1)).reshape(stack),
-        residual=residual,
+        residual=residual.reshape(*stack, *residual.shape[1:]),
         samples=count.reshape(stack),
         condition=condition,
         unit=unit,

@@ -48,13 +48,10 @@ class Grid:
     def __init__(self, shape: Any, pixel: float, *, center: Any = None, integrate: bool = False) -> None:
         height, width = validation.image_shape(shape)
         middle = (float(height // 2), float(width // 2))
-        if not isinstance(integrate, bool):
-            raise TypeError(f"integrate must be True or False, got {validation.shown(integrate)}")
-        object.__setattr__(self, "height", height)
-        object.__setattr__(self, "width", width)
-        object.__setattr__(self, "pixel", validation.real("pixel", pixel, above=0.0))
-        object.__setattr__(self, "center", middle if center is None else validation.position("center", center))
-        object.__setattr__(self, "integrate", integrate)
+        pitch = validation.real("pixel", pixel, above=0.0)
+        center = middle if center is None else validation.position("center", center)
+        integrate = validation.truth("integrate", integrate)
+        vars(self).update(height=height, width=width, pixel=pitch, center=center, integrate=integrate)
 
     @property
     def symmetric(self) -> bool:

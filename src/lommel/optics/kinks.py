@@ -97,13 +97,9 @@ class Kinks:
 def graded(a: float, b: float, poles: list[complex], roots: list[float]) -> list[tuple[float, float, int]]:
     """Split an interval of angles until each part is no longer than its distance from every singularity."""
     ends = [any(abs(math.remainder(end - root, 2.0 * math.pi)) < _NEAR for root in roots) for end in (a, b)]
-    others = []
-    for pole in poles:
-        for turn in (-2, -1, 0, 1, 2):
-            z = pole + 2.0 * math.pi * turn
-            at_end = (ends[0] and abs(z - a) < 2 * _NEAR) or (ends[1] and abs(z - b) < 2 * _NEAR)
-            if not at_end:
-                others.append(z)
+    felt = [end for end, root in zip((a, b), ends, strict=True) if root]  # by the square root alone
+    turned = [pole + 2.0 * math.pi * turn for pole in poles for turn in (-2, -1, 0, 1, 2)]
+    others = [z for z in turned if all(abs(z - end) >= 2 * _NEAR for end in felt)]
     done, todo = [], [(a, b, ends[0], ends[1])]
     while todo:
         low, high, left, right = todo.pop()

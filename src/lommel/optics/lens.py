@@ -134,16 +134,15 @@ class Lens:
                     f"focus_distance must exceed the focal length {f:g} m (no real image otherwise), got {s:g}"
                 )
             d = 1.0 / (1.0 / f - 1.0 / s)
-        aberrations = Wavefront() if aberrations is None else aberrations
-        if not isinstance(aberrations, Wavefront):
-            raise TypeError(f"aberrations must be a Wavefront, got {validation.shown(aberrations)}")
+        if aberrations is None:
+            aberrations = Wavefront()
         values: dict[str, Any] = {
             "focal_length": f,
             "aperture_diameter": diameter,
             "sensor_distance": d,
             "wavelength": validation.wavelength(wavelength),
             "obscuration": validation.real("obscuration", obscuration, least=0.0, below=1.0),
-            "aberrations": aberrations,
+            "aberrations": validation.instance("aberrations", aberrations, Wavefront),
             "spider": spider,
             "vignetting": vignetting,
             "mask": mask,
@@ -153,8 +152,7 @@ class Lens:
         }
         # What is no such shape, or leaves nothing clear, is told now.
         Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
-        for name, value in values.items():
-            object.__setattr__(self, name, value)
+        vars(self).update(values)
         if model == "aplanatic":
             self.phase(0.0)  # a rim out of reach is told now
 

@@ -10,6 +10,7 @@ straight.
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
@@ -99,18 +100,12 @@ def degree_needed(
         bound = math.log(2.0) + np.log1p(np.exp(-2.0 * _B)) + growth + tail
         return bool(bound.min() <= math.log(error))
 
-    high = 8
-    while not holds(high):
-        high *= 2
-        if high > MAX_DEGREE:
-            raise ValueError(
-                f"aberrations and a window of v = {v:.4g} this large take polynomials of a degree over {MAX_DEGREE}"
-            )
-    low = high // 2
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (low, middle) if holds(middle) else (middle, high)
-    return high
+    high = next((2**k for k in range(3, MAX_DEGREE.bit_length()) if holds(2**k)), None)
+    if high is None:
+        raise ValueError(
+            f"aberrations and a window of v = {v:.4g} this large take polynomials of a degree over {MAX_DEGREE}"
+        )
+    return bisect_left(range(high), True, lo=high // 2 + 1, key=holds)
 
 
 @dataclass(frozen=True)
@@ -137,12 +132,8 @@ class Opening:
     def __post_init__(self) -> None:
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
         object.__setattr__(self, "obscuration", eps)
-        if self.spider is not None:
-            validation.instance("spider", self.spider, Spider)
-        if self.vignetting is not None and not isinstance(self.vignetting, Ellipse | CatEye):
-            raise TypeError(
-                f"vignetting must be an Ellipse, a CatEye or None, got {validation.shown(self.vignetting)}"
-            )
+        validation.optional("spider", self.spider, Spider)
+        validation.optional("vignetting", self.vignetting, Ellipse, CatEye)
 
     @property
     def circular(self) -> bool:

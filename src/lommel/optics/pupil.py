@@ -78,40 +78,32 @@ class Pupil:
     radial: bool = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.wavefront, Wavefront):
-            raise TypeError(f"wavefront must be a Wavefront, got {validation.shown(self.wavefront)}")
+        validation.instance("wavefront", self.wavefront, Wavefront)
         if self.geometry is not None and not isinstance(self.geometry, Geometry):
             raise TypeError(
                 f"geometry must be a Geometry, as Lens.pupil makes, got {validation.shown(self.geometry)}"
             )
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
-        object.__setattr__(self, "obscuration", eps)
         light = illumination(self.apodization)
-        object.__setattr__(self, "illumination", light)
-        if not isinstance(self.apodization, Apodization):
-            object.__setattr__(self, "apodization", light.slope)
+        kept = light if isinstance(self.apodization, Apodization) else light.slope
+        vars(self).update(obscuration=eps, illumination=light, apodization=kept)
         if (self.wavelength is None) != (self.f_number is None):
             raise ValueError(
                 "wavelength and f_number must be given together (sensor in metres) or not at all "
                 f"(sensor in lambda*N), got wavelength={self.wavelength!r}, f_number={self.f_number!r}"
             )
         if self.wavelength is not None:
-            object.__setattr__(self, "wavelength", validation.wavelength(self.wavelength))
-            object.__setattr__(self, "f_number", validation.real("f_number", self.f_number, above=0.0))
-        object.__setattr__(self, "circular", all(part is None for part in (self.spider, self.vignetting, self.mask)))
-        object.__setattr__(self, "radial", self.circular and self.wavefront.radial)
-        if not self.circular:
+            wavelength = validation.wavelength(self.wavelength)
+            vars(self).update(wavelength=wavelength, f_number=validation.real("f_number", self.f_number, above=0.0))
+        circular = all(part is None for part in (self.spider, self.vignetting, self.mask))
+        vars(self).update(circular=circular, radial=circular and self.wavefront.radial)
+        if not circular:
             self._check_aperture()
 
     def _check_aperture(self) -> None:
-        kinds: tuple[tuple[str, Any], ...] = (("spider", Spider), ("vignetting", Ellipse | CatEye), ("mask", Mask))
-        for name, kind in kinds:
-            part = getattr(self, name)
-            if part is not None and not isinstance(part, kind):
-                allowed = " or ".join(k.__name__ for k in getattr(kind, "__args__", (kind,)))
-                raise TypeError(f"{name} must be of the type {allowed}, or None, got {validation.shown(part)}")
+        validation.optional("mask", self.mask, Mask)  # the opening checks the others
         if self.area < 1e-12:
-            parts = {name: getattr(self, name) for name, _ in kinds if getattr(self, name) is not None}
+            parts = {name: part for name in _SHAPES if (part := getattr(self, name)) is not None}
             listed = ", ".join(f"{name}={part!r}" for name, part in parts.items())
             raise ValueError(
                 f"{', '.join(parts)} must leave part of the aperture clear, got {listed} with "
@@ -304,8 +296,8 @@ class Pupil:
             "apodization": light.to_dict() if isinstance(light := self.apodization, Apodization) else light,
             "geometry": None if self.geometry is None else self.geometry.to_dict(),
         }
-        shapes = {"spider": self.spider, "vignetting": self.vignetting, "mask": self.mask}
-        return plain | {name: shape.to_dict() for name, shape in shapes.items() if shape is not None}
+        shapes = {name: shape for name in _SHAPES if (shape := getattr(self, name)) is not None}
+        return plain | {name: shape.to_dict() for name, shape in shapes.items()}
 
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> Pupil:

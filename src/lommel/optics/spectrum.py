@@ -64,8 +64,7 @@ class Spectrum:
                 f"got {validation.shown(weights)}"
             )
         shares = shares / shares.max()  # whose sum cannot overflow
-        object.__setattr__(self, "wavelengths", waves)
-        object.__setattr__(self, "weights", tuple((shares / shares.sum()).tolist()))
+        vars(self).update(wavelengths=waves, weights=tuple((shares / shares.sum()).tolist()))
 
     def components(self, pupil: Pupil) -> list[Component]:
         """Return what light of each wavelength makes of a pupil.

@@ -169,11 +169,8 @@ class Wavefront(Descriptions):
         TypeError, ValueError
             If they are not real and finite, do not broadcast, or a radius is negative or above 1000.
         """
-        r, angle = validation.real_array("rho", rho, least=0.0), validation.real_array("theta", theta)
-        try:
-            r, angle = np.broadcast_arrays(r, angle)
-        except ValueError:
-            raise ValueError(f"rho and theta must broadcast, got shapes {r.shape} and {angle.shape}") from None
+        points = validation.real_array("rho", rho, least=0.0), validation.real_array("theta", theta)
+        r, angle = validation.broadcast("rho and theta", *points)
         if r.size and r.max() > _FAR:
             raise ValueError(f"rho must be at most {_FAR:g}, got {r.max():g}")
         at = (1,) * r.ndim
@@ -181,6 +178,13 @@ class Wavefront(Descriptions):
         for (n, m), c in self.nonradial.items():
             total += c.reshape(self.shape + at) * zernike.polynomial(n, m, r, angle)
         return total
+
+    def _shape_with(self, name: str, each: Array) -> tuple[int, ...]:
+        """Return the shape of the stack and of what each of it has a value of; ValueError if there is none."""
+        try:
+            return np.broadcast_shapes(self.shape, each.shape)
+        except ValueError:
+            raise ValueError(f"{name} must broadcast with the stack, got {each.shape} and {self.shape}") from None
 
     def rotated(self, angle: ArrayLike) -> Self:
         """Return the wavefront turned from x towards y: clockwise in a picture.
@@ -204,10 +208,7 @@ class Wavefront(Descriptions):
             If an angle is not real and finite, or they do not broadcast.
         """
         turn = validation.real_array("angle", angle)
-        try:
-            shape = np.broadcast_shapes(self.shape, turn.shape)
-        except ValueError:
-            raise ValueError(f"angle must broadcast with the stack, got {turn.shape} and {self.shape}") from None
+        shape = self._shape_with("angle", turn)
         powers = None if self._powers is None else _broadcast(self._powers, shape)
         edge = _broadcast(self.edge, shape)
         turned = zernike.rotated(dict(self.nonradial), turn)
@@ -269,10 +270,7 @@ class Wavefront(Descriptions):
         if not np.all((eps > 0.0) & (eps <= 1.0)):
             bad = eps[~((eps > 0.0) & (eps <= 1.0))].flat[0]
             raise ValueError(f"radius must be > 0 and <= 1, got {bad:g}")
-        try:
-            shape = np.broadcast_shapes(self.shape, eps.shape)
-        except ValueError:
-            raise ValueError(f"radius must broadcast with the stack, got {eps.shape} and {self.shape}") from None
+        shape = self._shape_with("radius", eps)
         found = zernike.scaled(self.edge_terms(), np.broadcast_to(eps, shape))
         terms = (*symmetric_terms(self.symmetric), *sorted(term for term in found if term[1]))
         edge = np.stack([np.broadcast_to(found[term], shape) for term in terms], axis=-1)

@@ -6,6 +6,7 @@ import math
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,8 @@ from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.psf import PSF, psf
 from lommel.special import zernike
+
+_OF_LENS = ("focal_length", "aperture_diameter", "f_number", "working_f_number", "obscuration", "wavelength")
 
 
 def describe_lens(instrument: Instrument) -> dict[str, Any]:
@@ -60,12 +63,7 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     return {
         "name": instrument.name,
         "source": instrument.source,
-        "focal_length": lens.focal_length,
-        "aperture_diameter": lens.aperture_diameter,
-        "f_number": lens.f_number,
-        "working_f_number": lens.working_f_number,
-        "obscuration": lens.obscuration,
-        "wavelength": lens.wavelength,
+        **{name: getattr(lens, name) for name in _OF_LENS},
         "model": lens.model,
         "corrected_for": lens.corrected_for,
         "apodization": light.to_dict() if isinstance(light := lens.apodization, Apodization) else light,
@@ -187,50 +185,35 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
     this one does not hold 95 % and is smaller, else None.
     """
     energy, side = float(answer.energy), wide_enough(answer.pupil, answer.pixel)
-    return {
-        "method": answer.method.to_dict(),
-        "sampling": answer.sampling,
-        "pixel_over_lambda_N": answer.pixel / answer.pupil.scale,
-        "sum": float(answer.values.sum(dtype=float)) if _sums_to_nothing(answer) else None,
+    return _how_made(answer, seconds) | {
         "wide_enough": side if energy < 0.95 and min(answer.shape) < side else None,
-        "shape": list(answer.shape),
-        "pixel": answer.pixel,
-        "dtype": str(answer.values.dtype),
-        "normalize": answer.normalize,
-        "peak": float(answer.values.max()),
         "energy": energy,
-        "error_bound": answer.error_bound,
-        "seconds": seconds,
     }
 
 
 def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dict[str, Any]:
     """Return what there is to say about PSFs over the field: lengths in metres, one entry for each of the grid."""
-    psf = grid.psf
-    largest = grid.values.max(axis=(-2, -1))
+    place = {"sensor": list(grid.sensor), "x": grid.x.tolist(), "y": grid.y.tolist()}
+    return {"name": instrument.name, "source": instrument.source} | place | _how_made(grid.psf, seconds)
+
+
+def _how_made(answer: Answer, seconds: float) -> dict[str, Any]:
+    """Return what there is to say about values and how they were made, sums and peaks for each of a stack."""
+    # Fractions of the light that sample too far apart are none.
+    stray = answer.normalize == "energy" and answer.undersampled
     return {
-        "name": instrument.name,
-        "source": instrument.source,
-        "sensor": list(grid.sensor),
-        "x": grid.x.tolist(),
-        "y": grid.y.tolist(),
-        "peak": largest.astype(float).tolist(),
-        "method": psf.method.to_dict(),
-        "sampling": psf.sampling,
-        "pixel_over_lambda_N": psf.pixel / psf.pupil.scale,
-        "sum": psf.values.sum(axis=(-2, -1), dtype=float).tolist() if _sums_to_nothing(psf) else None,
-        "shape": list(psf.shape),
-        "pixel": psf.pixel,
-        "dtype": str(psf.values.dtype),
-        "normalize": psf.normalize,
-        "error_bound": psf.error_bound,
+        "method": answer.method.to_dict(),
+        "sampling": answer.sampling,
+        "pixel_over_lambda_N": answer.pixel / answer.pupil.scale,
+        "sum": answer.values.sum(axis=(-2, -1), dtype=float).tolist() if stray else None,
+        "shape": list(answer.shape),
+        "pixel": answer.pixel,
+        "dtype": str(answer.values.dtype),
+        "normalize": answer.normalize,
+        "peak": answer.values.max(axis=(-2, -1)).tolist(),
+        "error_bound": answer.error_bound,
         "seconds": seconds,
     }
-
-
-def _sums_to_nothing(answer: PSF) -> bool:
-    """Return whether values that are to be fractions of the light are samples too far apart for that."""
-    return answer.normalize == "energy" and answer.undersampled
 
 
 def compare(
@@ -251,18 +234,12 @@ def compare(
     pupil = instrument.pupil()
     judge = reference(pupil)
 
-    def answer(method: Method, integrate: bool | None = instrument.integrate) -> PSF:
-        return psf(
-            pupil,
-            instrument.window,
-            instrument.pixel,
-            method=method,
-            dtype="float64",
-            integrate=integrate,
-        )
+    def answer(method: Method, integrate: bool | None) -> PSF:
+        window, pixel = instrument.window, instrument.pixel
+        return psf(pupil, window, pixel, method=method, dtype="float64", integrate=integrate)
 
     started(reference_name(pupil))
-    truth, seconds = timed(lambda: answer(judge))
+    truth, seconds = timed(partial(answer, judge, instrument.integrate))
     answers = {reference_name(pupil): truth}
     rows = []
     for method in methods:
@@ -271,8 +248,8 @@ def compare(
         row |= dict.fromkeys(("seconds", "mse", "peak_error", "error_bound", "sampling"))
         rows.append(row)
         if method == judge:
-            row |= {"seconds": seconds, "mse": 0.0, "peak_error": 0.0, "error_bound": truth.error_bound}
-            row["sampling"] = truth.sampling
+            row |= {"seconds": seconds, "mse": 0.0, "peak_error": 0.0}
+            row |= {"error_bound": truth.error_bound, "sampling": truth.sampling}
             continue
         if isinstance(method, HuygensFresnel) and instrument.lens.model == "paraxial" and _magnifies(instrument.lens):
             row["reason"] = (
@@ -282,9 +259,7 @@ def compare(
         started(name)
         integrate = False if isinstance(method, HuygensFresnel) else instrument.integrate
         try:
-            found, row["seconds"] = timed(
-                lambda method=method, integrate=integrate: answer(method, integrate)  # type: ignore[misc]
-            )
+            found, row["seconds"] = timed(partial(answer, method, integrate))
         except (ValueError, ArithmeticError, ImportError) as error:
             row["reason"] = str(error)
             continue

@@ -57,7 +57,11 @@ def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
     if psf.pupil.shape != ():
         return _stack(psf, ax, stretch)
-    axes = _draw(psf, _new_axes() if ax is None else ax, _norm(stretch, float(psf.values.max()) or 1.0))
+    axes = _draw(
+        psf,
+        _pyplot().subplots(layout="constrained")[1] if ax is None else ax,
+        _norm(stretch, float(psf.values.max()) or 1.0),
+    )
     if ax is None:
         axes.set_title(_title(psf), fontsize=9)
         axes.figure.colorbar(axes.images[0], ax=axes, label=MEANING[psf.normalize])
@@ -259,10 +263,6 @@ def _field_axes(grid: AnswerGrid) -> Any:
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
     return _pyplot().subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
-
-
-def _new_axes() -> Any:
-    return _pyplot().subplots(layout="constrained")[1]
 
 
 def _pyplot() -> Any:

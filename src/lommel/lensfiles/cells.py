@@ -1,0 +1,28 @@
+"""Tables in CSV: their lines, and what stands in their cells."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+
+
+def rows(text: str) -> Iterator[tuple[int, list[str]]]:
+    """Yield the number of each line and its cells; lines that are empty or begin with ``#`` are left out.
+
+    ValueError if a cell has no end.
+    """
+    for place, line in enumerate(text.splitlines(), 1):
+        try:
+            cells = [cell.strip() for cell in next(csv.reader([line]), [])]
+        except csv.Error as error:  # of an endless cell
+            raise ValueError(f"{error} in line {place}") from None
+        if any(cells) and not line.lstrip().startswith("#"):
+            yield place, cells
+
+
+def number(text: str) -> float | str:
+    """Return the number that a cell holds; what is none stays as it is, to be told."""
+    try:
+        return float(text)
+    except ValueError:
+        return text

@@ -30,6 +30,15 @@ def new_figure(width: float, height: float) -> Figure:
     return NewFigure(figsize=(width, height), layout="constrained")
 
 
+def panels(figure: Any, count: int, **properties: Any) -> Any:
+    """Return that many axes beside each other, with a grid and the properties that all have."""
+    made = figure.subplots(1, count)
+    for axes in made:
+        axes.set(**properties)
+        axes.grid(alpha=0.3)
+    return made
+
+
 def intensity_norm(top: float) -> Normalize:
     """Return a square-root scale, on which faint rings are seen beside the peak."""
     from matplotlib.colors import PowerNorm

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lommel.measures.errors import mse
 from lommel.paper.drawing import error_norm, intensity_norm, picture_rows
-from lommel.paper.setting import REFERENCE, VARIANTS, FigureData, Setting, measures, middle_row
+from lommel.paper.setting import VARIANTS, FigureData, Setting, measures, middle_row
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -43,20 +42,13 @@ def compute(parameter: str, values: Sequence[float], setting: Setting = Setting(
     """
     arrays: dict[str, Any] = {"v": setting.v, parameter: np.asarray(values)}
     columns = {"v": setting.v}
-    panels = []
+    panels: list[dict[str, Any]] = []
     for value in values:
-        one = Setting(**setting.facts() | {parameter: value})
-        images = {"exact": one.image(REFERENCE), "fft": one.image(one.fft())}
-        images |= {variant: one.image(one.closed_form(variant)) for variant in VARIANTS}
-        peak = images["exact"].max()
+        images = Setting(**setting.facts() | {parameter: value}).images()
         for name, image in images.items():
-            image /= peak
             arrays[f"{name}_{value:g}"] = image.astype(np.float32)
             columns[f"{name}, {_NAMES[parameter]} = {value:g}"] = middle_row(image)
-        panels.append(
-            {parameter: value, "fft": {"mse": mse(images["fft"], images["exact"])}}
-            | {variant: measures(images[variant], images["exact"], images["fft"]) for variant in VARIANTS}
-        )
+        panels.append({parameter: value} | measures(images))
     facts = setting.facts() | {"varies": parameter, "panels": panels}
     return FigureData(f"CFIS for varying {_NAMES[parameter]}", arrays, columns, facts)
 

@@ -167,15 +167,15 @@ class PolarImage {
                 if (std::is_same_v<Real, float> && zone.style->exact) {
                     // Rounded once.
                     alignas(64) double exact[2][DoubleTaps::taps];
-                    taps<D>(zone.kernels->taps(0.0), x[0][i], exact[0], most);
-                    taps<D>(zone.circle->taps(0.0), x[1][i], exact[1], most);
+                    taps<D>(zone.kernels->outer().doubles, x[0][i], exact[0], most);
+                    taps<D>(zone.circle->doubles, x[1][i], exact[1], most);
                     for (std::size_t k = 0; k < most; ++k) {
                         weights[i][k] = static_cast<Real>(exact[0][k]);
                         weights[i][most + k] = static_cast<Real>(exact[1][k]);
                     }
                     continue;
                 }
-                taps<Narrow>(zone.kernels->taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
+                taps<Narrow>(zone.kernels->outer().taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
                 taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + most);
             }
             for (std::size_t i = 0; i < here; ++i) {

@@ -81,8 +81,8 @@ class PolarLooks {
         for (std::size_t i = 0; i < block; ++i) {
             // What tables have divided by makes circles larger, the most at the edge of the spectrum.
             const double i_here = b * block + i < bright.size() ? bright[b * block + i] : 0.0;
-            out[i] = {0.0, kernels.largest * out[i].around, kernels.largest * out[i].sum,
-                      1.2 * kernels.largest * circle.gains[0] * std::sqrt(i_here)};
+            const double largest = kernels.outer().largest;
+            out[i] = {0.0, largest * out[i].around, largest * out[i].sum, 1.2 * largest * circle.gains[0] * std::sqrt(i_here)};
         }
     }
 

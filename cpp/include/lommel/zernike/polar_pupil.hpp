@@ -63,12 +63,9 @@ struct PolarPupil {
 
    private:
     void add(const ZernikeSeries& series, double shrunk, double weight) {
-        disks.push_back({&series, shrunk, weight, Doubles(4 * series.cos_re.size())});
-        for (std::size_t i = 0; i < series.cos_re.size(); ++i) {
-            const double parts[4] = {series.cos_re[i], series.cos_im[i], series.sin_re[i], series.sin_im[i]};
-            for (std::size_t c = 0; c < 4; ++c) {
-                disks.back().parts[4 * i + c] = weight * parts[c];
-            }
+        disks.push_back({&series, shrunk, weight, Doubles(4 * series.parts[0].size())});
+        for (std::size_t i = 0; i < disks.back().parts.size(); ++i) {
+            disks.back().parts[i] = weight * series.parts[i % 4][i / 4];
         }
     }
 };

@@ -56,9 +56,8 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
     void paint(double scale, T* image) {
         parts_.assign(list_.size() * zones_.size(), PaintedPart());
         parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
-            thread_local Tiles::Buffer<T> kept;
+            thread_local Tiles::Buffer<T> buffer;
             thread_local std::vector<Tiles::Line> lines;
-            Tiles::Buffer<T>& buffer = kept;
             for (std::size_t z = 0; z < zones_.size(); ++z) {
                 const PolarZone& zone = zones_[z];
                 lines.clear();

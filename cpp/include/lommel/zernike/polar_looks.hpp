@@ -30,8 +30,7 @@ class PolarLooks : public Looks {
         }
         const RowFft<float> fft(RowFft<float>::length(4 * orders));
         const std::vector<double> gains(orders, 1.0);
-        thread_local PolarSpectra<float> kept;
-        PolarSpectra<float>& spectra = kept;
+        thread_local PolarSpectra<float> spectra;
         bright.assign(blocks_ * block, 0.0);
         for (std::size_t b = 0; b < blocks_; ++b) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {

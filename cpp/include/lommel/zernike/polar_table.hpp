@@ -85,8 +85,6 @@ struct PolarTable {
     std::size_t bytes() const { return sizeof(double) * values.size(); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 
-    const double* at(std::size_t b) const { return &values[b * degrees * block]; }
-
    private:
     double farthest(std::size_t b) const { return step * static_cast<double>(std::max<std::size_t>(1, b) * block); }
 

@@ -91,8 +91,8 @@ def test_quadrature_rules_of_azimuthal_orders_enough_serve_their_own_degree_only
     exact = []
     for n, c in ((2, 0.01), (20, 0.5)):
         agrees(lm.Pupil(lm.Wavefront(nonradial={(n, 2): c})), (7, 7), 1.2, SERIES)
-        term = np.array([n], np.int32), np.array([2], np.int32), np.array([c])
-        exact.append(_core.zernike_bounds(*term, np.zeros(1), 16.0, 1e-8)["exact"])
+        made = _core.zernike_bounds(np.array([(n, 2)]), np.array([c]), np.zeros(1), 16.0, 1e-8)
+        exact.append(made["exact"])
     # Every rule has so few orders: one that others left behind, of a high degree, would serve both, and well.
     assert exact[0] < exact[1]
 

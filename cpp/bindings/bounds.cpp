@@ -26,49 +26,50 @@ using namespace bindings;
 namespace {
 
 using Doubles1 = In<double, 1>;
+using Terms = In<std::int64_t, 2>;
 using Named = nb::typed<nb::dict, nb::str, nb::object>;
 
 template <class... Values>
-Named named(const std::pair<const char*, Values>&... entries) {
+Named named(const Values&... values) {
     nb::dict made;
-    (void)std::initializer_list<int>{(made[entries.first] = entries.second, 0)...};
+    ((made[values.name_] = values.value), ...);
     return nb::cast<Named>(made);
 }
-template <class T>
-std::pair<const char*, T> entry(const char* name, T value) {
-    return {name, value};
-}
 std::vector<double> listed(const lommel::Doubles& values) { return {values.begin(), values.end()}; }
+template <class F>
+std::vector<double> each(const Doubles1& at, const F& f) {
+    std::vector<double> values(at.size());
+    std::transform(at.data(), at.data() + at.size(), values.begin(), f);
+    return values;
+}
 
 // The growth of the exponent on the ellipses of some cosh, roundings, the integral over an annulus, and values at t, of an
 // amplitude raised to a power on an inner disk of that area.
 Named amplitude_bounds(Doubles1 powers, Doubles1 cosh, Doubles1 t, double obscuration, double raised, double area) {
     const lommel::Amplitude amplitude = powers_of_amplitude(powers).raised(raised).scaled(area);
-    nb::list growth, values;
-    for (std::size_t i = 0; i < cosh.shape(0); ++i) {
-        growth.append(amplitude.growth(cosh.data()[i]));
-    }
-    for (std::size_t i = 0; i < t.shape(0); ++i) {
-        values.append(amplitude.at(t.data()[i]));
-    }
-    return named(entry("growth", growth), entry("sensitivity", amplitude.sensitivity()), entry("values", values),
-                 entry("integral", amplitude.integral(obscuration)), entry("size", amplitude.size()),
-                 entry("passive", amplitude.passive()), entry("area", lommel::Aperture(obscuration, amplitude).area));
+    return named("growth"_a = each(cosh, [&](double c) { return amplitude.growth(c); }),
+                 "sensitivity"_a = amplitude.sensitivity(), "values"_a = each(t, [&](double x) { return amplitude.at(x); }),
+                 "integral"_a = amplitude.integral(obscuration), "size"_a = amplitude.size(), "passive"_a = amplitude.passive(),
+                 "area"_a = lommel::Aperture(obscuration, amplitude).area);
 }
 
-// Not copied: the amplitude must outlive the phase.
-lommel::Phase phase_of(const Doubles1& coefficients, const lommel::Amplitude& amplitude) {
-    require(coefficients.shape(0) > 0, "coefficients must not be empty");
-    return {coefficients.data(), coefficients.shape(0), &amplitude};
-}
+// One radial pupil; its phase points to its amplitude.
+struct RadialPupil {
+    const lommel::Amplitude light;
+    const lommel::Phase phase;
+
+    RadialPupil(const Doubles1& coefficients, const Doubles1& amplitude)
+        : light(powers_of_amplitude(amplitude)), phase{coefficients.data(), coefficients.shape(0), &light} {
+        require(coefficients.shape(0) > 0, "coefficients must not be empty");
+    }
+};
 
 Named series_bounds(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double reach, double error) {
     require(error > 0.0 && reach >= 0.0, "reach and error must be positive");
-    const lommel::Amplitude light = powers_of_amplitude(amplitude);
-    const lommel::Phase phase = phase_of(coefficients, light);
-    const lommel::Expansion plan({phase.coefficients, phase.terms, light, power}, reach, error);
-    return named(entry("terms", plan.terms), entry("truncation", plan.truncation), entry("nodes", 2 * plan.rule->half),
-                 entry("quadrature", plan.quadrature), entry("error", plan.error(phase)));
+    const RadialPupil pupil(coefficients, amplitude);
+    const lommel::Expansion plan({coefficients.data(), coefficients.size(), pupil.light, power}, reach, error);
+    return named("terms"_a = plan.terms, "truncation"_a = plan.truncation, "nodes"_a = 2 * plan.rule->half,
+                 "quadrature"_a = plan.quadrature, "error"_a = plan.error(pupil.phase));
 }
 
 // Of one pupil, or of all between two.
@@ -78,57 +79,56 @@ Named ellipse_bounds(In<double, 2> pupils, Doubles1 amplitude, std::size_t power
     const lommel::Ellipses ellipses =
         pupils.shape(0) == 1 ? lommel::Ellipses(low, pupils.shape(1), powers_of_amplitude(amplitude), power)
                              : lommel::Ellipses({low, high}, {high, high + pupils.shape(1)}, powers_of_amplitude(amplitude));
-    return named(entry("tail", ellipses.tail(terms)), entry("quadrature", ellipses.quadrature(nodes, terms)));
+    return named("tail"_a = ellipses.tail(terms), "quadrature"_a = ellipses.quadrature(nodes, terms));
 }
 
 // With the spacing at 1 of the numbers that tables are made with.
 Named window_bounds(std::size_t count, double reach) {
-    return named(entry("legendre", lommel::window_tail(count, reach)), entry("disk", lommel::disk_window_tail(count, reach)),
-                 entry("spacing", static_cast<double>(std::numeric_limits<lommel::wide>::epsilon())));
+    return named("legendre"_a = lommel::window_tail(count, reach), "disk"_a = lommel::disk_window_tail(count, reach),
+                 "spacing"_a = static_cast<double>(std::numeric_limits<lommel::wide>::epsilon()));
 }
 
 Named piece_bounds(std::size_t width, std::size_t piece, std::size_t terms, std::size_t parity) {
     require(width < lommel::widths.size() && parity < 2 && piece < 1000 && terms < 1000, "no such piece");
     const auto table = (parity == 0 ? lommel::even_pieces : lommel::odd_pieces).get(width, {piece + 1, {}}, terms);
     const lommel::Piece& one = *table->pieces[piece];
-    return named(entry("width", table->width), entry("error", lommel::piece_error(table->width)),
-                 entry("ring_error", lommel::ring_error(table->width)), entry("rows", listed(one.rows)),
-                 entry("magnitude", one.magnitude), entry("azimuthal", one.azimuthal),
-                 entry("largest_magnitude", table->magnitude), entry("largest_azimuthal", table->azimuthal));
+    return named("width"_a = table->width, "error"_a = lommel::piece_error(table->width),
+                 "ring_error"_a = lommel::ring_error(table->width), "rows"_a = listed(one.rows), "magnitude"_a = one.magnitude,
+                 "azimuthal"_a = one.azimuthal, "largest_magnitude"_a = table->magnitude,
+                 "largest_azimuthal"_a = table->azimuthal);
 }
 
 double field_bound(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, double reach,
                    double error) {
     require(error > 0.0 && reach >= 0.0, "reach and error must be positive");
-    const lommel::Amplitude light = powers_of_amplitude(amplitude);
-    return lommel::Field().prepare(phase_of(coefficients, light), power, obscuration, reach, error);
+    const RadialPupil pupil(coefficients, amplitude);
+    return lommel::Field().prepare(pupil.phase, power, obscuration, reach, error);
 }
 
 // At these radii, rising, of which few leave pieces out; with U itself, whose largest values enter the bounds on I.
-double field_values(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, Doubles1 radii,
-                    double error, Out<double, 1> re, Out<double, 1> im) {
+Named field_values(Doubles1 coefficients, Doubles1 amplitude, std::size_t power, double obscuration, Doubles1 radii,
+                   double error) {
     const std::size_t count = radii.shape(0);
     require(error > 0.0 && count > 0, "error must be positive, radii not empty");
-    require(re.shape(0) == count && im.shape(0) == count, "one value a radius");
-    lommel::Doubles at(radii.data(), radii.data() + count), u(count + lommel::widest_step), w(u.size());
-    at.resize(u.size(), at.back());
-    const lommel::Amplitude light = powers_of_amplitude(amplitude);
+    const RadialPupil pupil(coefficients, amplitude);
+    lommel::Doubles at(radii.data(), radii.data() + count), re(count + lommel::widest_step), im(re.size());
+    at.resize(re.size(), at.back());
     lommel::Field field;
-    const double bound = field.prepare(phase_of(coefficients, light), power, obscuration, {at.data(), count, 1.0}, error);
+    const double bound = field.prepare(pupil.phase, power, obscuration, {at.data(), count, 1.0}, error);
     lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
         field.evaluate(isa, at.data(), 0, count, 1.0, [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
-            lommel::store(u.data() + i, a);
-            lommel::store(w.data() + i, b);
+            lommel::store(re.data() + i, a);
+            lommel::store(im.data() + i, b);
         });
     });
-    std::copy_n(u.data(), count, re.data());
-    std::copy_n(w.data(), count, im.data());
-    return bound;
+    re.resize(count);
+    im.resize(count);
+    return named("error"_a = bound, "re"_a = listed(re), "im"_a = listed(im));
 }
 
 Named intensity_bounds(double peak, double error) {
     const double relative = lommel::relative_error(peak, error);
-    return named(entry("relative", relative), entry("normalized", lommel::normalized_error(relative)));
+    return named("relative"_a = relative, "normalized"_a = lommel::normalized_error(relative));
 }
 
 // Of values that are stored in single precision or not, and divided by their own largest one before or after.
@@ -137,98 +137,63 @@ double stored_bound(double relative, bool single, bool twice) {
 }
 
 Named peaks(Doubles1 coefficients, Doubles1 amplitude, double obscuration, double tol) {
-    const lommel::Amplitude light = powers_of_amplitude(amplitude);
-    const lommel::Phase phase = phase_of(coefficients, light);
-    const double first = lommel::first_error(phase, obscuration, tol);
-    return named(entry("likely", lommel::likely_peak(phase, obscuration)), entry("first_error", first),
-                 entry("scanned", lommel::scanned_peak(phase, obscuration, first)));
+    const RadialPupil pupil(coefficients, amplitude);
+    const double first = lommel::first_error(pupil.phase, obscuration, tol);
+    return named("likely"_a = lommel::likely_peak(pupil.phase, obscuration), "first_error"_a = first,
+                 "scanned"_a = lommel::scanned_peak(pupil.phase, obscuration, first));
 }
 
-lommel::TermPairs pairs_of(const In<std::int32_t, 1>& n, const In<std::int32_t, 1>& m, const Doubles1& c) {
-    require(n.shape(0) > 0 && m.shape(0) == n.shape(0) && c.shape(0) == n.shape(0), "n, m and coefficients must match");
-    std::vector<lommel::ZernikeTerm> terms;
-    for (std::size_t j = 0; j < n.shape(0); ++j) {
-        terms.push_back({n.data()[j], m.data()[j]});
-    }
-    return lommel::TermPairs(terms);
-}
-
-Named disk_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, std::size_t count) {
-    const lommel::TermPairs pairs = pairs_of(n, m, coefficients);
+Named disk_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, std::size_t count) {
+    const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
     const lommel::DiskBounds bounds = lommel::ZernikePhase{pairs, coefficients.data(), powers_of_amplitude(amplitude)}.bounds();
-    return named(entry("tail", bounds.tail(count)), entry("orders_tail", bounds.orders_tail(count)),
-                 entry("distance", bounds.distance(count)));
+    return named("tail"_a = bounds.tail(count), "orders_tail"_a = bounds.orders_tail(count),
+                 "distance"_a = bounds.distance(count));
 }
 
-// The transforms of eight rows of which the middle half is 0, but for the last pass, which is done here.
+// The transforms of eight rows of which the middle half is 0, but for the last pass: [element][re, im][row].
 template <class Real>
-std::pair<Out<complex, 2>, double> row_fft(In<complex, 2> rows) {
-    constexpr std::size_t eight = lommel::fft_rows, element = lommel::fft_element;
-    const std::size_t n = rows.shape(1), quarter = n / 4;
-    require(rows.shape(0) == eight && n >= 16 && lommel::RowFft<Real>::length(n) == n, "eight rows of 16 2^a 3^b");
+std::pair<Out<Real, 3>, double> row_fft(In<Real, 3> rows) {
+    const std::size_t n = rows.shape(0);
+    require(n >= 16 && lommel::RowFft<Real>::length(n) == n && rows.size() == n * lommel::fft_element,
+            "eight rows of 16 2^a 3^b");
     const lommel::RowFft<Real> fft(n);
-    std::vector<Real, lommel::AlignedAllocator<Real>> given(n * element), other(n * element);
-    for (std::size_t i = 0; i < eight; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-            given[j * element + i] = static_cast<Real>(rows.data()[i * n + j].real());
-            given[j * element + eight + i] = static_cast<Real>(rows.data()[i * n + j].imag());
-        }
-    }
-    auto out = new_array<complex, 2>({eight, n});
-    const Real* found = nullptr;
-    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { found = fft.run(isa, given.data(), other.data()); });
-    for (std::size_t i = 0; i < eight; ++i) {
-        for (std::size_t l = 0; l < n; ++l) {
-            const complex turns[4] = {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
-            complex sum = 0.0;
-            for (std::size_t j = 0; j < 4; ++j) {
-                const Real* const y = found + (l % quarter + j * quarter) * element + i;
-                sum += complex(y[0], y[eight]) * turns[j * (l / quarter) % 4];
-            }
-            out.data()[i * n + l] = sum;
-        }
-    }
+    lommel::Aligned<Real> given(rows.data(), rows.data() + rows.size()), other(rows.size());
+    auto out = new_array<Real, 3>({n, 2, lommel::fft_rows});
+    lommel::dispatch(
+        [&](auto isa) LOMMEL_INLINE_LAMBDA { std::copy_n(fft.run(isa, given.data(), other.data()), rows.size(), out.data()); });
     return {out, fft.rounding() * lommel::roundoff<Real>};
 }
 
 // Of a kernel for so many taps: values at x, transforms and bounds on aliases at omega, and those of taps.
 Named gridding_bounds(std::size_t taps, double oversampling, double step, Doubles1 x, Doubles1 omega) {
     const lommel::GriddingKernel kernel = lommel::GriddingKernel::of(taps, oversampling);
-    nb::list values, transforms, aliases;
-    for (std::size_t i = 0; i < x.shape(0); ++i) {
-        values.append(kernel(x.data()[i]));
-    }
-    for (std::size_t i = 0; i < omega.shape(0); ++i) {
-        transforms.append(kernel.transform(omega.data()[i]));
-        aliases.append(kernel.aliases(omega.data()[i]));
-    }
     const auto doubles = std::make_unique<lommel::DoubleTaps>(kernel);
     nb::list polynomials;  // from the highest power down, a row each
     for (const auto& row : doubles->at) {
         polynomials.append(std::vector<double>(row, row + taps));
     }
-    return named(entry("beta", kernel.beta()), entry("values", values), entry("transforms", transforms),
-                 entry("aliases", aliases), entry("aliasing", kernel.aliasing(step)), entry("weight", kernel.weight()),
-                 entry("chain", kernel.chain()), entry("taps", polynomials), entry("tap_error", doubles->error));
+    return named("beta"_a = kernel.beta(), "values"_a = each(x, kernel),
+                 "transforms"_a = each(omega, [&](double w) { return kernel.transform(w); }),
+                 "aliases"_a = each(omega, [&](double w) { return kernel.aliases(w); }), "aliasing"_a = kernel.aliasing(step),
+                 "weight"_a = kernel.weight(), "chain"_a = kernel.chain(), "taps"_a = polynomials,
+                 "tap_error"_a = doubles->error);
 }
 
-Named zernike_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 coefficients, Doubles1 amplitude, double reach,
-                     double error) {
-    const lommel::TermPairs pairs = pairs_of(n, m, coefficients);
+Named zernike_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, double reach, double error) {
+    const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
     const lommel::ZernikePhase phase{pairs, coefficients.data(), powers_of_amplitude(amplitude)};
     const lommel::DiskExpansion plan(phase.bounds(), reach, error);
-    return named(entry("degrees", plan.degrees), entry("orders", plan.orders), entry("exact", plan.rule->degree),
-                 entry("rings", plan.rule->rings), entry("quarter", plan.rule->quarter), entry("truncation", plan.truncation),
-                 entry("quadrature", plan.quadrature), entry("error", plan.error(phase)));
+    return named("degrees"_a = plan.degrees, "orders"_a = plan.orders, "exact"_a = plan.rule->degree,
+                 "rings"_a = plan.rule->rings, "quarter"_a = plan.rule->quarter, "truncation"_a = plan.truncation,
+                 "quadrature"_a = plan.quadrature, "error"_a = plan.error(phase));
 }
 
 // Of one piece, for `wanted` in U, as an image asks for it.
-Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles1 outer, Doubles1 inner, double obscuration,
-                           Doubles1 amplitude, double reach, double error, double wanted, std::size_t piece,
-                           std::size_t groups) {
+Named zernike_field_bounds(Terms terms, Doubles1 outer, Doubles1 inner, double obscuration, Doubles1 amplitude, double reach,
+                           double error, double wanted, std::size_t piece, std::size_t groups) {
     const lommel::Amplitude light = powers_of_amplitude(amplitude);
     lommel::ZernikeField field;
-    const lommel::TermPairs pairs = pairs_of(n, m, outer);
+    const lommel::TermPairs pairs(terms_of(terms, outer.size()));
     require(inner.shape(0) == outer.shape(0), "both disks must have all terms");
     field.expand({pairs, outer.data(), light}, {pairs, inner.data(), light.scaled(obscuration * obscuration)}, obscuration,
                  reach, error);
@@ -247,8 +212,8 @@ Named zernike_field_bounds(In<std::int32_t, 1> n, In<std::int32_t, 1> m, Doubles
         lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { field.ring(isa, plan, piece, r, ring); });
         singles.append(lommel::single_rounding(plan, ring));
     }
-    return named(entry("expanded", expanded), entry("prepared", field.base()), entry("width", field.width()),
-                 entry("rings", plan.rings), entry("error", plan.error), entry("singles", singles));
+    return named("expanded"_a = expanded, "prepared"_a = field.base(), "width"_a = field.width(), "rings"_a = plan.rings,
+                 "error"_a = plan.error, "singles"_a = singles);
 }
 
 double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 coefficients) {
@@ -261,35 +226,31 @@ double single_rounding(In<std::int64_t, 1> orders, std::size_t rows, Doubles1 co
 }
 
 // One pupil as the engines of the whole disk take it: its terms, what they are on both disks, and what that loses.
-Named disk_stack(In<std::int64_t, 2> terms, Doubles1 edge, double obscuration, double row, double column, double step,
-                 bool moved) {
+Named disk_stack(Terms terms, Doubles1 edge, double obscuration, double row, double column, double step, bool moved) {
     lommel::DiskStack stack(terms_of(terms, edge.size()), edge.data(), 1, obscuration, {});
     if (moved) {
         stack.move_axes({1, 1, row, column, step});
     }
     stack.shrink();
-    std::vector<double> n, m;
+    nb::list used;
     for (const lommel::ZernikeTerm& term : stack.terms) {
-        n.push_back(term.n);
-        m.push_back(term.m);
+        used.append(nb::make_tuple(term.n, term.m));
     }
-    return named(entry("n", n), entry("m", m), entry("outer", stack.outer), entry("inner", stack.inner),
-                 entry("lost", stack.lost), entry("row", moved ? static_cast<double>(stack.rows[0]) : row),
-                 entry("column", moved ? static_cast<double>(stack.columns[0]) : column));
+    return named("terms"_a = used, "outer"_a = stack.outer, "inner"_a = stack.inner, "lost"_a = stack.lost,
+                 "row"_a = moved ? static_cast<double>(stack.rows[0]) : row,
+                 "column"_a = moved ? static_cast<double>(stack.columns[0]) : column);
 }
 
 // Over a window of v from `low` to `high` in x and on the axis in y.
-Named chordal_bounds(In<std::int64_t, 2> terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high,
-                     std::size_t chords) {
+Named chordal_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high, std::size_t chords) {
     require(low <= high && chords >= 1, "low must be below high, chords positive");
     const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
     lommel::ChordBound bound;
     bound.prepare(pairs, coefficients.data(), powers_of_amplitude(amplitude), {low, high, 0.0, 0.0});
-    return named(entry("quadrature", bound.bound(chords)), entry("rounding", bound.rounding(chords)),
-                 entry("variance", bound.variance()));
+    return named("quadrature"_a = bound.bound(chords), "rounding"_a = bound.rounding(chords), "variance"_a = bound.variance());
 }
 
-double chordal_growth(In<std::int64_t, 2> terms, Doubles1 coefficients, double b) {
+double chordal_growth(Terms terms, Doubles1 coefficients, double b) {
     require(b > 0.0 && b < 5.0, "b must be above 0 and below 5");
     const lommel::SharpTable table(terms_of(terms, coefficients.size()), b);
     double found[lommel::row_lanes];
@@ -315,9 +276,9 @@ Named pixel_bounds(std::size_t height, std::size_t width, double center_y, doubl
         rings.append(nb::make_tuple(ring.middle - ring.half, ring.middle + ring.half, ring.nodes.low, ring.nodes.high,
                                     ring.nodes.count, ring.nodes.even, ring.direct));
     }
-    return named(entry("gauss", table->gauss), entry("harmonics", table->harmonics), entry("rings", rings),
-                 entry("error", table->error), entry("of_nodes", table->of_nodes), entry("of_grid", table->of_grid),
-                 entry("rounding", table->rounding), entry("penalty", listed(table->penalty)));
+    return named("gauss"_a = table->gauss, "harmonics"_a = table->harmonics, "rings"_a = rings, "error"_a = table->error,
+                 "of_nodes"_a = table->of_nodes, "of_grid"_a = table->of_grid, "rounding"_a = table->rounding,
+                 "penalty"_a = listed(table->penalty));
 }
 
 }  // namespace
@@ -336,21 +297,22 @@ void bindings::define_bounds(nb::module_& m) {
     m.def("field_bound", &field_bound, "coefficients"_a, "amplitude"_a, "power"_a, "obscuration"_a, "reach"_a, "error"_a,
           "Bound on the error of U, all terms together.");
     m.def("field_values", &field_values, "coefficients"_a, "amplitude"_a, "power"_a, "obscuration"_a, "radii"_a, "error"_a,
-          "re"_a.noconvert(), "im"_a.noconvert(), "The same at radii that rise, and U there.");
+          "The same at radii that rise, and U there.");
     m.def("intensity_bounds", &intensity_bounds, "peak"_a, "error"_a,
           "Bounds on the error of I over its exact peak, and of values divided by their own, from that of U.");
     m.def("stored_bound", &stored_bound, "relative"_a, "single"_a, "twice"_a,
           "Bound on the error of values over their peak when they are stored.");
     m.def("peaks", &peaks, "coefficients"_a, "amplitude"_a, "obscuration"_a, "tol"_a,
           "The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.");
-    m.def("disk_bounds", &disk_bounds, "n"_a, "m"_a, "coefficients"_a, "amplitude"_a, "count"_a,
+    m.def("disk_bounds", &disk_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "count"_a,
           "Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.");
-    m.def("zernike_bounds", &zernike_bounds, "n"_a, "m"_a, "coefficients"_a, "amplitude"_a, "reach"_a, "error"_a,
+    m.def("zernike_bounds", &zernike_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "reach"_a, "error"_a,
           "Degrees, orders and rule of a Zernike series, and bounds on what they leave.");
-    m.def("zernike_field_bounds", &zernike_field_bounds, "n"_a, "m"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
+    m.def("zernike_field_bounds", &zernike_field_bounds, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
           "reach"_a, "error"_a, "wanted"_a, "piece"_a, "groups"_a,
           "Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.");
-    m.def("row_fft", &row_fft<double>, "rows"_a, "Their transforms, and the bound on an error over the sum of the magnitudes.");
+    m.def("row_fft", &row_fft<double>, "rows"_a,
+          "Their transforms but for the last pass, and the bound on an error over the sum of the magnitudes.");
     m.def("row_fft_single", &row_fft<float>, "rows"_a, "The same in single precision.");
     m.def("gridding_bounds", &gridding_bounds, "taps"_a, "oversampling"_a, "step"_a, "x"_a, "omega"_a,
           "A kernel that interpolates between equal steps, its transform, and bounds on what it does.");

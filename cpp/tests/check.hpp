@@ -21,6 +21,12 @@ inline void check(bool good, const char* what, double value) {
     }
 }
 
+// What a program returns.
+inline int finished() {
+    std::printf(failures == 0 ? "all good\n" : "%d failures\n", failures.load());
+    return failures == 0 ? 0 : 1;
+}
+
 // All at once, in a thread each, where there are threads.
 inline void run(const std::vector<std::function<void()>>& callers) {
 #if defined(LOMMEL_SINGLE_THREADED)

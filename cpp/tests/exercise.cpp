@@ -36,6 +36,13 @@ void bessel_functions_agree_with_the_standard_library() {
     }
 }
 
+// Of one of several images, of so many pixels each.
+template <class T>
+double largest(const std::vector<T>& images, std::size_t which, std::size_t pixels) {
+    const auto first = images.begin() + static_cast<std::ptrdiff_t>(which * pixels);
+    return static_cast<double>(*std::max_element(first, first + static_cast<std::ptrdiff_t>(pixels)));
+}
+
 // Of defocus alone, whatever the axis and the obscuration, the general engine must say what the radial one says.
 template <class T>
 void general_images_agree_with_radial_ones(double defocus, double obscuration, std::int64_t height, std::int64_t width,
@@ -55,7 +62,7 @@ void general_images_agree_with_radial_ones(double defocus, double obscuration, s
     stack.shrink();
     lommel::ZernikeRenderer<T>(stack, window, tol, threads, {image.data(), &scale, &bound, &brightest}).run();
     check(bound <= tol, "bound of a general image", bound);
-    check(brightest >= 0.999999 * *std::max_element(image.begin(), image.end()), "peak of a general image", brightest);
+    check(brightest >= 0.999999 * largest(image, 0, image.size()), "peak of a general image", brightest);
     const lommel::Stack radial{&defocus, 1, 1, obscuration, amplitude};
     std::vector<double> v;
     for (std::int64_t y = 0; y < height; ++y) {
@@ -107,9 +114,8 @@ void images_between_circles_agree_with_the_series(std::mt19937& random) {
                                            {images[way].data(), scales.data(), bounds.data(), peaks.data()})
                 .run();
             for (std::size_t i = 0; i < 2 * pixels; ++i) {
-                const double top = *std::max_element(exact.begin() + static_cast<std::ptrdiff_t>(i / pixels * pixels),
-                                                     exact.begin() + static_cast<std::ptrdiff_t>((i / pixels + 1) * pixels));
-                const double error = std::abs(static_cast<double>(images[way][i]) - exact[i]) / top;
+                const double error =
+                    std::abs(static_cast<double>(images[way][i]) - exact[i]) / largest(exact, i / pixels, pixels);
                 check(error <= bounds[i / pixels] + 2.0 * fine && bounds[i / pixels] <= tol, "I between circles", error);
             }
         }
@@ -152,10 +158,7 @@ void images_keep_their_bounds(std::mt19937& random, std::size_t height, std::siz
             double bound;
             const lommel::Stack one{coefficients.data() + 2 * pupil, 1, 2, obscuration, amplitude};
             lommel::fields(one, &v, 1, 1e-12, &u, &bound);
-            const double peak = normalize ? 1.0
-                                          : static_cast<double>(*std::max_element(
-                                                images.begin() + static_cast<std::ptrdiff_t>(pupil * height * width),
-                                                images.begin() + static_cast<std::ptrdiff_t>((pupil + 1) * height * width)));
+            const double peak = normalize ? 1.0 : largest(images, pupil, height * width);
             const double found = static_cast<double>(images[pupil * height * width + pixel]);
             const double error = std::abs(found - scales[pupil] * std::norm(u)) / std::max(peak, 1e-30);
             check(bounds[pupil] <= tol, "bound within the tolerance", bounds[pupil]);
@@ -214,7 +217,7 @@ void chordal_windows(std::mt19937& random, std::size_t count, std::size_t side, 
         .run();
     for (std::size_t p = 0; p < count; ++p) {
         const T* image = images.data() + p * side * side;
-        const double peak = static_cast<double>(*std::max_element(image, image + side * side));
+        const double peak = largest(images, p, side * side);
         const double allowed = (2.0 * tol + (sizeof(T) == 4 ? 2.4e-7 : 1e-13)) * peak;
         check(bounds[p] <= tol, "bound of the chordal rule", bounds[p]);
         for (std::size_t y = 0; y < side; ++y) {
@@ -347,9 +350,7 @@ void pixels_around_any_axis(std::mt19937& random) {
             .run();
         for (std::size_t i = 0; i < c.count; ++i) {
             check(bounds[i] > 0.0 && bounds[i] <= 1e-5, "bound of averages", bounds[i]);
-            const double top =
-                static_cast<double>(*std::max_element(images.begin() + static_cast<std::ptrdiff_t>(i * pixels),
-                                                      images.begin() + static_cast<std::ptrdiff_t>((i + 1) * pixels)));
+            const double top = largest(images, i, pixels);
             check(top <= 1.0 + 1e-6 && top > 0.0, "largest average", top);
         }
     }
@@ -392,6 +393,5 @@ int main() {
         callers.emplace_back([seed] { every_kind_of_pixel(seed); });
     }
     run(callers);
-    std::printf(failures == 0 ? "all good\n" : "%d failures\n", failures.load());
-    return failures == 0 ? 0 : 1;
+    return finished();
 }

@@ -166,7 +166,7 @@ def piece_bounds(width: int, piece: int, terms: int, parity: int) -> dict[str, o
 def field_bound(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, obscuration: float, reach: float, error: float) -> float:
     """Bound on the error of U, all terms together."""
 
-def field_values(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, obscuration: float, radii: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], error: float, re: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')], im: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]) -> float:
+def field_values(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], power: int, obscuration: float, radii: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], error: float) -> dict[str, object]:
     """The same at radii that rise, and U there."""
 
 def intensity_bounds(peak: float, error: float) -> dict[str, object]:
@@ -182,27 +182,27 @@ def peaks(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), or
     The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.
     """
 
-def disk_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], count: int) -> dict[str, object]:
+def disk_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], count: int) -> dict[str, object]:
     """
     Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.
     """
 
-def zernike_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reach: float, error: float) -> dict[str, object]:
+def zernike_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reach: float, error: float) -> dict[str, object]:
     """
     Degrees, orders and rule of a Zernike series, and bounds on what they leave.
     """
 
-def zernike_field_bounds(n: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], m: Annotated[NDArray[numpy.int32], dict(shape=(None,), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reach: float, error: float, wanted: float, piece: int, groups: int) -> dict[str, object]:
+def zernike_field_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reach: float, error: float, wanted: float, piece: int, groups: int) -> dict[str, object]:
     """
     Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.
     """
 
-def row_fft(rows: Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')], float]:
+def row_fft(rows: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu')], float]:
     """
-    Their transforms, and the bound on an error over the sum of the magnitudes.
+    Their transforms but for the last pass, and the bound on an error over the sum of the magnitudes.
     """
 
-def row_fft_single(rows: Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')], float]:
+def row_fft_single(rows: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)]) -> tuple[Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu')], float]:
     """The same in single precision."""
 
 def gridding_bounds(taps: int, oversampling: float, step: float, x: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], omega: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> dict[str, object]:

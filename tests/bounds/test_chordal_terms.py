@@ -147,7 +147,7 @@ def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscurat
     assert peaks[0] == pytest.approx(peak, rel=1e-12)
     low, high, area = -column * step, (7 - column) * step, obscuration**2
     stack = _core.disk_stack(TERMS, np.array(c), obscuration, 0.0, column, step, moved=False)
-    terms = list(zip(map(int, stack["n"]), map(int, stack["m"]), strict=True))
+    terms = stack["terms"]
     lost = mp.mpf(stack["lost"][0])
     assert (lost > 0) == (obscuration > 0 and any(c))
 

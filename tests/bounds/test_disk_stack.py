@@ -23,10 +23,9 @@ obscurations = st.one_of(st.floats(0.01, 0.99), st.sampled_from([1e-6, 0.5]))
 
 
 def stack_of(edge, obscuration=0.0, row=0.0, column=0.0, step=1.0, moved=False):
-    found = _core.disk_stack(
+    return _core.disk_stack(
         np.array(list(edge), np.int64), np.array(list(edge.values())), obscuration, row, column, step, moved
     )
-    return found | {"terms": [(int(n), int(m)) for n, m in zip(found["n"], found["m"], strict=True)]}
 
 
 def radial(n: int, m: int, rho: mp.mpf) -> mp.mpf:

@@ -27,7 +27,7 @@ lights = st.one_of(
     st.floats(0.01, 9.0).map(lambda g: [0.0, g]),
     st.lists(st.floats(-1.5, 1.5), min_size=2, max_size=6),
 )
-N, M = (np.array([term[i] for term in LIST], np.int32) for i in (0, 1))
+TERMS = np.array(LIST)
 
 
 def same(found: float, expected: mp.mpf) -> bool:
@@ -103,7 +103,7 @@ def window_tail(degrees: int, v: float) -> mp.mpf:
 @given(parts, sizes, lights, st.integers(1, 500))
 def test_degrees_and_orders_left_out_and_the_distance_from_polynomials(shares, scale, light, count):
     c = [scale * s for s in shares]
-    found = _core.disk_bounds(N, M, np.array(c), np.array(light), count)
+    found = _core.disk_bounds(TERMS, np.array(c), np.array(light), count)
     for name, expected in (
         ("tail", tail(c, light, count)),
         ("orders_tail", orders_tail(c, count)),
@@ -135,7 +135,7 @@ def test_nothing_is_promised_of_degrees_below_the_window_nor_lost_of_an_empty_on
 
 def expansion(c: list[float], light: list[float], reach: float, error: float) -> mp.mpf:
     """Return the bound on a disk, each term of it from the choices that the core made."""
-    made = _core.zernike_bounds(N, M, np.array(c), np.array(light), reach, error)
+    made = _core.zernike_bounds(TERMS, np.array(c), np.array(light), reach, error)
     degrees, orders, exact = made["degrees"], made["orders"], made["exact"]
     ends = [tail(c, light, degrees)] + ([window_tail(degrees, reach)] if degrees + 1 > reach else [])
     # Without orders, too, the tail is magnified by a Lebesgue constant.
@@ -163,7 +163,7 @@ def test_the_whole_of_a_disk(shares, scale, light, reach, digits):
 
 def bounds_of(c, inner, obscuration, light, reach, error, wanted, piece=0, groups=10**6):
     return _core.zernike_field_bounds(
-        N, M, np.array(c), np.array(inner), obscuration, np.array(light), reach, error, wanted, piece, groups
+        TERMS, np.array(c), np.array(inner), obscuration, np.array(light), reach, error, wanted, piece, groups
     )
 
 
@@ -184,7 +184,7 @@ def test_the_whole_of_a_pupil(shares, scale, light, obscuration, reach, error):
     pieces = weight * mp.mpf("3.1") * 2 * (h / 4) ** 16 / mp.factorial(16)
     width = [12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2].index(found["width"])
     terms = max(
-        _core.zernike_bounds(N, M, np.array(a), np.array(g), r, 0.5 * error)["degrees"]
+        _core.zernike_bounds(TERMS, np.array(a), np.array(g), r, 0.5 * error)["degrees"]
         for a, g, r in [(c, light, reach)]
         + [(inner, within(light, float(area)), obscuration * reach)] * (obscuration > 0)
     )
@@ -217,12 +217,13 @@ def test_a_term_that_is_left_out_is_added_to_the_bound(term):
 @pytest.mark.parametrize(("term", "piece"), [((3, 1), 2), ((3, 1), 5), ((4, 2), 3)])
 def test_an_order_that_a_piece_does_without_is_added_to_its_bound(term, piece):
     """An order adds its sum of a 1.572 v^(-4/3) at most from v on, and that of a / (n + 1) near the axis."""
-    n, m = (np.array([0, k], np.int32) for k in term)
     a, reach = 1e-6, 60.0
     c = np.array([0.0, a])
     # Too much to be left out everywhere, little enough for this piece.
     wanted = 0.9 * 10 * a / (term[0] + 1)
-    found = _core.zernike_field_bounds(n, m, c, c, 0.0, np.zeros(1), reach, 1e-10, wanted, piece, 10**6)
+    found = _core.zernike_field_bounds(
+        np.array([(0, 0), term]), c, c, 0.0, np.zeros(1), reach, 1e-10, wanted, piece, 10**6
+    )
     ring = 2 * (found["width"] / found["rings"] / 4) ** 8 / math.factorial(8)
     v = found["width"] * piece
     size = min(a / (term[0] + 1), 1.572 * a / v ** (4 / 3))
@@ -242,7 +243,7 @@ def test_the_bound_of_an_image_is_made_of_these(normalize, side, step, obscurati
     c = {(2, 2): 1.3, (3, 1): -0.8, (4, 0): 0.5}
     terms, middle = np.array(list(c)), side // 2
     disks = _core.disk_stack(terms, np.array(list(c.values())), obscuration, middle, middle, step, moved=True)
-    n, m = (np.array(disks[name], np.int32) for name in "nm")
+    shrunk = np.array(disks["terms"])
     outer, lost = np.array(disks["outer"]), disks["lost"][0]
     inner = np.array(disks["inner"] or disks["outer"])
     assert (lost > 0.0) == (obscuration > 0.0)
@@ -259,7 +260,7 @@ def test_the_bound_of_an_image_is_made_of_these(normalize, side, step, obscurati
     for error in (first, 0.1 * first):
         for wanted in np.geomspace(1e-3 * error, 1e3 * error, 200):
             found = _core.zernike_field_bounds(
-                n, m, outer, inner, obscuration, np.zeros(1), reach, error, wanted, 0, groups
+                shrunk, outer, inner, obscuration, np.zeros(1), reach, error, wanted, 0, groups
             )
             if (found["rings"] > 0) == (side > 5):
                 whole = _core.intensity_bounds(peaks[0], lost + found["error"] + max(found["singles"], default=0.0))

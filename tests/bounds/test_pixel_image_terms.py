@@ -50,10 +50,9 @@ class Lens(NamedTuple):
 
     def field(self, power: int, radii: np.ndarray, error: float) -> tuple[np.ndarray, mp.mpf]:
         """Return U as it is computed, and the bound of sections 1 to 5, which has tests of its own."""
-        re, im = np.empty_like(radii), np.empty_like(radii)
         args = (np.array(self.phase), np.array([0.0, self.gaussian]), power, self.obscuration)
-        e = _core.field_values(*args, radii, error, re, im)
-        return re + 1j * im, mp.mpf(e)
+        found: dict[str, Any] = _core.field_values(*args, radii, error)
+        return np.array(found["re"]) + 1j * np.array(found["im"]), mp.mpf(found["error"])
 
 
 class Judged(NamedTuple):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from lommel.paper.drawing import new_figure
+from lommel.paper.drawing import new_figure, panels
 from lommel.paper.setting import FigureData
 from lommel.special.bessel import j0_asymptotic, j0_series, tangent_line
 
@@ -57,23 +57,17 @@ def compute(samples: int = 2001, far: float = 200.0, tangent: float = 100.0) -> 
 def draw(data: FigureData) -> Figure:
     """Draw the forms up to a = 15, and their errors over the whole range."""
     figure = new_figure(10.5, 4.2)
-    left, right = figure.subplots(1, 2)
+    left, right = panels(figure, 2, xlabel="a = 2πkR")
     c = data.columns
     left.plot(c["a"], c["J0"], color="black", linewidth=3.0, alpha=0.35, label="J0(a)")
     for name, (label, color, line) in _FORMS.items():
         left.plot(c["a"], c[name], line, color=color, linewidth=1.2, label=label)
         right.loglog(c["a"], np.maximum(np.abs(c[f"error of {name}"]), 1e-17), line, color=color, linewidth=1.0)
-    left.set_xlim(0.0, 15.0)
-    left.set_ylim(-0.75, 1.25)
-    left.set_ylabel("J0(a) and its approximations")
+    left.set(xlim=(0.0, 15.0), ylim=(-0.75, 1.25), ylabel="J0(a) and its approximations")
     left.legend(fontsize=7)
-    right.set_xlim(float(c["a"][0]), float(c["a"][-1]))
-    right.set_ylim(1e-7, 3.0)
-    right.set_ylabel("absolute error")
+    right.set(xlim=(float(c["a"][0]), float(c["a"][-1])), ylim=(1e-7, 3.0), ylabel="absolute error")
     for axes in (left, right):
-        axes.set_xlabel("a = 2πkR")
         axes.axvline(1.0, color="grey", linewidth=0.8, linestyle=":")
-        axes.grid(alpha=0.3)
     left.set_title("forms of J0; dotted: the transition a = 1", fontsize=10)
     right.set_title("their errors", fontsize=10)
     return figure

@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lommel.measures.errors import mse, peak_error
-from lommel.paper.drawing import COLORS, LABELS, V_AXIS, intensity_norm, new_figure, picture
-from lommel.paper.setting import REFERENCE, VARIANTS, FigureData, Setting, measures, middle_row
+from lommel.paper.drawing import COLORS, LABELS, V_AXIS, intensity_norm, new_figure, panels, picture
+from lommel.paper.setting import FigureData, Setting, measures, middle_row
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -16,18 +15,9 @@ if TYPE_CHECKING:
 
 def compute(setting: Setting = Setting()) -> FigureData:  # noqa: B008 (frozen)
     """Compute one PSF by the FFT, by both variants of the closed form, and exactly; 1 is the exact peak."""
-    images = {"exact": setting.image(REFERENCE), "fft": setting.image(setting.fft())}
-    images |= {variant: setting.image(setting.closed_form(variant)) for variant in VARIANTS}
-    peak = images["exact"].max()
-    images = {name: image / peak for name, image in images.items()}
-    facts: dict[str, Any] = setting.facts()
-    for name in VARIANTS:
-        facts[name] = measures(images[name], images["exact"], images["fft"])
-    facts["fft"] = {
-        "mse": mse(images["fft"], images["exact"]),
-        "peak_error": peak_error(images["fft"], images["exact"]),
-        "method": repr(setting.fft()),
-    }
+    images = setting.images()
+    facts = setting.facts() | measures(images)
+    facts["fft"]["method"] = repr(setting.fft())
     columns = {"v": setting.v} | {name: middle_row(image) for name, image in images.items()}
     arrays = {name: image.astype(np.float32) for name, image in images.items()} | {"v": setting.v}
     return FigureData("PSF comparison between FFT and CFIS", arrays, columns, facts)
@@ -41,8 +31,8 @@ def draw(data: FigureData) -> Figure:
         f"C_d = {facts['defocus']:g}, TLC = {facts['tangent']:g}, N = {facts['terms']}; 1 is the exact peak",
         fontsize=10,
     )
-    parts: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.15))
-    pictures: Any = parts[0].subplots(1, 4, sharey=True)
+    halves: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.15))
+    pictures: Any = halves[0].subplots(1, 4, sharey=True)
     norm = intensity_norm(max(float(data.arrays[name].max()) for name in LABELS))
     drawn = None
     for axes, (name, label) in zip(pictures, LABELS.items(), strict=True):
@@ -50,8 +40,8 @@ def draw(data: FigureData) -> Figure:
         drawn = picture(axes, data.arrays[name], facts["window"], norm, title)
         axes.set_xlabel("v along x", fontsize=8)
     pictures[0].set_ylabel("v along y", fontsize=8)
-    parts[0].colorbar(drawn, ax=pictures, shrink=0.8, label="intensity / peak")
-    slices, errors = parts[1].subplots(1, 2)
+    halves[0].colorbar(drawn, ax=pictures, shrink=0.8, label="intensity / peak")
+    slices, errors = panels(halves[1], 2, xlabel=V_AXIS, xlim=(0.0, float(data.columns["v"][-1])))
     c = data.columns
     for name, label in LABELS.items():
         slices.plot(c["v"], c[name], color=COLORS[name], linewidth=2.5 if name == "exact" else 1.2, label=label)
@@ -60,8 +50,4 @@ def draw(data: FigureData) -> Figure:
     slices.set_ylabel("intensity / peak")
     slices.legend(fontsize=7)
     errors.set_ylabel("error / peak, along the slice")
-    for axes in (slices, errors):
-        axes.set_xlabel(V_AXIS)
-        axes.set_xlim(0.0, float(c["v"][-1]))
-        axes.grid(alpha=0.3)
     return figure

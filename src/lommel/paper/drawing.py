@@ -30,6 +30,15 @@ def new_figure(width: float, height: float) -> Figure:
     return NewFigure(figsize=(width, height), layout="constrained")
 
 
+def panels(figure: Any, count: int, **properties: Any) -> Any:
+    """Return that many axes beside each other, with a grid and the properties that all have."""
+    made = figure.subplots(1, count)
+    for axes in made:
+        axes.set(**properties)
+        axes.grid(alpha=0.3)
+    return made
+
+
 def intensity_norm(top: float) -> Normalize:
     """Return a square-root scale, on which faint rings are seen beside the peak."""
     from matplotlib.colors import PowerNorm
@@ -86,9 +95,8 @@ def picture_rows(
         axes.set_xlabel(f"{V_AXIS} along x" if columns < 3 else "v along x", fontsize=8)
     bar = figure.colorbar(drawn, ax=grid, shrink=0.8, label=label)
     if norm.vmin is not None and norm.vmin < 0 and norm.vmax is not None:
-        marks = [0.01, 0.03, 0.1, 0.3, 1.0, 3.0]
-        shown = [m for m in marks if m <= norm.vmax]
-        bar.set_ticks([*(-m for m in reversed(shown)), 0.0, *shown])
-        bar.set_ticklabels([*(f"−{m:g}" for m in reversed(shown)), "0", *(f"{m:g}" for m in shown)])
+        shown = [m for m in (0.01, 0.03, 0.1, 0.3, 1.0, 3.0) if m <= norm.vmax]
+        ticks = [*(-m for m in reversed(shown)), 0.0, *shown]
+        bar.set_ticks(ticks, labels=[f"{m:g}".replace("-", "−") for m in ticks])
     bar.ax.tick_params(labelsize=7)
     return figure

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from lommel.measures.errors import mse
-from lommel.paper.drawing import error_norm, intensity_norm, picture_rows
-from lommel.paper.setting import REFERENCE, VARIANTS, FigureData, Setting, measures, middle_row
+from lommel.paper.drawing import V_AXIS, error_norm, intensity_norm, picture_rows
+from lommel.paper.setting import VARIANTS, FigureData, Setting, measures, middle_row
 
 if TYPE_CHECKING:
+    from matplotlib.colors import Normalize
     from matplotlib.figure import Figure
 
 _NAMES = {"terms": "N", "defocus": "C_d", "tangent": "TLC"}
@@ -43,20 +43,13 @@ def compute(parameter: str, values: Sequence[float], setting: Setting = Setting(
     """
     arrays: dict[str, Any] = {"v": setting.v, parameter: np.asarray(values)}
     columns = {"v": setting.v}
-    panels = []
+    panels: list[dict[str, Any]] = []
     for value in values:
-        one = Setting(**setting.facts() | {parameter: value})
-        images = {"exact": one.image(REFERENCE), "fft": one.image(one.fft())}
-        images |= {variant: one.image(one.closed_form(variant)) for variant in VARIANTS}
-        peak = images["exact"].max()
+        images = Setting(**setting.facts() | {parameter: value}).images()
         for name, image in images.items():
-            image /= peak
             arrays[f"{name}_{value:g}"] = image.astype(np.float32)
             columns[f"{name}, {_NAMES[parameter]} = {value:g}"] = middle_row(image)
-        panels.append(
-            {parameter: value, "fft": {"mse": mse(images["fft"], images["exact"])}}
-            | {variant: measures(images[variant], images["exact"], images["fft"]) for variant in VARIANTS}
-        )
+        panels.append({parameter: value} | measures(images))
     facts = setting.facts() | {"varies": parameter, "panels": panels}
     return FigureData(f"CFIS for varying {_NAMES[parameter]}", arrays, columns, facts)
 
@@ -78,36 +71,38 @@ def by_tangent(setting: Setting = Setting()) -> FigureData:  # noqa: B008
 
 def draw_intensity(data: FigureData) -> Figure:
     """Draw the images of both variants, with one scale."""
-    varies = data.facts["varies"]
-    rows = [[data.arrays[f"{variant}_{value:g}"] for value in data.arrays[varies]] for variant in VARIANTS]
-    titles = [[f"{_NAMES[varies]} = {value:g}" for value in data.arrays[varies]] for _ in VARIANTS]
-    norm = intensity_norm(max(float(image.max()) for row in rows for image in row))
-    heading = f"CFIS, {_fixed(data)}"
-    return picture_rows(rows, titles, VARIANTS, data.facts["window"], norm, "intensity / exact peak", heading)
+
+    def image(variant: str, value: float) -> Any:
+        return data.arrays[f"{variant}_{value:g}"]
+
+    return _draw(data, image, lambda _: "", intensity_norm, "intensity / exact peak", "CFIS")
 
 
 def draw_error(data: FigureData) -> Figure:
     """Draw the errors of both variants, with one scale."""
-    varies = data.facts["varies"]
-    values = data.arrays[varies]
-    rows = [
-        [data.arrays[f"{variant}_{value:g}"] - data.arrays[f"exact_{value:g}"] for value in values]
-        for variant in VARIANTS
-    ]
-    titles = [
-        [
-            f"{_NAMES[varies]} = {panel[varies]:g}: MSE {panel[variant]['mse']:.3g}\n"
-            f"largest {panel[variant]['peak_error']:.2f}"
-            for panel in data.facts["panels"]
-        ]
-        for variant in VARIANTS
-    ]
-    norm = error_norm(max(float(np.abs(error).max()) for row in rows for error in row))
-    heading = f"CFIS less the exact PSF, {_fixed(data)}"
-    return picture_rows(rows, titles, VARIANTS, data.facts["window"], norm, "error / exact peak", heading)
+
+    def image(variant: str, value: float) -> Any:
+        return data.arrays[f"{variant}_{value:g}"] - data.arrays[f"exact_{value:g}"]
+
+    def measured(found: dict[str, float]) -> str:
+        return f": MSE {found['mse']:.3g}\nlargest {found['peak_error']:.2f}"
+
+    return _draw(data, image, measured, error_norm, "error / exact peak", "CFIS less the exact PSF")
 
 
-def _fixed(data: FigureData) -> str:
-    """Name the parameters that do not vary."""
-    rest = {key: data.facts[key] for key in _NAMES if key != data.facts["varies"]}
-    return ", ".join(f"{_NAMES[key]} = {value:g}" for key, value in rest.items()) + "; v = πr/(λN)"
+def _draw(
+    data: FigureData,
+    image: Callable[[str, float], Any],
+    measured: Callable[[dict[str, float]], str],
+    norm: Callable[[float], Normalize],
+    label: str,
+    heading: str,
+) -> Figure:
+    """Draw an image of each variant and value, and name the parameters that do not vary."""
+    varies, panels = data.facts["varies"], data.facts["panels"]
+    rows = [[image(variant, panel[varies]) for panel in panels] for variant in VARIANTS]
+    titles = [[f"{_NAMES[varies]} = {one[varies]:g}{measured(one[v])}" for one in panels] for v in VARIANTS]
+    scale = norm(max(float(np.abs(values).max()) for row in rows for values in row))
+    fixed = ", ".join(f"{name} = {data.facts[key]:g}" for key, name in _NAMES.items() if key != varies)
+    heading = f"{heading}, {fixed}; {V_AXIS}"
+    return picture_rows(rows, titles, VARIANTS, data.facts["window"], scale, label, heading)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Callable, Iterable
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -43,22 +43,14 @@ def rows(first: Setting = FIRST, second: Setting = SECOND) -> list[dict[str, Any
 
 
 def _first_rows(setting: Setting) -> list[dict[str, Any]]:
-    truth, fft = setting.image(REFERENCE), setting.image(setting.fft())
-    images = {variant: setting.image(setting.closed_form(variant)) for variant in VARIANTS}
-    found = {variant: measures(image, truth, fft) for variant, image in images.items()}
+    images = setting.images()
+    found = measures(images)
     text = f"{_text(setting)}; window (not in the paper) v <= {setting.window:g}"
     errors = {variant: squared_errors(replace(setting, window=float(WINDOWS[-1])), variant) for variant in VARIANTS}
-    by_window = {
-        variant: [({"window": float(w)}, mean_over_window(errors[variant], float(w))) for w in WINDOWS]
-        for variant in VARIANTS
-    }
-    own = {variant: own_peak_error(image, truth) for variant, image in images.items()}
-    slices = {
-        variant: [({"window": float(w)}, _slice_error(replace(setting, window=float(w)), variant)) for w in WINDOWS]
-        for variant in VARIANTS
-    }
+    means = {variant: [mean_over_window(errors[variant], float(w)) for w in WINDOWS] for variant in VARIANTS}
+    slices = {v: [_slice_error(replace(setting, window=float(w)), v) for w in WINDOWS] for v in VARIANTS}
     searched = f"window v from {WINDOWS[0]:g} to {WINDOWS[-1]:g}"
-    near = sum(abs(error / PAPER_PEAK - 1.0) < 0.01 for _, error in slices["printed"])
+    near = sum(abs(error / PAPER_PEAK - 1.0) < 0.01 for error in slices["printed"])
     return [
         {
             "quantity": "MSE at C_d = 10, TLC = 100, N = 30",
@@ -67,18 +59,18 @@ def _first_rows(setting: Setting) -> list[dict[str, Any]]:
             "against_fft": found["printed"]["mse_against_fft"],
             "settings": text,
             "searched": searched,
-            "closest": {variant: _closest(by_window[variant], PAPER_MSE) for variant in VARIANTS},
+            "closest": {v: _closest("window", WINDOWS, means[v], PAPER_MSE) for v in VARIANTS},
             "remark": f"Comes out with Eq. (12) as printed, {_apart(found['printed']['mse'], PAPER_MSE)}.",
         },
         {
             "quantity": "peak error of the slice",
             "paper": PAPER_PEAK,
-            **own,
-            "against_fft": own_peak_error(images["printed"], fft),
+            **{variant: own_peak_error(images[variant], images["exact"]) for variant in VARIANTS},
+            "against_fft": own_peak_error(images["printed"], images["fft"]),
             "settings": f"{text}; each PSF divided by its own peak. Over the exact peak: "
             + ", ".join(f"{found[variant]['peak_error_of_slice']:.3f} ({variant})" for variant in VARIANTS),
             "searched": searched,
-            "closest": {variant: _closest(slices[variant], PAPER_PEAK) for variant in VARIANTS},
+            "closest": {v: _closest("window", WINDOWS, slices[v], PAPER_PEAK) for v in VARIANTS},
             "remark": "Does not come out at the window of the first number. The printed form oscillates next to the "
             f"axis (v = 1 to 3), so that the number depends on where pixels fall; {near} of the {len(WINDOWS)} "
             "windows tried give it within 1 %. It is of the paper's size, and tells nothing about its window.",
@@ -87,11 +79,7 @@ def _first_rows(setting: Setting) -> list[dict[str, Any]]:
 
 
 def _tangent_rows(setting: Setting) -> list[dict[str, Any]]:
-    found = {}
-    for tangent in TANGENTS:
-        one = replace(setting, tangent=tangent)
-        truth, fft = one.image(REFERENCE), one.image(one.fft())
-        found[tangent] = {v: measures(one.image(one.closed_form(v)), truth, fft) for v in VARIANTS}
+    found = {tangent: measures(replace(setting, tangent=tangent).images()) for tangent in TANGENTS}
     searched = f"C_d from {DEFOCI[0]:g} to {DEFOCI[-1]:g}, window v from {WINDOWS[0]:g} to {WINDOWS[-1]:g}"
     best = {variant: tangent_search(variant, setting.terms) for variant in VARIANTS}
     apart = [_apart(value, paper) for value, paper in zip(best["printed"]["values"], PAPER_TANGENT, strict=True)]
@@ -119,21 +107,21 @@ def _tangent_rows(setting: Setting) -> list[dict[str, Any]]:
 
 def _pieces_row() -> dict[str, Any]:
     at = spherical.SPHERICAL
-    fits: dict[str, Callable[[float], float]] = {
-        "printed": lambda c: spherical.as_printed(c).mse((0.0, c)),
-        "corrected": lambda c: spherical.as_corrected(c).mse((0.0, c)),
-    }
+
+    def missed(variant: str, c: float) -> float:
+        return spherical.FITS[variant](c).mse((0.0, c))
+
     return {
         "quantity": "MSE of 5 quadratic exponentials",
         "paper": PAPER_PIECES,
-        **{variant: fits[variant](at) for variant in VARIANTS},
+        **{variant: missed(variant, at) for variant in VARIANTS},
         "against_fft": None,
         "settings": f"C_s = {at:g} (not in the paper), C_d = 0; printed: linear split, no constant; corrected: "
         "optimal split, constants gamma_i",
         "searched": f"C_s from {SPHERICALS[0]:g} to {SPHERICALS[-1]:g}",
         "closest": {
-            variant: _closest([({"spherical": float(c)}, fit(float(c))) for c in SPHERICALS], PAPER_PIECES)
-            for variant, fit in fits.items()
+            v: _closest("spherical", SPHERICALS, [missed(v, float(c)) for c in SPHERICALS], PAPER_PIECES)
+            for v in VARIANTS
         },
         "remark": "Comes out with the linear split and the best alpha_i and beta_i, without a constant. C_d adds to "
         "alpha_i exactly and changes nothing, as long as the constant -C_d of Eq. (16), which only turns U, is "
@@ -144,9 +132,7 @@ def _pieces_row() -> dict[str, Any]:
 def squared_errors(setting: Setting, variant: str, step: float = 0.15) -> Errors:
     """Return v to the corner of the window, and the squared error of the closed form over the exact peak there."""
     v = np.arange(0.5, math.sqrt(2.0) * setting.window / step + 1.0) * step
-    pupil = Pupil(Wavefront(setting.defocus))
-    truth = np.abs(REFERENCE.field(pupil, v)) ** 2
-    image = np.abs(setting.closed_form(variant).field(pupil, v)) ** 2
+    truth, image = _intensities(setting, variant, v)
     return v, ((image - truth) / truth.max()) ** 2
 
 
@@ -163,7 +149,7 @@ def tangent_search(variant: str, terms: int | None = 30) -> dict[str, Any]:
 
     Closest is the least sum of the two logarithms of computed over printed, each without its sign.
     """
-    best, found = math.inf, {}
+    tried = []
     for defocus in DEFOCI:
         errors = [
             squared_errors(
@@ -174,10 +160,9 @@ def tangent_search(variant: str, terms: int | None = 30) -> dict[str, Any]:
         for window in WINDOWS[::5]:
             values = [mean_over_window(error, float(window)) for error in errors]
             distance = sum(abs(math.log(a / b)) for a, b in zip(values, PAPER_TANGENT, strict=True))
-            if distance < best:
-                best = distance
-                found = {"values": values, "at": {"defocus": float(defocus), "window": float(window)}}
-    return found
+            at = {"defocus": float(defocus), "window": float(window)}
+            tried.append((distance, {"values": values, "at": at}))
+    return min(tried, key=lambda pair: pair[0])[1]
 
 
 def own_peak_error(image: NDArray[np.float64], truth: NDArray[np.float64]) -> float:
@@ -187,16 +172,20 @@ def own_peak_error(image: NDArray[np.float64], truth: NDArray[np.float64]) -> fl
 
 def _slice_error(setting: Setting, variant: str) -> float:
     """Return :func:`own_peak_error` of a window from the slice alone."""
-    pupil = Pupil(Wavefront(setting.defocus))
-    truth, image = (
-        np.abs(method.field(pupil, setting.v)) ** 2 for method in (REFERENCE, setting.closed_form(variant))
-    )
+    truth, image = _intensities(setting, variant, setting.v)
     return float(np.abs(image / image.max() - truth / truth.max()).max())
 
 
-def _closest(tried: Iterable[tuple[dict[str, float], float]], wanted: float) -> dict[str, Any]:
-    at, value = min(tried, key=lambda pair: abs(math.log(pair[1] / wanted)))
-    return {"value": value, "at": at}
+def _intensities(setting: Setting, variant: str, v: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """Return the exact intensity at v, and that of the closed form."""
+    pupil = Pupil(Wavefront(setting.defocus))
+    return [np.abs(method.field(pupil, v)) ** 2 for method in (REFERENCE, setting.closed_form(variant))]
+
+
+def _closest(name: str, places: NDArray[np.float64], values: Sequence[float], wanted: float) -> dict[str, Any]:
+    """Return the value that comes closest, and at which place of those tried."""
+    value, at = min(zip(values, places.tolist(), strict=True), key=lambda pair: abs(math.log(pair[0] / wanted)))
+    return {"value": value, "at": {name: at}}
 
 
 def _apart(value: float, wanted: float) -> str:

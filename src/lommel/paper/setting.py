@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.measures.errors import mse, peak_error
 from lommel.methods import ClosedForm, Fraunhofer, Method, NijboerZernike
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
@@ -79,6 +81,13 @@ class Setting:
             psf(pupil, self.shape, self.pixel, method=method, normalize="strehl", dtype="float64").values
         )
 
+    def images(self) -> dict[str, NDArray[np.float64]]:
+        """Return the exact image, the FFT's and those of both variants by their names, over the exact peak."""
+        methods = {"exact": REFERENCE, "fft": self.fft()} | {name: self.closed_form(name) for name in VARIANTS}
+        images = {name: self.image(method) for name, method in methods.items()}
+        peak = images["exact"].max()
+        return {name: image / peak for name, image in images.items()}
+
     def facts(self) -> dict[str, Any]:
         """Return the settings in plain types."""
         return asdict(self)
@@ -110,13 +119,15 @@ def middle_row(image: NDArray[np.float64]) -> NDArray[np.float64]:
     return image[image.shape[0] // 2, image.shape[1] // 2 :]
 
 
-def measures(image: NDArray[np.float64], truth: NDArray[np.float64], fft: NDArray[np.float64]) -> dict[str, float]:
-    """Return MSE and peak error of an image against the exact one and against the FFT."""
-    from lommel.measures.errors import mse, peak_error
-
-    return {
-        "mse": mse(image, truth),
-        "mse_against_fft": mse(image, fft),
-        "peak_error": peak_error(image, truth),
-        "peak_error_of_slice": float(np.abs(middle_row(image) - middle_row(truth)).max() / truth.max()),
+def measures(images: Mapping[str, NDArray[np.float64]]) -> dict[str, dict[str, Any]]:
+    """Return MSE and peak error of each of :meth:`Setting.images`, and what the variants are beside the FFT."""
+    truth = images["exact"]
+    found: dict[str, dict[str, Any]] = {
+        name: {"mse": mse(image, truth), "peak_error": peak_error(image, truth)}
+        for name, image in images.items()
+        if name != "exact"
     }
+    for name in VARIANTS:
+        found[name]["mse_against_fft"] = mse(images[name], images["fft"])
+        found[name]["peak_error_of_slice"] = float(np.abs(middle_row(images[name]) - middle_row(truth)).max())
+    return found

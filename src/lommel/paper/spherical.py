@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.paper.drawing import new_figure
+from lommel.paper.drawing import new_figure, panels
 from lommel.paper.setting import FigureData
 from lommel.special.piecewise import SPLITS, PiecewiseQuadratic, fit_quadratics
 
@@ -16,9 +16,7 @@ if TYPE_CHECKING:
 
 SPHERICAL = 10.0
 PIECES = 5
-_COLORS = dict(
-    zip(("linear", "sqrt", "log", "optimal"), ("tab:red", "tab:orange", "tab:green", "tab:blue"), strict=True)
-)
+_COLORS = {"linear": "tab:red", "sqrt": "tab:orange", "log": "tab:green", "optimal": "tab:blue"}
 
 
 def as_printed(spherical: float, pieces: int = PIECES, split: str = "linear") -> PiecewiseQuadratic:
@@ -31,11 +29,14 @@ def as_corrected(spherical: float, pieces: int = PIECES, split: str = "optimal")
     return fit_quadratics((0.0, spherical), pieces, split=split, fit="least-squares", piston=True)
 
 
+FITS = {"printed": as_printed, "corrected": as_corrected}
+
+
 def compute(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -> FigureData:
     """Fit exp(i C_s rho^4) with five quadratics, and with 1 to `most`, in every split, with and without constants."""
     rho = (np.arange(samples) + 0.5) / samples
     phase = spherical * rho**4
-    fits = {"printed": as_printed(spherical), "corrected": as_corrected(spherical)}
+    fits = {kind: make(spherical) for kind, make in FITS.items()}
     columns: dict[str, NDArray[Any]] = {"rho": rho, "phase": phase}
     for name, fit in fits.items():
         columns[f"{name} fit"] = fit.phase(rho)
@@ -44,7 +45,7 @@ def compute(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -
     mse = {
         (split, kind): np.array([make(spherical, int(n), split).mse((0.0, spherical)) for n in counts])
         for split in SPLITS
-        for kind, make in (("printed", as_printed), ("corrected", as_corrected))
+        for kind, make in FITS.items()
     }
     arrays = dict(columns) | {"pieces": counts}
     arrays |= {f"mse_{split}_{kind}": values for (split, kind), values in mse.items()}
@@ -63,7 +64,7 @@ def compute(samples: int = 1000, most: int = 12, spherical: float = SPHERICAL) -
 def draw(data: FigureData) -> Figure:
     """Draw the phase and its pieces, the error of both fits, and the mean squared error against their number."""
     figure = new_figure(13.0, 4.2)
-    left, middle, right = figure.subplots(1, 3)
+    left, middle, right = panels(figure, 3, xlabel="ρ = R / R_max")
     a, facts = data.arrays, data.facts
     left.plot(a["rho"], a["phase"], color="black", linewidth=4.0, alpha=0.3, label=f"{facts['spherical']:g} ρ⁴")
     edges = a["printed_edges"]
@@ -79,8 +80,7 @@ def draw(data: FigureData) -> Figure:
         split = "linear split, no constant" if name == "printed" else "optimal split, constants γ"
         middle.semilogy(a["rho"], np.maximum(a[f"{name} error"], 1e-6), color=color, linewidth=1.2,
                         label=f"{name}: {split}\nMSE {facts[name]['mse']:.3g}")  # fmt: skip
-    middle.set_ylabel("|exp(i fit) − exp(i phase)|")
-    middle.set_ylim(1e-5, 1.0)
+    middle.set(ylabel="|exp(i fit) − exp(i phase)|", ylim=(1e-5, 1.0))
     middle.legend(fontsize=7)
     for split in SPLITS:
         for kind, line in (("printed", "--"), ("corrected", "-")):
@@ -88,12 +88,7 @@ def draw(data: FigureData) -> Figure:
                            label=f"{split}{', no constant' if kind == 'printed' else ''}")  # fmt: skip
     right.axhline(1.37e-4, color="grey", linewidth=0.9, linestyle=":")
     right.annotate("paper: 0.000137 with 5", (8.0, 1.6e-4), fontsize=7, color="grey")
-    right.set_xlabel("pieces")
-    right.set_ylabel("MSE of the pupil function")
+    right.set(xlabel="pieces", ylabel="MSE of the pupil function")
     right.legend(fontsize=7, ncols=2)
-    for axes in (left, middle):
-        axes.set_xlabel("ρ = R / R_max")
-    for axes in (left, middle, right):
-        axes.grid(alpha=0.3)
     figure.suptitle(f"exp(i C_s ρ⁴) by quadratics on segments (Eq. 17), C_s = {facts['spherical']:g}", fontsize=10)
     return figure

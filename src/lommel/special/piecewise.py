@@ -191,22 +191,19 @@ def _least_squares(c: Array, low: float, high: float, start: Array, piston: bool
 
     rho = low + (high - low) * (np.arange(_SAMPLES) + 0.5) / _SAMPLES
     phase = _derivative(c, rho, 0)
-    # In the middle of the segment the three coefficients hardly depend on each other.
-    x = rho - 0.5 * (low + high)
-    free = 3 if piston else 2
-    powers = (rho**2, rho, np.ones_like(rho)) if not piston else (x**2, x, np.ones_like(x))
+    # In powers of the distance from the middle of the segment the three coefficients hardly depend on each other.
+    free, m = (3, 0.5 * (low + high)) if piston else (2, 0.0)
+    powers = np.vander(rho - m, 3)[:, :free]
 
     def residual(p: Array) -> Array:
-        off = sum(q * power for q, power in zip(p, powers, strict=False)) - phase
+        off = powers @ p - phase
         return np.concatenate([np.cos(off) - 1.0, np.sin(off)])
 
     a, b, g = start
-    m = 0.5 * (low + high)
-    first = np.array([a, b + 2 * a * m, g + (a * m + b) * m]) if piston else start
-    best = least_squares(residual, first[:free], x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14).x
-    if not piston:
-        return np.array([best[0], best[1], 0.0])
-    return np.array([best[0], best[1] - 2 * best[0] * m, best[2] - (best[1] - best[0] * m) * m])
+    first = np.array([a, b + 2 * a * m, g + (a * m + b) * m])[:free]
+    best = least_squares(residual, first, x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14).x
+    a, b, g = np.append(best, np.zeros(3 - free))
+    return np.array([a, b - 2 * a * m, g - (b - a * m) * m])
 
 
 def _swept(c: Array, low: float, high: float, piston: bool, ranges: tuple[float, float] | None) -> Array:

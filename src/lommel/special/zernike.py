@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from lommel.base import validation
@@ -222,25 +223,18 @@ def legendre_sum(coefficients: Array, x: Array) -> Array:
 
     With ``x = 2 rho^2 - 1`` the P_j are the radially symmetric terms R_2j^0.
     """
-    total = np.zeros(coefficients.shape[:-1] + x.shape)
-    before, here = np.zeros_like(x), np.ones_like(x)
-    for j, a in enumerate(np.moveaxis(coefficients, -1, 0), 1):
-        before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j  # DLMF 18.9.1
-        total += np.multiply.outer(a, here - (-1.0) ** j)
-    return total
+    series = _series(coefficients)
+    return np.asarray(legendre.legval(x, series) - legendre.legval(np.full((1,) * x.ndim, -1.0), series))
 
 
 def legendre_slope(coefficients: Array, x: Array) -> Array:
     """Return the derivative by x of :func:`legendre_sum`."""
-    total = np.zeros(coefficients.shape[:-1] + x.shape)
-    before, here = np.zeros_like(x), np.ones_like(x)
-    slope = np.zeros_like(x)
-    for j, a in enumerate(np.moveaxis(coefficients, -1, 0), 1):
-        # P_j' = x P_(j-1)' + j P_(j-1).
-        slope = x * slope + j * here
-        before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j
-        total += np.multiply.outer(a, slope)
-    return total
+    return np.asarray(legendre.legval(x, legendre.legder(_series(coefficients))))
+
+
+def _series(coefficients: Array) -> Array:
+    """Return the coefficients of P_0, P_1, ... along the first axis, where NumPy has them."""
+    return np.insert(np.moveaxis(coefficients, -1, 0), 0, 0.0, axis=0)
 
 
 def edge_of_powers(powers: Array) -> Array:
@@ -279,32 +273,24 @@ def powers_to_legendre(terms: int) -> NDArray[np.longdouble]:
     extended precision where the platform has it, since powers of high degree cancel.
     """
     f = math.factorial
-    made = np.array(
-        [
-            [
-                np.longdouble((2 * j + 1) * f(k) ** 2) / np.longdouble(f(k - j) * f(k + j + 1)) if j <= k else 0.0
-                for k in range(1, terms + 1)
-            ]
-            for j in range(terms + 1)
-        ],
-        dtype=np.longdouble,
-    )
-    made.flags.writeable = False
-    return made
+
+    def share(j: int, k: int) -> Any:
+        return np.longdouble((2 * j + 1) * f(k) ** 2) / np.longdouble(f(k - j) * f(k + j + 1)) if j <= k else 0.0
+
+    return _matrix(share, range(terms + 1), terms)
 
 
 @lru_cache(maxsize=32)
 def legendre_to_powers(terms: int) -> NDArray[np.longdouble]:
     """Return the matrix, shape ``(terms, terms)``, from coefficients of R_2^0, R_4^0, ... to those of t, t^2, ..."""
-    made = np.array(
-        [
-            [
-                np.longdouble((-1) ** (j + k) * math.comb(j, k) * math.comb(j + k, k)) if k <= j else 0.0
-                for j in range(1, terms + 1)
-            ]
-            for k in range(1, terms + 1)
-        ],
-        dtype=np.longdouble,
-    )
+
+    def share(k: int, j: int) -> Any:
+        return (-1) ** (j + k) * math.comb(j, k) * math.comb(j + k, k)
+
+    return _matrix(share, range(1, terms + 1), terms)
+
+
+def _matrix(share: Callable[[int, int], Any], rows: range, terms: int) -> NDArray[np.longdouble]:
+    made = np.array([[np.longdouble(share(row, k)) for k in range(1, terms + 1)] for row in rows])
     made.flags.writeable = False
     return made

@@ -1,6 +1,7 @@
 // Tables that all calls share.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <iterator>
 #include <list>
@@ -11,7 +12,6 @@
 #include "lommel/base/watch.hpp"
 
 #if !defined(LOMMEL_SINGLE_THREADED)
-#include <atomic>
 #include <chrono>
 #include <thread>
 #endif
@@ -20,14 +20,6 @@ namespace lommel {
 
 // One thread's turn to make something that takes long. Those who wait for theirs can be stopped, which a mutex does not
 // let them; and a child finds it free whoever had it.
-#if defined(LOMMEL_SINGLE_THREADED)
-struct Turn {
-    struct Taken {
-        explicit Taken(Turn&) {}
-    };
-    void free() {}
-};
-#else
 class Turn {
    public:
     class Taken {
@@ -35,7 +27,9 @@ class Turn {
         explicit Taken(Turn& turn) : turn_(turn) {
             while (turn.taken_.exchange(true, std::memory_order_acquire)) {
                 look();
+#if !defined(LOMMEL_SINGLE_THREADED)
                 std::this_thread::sleep_for(std::chrono::microseconds(50));
+#endif
             }
         }
         ~Taken() { turn_.taken_.store(false, std::memory_order_release); }
@@ -50,7 +44,6 @@ class Turn {
    private:
     std::atomic<bool> taken_{false};
 };
-#endif
 
 // What is shared has a mutex, held for the moment of a look or a change, never while something is made (who makes may wait
 // for Python's lock, which who forks holds); and a turn for that.

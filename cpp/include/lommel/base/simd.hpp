@@ -48,25 +48,18 @@ LOMMEL_INLINE V converted(Narrow p) {
 }
 
 // x - 0 is x, and compilers know it; a list of x's they would insert one by one.
-template <class V>
-LOMMEL_INLINE V splat(double x) {
+template <class V, class Real>
+LOMMEL_INLINE V splat(Real x) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
     // GCC takes vectors that the function this is written in does not have apart, even where it is inlined into one that
     // has them, and puts broadcasts, unlike sums and products, back together by eight masked steps.
     if constexpr (sizeof(V) == 64) {
         V v;
-        asm("vbroadcastsd %1, %0" : "=v"(v) : "vm"(x));
-        return v;
-    }
-#endif
-    return x - V{};
-}
-template <class V>
-LOMMEL_INLINE V splat(float x) {
-#if defined(LOMMEL_X86) && !defined(__clang__)
-    if constexpr (sizeof(V) == 64) {
-        V v;
-        asm("vbroadcastss %1, %0" : "=v"(v) : "vm"(x));
+        if constexpr (sizeof(Real) == 4) {
+            asm("vbroadcastss %1, %0" : "=v"(v) : "vm"(x));
+        } else {
+            asm("vbroadcastsd %1, %0" : "=v"(v) : "vm"(x));
+        }
         return v;
     }
 #endif
@@ -294,7 +287,9 @@ struct AlignedAllocator {
         return false;
     }
 };
-using Doubles = std::vector<double, AlignedAllocator<double>>;
-using Floats = std::vector<float, AlignedAllocator<float>>;
+template <class T>
+using Aligned = std::vector<T, AlignedAllocator<T>>;
+using Doubles = Aligned<double>;
+using Floats = Aligned<float>;
 
 }  // namespace lommel

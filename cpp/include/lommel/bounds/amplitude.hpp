@@ -73,10 +73,7 @@ class Amplitude {
 
     // Whether it is at most 1 on [0, 1], but for rounding, as far as samples show.
     bool passive() const {
-        bool falls = true;
-        for (std::size_t k = 0; k <= terms_; ++k) {
-            falls = falls && g_[k] >= 0.0;
-        }
+        const bool falls = std::all_of(g_.begin(), g_.end(), [](double g) { return g >= 0.0; });
         for (std::size_t j = 0; j <= 16 && !falls; ++j) {
             if (!(at(static_cast<double>(j) / 16.0) <= 1.0 + 1e-15 * sensitivity())) {
                 return false;

@@ -72,7 +72,6 @@ class Ellipses {
 
     // Of t^power A exp(i Phi), with the coefficients of P_1(2t - 1), P_2, ... in radians and the amplitude A.
     Ellipses(const double* phase, std::size_t terms, const Amplitude& amplitude, std::size_t power) {
-        const EllipseGrid& grid = the_grid;
         measure(phase, terms);
         for (std::size_t i = 0; i < count && !amplitude.uniform(); ++i) {
             g_[i] += amplitude.growth(grid.cosh[i]);
@@ -101,7 +100,6 @@ class Ellipses {
     // Bound on sum_{n >= terms} |beta_n| / sqrt(2n+1), hence on the tail of the series at every v. Wang and Xiang,
     // Math. Comp. 81, 861 (2012): |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi (1 - e^{-2 eta})), l the perimeter.
     double tail(std::size_t terms) const {
-        const EllipseGrid& grid = the_grid;
         const double order = 2.0 * static_cast<double>(terms) + 1.0;
         double best = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
@@ -117,7 +115,6 @@ class Ellipses {
 
     // Fewest terms for which tail() is at most `error`.
     std::size_t terms(double error) const {
-        const EllipseGrid& grid = the_grid;
         const double target = std::log(error);
         double needed = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
@@ -134,7 +131,6 @@ class Ellipses {
     // Bound on the error in U when the first `terms` coefficients come from `nodes`-point Gauss quadrature
     // (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3, with |P_n| <= e^{n eta}).
     double quadrature(std::size_t nodes, std::size_t terms) const {
-        const EllipseGrid& grid = the_grid;
         double best = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
             best = std::min(best, g_[i] + grid.quadrature[i] +
@@ -145,7 +141,6 @@ class Ellipses {
 
     // Fewest nodes for which quadrature() is at most `error`.
     std::size_t nodes(std::size_t terms, double error) const {
-        const EllipseGrid& grid = the_grid;
         const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
         double needed = 1e300;
         for (std::size_t i = 0; i < count; ++i) {
@@ -157,7 +152,6 @@ class Ellipses {
 
    private:
     void measure(const double* phase, std::size_t terms) {
-        const EllipseGrid& grid = the_grid;
         if (terms <= 2) {
             // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maxima are known.
             const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
@@ -196,18 +190,11 @@ class Ellipses {
     }
 
     // Made when the program is loaded: a fork must not find it half done.
-    static inline const EllipseGrid the_grid;
-    static inline const EllipsePolynomials the_polynomials{the_grid};
+    static inline const EllipseGrid grid;
+    static inline const EllipsePolynomials the_polynomials{grid};
 
     std::array<double, count> g_;
 };
-
-// log of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and the rate at which it falls with m.
-inline double kapteyn(double m, double v, double& rate) {
-    const double x = v / m, root = std::sqrt(std::max(0.0, 1.0 - x * x));
-    rate = std::log((1.0 + root) / x);
-    return m * (root - rate);
-}
 
 // Bound on the sum over m, m + step, m + 2 step, ... of m^power 2 |J_m(v) / v| for all v <= reach: high orders vanish near the
 // axis.
@@ -218,8 +205,9 @@ inline double beyond_window(double m, double step, double power, double reach) {
     if (m <= reach) {
         return 1e300;
     }
-    double rate = 0.0;
-    const double top = kapteyn(m, reach, rate);
+    // log of Kapteyn's bound on |J_m(v)| for m >= v > 0 (DLMF 10.14.8), and the rate at which it falls with m.
+    const double x = reach / m, root = std::sqrt(std::max(0.0, 1.0 - x * x)), rate = std::log((1.0 + root) / x);
+    const double top = m * (root - rate);
     const double ratio = std::exp(-step * rate) * std::pow((m + step) / m, power);
     // Near m = v the bound is not yet rising with v.
     if (ratio >= 1.0 || rate * m < 1.2) {

@@ -10,11 +10,11 @@
 #include <memory>
 #include <vector>
 
-#include "lommel/special/bessel.hpp"
 #include "lommel/base/cache.hpp"
-#include "lommel/bounds/ellipse.hpp"
 #include "lommel/base/simd.hpp"
-#include "lommel/base/wide.hpp"
+#include "lommel/bounds/ellipse.hpp"
+#include "lommel/special/bessel.hpp"
+#include "lommel/special/chebyshev.hpp"
 
 namespace lommel {
 
@@ -55,50 +55,6 @@ struct WantedPieces {
     std::vector<std::size_t> others;
     std::size_t end() const { return others.empty() ? leading : others.back() + 1; }
 };
-
-inline double chebyshev_point(std::size_t j, std::size_t count) {
-    return std::cos(3.14159265358979323846 * (static_cast<double>(j) + 0.5) / static_cast<double>(count));
-}
-
-// From values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ... By way of those of T_0, T_1, ..., whose errors
-// the integers of the second step leave as they are; one matrix for both would lose five digits in double.
-template <std::size_t Count, class Real = wide>
-class ChebyshevToMonomials {
-   public:
-    ChebyshevToMonomials() {
-        monomials_[0][0] = monomials_[1][1] = 1;
-        for (std::size_t i = 2; i < Count; ++i) {
-            for (std::size_t k = 0; k < Count; ++k) {
-                monomials_[i][k] = (k > 0 ? 2 * monomials_[i - 1][k - 1] : 0) - monomials_[i - 2][k];
-            }
-        }
-        const Real unit = std::acos(Real(-1)) / (2 * Count);
-        for (std::size_t i = 0; i < Count; ++i) {
-            for (std::size_t j = 0; j < Count; ++j) {
-                cosines_[i][j] = std::cos(unit * static_cast<Real>(i * (2 * j + 1) % (4 * Count))) * (i == 0 ? 1 : 2) / Count;
-            }
-        }
-    }
-    template <class Out>
-    void operator()(const double* values, std::size_t stride, Out* out) const {
-        std::array<Real, Count> sums{};
-        for (std::size_t i = 0; i < Count; ++i) {
-            Real c = 0;
-            for (std::size_t j = 0; j < Count; ++j) {
-                c += cosines_[i][j] * static_cast<Real>(values[j * stride]);
-            }
-            for (std::size_t k = i % 2; k <= i; k += 2) {
-                sums[k] += c * monomials_[i][k];
-            }
-        }
-        std::transform(sums.begin(), sums.end(), out, [](Real sum) { return static_cast<Out>(sum); });
-    }
-
-   private:
-    std::array<std::array<Real, Count>, Count> cosines_{}, monomials_{};
-};
-template <std::size_t Count>
-inline const ChebyshevToMonomials<Count> chebyshev_to_monomials;
 
 // What all rows that a piece leaves out can add to U, whatever the pupil.
 constexpr double left_out = 1e-19;

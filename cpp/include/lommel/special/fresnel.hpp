@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "lommel/base/wide.hpp"
+#include "lommel/special/chebyshev.hpp"
 
 namespace lommel {
 
@@ -39,36 +40,16 @@ class FresnelAuxiliary {
 
     // Interpolates at Chebyshev points; the conversion to monomials is done where possible in wider numbers.
     FresnelAuxiliary() {
-        using real = wide;
-        const real pi = std::acos(real(-1));
-        std::array<std::complex<real>, terms> value;
-        std::array<std::array<real, terms>, terms> chebyshev{};
-        chebyshev[0][0] = chebyshev[1][1] = 1;
-        for (std::size_t i = 2; i < terms; ++i) {
-            for (std::size_t k = 0; k < terms; ++k) {
-                chebyshev[i][k] = (k > 0 ? 2 * chebyshev[i - 1][k - 1] : 0) - chebyshev[i - 2][k];
-            }
-        }
+        std::array<wide, terms> re, im;
         for (std::size_t j = 0; j < terms; ++j) {
-            const real y = std::cos(pi * (static_cast<real>(j) + real(0.5)) / terms);
-            const real s = center * (1 + y) / (1 - y);
-            value[j] = (s + 2) * by_quadrature(s);
+            const wide y = chebyshev_point<wide>(j, terms), s = center * (1 + y) / (1 - y);
+            const std::complex<wide> value = (s + 2) * by_quadrature(s);
+            re[j] = value.real();
+            im[j] = value.imag();
         }
-        std::array<std::complex<real>, terms> sum{};
-        for (std::size_t i = 0; i < terms; ++i) {
-            std::complex<real> c = 0;
-            for (std::size_t j = 0; j < terms; ++j) {
-                c += value[j] * std::cos(pi * static_cast<real>(i) * (static_cast<real>(j) + real(0.5)) / terms);
-            }
-            c *= (i == 0 ? real(1) : real(2)) / terms;
-            for (std::size_t k = 0; k < terms; ++k) {
-                sum[k] += c * chebyshev[i][k];
-            }
-        }
-        for (std::size_t k = 0; k < terms; ++k) {
-            re_[k] = static_cast<double>(sum[k].real());
-            im_[k] = static_cast<double>(sum[k].imag());
-        }
+        const ChebyshevToMonomials<terms> convert;
+        convert(re.data(), 1, re_.data());
+        convert(im.data(), 1, im_.data());
     }
 
     // On the turned path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s x): the trapezoidal rule in

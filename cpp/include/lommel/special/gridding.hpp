@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "lommel/special/chebyshev.hpp"
+
 namespace lommel {
 
 // Half the distance from 1 to the next number.
@@ -24,7 +26,6 @@ class GriddingKernel {
 
     // Of that many taps for frequencies up to pi / oversampling.
     static GriddingKernel of(std::size_t taps, double oversampling) {
-        constexpr double pi = 3.14159265358979323846;
         return {taps, 0.975 * pi * static_cast<double>(taps) * (1.0 - 0.5 / oversampling)};
     }
 
@@ -45,7 +46,6 @@ class GriddingKernel {
     // Bound on the sum of |transform(omega + 2 pi k)| over k other than 0, over transform(omega), for omega of 0 to pi; it rises
     // with omega.
     double aliases(double omega) const {
-        constexpr double pi = 3.14159265358979323846;
         constexpr std::size_t counted = 64;
         double sum = 0.0;
         for (std::size_t k = 1; k <= counted; ++k) {
@@ -63,7 +63,6 @@ class GriddingKernel {
     // The root of the mean square of aliases(step s) under the weight (2 / pi) sqrt(1 - s^2) on [-1, 1]: what they do at most to a
     // function whose spectrum has that density times g(s), g of mean square 1.
     double aliasing(double step) const {
-        constexpr double pi = 3.14159265358979323846;
         constexpr std::size_t cells = 192;
         double squares = 0.0;
         for (std::size_t i = 0; i < cells; ++i) {
@@ -101,44 +100,20 @@ class GriddingKernel {
     double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
         using Number = long double;
         constexpr std::size_t all = 32;  // Chebyshev coefficients, of which `terms` are kept
-        // Cosines of k (2j + 1) steps of pi / 64.
-        static const std::array<Number, 4 * all> cosines = [] {
-            std::array<Number, 4 * all> made;
-            for (std::size_t i = 0; i < 4 * all; ++i) {
-                made[i] = std::cos(3.14159265358979323846L * static_cast<Number>(i) / (2 * all));
-            }
-            return made;
-        }();
+        static const ChebyshevToMonomials<all, Number> convert;
         out.assign(terms * stride, 0.0);
         double worst = 0.0;
         for (std::size_t i = 0; i < std::min(w, stride); ++i) {
             const double middle = 0.5 * static_cast<double>(w) - static_cast<double>(i) - 0.5;
-            std::array<Number, all> values, powers{}, before{}, here{}, next;
+            std::array<Number, all> values;
+            std::array<double, all> powers;
             for (std::size_t j = 0; j < all; ++j) {
-                const Number z = 2.0L * (middle + 0.5L * cosines[2 * j + 1]) / static_cast<Number>(w);
+                const Number z = 2.0L * (middle + 0.5L * chebyshev_point<Number>(j, all)) / static_cast<Number>(w);
                 values[j] = shape(1.0L - z * z) / static_cast<Number>(top_);
             }
-            here[0] = 1.0L;  // T_k
-            double left = 0.0;
-            for (std::size_t k = 0; k < all; ++k) {
-                Number c = 0.0L;
-                for (std::size_t j = 0; j < all; ++j) {
-                    c += values[j] * cosines[k * (2 * j + 1) % (4 * all)];
-                }
-                c *= (k == 0 ? 1.0L : 2.0L) / all;
-                if (k >= terms) {
-                    left += static_cast<double>(std::abs(c));
-                    continue;
-                }
-                for (std::size_t p = 0; p < terms; ++p) {
-                    powers[p] += c * here[p];
-                    next[p] = (k == 0 ? 1.0L : 2.0L) * (p > 0 ? here[p - 1] : 0.0L) - (k == 0 ? 0.0L : before[p]);
-                }
-                before = here;
-                here = next;
-            }
+            const double left = static_cast<double>(convert(values.data(), 1, powers.data(), terms));
             for (std::size_t p = 0; p < terms; ++p) {
-                out[(terms - 1 - p) * stride + i] = static_cast<double>(powers[p]);
+                out[(terms - 1 - p) * stride + i] = powers[p];
             }
             // Interpolation at `all` points: on the ellipse of sum rho of its semi-axes around the tap |y| is at most the product of
             // |1 - z| and |1 + z|.
@@ -186,6 +161,7 @@ class GriddingKernel {
         return scale() * std::min(1.0 / 3.0, std::sqrt(1.0 + 1.0 / square) / square);
     }
 
+    static constexpr double pi = 3.14159265358979323846;
     double beta_, top_;
 };
 
@@ -214,5 +190,19 @@ using SingleTaps = TapPolynomials<float, 8, 8>;
 using DoubleTaps = TapPolynomials<double, 11, 16>;
 template <class Real>
 using Taps = std::conditional_t<sizeof(Real) == 8, DoubleTaps, SingleTaps>;
+
+// A kernel with all that is asked of it again and again.
+struct GriddingTaps {
+    GriddingKernel kernel;
+    double weight, chain;
+    SingleTaps singles;
+    DoubleTaps doubles;
+
+    explicit GriddingTaps(const GriddingKernel& of)
+        : kernel(of), weight(of.weight()), chain(of.chain()), singles(of), doubles(of) {}
+
+    const SingleTaps& taps(float) const { return singles; }
+    const DoubleTaps& taps(double) const { return doubles; }
+};
 
 }  // namespace lommel

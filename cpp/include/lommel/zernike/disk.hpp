@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -106,9 +107,14 @@ struct ZernikeSeries {
     std::size_t degrees = 0, orders = 0;
     std::vector<std::size_t> start;  // of each order
     std::vector<std::size_t> used;   // how many of its coefficients matter
-    Doubles cos_re, cos_im, sin_re, sin_im;
+    std::array<Doubles, 4> parts;    // of cosines re and im, of sines re and im
 
     std::size_t count(std::size_t m) const { return (degrees - 1 - m) / 2 + 1; }
+    // The magnitude of a coefficient, of the cosine or the sine.
+    double size(std::size_t at, std::size_t sine) const {
+        const double re = parts[2 * sine][at], im = parts[2 * sine + 1][at];
+        return std::sqrt(re * re + im * im);
+    }
 
     void resize(std::size_t n, std::size_t order_count) {
         degrees = n;
@@ -121,8 +127,8 @@ struct ZernikeSeries {
             used[m] = count(m);
             total += count(m);
         }
-        for (Doubles* part : {&cos_re, &cos_im, &sin_re, &sin_im}) {
-            part->resize(total);
+        for (Doubles& part : parts) {
+            part.resize(total);
         }
     }
 };
@@ -261,8 +267,8 @@ class ZernikeAnalysis {
             look();
             const double* in = &rings_[m * 4 * rings];
             const std::size_t count = series.count(m), to = series.start[m];
-            for (std::size_t j = 0; j < count; ++j) {
-                series.cos_re[to + j] = series.cos_im[to + j] = series.sin_re[to + j] = series.sin_im[to + j] = 0.0;
+            for (Doubles& part : series.parts) {
+                std::fill_n(&part[to], count, 0.0);
             }
             for (std::size_t first = 0; first < rings; first += most * I::lanes) {
                 const std::size_t packs = std::min(most, (rings - first) / I::lanes);
@@ -282,12 +288,10 @@ class ZernikeAnalysis {
                         advance(step, x[p], before[p], here[p]);
                     }
                     // Of odd orders times -i.
-                    const std::size_t re = m % 2, im = 1 - re;
                     const double norm = static_cast<double>(m + 2 * j + 1), turned = m % 2 == 0 ? norm : -norm;
-                    series.cos_re[to + j] += norm * lane_sum(sums[re]);
-                    series.cos_im[to + j] += turned * lane_sum(sums[im]);
-                    series.sin_re[to + j] += norm * lane_sum(sums[2 + re]);
-                    series.sin_im[to + j] += turned * lane_sum(sums[2 + im]);
+                    for (std::size_t c = 0; c < 4; ++c) {
+                        series.parts[c][to + j] += (c % 2 == 0 ? norm : turned) * lane_sum(sums[c ^ m % 2]);
+                    }
                 }
             }
         }

@@ -86,8 +86,7 @@ inline double trim(ZernikeSeries& series, double weight, double error) {
         std::size_t& count = series.used[m];
         for (; count > 0; --count) {
             const std::size_t at = series.start[m] + count - 1;
-            const double size = std::sqrt(series.cos_re[at] * series.cos_re[at] + series.cos_im[at] * series.cos_im[at]) +
-                                std::sqrt(series.sin_re[at] * series.sin_re[at] + series.sin_im[at] * series.sin_im[at]);
+            const double size = series.size(at, 0) + series.size(at, 1);
             const double next = sum + weight * size / static_cast<double>(m + 2 * count - 1);
             if (next > share) {
                 break;

@@ -56,24 +56,16 @@ class ZernikeField {
         base_ += trim(outer_, 1.0, ZernikeBudget::small * error) + trim(inner_, area, ZernikeBudget::small * error);
     }
 
-    // A_m and B_m at the distance v, by the Bessel functions themselves: re A, im A, re B, im B for each order.
-    void orders_at(double v, std::vector<double>& orders) const {
+    // The largest I at some directions at the distance v, by the Bessel functions themselves.
+    double look(double v) const {
+        // Of A_m and B_m, re A, im A, re B, im B for each order.
+        thread_local std::vector<double> orders;
         orders.assign(4 * std::max(outer_.orders, inner_.orders), 0.0);
         add_orders(outer_, v, 1.0, orders.data());
         if (obscured()) {
             add_orders(inner_, obscuration_ * v, -obscuration_ * obscuration_, orders.data());
         }
-    }
-
-    // The largest I at some directions at the distance v.
-    double look(double v) const {
-        thread_local std::vector<double> orders;
-        orders_at(v, orders);
-        return brightest(orders);
-    }
-
-    static double brightest(const std::vector<double>& orders) {
-        const std::size_t count = orders.size() / 4;
+        const double *const begin = orders.data(), *const end = begin + orders.size();
         double top = 0.0;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using I = decltype(isa);
@@ -81,8 +73,7 @@ class ZernikeField {
             for (std::size_t first = 0; first < Directions::count; first += I::lanes) {
                 const V turn_c = load<V>(directions.cosine.data() + first), turn_s = load<V>(directions.sine.data() + first);
                 V c = splat<V>(1.0), s = splat<V>(0.0), re = s, im = s;
-                for (std::size_t m = 0; m < count; ++m) {
-                    const double* order = &orders[4 * m];
+                for (const double* order = begin; order < end; order += 4) {
                     re = re + c * splat<V>(order[0]) + s * splat<V>(order[2]);
                     im = im + c * splat<V>(order[1]) + s * splat<V>(order[3]);
                     const V next = c * turn_c - s * turn_s;
@@ -249,7 +240,6 @@ class ZernikeField {
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             using I = decltype(isa);
             using V = typename I::pack;
-            const double* parts[4] = {series.cos_re.data(), series.cos_im.data(), series.sin_re.data(), series.sin_im.data()};
             for (std::size_t m = 0; m < std::min(reached, series.orders); ++m) {
                 const double* row = transforms[m % 2].data() + m / 2;
                 const std::size_t count = std::min(series.used[m], (reached - m) / 2 + 1), at = series.start[m];
@@ -258,13 +248,13 @@ class ZernikeField {
                 for (; j + I::lanes <= count; j += I::lanes) {
                     const V t = load<V>(row + j);
                     for (std::size_t p = 0; p < 4; ++p) {
-                        sums[p] = sums[p] + t * load<V>(parts[p] + at + j);
+                        sums[p] = sums[p] + t * load<V>(&series.parts[p][at + j]);
                     }
                 }
                 for (std::size_t p = 0; p < 4; ++p) {
                     double total = lane_sum(sums[p]);
                     for (std::size_t i = j; i < count; ++i) {
-                        total += row[i] * parts[p][at + i];
+                        total += row[i] * series.parts[p][at + i];
                     }
                     orders[4 * m + p] += weight * total;
                 }
@@ -288,9 +278,10 @@ class ZernikeField {
                     }
                     const Piece& piece = *tables[m % 2]->pieces[s];
                     const std::size_t at = series.start[m], count = series.used[m];
-                    combine(isa, piece, count, &series.cos_re[at], &series.cos_im[at], to, to + degree_count, m / 2);
-                    combine(isa, piece, count, &series.sin_re[at], &series.sin_im[at], to + 2 * degree_count,
-                            to + 3 * degree_count, m / 2);
+                    for (std::size_t p = 0; p < 4; p += 2) {
+                        combine(isa, piece, count, &series.parts[p][at], &series.parts[p + 1][at], to + p * degree_count,
+                                to + (p + 1) * degree_count, m / 2);
+                    }
                 }
             });
         });

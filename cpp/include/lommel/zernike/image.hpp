@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +12,7 @@
 #include "lommel/base/parallel.hpp"
 #include "lommel/pixels/mirrored.hpp"
 #include "lommel/zernike/field.hpp"
+#include "lommel/zernike/judged.hpp"
 
 namespace lommel {
 
@@ -28,11 +28,19 @@ inline double single_rounding(const PiecePlan& plan, const Doubles& coefficients
     return 5.97e-8 * steps * sum;
 }
 
+// The pixels within one piece of v.
+struct ZernikePart : PaintedPart {
+    std::size_t piece, first, last;  // and its groups of pixels
+    double allowed = 0.0;            // error of U that is asked for
+    bool done = false;
+    ZernikePart(std::size_t s, std::size_t from, std::size_t to) : piece(s), first(from), last(to) {}
+};
+
 // An image in the making: its pixels by pieces of v, and how well each piece is done.
 //
 // An error of U matters less where the PSF is dark: |I - I_exact| <= e (2 |U| + e). Every piece is given an error of its own
 // from a look at some of its points, and judged by the values that it turned out to have.
-class ZernikeImage {
+class ZernikeImage : public PaintedParts<ZernikePart> {
    public:
     // Of those pixels, `step` in v apart. What is used for one image is kept for the next.
     void begin(std::shared_ptr<const MirroredPixels> pixels, double step, int threads) {
@@ -48,52 +56,37 @@ class ZernikeImage {
     void prepare(double tol) {
         const double reach = step_ * std::sqrt(static_cast<double>(pixels_->groups.back().square()));
         const double near = step_ * std::sqrt(static_cast<double>(pixels_->groups.front().square()));
-        std::array<double, looks> v, bright;
+        Looks seen{std::vector<double>(looks), std::vector<double>(looks)};
         parallel_for(looks, threads_, [&](std::size_t, std::size_t i) {
             // Closer together near the axis, where most light is.
             const double x = (static_cast<double>(i) + 0.5) / looks;
-            v[i] = near + (reach - near) * x * std::sqrt(x);
-            bright[i] = field_.look(v[i]);
+            seen.v[i] = near + (reach - near) * x * std::sqrt(x);
+            seen.bright[i] = field_.look(seen.v[i]);
         });
-        const double all = ZernikeBudget::image * tol * *std::max_element(bright.begin(), bright.end());
-        const auto allowed = [&](double intensity) {
-            const double u = 2.0 * std::sqrt(intensity);
-            return all / (u + std::sqrt(u * u + all));
-        };
+        const double all = ZernikeBudget::image * tol * seen.brightest(near, reach);
+        const auto allowed = [&](double intensity) { return allowed_error(all, intensity, 2.0); };
         field_.prepare(allowed(2.0 * all / tol), threads_, [&](std::size_t pieces) {
             std::vector<std::size_t> lit;
-            parts_.assign(pieces, Part());
-            std::size_t first = 0;
-            for (std::size_t s = 0; s < pieces; ++s) {
-                parts_[s].first = first;
-                first = s + 1 == pieces ? pixels_->groups.size() : boundary(s, 1, 1, first, pixels_->groups.size());
-                parts_[s].last = first;
-                if (parts_[s].first < first) {
+            parts_.clear();
+            for (std::size_t s = 0, first = 0, last = 0; s < pieces; ++s, first = last) {
+                last = s + 1 == pieces ? pixels_->groups.size() : boundary(s, 1, 1, first, pixels_->groups.size());
+                if (first < last) {
                     lit.push_back(s);
+                    parts_.emplace_back(s, first, last);
                 }
             }
             return lit;
         });
-        for (std::size_t s = 0; s < parts_.size(); ++s) {
-            if (parts_[s].first == parts_[s].last) {
-                continue;
-            }
-            // The looks in the piece and one on either side.
-            const double low = field_.width() * static_cast<double>(s), high = low + field_.width();
-            double seen = 0.0;
-            for (std::size_t i = 0; i < looks; ++i) {
-                if ((i + 1 == looks || v[i + 1] >= low) && (i == 0 || v[i - 1] <= high)) {
-                    seen = std::max(seen, bright[i]);
-                }
-            }
-            parts_[s].allowed = allowed(seen);
+        for (ZernikePart& part : parts_) {
+            const double low = field_.width() * static_cast<double>(part.piece);
+            part.allowed = allowed(seen.brightest(low, low + field_.width()));
         }
     }
 
     // Gives those pieces less whose error of I is above `most`; returns false if the expansion is the reason.
     bool tighten(double most) {
         bool any = false;
-        for (Part& part : parts_) {
+        for (ZernikePart& part : parts_) {
             if (part.wrong() > most) {
                 if (part.error < ZernikeBudget::blame * field_.base()) {
                     return false;
@@ -106,40 +99,18 @@ class ZernikeImage {
         return any;
     }
 
-    double peak() const { return brightest().top; }
-    double error_at_peak() const { return brightest().error; }  // of U
-    double wrong() const {                                      // proven error of I
-        double sum = 0.0;
-        for (const Part& part : parts_) {
-            sum = std::max(sum, part.wrong());
-        }
-        return sum;
-    }
-
     // Computes the pieces that are not done, writing I times `scale`.
     template <class T>
     void paint(double scale, T* image) {
-        parallel_for(parts_.size(), threads_, [&](std::size_t, std::size_t s) {
-            if (!parts_[s].done) {
-                paint(s, scale, image);
+        parallel_for(parts_.size(), threads_, [&](std::size_t, std::size_t i) {
+            if (!parts_[i].done) {
+                paint(parts_[i], scale, image);
             }
         });
     }
 
    private:
     static constexpr std::size_t looks = 32;
-
-    struct Part {
-        std::size_t first = 0, last = 0;       // groups of pixels
-        double allowed = 0.0, error = 1e300;  // of U: asked for, proven
-        double top = 0.0;                     // largest I
-        bool done = false;
-        double wrong() const { return first < last ? intensity_error(std::sqrt(top), error) : 0.0; }
-    };
-
-    const Part& brightest() const {
-        return *std::max_element(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.top < b.top; });
-    }
 
     // The first group beyond ring r - 1 of `rings` in piece s.
     std::size_t boundary(std::size_t s, std::size_t r, std::size_t rings, std::size_t least, std::size_t most) const {
@@ -148,13 +119,10 @@ class ZernikeImage {
     }
 
     template <class T>
-    void paint(std::size_t s, double scale, T* image) {
-        Part& part = parts_[s];
+    void paint(ZernikePart& part, double scale, T* image) {
+        const std::size_t s = part.piece;
         part.done = true;
         part.top = 0.0;
-        if (part.first == part.last) {
-            return;
-        }
         thread_local Doubles coefficients;
         thread_local Floats singles;
         const PiecePlan plan = field_.plan(s, part.allowed, part.last - part.first);
@@ -269,7 +237,6 @@ class ZernikeImage {
     double step_ = 1.0;
     int threads_ = 1;
     ZernikeField field_;
-    std::vector<Part> parts_;
 };
 
 }  // namespace lommel

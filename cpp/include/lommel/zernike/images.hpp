@@ -56,8 +56,7 @@ class ZernikeRenderer {
         const double tol = divide ? ZernikeBudget::divided * rest : rest, scale = divide ? 1.0 : answer_.scales[pupil];
         const std::size_t pixels = height_ * width_;
         T* values = answer_.images + pupil * pixels;
-        thread_local ZernikeImage kept;
-        ZernikeImage& image = kept;
+        thread_local ZernikeImage image;
         const Tiles tiles(static_cast<std::int64_t>(height_), static_cast<std::int64_t>(width_), stack_.rows[pupil],
                           stack_.columns[pupil]);
         const double first =
@@ -111,8 +110,7 @@ class ZernikeRenderer {
             if (!PolarImage::pays(field, tiles) || to.scale < 1e-25 || to.scale > 1e25) {
                 return 1e300;
             }
-            thread_local PolarImage kept;
-            PolarImage& image = kept;
+            thread_local PolarImage image;
             image.begin(tiles, step_, to.threads);
             const PolarPupil pupil(field);
             for (const double share : {1.0, PolarBudget::again}) {

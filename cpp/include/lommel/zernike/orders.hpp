@@ -27,14 +27,27 @@ struct OrderSize {
     double at(double v) const { return v > 0.0 ? std::min(near, far * 1.572 / (v * std::cbrt(v))) : near; }
 };
 
+// Adds to sizes[2 m + sine] what the cosines and the sines of each order can add on a disk of a radius that is `shrunk`, its
+// field counting by `weight`. Far away these fall with the distance times the radius.
+inline void add_sizes(const ZernikeSeries& series, double weight, double shrunk, std::vector<OrderSize>& sizes) {
+    const double stretch = 1.0 / (shrunk * std::cbrt(shrunk));
+    for (std::size_t m = 0; m < series.orders; ++m) {
+        for (std::size_t j = 0; j < 2 * series.used[m]; ++j) {
+            const double size = weight * series.size(series.start[m] + j / 2, j % 2);
+            sizes[2 * m + j % 2].near += size / static_cast<double>(m + j / 2 * 2 + 1);
+            sizes[2 * m + j % 2].far += size * stretch;
+        }
+    }
+}
+
 class PupilOrders {
    public:
     // Of all orders of a pupil, both disks together.
     void measure(const ZernikeSeries& outer, const ZernikeSeries& inner, double obscuration) {
         sizes_.assign(2 * std::max(outer.orders, inner.orders), OrderSize());
-        add(outer, 1.0, 1.0);
+        add_sizes(outer, 1.0, 1.0, sizes_);
         if (obscuration > 0.0) {
-            add(inner, obscuration * obscuration, 1.0 / (obscuration * std::cbrt(obscuration)));
+            add_sizes(inner, obscuration * obscuration, obscuration, sizes_);
         }
     }
 
@@ -89,19 +102,6 @@ class PupilOrders {
     const std::vector<std::size_t>& kept() const { return kept_; }
 
    private:
-    void add(const ZernikeSeries& series, double weight, double stretch) {
-        const Doubles* const parts[2][2] = {{&series.cos_re, &series.cos_im}, {&series.sin_re, &series.sin_im}};
-        for (std::size_t m = 0; m < series.orders; ++m) {
-            for (std::size_t j = 0; j < 2 * series.used[m]; ++j) {
-                const std::size_t at = series.start[m] + j / 2;
-                const double re = (*parts[j % 2][0])[at], im = (*parts[j % 2][1])[at];
-                const double size = weight * std::sqrt(re * re + im * im);
-                sizes_[2 * m + j % 2].near += size / static_cast<double>(m + j / 2 * 2 + 1);
-                sizes_[2 * m + j % 2].far += size * stretch;
-            }
-        }
-    }
-
     std::vector<OrderSize> sizes_;  // [2 m + sine]
     std::vector<std::size_t> kept_;
 };

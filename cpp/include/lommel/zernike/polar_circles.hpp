@@ -18,22 +18,14 @@
 
 namespace lommel {
 
-template <class T>
-using Aligned = std::vector<T, AlignedAllocator<T>>;
-
 // Equal angles around a circle, and the kernel that interpolates between them.
-struct PolarCircle {
+struct PolarCircle : GriddingTaps {
     RowFft<float> single;
     RowFft<double> exact;
-    GriddingKernel kernel;
     std::vector<double> gains, aliases;  // of each order: 1 / transform, and the bound on its aliases
-    double weight, chain;                // of the taps
-    SingleTaps singles;
-    DoubleTaps doubles;
 
     PolarCircle(std::size_t points, std::size_t taps)
-        : single(points), exact(points), kernel(GriddingKernel::of(taps, taps < 8 ? 3.0 : 2.0)), weight(kernel.weight()),
-          chain(kernel.chain()), singles(kernel), doubles(kernel) {
+        : GriddingTaps(GriddingKernel::of(taps, taps < 8 ? 3.0 : 2.0)), single(points), exact(points) {
         for (std::size_t m = 0; m < points / 4; ++m) {
             const double omega = 6.283185307179586477 * static_cast<double>(m) / static_cast<double>(points);
             gains.push_back(1.0 / kernel.transform(omega));
@@ -45,8 +37,6 @@ struct PolarCircle {
     std::size_t points() const { return single.n; }
     const RowFft<float>& fft(float) const { return single; }
     const RowFft<double>& fft(double) const { return exact; }
-    const SingleTaps& taps(float) const { return singles; }
-    const DoubleTaps& taps(double) const { return doubles; }
 
     bool is(std::size_t points, std::size_t taps) const { return single.n == points && kernel.w == taps; }
     std::size_t bytes() const { return 64 * single.n; }

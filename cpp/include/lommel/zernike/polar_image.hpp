@@ -11,6 +11,7 @@
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/pixels/tiles.hpp"
+#include "lommel/zernike/judged.hpp"
 #include "lommel/zernike/polar_zones.hpp"
 
 namespace lommel {
@@ -21,7 +22,7 @@ inline double& interpolation_worth() {
     return share;
 }
 
-class PolarImage {
+class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
    public:
     // Whether it is predicted to be faster than a sum over orders for each pixel, with tables of bearable size. In units of what
     // an order of a pixel takes: a pixel takes as much as so many orders, wherever it is, and a circle a transform; both prepare
@@ -53,18 +54,17 @@ class PolarImage {
     // Computes the image, I times `scale`.
     template <class T>
     void paint(double scale, T* image) {
-        parts_.assign(list_.size() * zones_.size(), Part());
+        parts_.assign(list_.size() * zones_.size(), PaintedPart());
         parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
-            thread_local Tiles::Buffer<T> kept;
+            thread_local Tiles::Buffer<T> buffer;
             thread_local std::vector<Tiles::Line> lines;
-            Tiles::Buffer<T>& buffer = kept;
             for (std::size_t z = 0; z < zones_.size(); ++z) {
                 const PolarZone& zone = zones_[z];
                 lines.clear();
                 tiles_->lines(list_[i], zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
                 if (!lines.empty()) {
                     dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                        Part& part = parts_[i * zones_.size() + z];
+                        PaintedPart& part = parts_[i * zones_.size() + z];
                         if (zone.style->doubles && zone.style->around == 10) {
                             pixels<10, 10, double>(isa, zone, list_[i], lines, scale, buffer, part);
                         } else if (zone.style->doubles) {
@@ -83,27 +83,7 @@ class PolarImage {
         });
     }
 
-    double peak() const { return brightest().top; }
-    double error_at_peak() const { return brightest().error; }  // of U
-    double wrong() const {                                      // proven error of I
-        double most = 0.0;
-        for (const Part& part : parts_) {
-            most = std::max(most, part.wrong());
-        }
-        return most;
-    }
-
    private:
-    // Of a tile in a zone.
-    struct Part {
-        double error = 0.0, top = 0.0;  // of U, and the largest I
-        double wrong() const { return intensity_error(std::sqrt(top), error); }
-    };
-
-    const Part& brightest() const {
-        return *std::max_element(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.top < b.top; });
-    }
-
     // The taps of both kernels at eight at once.
     template <class V, class Real>
     static LOMMEL_INLINE void taps(const Taps<Real>& polynomials, Real x, Real* out, std::size_t count = Taps<Real>::taps) {
@@ -121,7 +101,7 @@ class PolarImage {
     // The pixels of a tile on some lines, in one zone.
     template <std::size_t Between, std::size_t Around, class Real, class I, class T>
     LOMMEL_INLINE void pixels(I, const PolarZone& zone, const Tiles::Tile& tile, const std::vector<Tiles::Line>& lines,
-                              double scale, Tiles::Buffer<T>& buffer, Part& part) const {
+                              double scale, Tiles::Buffer<T>& buffer, PaintedPart& part) const {
         using V = std::conditional_t<sizeof(Real) == 8, typename I::pack, typename I::floats>;
         using Narrow = typename RowPack<I, Real>::type;
         using D = typename I::pack;
@@ -167,15 +147,15 @@ class PolarImage {
                 if (std::is_same_v<Real, float> && zone.style->exact) {
                     // Rounded once.
                     alignas(64) double exact[2][DoubleTaps::taps];
-                    taps<D>(zone.kernels->taps(0.0), x[0][i], exact[0], most);
-                    taps<D>(zone.circle->taps(0.0), x[1][i], exact[1], most);
+                    taps<D>(zone.kernels->outer().doubles, x[0][i], exact[0], most);
+                    taps<D>(zone.circle->doubles, x[1][i], exact[1], most);
                     for (std::size_t k = 0; k < most; ++k) {
                         weights[i][k] = static_cast<Real>(exact[0][k]);
                         weights[i][most + k] = static_cast<Real>(exact[1][k]);
                     }
                     continue;
                 }
-                taps<Narrow>(zone.kernels->taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
+                taps<Narrow>(zone.kernels->outer().taps(Real()), static_cast<Real>(x[0][i]), weights[i]);
                 taps<Narrow>(zone.circle->taps(Real()), static_cast<Real>(x[1][i]), weights[i] + most);
             }
             for (std::size_t i = 0; i < here; ++i) {
@@ -255,13 +235,11 @@ class PolarImage {
         return splat<D>(eighth) + x * sum;
     }
 
-   private:
     const Tiles* tiles_ = nullptr;
     std::vector<Tiles::Tile> list_;
     double step_ = 1.0;
     int threads_ = 1;
     PolarZones zones_;
-    std::vector<Part> parts_;
 };
 
 }  // namespace lommel

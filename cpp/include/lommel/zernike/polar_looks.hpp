@@ -7,15 +7,16 @@
 #include <memory>
 #include <vector>
 
+#include "lommel/zernike/judged.hpp"
+#include "lommel/zernike/orders.hpp"
 #include "lommel/zernike/polar_pupil.hpp"
 
 namespace lommel {
 
 // How bright it is at some distances, and how large the orders are there.
-class PolarLooks {
+class PolarLooks : public Looks {
    public:
     static constexpr std::size_t block = LookTable::block;
-    std::vector<double> v, bright;  // of each look, the largest I
     std::size_t orders;
 
     PolarLooks(const PolarPupil& pupil, double reach)
@@ -29,8 +30,7 @@ class PolarLooks {
         }
         const RowFft<float> fft(RowFft<float>::length(4 * orders));
         const std::vector<double> gains(orders, 1.0);
-        thread_local PolarSpectra<float> kept;
-        PolarSpectra<float>& spectra = kept;
+        thread_local PolarSpectra<float> spectra;
         bright.assign(blocks_ * block, 0.0);
         for (std::size_t b = 0; b < blocks_; ++b) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -40,7 +40,7 @@ class PolarLooks {
                                 [&](std::size_t m, std::size_t p, V size)
                                     LOMMEL_INLINE_LAMBDA { store(&sizes_[(b * orders + m) * block + p * I::lanes], size); });
                 for (std::size_t half = 0; half < 2; ++half) {
-                    brightest(isa, fft.run(isa, spectra.spectrum[half].data(), spectra.other.data()), fft.n,
+                    last_pass(isa, fft.run(isa, spectra.spectrum[half].data(), spectra.other.data()), fft.n,
                               &bright[b * block + half * fft_rows]);
                 }
             });
@@ -53,17 +53,6 @@ class PolarLooks {
             v.pop_back();
         }
         bright.resize(v.size());
-    }
-
-    // The largest of those from one distance to another, and of one more on either side.
-    double brightest(double from, double to) const {
-        double most = 0.0;
-        for (std::size_t i = 0; i < v.size(); ++i) {
-            if ((i + 1 == v.size() || v[i + 1] >= from) && (i == 0 || v[i - 1] <= to)) {
-                most = std::max(most, bright[i]);
-            }
-        }
-        return most;
     }
 
     // What circles at the looks of a block would be off by.
@@ -81,15 +70,15 @@ class PolarLooks {
         for (std::size_t i = 0; i < block; ++i) {
             // What tables have divided by makes circles larger, the most at the edge of the spectrum.
             const double i_here = b * block + i < bright.size() ? bright[b * block + i] : 0.0;
-            out[i] = {0.0, kernels.largest * out[i].around, kernels.largest * out[i].sum,
-                      1.2 * kernels.largest * circle.gains[0] * std::sqrt(i_here)};
+            const double largest = kernels.outer().largest;
+            out[i] = {0.0, largest * out[i].around, largest * out[i].sum, 1.2 * largest * circle.gains[0] * std::sqrt(i_here)};
         }
     }
 
    private:
     // The last pass of a transform, at two of four quadrants' ends.
     template <class I>
-    static LOMMEL_INLINE void brightest(I, const float* from, std::size_t n, double* out) {
+    static LOMMEL_INLINE void last_pass(I, const float* from, std::size_t n, double* out) {
         using V = typename RowPack<I, float>::type;
         constexpr std::size_t lanes = sizeof(V) / sizeof(float);
         const std::size_t quarter = n / 4 * fft_element;
@@ -118,28 +107,20 @@ class PolarLooks {
 class PolarOrders {
    public:
     explicit PolarOrders(const PolarPupil& pupil) : tails_(pupil.orders() + 1) {
+        std::vector<OrderSize> sizes(2 * pupil.orders());
         for (const PolarPupil::Disk& disk : pupil.disks) {
-            // Far away these fall with the distance times the radius.
-            const double stretch = 1.0 / (disk.shrunk * std::cbrt(disk.shrunk));
-            for (std::size_t m = 0; m < disk.series->orders; ++m) {
-                for (std::size_t j = 0; j < disk.series->used[m]; ++j) {
-                    const double* c = &disk.parts[4 * (disk.series->start[m] + j)];
-                    const double size = std::sqrt(c[0] * c[0] + c[1] * c[1]) + std::sqrt(c[2] * c[2] + c[3] * c[3]);
-                    tails_[m].near += size / static_cast<double>(m + 2 * j + 1);
-                    tails_[m].far += size * stretch;
-                }
-            }
+            add_sizes(*disk.series, std::abs(disk.weight), disk.shrunk, sizes);
         }
-        for (std::size_t m = tails_.size() - 1; m-- > 0;) {
-            tails_[m].near += tails_[m + 1].near;
-            tails_[m].far += tails_[m + 1].far;
+        for (std::size_t m = pupil.orders(); m-- > 0;) {
+            tails_[m].near = tails_[m + 1].near + sizes[2 * m].near + sizes[2 * m + 1].near;
+            tails_[m].far = tails_[m + 1].far + sizes[2 * m].far + sizes[2 * m + 1].far;
         }
     }
 
     // At v and beyond, whose aliases between circles are `aliases` of what there is.
     double left(std::size_t orders, double v, double aliases) const {
-        const Tail& tail = tails_[orders];
-        return v > 0.0 ? std::min(tail.near, tail.far * 1.572 / (v * std::cbrt(v)) + aliases * tail.near) : tail.near;
+        const OrderSize& tail = tails_[orders];
+        return std::min(tail.near, tail.at(v) + aliases * tail.near);
     }
     // The fewest that leave no more than `error`.
     std::size_t least(double error, double v, double aliases) const {
@@ -151,11 +132,7 @@ class PolarOrders {
     }
 
    private:
-    // As |2 (n+1) J_{n+1}(v) / v| <= 1, and |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
-    struct Tail {
-        double near = 0.0, far = 0.0;
-    };
-    std::vector<Tail> tails_;
+    std::vector<OrderSize> tails_;
 };
 
 }  // namespace lommel

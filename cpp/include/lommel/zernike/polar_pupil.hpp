@@ -63,12 +63,9 @@ struct PolarPupil {
 
    private:
     void add(const ZernikeSeries& series, double shrunk, double weight) {
-        disks.push_back({&series, shrunk, weight, Doubles(4 * series.cos_re.size())});
-        for (std::size_t i = 0; i < series.cos_re.size(); ++i) {
-            const double parts[4] = {series.cos_re[i], series.cos_im[i], series.sin_re[i], series.sin_im[i]};
-            for (std::size_t c = 0; c < 4; ++c) {
-                disks.back().parts[4 * i + c] = weight * parts[c];
-            }
+        disks.push_back({&series, shrunk, weight, Doubles(4 * series.parts[0].size())});
+        for (std::size_t i = 0; i < disks.back().parts.size(); ++i) {
+            disks.back().parts[i] = weight * series.parts[i % 4][i / 4];
         }
     }
 };
@@ -78,7 +75,6 @@ struct PolarKernels {
     std::vector<std::shared_ptr<const PolarKernel>> disks;
     double aliasing = 0.0;  // aliases
     double growth = 0.0;    // relative, of the error of the expansion
-    double weight, chain, largest;
 
     PolarKernels(const PolarPupil& pupil, const PolarStyle& style) {
         const GriddingKernel kernel = style.kernel();
@@ -88,12 +84,8 @@ struct PolarKernels {
             aliasing += std::abs(disk.weight) * disks.back()->aliases;
             growth = std::max(growth, disks.back()->aliases);
         }
-        weight = disks[0]->weight;
-        chain = disks[0]->chain;
-        largest = disks[0]->largest;
     }
-    const SingleTaps& taps(float) const { return disks[0]->singles; }
-    const DoubleTaps& taps(double) const { return disks[0]->doubles; }
+    const PolarKernel& outer() const { return *disks[0]; }
 };
 
 // Their tables, of so many blocks.
@@ -120,20 +112,21 @@ struct PolarTables {
 // Bound on the error of U between circles with these errors: `left` is what orders left out can add.
 inline double polar_error(const PolarPupil& pupil, const PolarStyle& style, const PolarKernels& kernels,
                           const PolarCircle& circle, double left, const PolarRowError& rows) {
-    const double weights = kernels.weight * circle.weight,
+    const PolarKernel& kernel = kernels.outer();
+    const double weights = kernel.weight * circle.weight,
                  // With two roundings before it.
         transform = style.exact ? roundoff<double> * (circle.exact.rounding() + 2.0)
                                 : roundoff<float> * (circle.single.rounding() + 2.0);
     const double pixel = style.doubles ? roundoff<double> : roundoff<float>;
     // Exact circles have exact taps, rounded once.
-    const double between = style.exact ? kernels.taps(0.0).error + pixel * kernels.weight : kernels.taps(0.0f).error;
-    const double around = style.exact ? circle.taps(0.0).error + pixel * circle.weight : circle.taps(0.0f).error;
+    const double between = style.exact ? kernel.doubles.error + pixel * kernel.weight : kernel.singles.error;
+    const double around = style.exact ? circle.doubles.error + pixel * circle.weight : circle.singles.error;
     // Storing the circles, a product and a chain of sums for each kernel, and of I four roundings, which are half as much of U.
-    const double sums = pixel * (5.0 + kernels.chain / kernels.weight + circle.chain / circle.weight);
+    const double sums = pixel * (5.0 + kernel.chain / kernel.weight + circle.chain / circle.weight);
     // A complex number is at most sqrt(2) times the larger one of its parts.
-    return (pupil.base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernels.weight * rows.around +
+    return (pupil.base + left) * (1.0 + kernels.growth) + kernels.aliasing + kernel.weight * rows.around +
            weights * (circle.gains.back() * rows.sums + transform * rows.sum) +
-           1.42 * 1.01 * (weights * sums + between * circle.weight + around * kernels.weight) * rows.largest;
+           1.42 * 1.01 * (weights * sums + between * circle.weight + around * kernel.weight) * rows.largest;
 }
 
 }  // namespace lommel

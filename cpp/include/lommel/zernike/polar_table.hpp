@@ -18,17 +18,13 @@
 namespace lommel {
 
 // A kernel between circles, `step` in v apart: its taps, and what its aliases do.
-struct PolarKernel {
+struct PolarKernel : GriddingTaps {
     double step;
-    GriddingKernel kernel;
     double aliases;  // what they can add to U
-    double weight, chain, largest;  // of the taps; and the largest 1 / transform
-    SingleTaps singles;
-    DoubleTaps doubles;
+    double largest;  // 1 / transform
 
     PolarKernel(double apart, std::size_t taps, double beta)
-        : step(apart), kernel(taps, beta), aliases(kernel.aliasing(step)), weight(kernel.weight()), chain(kernel.chain()),
-          largest(1.0 / kernel.transform(step)), singles(kernel), doubles(kernel) {}
+        : GriddingTaps({taps, beta}), step(apart), aliases(kernel.aliasing(step)), largest(1.0 / kernel.transform(step)) {}
 
     bool is(double apart, std::size_t taps, double beta) const {
         return step == apart && kernel.w == taps && kernel.beta() == beta;
@@ -88,8 +84,6 @@ struct PolarTable {
     }
     std::size_t bytes() const { return sizeof(double) * values.size(); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
-
-    const double* at(std::size_t b) const { return &values[b * degrees * block]; }
 
    private:
     double farthest(std::size_t b) const { return step * static_cast<double>(std::max<std::size_t>(1, b) * block); }

@@ -50,10 +50,7 @@ class PolarZones {
         const PolarOrders orders(pupil);
         const double all = PolarBudget::image * tol * looks.brightest(near, reach);
         // Of U, where it is that bright.
-        const auto allowed = [&](double intensity) {
-            const double u = PolarBudget::brighter * std::sqrt(intensity);
-            return all / (u + std::sqrt(u * u + all));
-        };
+        const auto allowed = [&](double intensity) { return allowed_error(all, intensity, PolarBudget::brighter); };
         std::array<double, polar_styles.size() + 1> starts;
         std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
         starts.back() = 1e300;

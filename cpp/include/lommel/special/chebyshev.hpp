@@ -1,0 +1,62 @@
+// From values at Chebyshev points to polynomials.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "lommel/base/wide.hpp"
+
+namespace lommel {
+
+template <class Real = double>
+Real chebyshev_point(std::size_t j, std::size_t count) {
+    return std::cos(std::acos(Real(-1)) * (static_cast<Real>(j) + Real(0.5)) / static_cast<Real>(count));
+}
+
+// From values at the `Count` Chebyshev points to coefficients of 1, x, x^2, ... By way of those of T_0, T_1, ..., whose errors
+// the integers of the second step leave as they are; one matrix for both would lose five digits in double.
+template <std::size_t Count, class Real = wide>
+class ChebyshevToMonomials {
+   public:
+    ChebyshevToMonomials() {
+        monomials_[0][0] = monomials_[1][1] = 1;
+        for (std::size_t i = 2; i < Count; ++i) {
+            for (std::size_t k = 0; k < Count; ++k) {
+                monomials_[i][k] = (k > 0 ? 2 * monomials_[i - 1][k - 1] : 0) - monomials_[i - 2][k];
+            }
+        }
+        const Real unit = std::acos(Real(-1)) / (2 * Count);
+        for (std::size_t i = 0; i < Count; ++i) {
+            for (std::size_t j = 0; j < Count; ++j) {
+                cosines_[i][j] = std::cos(unit * static_cast<Real>(i * (2 * j + 1) % (4 * Count))) * (i == 0 ? 1 : 2) / Count;
+            }
+        }
+    }
+    // Of T_0, T_1, ... so many are `kept`; returns the sum of the magnitudes of the others' coefficients.
+    template <class In, class Out>
+    Real operator()(const In* values, std::size_t stride, Out* out, std::size_t kept = Count) const {
+        std::array<Real, Count> sums{};
+        Real left = 0;
+        for (std::size_t i = 0; i < Count; ++i) {
+            Real c = 0;
+            for (std::size_t j = 0; j < Count; ++j) {
+                c += cosines_[i][j] * static_cast<Real>(values[j * stride]);
+            }
+            left += i < kept ? 0 : std::abs(c);
+            for (std::size_t k = i % 2; k <= i && i < kept; k += 2) {
+                sums[k] += c * monomials_[i][k];
+            }
+        }
+        std::transform(sums.begin(), sums.begin() + kept, out, [](Real sum) { return static_cast<Out>(sum); });
+        return left;
+    }
+
+   private:
+    std::array<std::array<Real, Count>, Count> cosines_{}, monomials_{};
+};
+template <std::size_t Count>
+inline const ChebyshevToMonomials<Count> chebyshev_to_monomials;
+
+}  // namespace lommel

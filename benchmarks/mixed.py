@@ -74,13 +74,14 @@ class Mixed(Window):
         return f"{self.reach:g} rad each, directions {self.degrees}, pixel {self.pixel:g} λN"
 
 
-def exact_rows(question: Mixed, rows: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Return the exact intensities of whole rows of the window, by quadrature over chords of the aperture.
+def exact_rows(question: Mixed, rows: NDArray[Any], columns: NDArray[Any] | None = None) -> NDArray[np.float64]:
+    """Return the exact intensities of whole rows of the window, or of some columns, by quadrature over chords.
 
     Along y Gauss-Legendre, along x the second Gauss-Chebyshev rule, whose weight is the length of the chord: what is
     left is entire in x, and a bandwidth of K takes K / 2 nodes and a few dozen for the error to vanish.
     """
     q = question
+    at = np.arange(q.n) if columns is None else columns
     # In x it is that of v in the corners, for the chords shorten as x moves.
     bandwidth = math.hypot(q.n / 2, q.n / 2) * q.step + q.slopes[0]
     count = math.ceil(0.5 * bandwidth) + 40
@@ -92,8 +93,16 @@ def exact_rows(question: Mixed, rows: NDArray[np.int64]) -> NDArray[np.float64]:
     wave = np.exp(1j * q.phase(across, y, across**2 + y**2)) * weights * (chord**2 / (count + 1))[:, None]
     down, right = q.center or (q.n // 2, q.n // 2)
     chords = np.stack([(wave * np.exp(-1j * q.step * (row - down) * y)).sum(axis=1) for row in rows])
-    field = chords @ np.exp(-1j * q.step * np.outer(x, np.arange(q.n) - right))
+    field = chords @ np.exp(-1j * q.step * np.outer(x, at - right))
     return np.asarray(field.real**2 + field.imag**2)
+
+
+def exact_averages(question: Mixed, rows: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Return the exact averages over the pixels of whole rows, by Gauss's rule on each."""
+    x, w = np.polynomial.legendre.leggauss(6 + int(0.8 * question.step))
+    down, across = rows[:, None] + 0.5 * x, (np.arange(question.n)[:, None] + 0.5 * x).ravel()
+    values = exact_rows(question, down.ravel(), across).reshape(len(rows), x.size, question.n, x.size)
+    return np.asarray(0.25 * np.einsum("rayb,a,b->ry", values, w, w))
 
 
 @lru_cache(maxsize=64)

@@ -68,6 +68,15 @@ TARGETS = [
         )
         for pixel, must, aim in ((0.25, 5, 2.5), (0.5, 10, 5), (1.0, 30, 18))
     ),
+    *(
+        Target(
+            f"512², float32, coma, astigmatism, trefoil and defocus of 10 rad each, pixels of {pixel:g} λN averaged",
+            "the same window sampled",
+            *(4, 2, "", False),
+            partial(averages.general_over_samples, pixel=pixel),
+        )
+        for pixel in (0.25, 0.5, 1.0)
+    ),
     Target(
         "1000 of 33², float32, pixels of 3.45 µm at f/1.8 averaged, into `out`",
         "the same stack sampled",

@@ -241,26 +241,75 @@ Named disk_stack(Terms terms, Doubles1 edge, double obscuration, double row, dou
                  "column"_a = moved ? static_cast<double>(stack.columns[0]) : column);
 }
 
-// Over a window of v from `low` to `high` in x and on the axis in y.
-Named chordal_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high, std::size_t chords) {
-    require(low <= high && chords >= 1, "low must be below high, chords positive");
+// Over a window of v from `low` to `high` in x and on the axis in y: exponents on all curves.
+Named chordal_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, double low, double high) {
+    require(low <= high, "low must be below high");
     const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
-    lommel::ChordBound bound;
-    bound.prepare(pairs, coefficients.data(), powers_of_amplitude(amplitude), {low, high, 0.0, 0.0});
-    return named("quadrature"_a = bound.bound(chords), "rounding"_a = bound.rounding(chords), "variance"_a = bound.variance());
+    lommel::ChordBound bound(pairs, powers_of_amplitude(amplitude), {low, high, 0.0, 0.0});
+    bound.prepare(coefficients.data());
+    std::vector<double> exponents[2], bends[2];
+    for (const lommel::Sum sum : {lommel::Sum::chords, lommel::Sum::nodes}) {
+        for (std::size_t k = 0; k < lommel::ChordCurves::count; ++k) {
+            exponents[sum == lommel::Sum::nodes].push_back(bound.line(sum, k, bound.size(sum, k)).exponent);
+            bends[sum == lommel::Sum::nodes].push_back(bound.bend(sum, k));
+        }
+    }
+    return named("chords"_a = exponents[0], "nodes"_a = exponents[1], "chords_bend"_a = bends[0], "nodes_bend"_a = bends[1],
+                 "rounding"_a = bound.rounding(), "variance"_a = bound.variance());
 }
 
-double chordal_growth(Terms terms, Doubles1 coefficients, double b) {
-    require(b > 0.0 && b < 5.0, "b must be above 0 and below 5");
-    const lommel::SharpTable table(terms_of(terms, coefficients.size()), b);
-    double found[lommel::row_lanes];
+// One line: its bound for a size, and the size for an error; the line that is best for that error; what sums round.
+Named chordal_line(bool nodes, std::size_t curve, double exponent, std::size_t size, double error) {
+    require(curve < lommel::ChordCurves::count && error > 0.0, "no such curve, or no error");
+    const lommel::Sum sum = nodes ? lommel::Sum::nodes : lommel::Sum::chords;
+    const lommel::ChordLine line{curve, exponent};
+    return named("bound"_a = line.bound(sum, size), "enough"_a = line.enough(sum, error));
+}
+
+Named chordal_rounding(std::size_t chords, std::size_t nodes, std::size_t terms) {
+    return named(
+        "double"_a = lommel::ChordBound::rounding(chords, nodes),
+        "single"_a = lommel::ChordBound::single_rounding(static_cast<double>(chords), static_cast<double>(nodes), terms));
+}
+
+// Cosines and sines of multiples of 2^-32 turns, in turn.
+std::vector<double> turned_waves(In<std::uint32_t, 1> turns) {
+    std::vector<double> found;
     lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        constexpr std::size_t lanes = decltype(isa)::lanes;
-        lommel::Doubles given(2 * table.pairs.size() * lanes), room(2 * table.harmonics * lanes);
-        lommel::sharp_lane(table, coefficients.data(), 0, lanes, given.data());
-        lommel::store(found, lommel::sharp_size(isa, table, given.data(), room.data()));
+        using I = decltype(isa);
+        constexpr std::size_t lanes = 2 * I::lanes;
+        for (std::size_t i = 0; i + lanes <= turns.size(); i += lanes) {
+            typename I::floats sine, cosine;
+            lommel::sincos_turns(lommel::load<typename I::turns>(turns.data() + i), sine, cosine);
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                found.push_back(static_cast<double>(cosine[lane]));
+                found.push_back(static_cast<double>(sine[lane]));
+            }
+        }
     });
-    return found[0];
+    return found;
+}
+
+Named chordal_mean(Terms terms, Doubles1 coefficients, std::size_t curve, bool nodes, Doubles1 window) {
+    require(curve < lommel::ChordCurves::count && window.size() == 4, "no such curve, or window of other than four ends");
+    const lommel::VBox box{window.data()[0], window.data()[1], window.data()[2], window.data()[3]};
+    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, coefficients.size());
+    const lommel::Sum sum = nodes ? lommel::Sum::nodes : lommel::Sum::chords;
+    const lommel::SharpTable table(list, sum, curve, box);
+    const lommel::TermPairs pairs(list);
+    lommel::ChordBound bound(pairs, lommel::even_light, box);
+    bound.prepare(coefficients.data());
+    float top[2 * lommel::row_lanes], mean[2 * lommel::row_lanes];
+    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t lanes = 2 * decltype(isa)::lanes;
+        lommel::Floats given(list.size() * lanes), room(table.samples * lommel::SharpTable::images * lanes);
+        for (std::size_t j = 0; j < list.size(); ++j) {
+            given[j * lanes] = static_cast<float>(coefficients.data()[table.classes.order[j]]);
+        }
+        lommel::sharp_means(isa, table, given.data(), room.data(), top, mean);
+    });
+    return named("mean"_a = table.logarithm(top[0], mean[0]),
+                 "margin"_a = table.margin(bound.bend(sum, curve), coefficients.data()));
 }
 
 // Of a table for the averages over the pixels of a window, its axis at (center_y, center_x); each ring as (the least
@@ -320,10 +369,18 @@ void bindings::define_bounds(nb::module_& m) {
           "Bound on what single precision does to U on a ring.");
     m.def("disk_stack", &disk_stack, "terms"_a, "edge"_a, "obscuration"_a, "row"_a, "column"_a, "step"_a, "moved"_a,
           "A wavefront on the whole disk and on the obscured one, and what roundings do to U on the way.");
-    m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "low"_a, "high"_a, "chords"_a,
+    m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "low"_a, "high"_a,
           "Bounds on the error in U of the chordal Gauss rule for v from low to high along x.");
-    m.def("chordal_growth", &chordal_growth, "terms"_a, "coefficients"_a, "b"_a,
-          "Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.");
+    m.def("chordal_line", &chordal_line, "nodes"_a, "curve"_a, "exponent"_a, "size"_a, "error"_a,
+          "The bound by one curve on the error in U of a sum over chords, or over nodes, of that size; and the size for an "
+          "error.");
+    m.def("chordal_rounding", &chordal_rounding, "chords"_a, "nodes"_a, "terms"_a,
+          "What the sums of the chordal rule round, and what single precision adds.");
+    m.def("turned_waves", &turned_waves, "turns"_a, "Cosine and sine, in floats, of each multiple of 2^-32 turns.");
+    m.def("chordal_mean", &chordal_mean, "terms"_a, "coefficients"_a, "curve"_a, "nodes"_a, "window"_a,
+          "Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and "
+          "what "
+          "it may be beyond that; the window is left, right, top and bottom in v.");
     m.def("pixel_bounds", &pixel_bounds, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
           "Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.");
 }

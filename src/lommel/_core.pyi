@@ -218,14 +218,27 @@ def disk_stack(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), o
     A wavefront on the whole disk and on the obscured one, and what roundings do to U on the way.
     """
 
-def chordal_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], low: float, high: float, chords: int) -> dict[str, object]:
+def chordal_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], low: float, high: float) -> dict[str, object]:
     """
     Bounds on the error in U of the chordal Gauss rule for v from low to high along x.
     """
 
-def chordal_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], b: float) -> float:
+def chordal_line(nodes: bool, curve: int, exponent: float, size: int, error: float) -> dict[str, object]:
     """
-    Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.
+    The bound by one curve on the error in U of a sum over chords, or over nodes, of that size; and the size for an error.
+    """
+
+def chordal_rounding(chords: int, nodes: int, terms: int) -> dict[str, object]:
+    """
+    What the sums of the chordal rule round, and what single precision adds.
+    """
+
+def turned_waves(turns: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> list[float]:
+    """Cosine and sine, in floats, of each multiple of 2^-32 turns."""
+
+def chordal_mean(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], curve: int, nodes: bool, window: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> dict[str, object]:
+    """
+    Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and what it may be beyond that; the window is left, right, top and bottom in v.
     """
 
 def pixel_bounds(height: int, width: int, center_y: float, center_x: float, step: float, integrate: bool, level: int) -> dict[str, object]:

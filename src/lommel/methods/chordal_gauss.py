@@ -19,8 +19,9 @@ class ChordalGauss(Method):
     r"""Quadrature over the whole disk by a matrix product along y and one along x: any wavefront, to a tolerance.
 
     Supports every pupil, obscured and apodized too. Meant for stacks of small windows: pupils are computed side by
-    side, and the tables of a window are kept from call to call. The work grows with the square of the number N of
-    chords, which grows with the phase and with the window; more than 1024 are refused.
+    side, and the tables of a window are kept from call to call. The work grows with the number N of chords times that
+    of nodes on each, both of which grow with the phase and with the window; more than 1024 are refused. Images in
+    float32 are summed in single precision where the tolerance allows for its rounding, which is counted.
 
     Parameters
     ----------
@@ -39,16 +40,17 @@ class ChordalGauss(Method):
     -----
     ``U(v_x, v_y) = (1/pi) int P(x, y) exp(-i (v_x x + v_y y)) dx dy`` over the disk, P the pupil function, by the
     rule with nodes ``x_i = cos(i pi / (N+1))``, ``y_ik = sqrt(1 - x_i^2) eta_k``, eta_k those of Gauss and Legendre.
-    Its weights ``(1 - x_i^2) w_k / (N+1)`` are positive, and it is exact for polynomials of degree 2N - 1. The
-    integrand is entire, so its components of higher degree fall geometrically; Zernike terms are trigonometric
-    polynomials on every chord, whence the bound, derived on the page about the certificate. A tilt counts as a shift
-    of the window. An obscured aperture is the difference of two disks. On both axes, values and nodes of opposite
-    sign share work.
+    Its weights ``(1 - x_i^2) w_k / (N+1)`` are positive. Across chords it is the trapezoidal rule for a periodic
+    function, along them Gauss's; both converge geometrically, for the integrand is entire. Zernike terms are
+    trigonometric polynomials on every chord, whence the bound, derived on the page about the certificate. A tilt
+    counts as a shift of the window. An obscured aperture is the difference of two disks. On both axes, values and
+    nodes of opposite sign share work.
 
     References
     ----------
-    B. F. Logan and L. A. Shepp, "Optimal reconstruction of a function from its projections", Duke Math. J. 42, 645
-    (1975): the ridge polynomials of the bound.
+    L. N. Trefethen and J. A. C. Weideman, "The exponentially convergent trapezoidal rule", SIAM Review 56, 385
+    (2014), doi:10.1137/130932132.
+    L. N. Trefethen, Approximation Theory and Approximation Practice, chapter 19: the bound on Gauss's rule.
     A. H. Stroud, Approximate Calculation of Multiple Integrals (1971), section 2.4: product rules.
     R. Soummer, L. Pueyo, A. Sivaramakrishnan and R. J. Vanderbei, Opt. Express 15, 15935 (2007),
     doi:10.1364/OE.15.015935: the transform as two matrix products.

@@ -41,6 +41,7 @@ struct Vector {
     typedef std::int64_t bits __attribute__((vector_size(8 * Lanes)));
     typedef float floats __attribute__((vector_size(8 * Lanes)));  // twice as many
     typedef float narrow __attribute__((vector_size(4 * Lanes)));  // as many
+    typedef std::uint32_t turns __attribute__((vector_size(8 * Lanes)));  // multiples of 2^-32 turns
 };
 template <class V, class Narrow>
 LOMMEL_INLINE V converted(Narrow p) {
@@ -73,6 +74,51 @@ LOMMEL_INLINE V larger(V a, V b) {
 template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
     return (at & bit) != 0 ? a : b;
+}
+// The low halves of the bits of a and of b, in turn.
+template <class W, class V>
+LOMMEL_INLINE W low_halves(V a, V b) {
+    typedef std::uint64_t Bits __attribute__((vector_size(sizeof(V))));
+    Bits low, high;
+    std::memcpy(&low, &a, sizeof low);
+    std::memcpy(&high, &b, sizeof high);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+    std::swap(low, high);
+#endif
+    const Bits both = (low & 0xffffffffu) | (high << 32);
+    W w;
+    std::memcpy(&w, &both, sizeof w);
+    return w;
+}
+// Of 32 bits, with a sign.
+template <class V, class W>
+LOMMEL_INLINE V signed_floats(W w) {
+    typedef std::int32_t Whole __attribute__((vector_size(sizeof(W))));
+    Whole whole;
+    std::memcpy(&whole, &w, sizeof whole);
+    return __builtin_convertvector(whole, V);
+}
+// a in the lanes where `at` is not 0, else b.
+template <class W, class V>
+LOMMEL_INLINE V choose_lanes(W at, V a, V b) {
+    return at != 0 ? a : b;
+}
+// With the bits changed that `bits` has.
+template <class V, class W>
+LOMMEL_INLINE V flipped(V v, W bits) {
+    W w;
+    std::memcpy(&w, &v, sizeof w);
+    w = w ^ bits;
+    std::memcpy(&v, &w, sizeof v);
+    return v;
+}
+// Floats whose bits are those of the whole numbers that x is cut off to.
+template <class V>
+LOMMEL_INLINE V from_bits(V x) {
+    typedef std::int32_t Whole __attribute__((vector_size(sizeof(V))));
+    const Whole whole = __builtin_convertvector(x, Whole);
+    std::memcpy(&x, &whole, sizeof x);
+    return x;
 }
 template <class Order, class Real, class V, std::size_t... I>
 LOMMEL_INLINE V permuted(V v, std::index_sequence<I...>) {
@@ -112,6 +158,12 @@ struct Pack {
     friend Pack operator*(Pack a, Pack b) {
         return each(a, b, [](Real x, Real y) { return x * y; });
     }
+    friend Pack operator+(Pack a, Real b) {
+        return each(a, a, [b](Real x, Real) { return x + b; });
+    }
+    friend Pack operator&(Pack a, Real b) {
+        return each(a, a, [b](Real x, Real) { return x & b; });
+    }
     Real operator[](std::size_t i) const { return v[i]; }
     template <class F>
     static Pack each(Pack a, Pack b, F f) {
@@ -127,6 +179,7 @@ struct Vector {
     using pack = Pack<double, Lanes>;
     using floats = Pack<float, 2 * Lanes>;
     using narrow = Pack<float, Lanes>;
+    using turns = Pack<std::uint32_t, 2 * Lanes>;
     struct bits {
         std::int64_t v[Lanes];
         friend bits operator+(bits a, std::int64_t b) {
@@ -148,7 +201,52 @@ LOMMEL_INLINE V splat(Real x) {
 }
 template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
-    return V::each(a, b, [](double x, double y) { return x > y ? x : y; });
+    return V::each(a, b, [](auto x, auto y) { return x > y ? x : y; });
+}
+template <class W, class V>
+LOMMEL_INLINE W low_halves(V a, V b) {
+    W w;
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(double); ++i) {
+        std::uint64_t bits[2];
+        std::memcpy(&bits[0], &a.v[i], sizeof(double));
+        std::memcpy(&bits[1], &b.v[i], sizeof(double));
+        w.v[2 * i] = static_cast<std::uint32_t>(bits[0]);
+        w.v[2 * i + 1] = static_cast<std::uint32_t>(bits[1]);
+    }
+    return w;
+}
+template <class V, class W>
+LOMMEL_INLINE V signed_floats(W w) {
+    V v;
+    for (std::size_t i = 0; i < sizeof(W) / sizeof(float); ++i) {
+        v.v[i] = static_cast<float>(static_cast<std::int32_t>(w.v[i]));
+    }
+    return v;
+}
+template <class W, class V>
+LOMMEL_INLINE V choose_lanes(W at, V a, V b) {
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(float); ++i) {
+        a.v[i] = at.v[i] != 0 ? a.v[i] : b.v[i];
+    }
+    return a;
+}
+template <class V, class W>
+LOMMEL_INLINE V flipped(V v, W bits) {
+    for (std::size_t i = 0; i < sizeof(V) / sizeof(float); ++i) {
+        std::uint32_t lane;
+        std::memcpy(&lane, &v.v[i], sizeof lane);
+        lane ^= bits.v[i];
+        std::memcpy(&v.v[i], &lane, sizeof lane);
+    }
+    return v;
+}
+template <class V>
+LOMMEL_INLINE V from_bits(V x) {
+    for (float& lane : x.v) {
+        const std::int32_t whole = static_cast<std::int32_t>(lane);
+        std::memcpy(&lane, &whole, sizeof lane);
+    }
+    return x;
 }
 template <class V, class Narrow>
 LOMMEL_INLINE V converted(Narrow p) {
@@ -210,6 +308,7 @@ struct Isa {
     using pack = typename Vector<Lanes>::pack;
     using bits = typename Vector<Lanes>::bits;
     using floats = typename Vector<Lanes>::floats;
+    using turns = typename Vector<Lanes>::turns;
     static constexpr std::size_t lanes = Lanes, unroll = Unroll;
 };
 using Avx512 = Isa<8, 4>;

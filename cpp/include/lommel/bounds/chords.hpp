@@ -27,114 +27,152 @@ struct VBox {
     double left, right, top, bottom;
     VBox scaled(double by) const { return {by * left, by * right, by * top, by * bottom}; }
     // Largest distance from (x, y).
-    double reach(double x, double y) const {
-        return std::hypot(std::max(std::abs(left - x), std::abs(right - x)), std::max(std::abs(top - y), std::abs(bottom - y)));
+    double reach(double x, double y) const { return std::hypot(std::max(std::abs(left - x), std::abs(right - x)), rise(y)); }
+    // And along y.
+    double rise(double y) const { return std::max(std::abs(top - y), std::abs(bottom - y)); }
+    bool operator==(const VBox& other) const {
+        return left == other.left && right == other.right && top == other.top && bottom == other.bottom;
     }
 };
 
-// One disk with its phase and its window: a bound on the logarithm of the integrand on each curve.
+// The two sums of the rule: over chords, and over the nodes of each.
+enum class Sum { chords, nodes };
+
+// On one curve, e^exponent / e^{2 n b} bounds the error in U of a sum of size n, but for a factor close to 1.
+struct ChordLine {
+    std::size_t curve = 0;
+    double exponent = 690.0;
+
+    // Without rounding.
+    double bound(Sum sum, std::size_t n) const {
+        const double twice = 2.0 * static_cast<double>(n), b = chord_curves.b[curve];
+        const double least = std::exp(std::min(exponent - twice * b, 690.0));
+        return sum == Sum::nodes ? least : least / -std::expm1(-(twice + 2.0) * b);
+    }
+    // The size for an error, roughly; and one that is in use, above max_chords where it takes more.
+    double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
+    std::size_t enough(Sum sum, double error) const {
+        std::size_t n = rounded_chords(std::min(needed(error), 2.0 * max_chords));
+        while (n <= max_chords && bound(sum, n) > error) {
+            n = rounded_chords(static_cast<double>(n + 1));
+        }
+        return n;
+    }
+};
+
+// One disk with its phase and its window: a bound on the logarithm of the error of either sum on each curve.
 class ChordBound {
    public:
-    void prepare(const TermPairs& terms, const double* coefficients, const Amplitude& light, const VBox& window) {
-        terms_ = &terms;
+    ChordBound(const TermPairs& terms, const Amplitude& light, const VBox& window)
+        : terms_(terms), window_(window), amplitudes_(terms.degree + 1) {
+        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+            const double b = chord_curves.b[k], grown = light.uniform() ? 0.0 : light.growth(chord_curves.cosh[k]);
+            still_[0][k] = std::log1p(std::exp(-4.0 * b)) + grown;
+            still_[1][k] = std::log(32.0 / 15.0) - std::log(-std::expm1(-2.0 * b)) + grown;
+        }
+    }
+
+    void prepare(const double* coefficients) {
         double tilt_x = 0.0, tilt_y = 0.0;
         size_ = bent_ = variance_ = 0.0;
-        for (std::size_t j = 0; j < terms.terms.size(); ++j) {
+        for (std::size_t j = 0; j < terms_.terms.size(); ++j) {
+            const ZernikeTerm& term = terms_.terms[j];
             size_ += std::abs(coefficients[j]);
-            bent_ += std::abs(coefficients[j]) * static_cast<double>(terms.terms[j].n * terms.terms[j].n);
+            bent_ += std::abs(coefficients[j]) * static_cast<double>(term.n * term.n);
             // A tilt moves the image: it is taken together with v.
-            (terms.terms[j].m > 0 ? tilt_x : tilt_y) += terms.terms[j].n == 1 ? coefficients[j] : 0.0;
+            (term.m > 0 ? tilt_x : tilt_y) += term.n == 1 ? coefficients[j] : 0.0;
         }
-        reach_ = window.reach(tilt_x, tilt_y);
-        base_.size = chord_curves.constant;
-        base_.add(light);
-        amplitudes_.assign(terms.degree + 1, 0.0);
-        for (std::size_t k = terms.curved; k < terms.pairs.size(); ++k) {
-            const TermPairs::Pair& pair = terms.pairs[k];
+        std::fill(amplitudes_.begin(), amplitudes_.end(), 0.0);
+        for (std::size_t k = terms_.curved; k < terms_.pairs.size(); ++k) {
+            const TermPairs::Pair& pair = terms_.pairs[k];
             const double square = pair.square(coefficients);
             amplitudes_[pair.n] += std::sqrt(square);
             variance_ += square / static_cast<double>((pair.n + 1) * (pair.m == 0 ? 1 : 2));
         }
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            base_.add(reach_, 1);
-            growth_ = base_;
-            for (std::size_t n = 2; n <= terms.degree; ++n) {
-                growth_.add(amplitudes_[n], n);
+        // Across chords both coordinates are complex, along them one.
+        reach_[0] = window_.reach(tilt_x, tilt_y);
+        reach_[1] = window_.rise(tilt_y);
+    }
+
+    // What phase and window are at most on a curve, and their second derivatives along it and across it.
+    double size(Sum sum, std::size_t curve) const {
+        double total = reach_[at(sum)] * chord_curves.growth[1][curve];
+        for (std::size_t n = 2; n < amplitudes_.size(); ++n) {
+            total += amplitudes_[n] * chord_curves.growth[n][curve];
+        }
+        return total;
+    }
+    double bend(Sum sum, std::size_t curve) const {
+        double total = reach_[at(sum)] * chord_curves.growth[1][curve];
+        for (std::size_t n = 2; n < amplitudes_.size(); ++n) {
+            total += amplitudes_[n] * static_cast<double>(n * n) * chord_curves.growth[n][curve];
+        }
+        return total;
+    }
+
+    // With a logarithm of the integrand's size on a curve.
+    ChordLine line(Sum sum, std::size_t curve, double logarithm) const { return {curve, still_[at(sum)][curve] + logarithm}; }
+
+    // The line by which least is enough for an error, if phase and window were `share` of their size: downhill, for what is
+    // needed has one minimum, being a convex function over b.
+    ChordLine best(Sum sum, double error, double share) {
+        const auto on = [&](std::size_t curve) { return line(sum, curve, share * size(sum, curve)); };
+        std::size_t& k = start_[at(sum)];
+        k = std::min(k, highest_start);
+        ChordLine here = on(k);
+        double least = here.needed(error);
+        for (const std::size_t step : {std::size_t{1}, ~std::size_t{0}}) {
+            while (k + step < ChordCurves::count) {
+                const ChordLine next = on(k + step);
+                const double found = next.needed(error);
+                if (!(found < least)) {
+                    break;
+                }
+                here = next;
+                least = found;
+                k += step;
             }
-        });
-    }
-
-    // The curve on which a better bound on the phase would serve best, if it were `share` of the sum over terms.
-    std::size_t best_curve(double error, double share) const { return best(std::log(error) - usual, share); }
-
-    // Chords that such a bound would lead to, roughly, at most the limit.
-    std::size_t estimate(std::size_t curve, double error, double share) const {
-        return static_cast<std::size_t>(
-            std::min(static_cast<double>(max_chords), chords_on(curve, std::log(error) - usual, share)));
-    }
-
-    // Takes a bound on the phase on one curve in place of the sum over terms.
-    void sharpen(std::size_t curve, double phase) {
-        growth_.size[curve] = std::min(growth_.size[curve], base_.size[curve] + phase);
+        }
+        return here;
     }
 
     double size() const { return size_; }
     double variance() const { return variance_; }
 
-    // Chords for an error in U; throws PhaseTooLarge beyond the limit.
-    std::size_t chords(double error) const {
-        // From below: without (2N+1)^1.5, then with that of as many chords as this takes, and without the sum.
-        const auto from = [&](double target) { return chords_on(best(target, 1.0), target, 1.0); };
-        double least = from(std::log(error));
-        least = from(std::log(error) - 1.5 * std::log1p(2.0 * std::max(0.0, least)));
-        if (least <= static_cast<double>(max_chords)) {
-            std::size_t chords = rounded_chords(least);
-            while (chords <= max_chords && bound(chords) > error) {
-                chords = rounded_chords(static_cast<double>(chords + 1));
-            }
-            if (chords <= max_chords) {
-                return chords;
-            }
-            least = static_cast<double>(chords);
-        }
-        throw PhaseTooLarge("phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_) +
-                            ") take " + shortened(least) + " chords, more than the limit of " + std::to_string(max_chords));
+    // The rounding of the phase, of the kernel and of two sums; and of nodes and terms, where their tables are made in double.
+    double rounding() const {
+        const double terms = static_cast<double>(terms_.terms.size() + terms_.degree);
+        return unit_roundoff * (36.0 + (terms + 7.0) * size_ + 3.0 * reach_[0] + (wider ? 0.0 : 3.0 * bent_ + 6.0 * reach_[0]));
+    }
+    static double rounding(std::size_t chords, std::size_t nodes) {
+        return unit_roundoff * static_cast<double>(2 * chords + (wider ? 1 : 2) * nodes);
     }
 
-    // The error in U of the rule with that many chords, exact for polynomials of degree 2N - 1, without rounding.
-    double bound(std::size_t chords) const { return growth_.distance(2 * chords - 1); }
+    // What is added where sums are in single precision, and phases are sums of so many terms in units of 2^-32 turns.
+    static double single_rounding(double chords, double nodes, std::size_t terms) {
+        constexpr double single = 5.9604644775390625e-08;
+        return single * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
+    }
 
-    // The rounding of the phase, of the kernel and of two sums; and of nodes and terms, where their tables are made in double.
-    double rounding(std::size_t chords) const {
-        const double terms = static_cast<double>(terms_->terms.size() + terms_->degree);
-        return unit_roundoff * (3.0 * (static_cast<double>(chords) + 12.0) + (terms + 7.0) * size_ + 3.0 * reach_ +
-                                (wider ? 0.0 : 3.0 * bent_ + 6.0 * reach_));
+    [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error) const {
+        throw PhaseTooLarge("phases and windows this large (" + shortened(size_) + " rad, v up to " + shortened(reach_[0]) +
+                            ") take " + shortened(std::ceil(line.needed(error))) +
+                            (sum == Sum::chords ? " chords" : " nodes on each chord") + ", more than the limit of " +
+                            std::to_string(max_chords));
     }
 
    private:
-    static constexpr double usual = 6.0;  // what (2N+1)^1.5 and the sum add to a logarithm
+    // Beyond, the growth of the highest degrees is cut off.
+    static constexpr std::size_t highest_start = 56;
 
-    // Chords for bounds of e^target by one curve, if the phase counts as `share` of the sum over terms, and no more than the
-    // size on the curve; and where these are fewest.
-    double chords_on(std::size_t k, double target, double share) const {
-        return 0.5 * (base_.size[k] + share * (growth_.size[k] - base_.size[k]) - target) * chord_curves.inverse[k];
-    }
-    std::size_t best(double target, double share) const {
-        std::size_t at = 0;
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-            ChordCurves::Values chords;
-            for (std::size_t k = 0; k < ChordCurves::count; ++k) {
-                chords[k] = chords_on(k, target, share);
-            }
-            at = least_at(chords);
-        });
-        return at;
-    }
+    static std::size_t at(Sum sum) { return sum == Sum::chords ? 0 : 1; }
 
-    const TermPairs* terms_ = nullptr;
-    ChordGrowth base_, growth_;  // without and with the phase
+    const TermPairs& terms_;
+    VBox window_;
+    ChordCurves::Values still_[2];  // of each sum, without phase and window
     std::vector<double> amplitudes_;  // of each degree
-    double size_ = 0.0, bent_ = 0.0, reach_ = 0.0, variance_ = 0.0;
+    double size_ = 0.0, bent_ = 0.0, variance_ = 0.0, reach_[2] = {0.0, 0.0};
+    std::size_t start_[2] = {ChordCurves::count / 2, ChordCurves::count / 2};
 };
 
 }  // namespace lommel

@@ -12,7 +12,7 @@
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/bounds/settle.hpp"
-#include "lommel/chordal/sharp.hpp"
+#include "lommel/chordal/lines.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/chordal/transform.hpp"
 #include "lommel/pixels/render.hpp"
@@ -30,6 +30,12 @@ struct ChordalBudget {
     // Of the error of U, on the disk and the obscured one where there is one.
     static constexpr double outer = 0.6, inner = 0.4;
     static_assert(outer + inner <= 1.0);
+    // Of that of a disk, on the sum over chords, the most; those over their nodes have the rest.
+    static constexpr double chords = 0.7;
+    static_assert(chords < 1.0);
+    // Of tolerance and peak, on U and its rounding to single precision, where sums have that: twice as much as of a peak that is
+    // likely; and of this the most that may be rounding.
+    static constexpr double single = 0.6, rounding = 0.7;
     // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked.
     static constexpr double again = 0.3, least = 1e-3;
 };
@@ -39,33 +45,51 @@ class ChordalRenderer {
    public:
     ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
         : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column), step_(window.step), tol_(tol),
-          threads_(threads), answer_(answer), terms_(stack.terms),
-          box_{step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
-          area_(stack.obscuration * stack.obscuration), inner_amplitude_(stack.amplitude.scaled(area_)), states_(stack.count) {}
+          threads_(threads), answer_(answer), area_(stack.obscuration * stack.obscuration),
+          lines_(stack, {step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
+                 static_cast<double>(rows_.at.size()), static_cast<double>(rows_.count * columns_.at.size()), threads),
+          states_(stack.count) {}
 
     void run() {
-        sharpen(stack_.outer.data(), 1.0, &State::far);
+        const double bright = stack_.amplitude.integral(stack_.obscuration);
+        const auto first = [&](std::size_t p, const ChordBound& bound) {
+            check_phase(bound.size());
+            // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
+            return states_[p].error = ChordalBudget::field * tol_ * 0.5 * bright / std::sqrt(1.0 + bound.variance());
+        };
+        lines_.find(stack_.outer.data(), 1.0, first, [&](std::size_t p) -> ChordDisk& { return states_[p].far; });
         if (area_ > 0.0) {
-            sharpen(stack_.inner.data(), stack_.obscuration, &State::near);
+            const auto same = [&](std::size_t p, const ChordBound&) { return states_[p].error; };
+            lines_.find(stack_.inner.data(), stack_.obscuration, same,
+                        [&](std::size_t p) -> ChordDisk& { return states_[p].near; });
         }
-        ChordBound outer, inner;
         std::vector<std::size_t> pending(stack_.count);
         std::iota(pending.begin(), pending.end(), std::size_t{0});
         const auto attempt = [&] {
             for (const std::size_t p : pending) {
                 look();
                 State& s = states_[p];
-                prepare(p, outer, inner);
-                const double rounding = outer.rounding(0) + stack_.lost[p];
+                const double rounding = s.far.rounding + stack_.lost[p];
                 s.at_rounding = s.error < rounding;
                 s.error = std::max(s.error, rounding);
-                s.chords = outer.chords(area_ > 0.0 ? ChordalBudget::outer * s.error : s.error);
-                s.inner = area_ > 0.0 ? inner.chords(ChordalBudget::inner * s.error / area_) : 0;
+                const double error = s.single ? singly(p) : s.error;
+                choose(p, 1.0, s.far, area_ > 0.0 ? ChordalBudget::outer * error : error);
+                if (area_ > 0.0) {
+                    choose(p, stack_.obscuration, s.near, ChordalBudget::inner * error / area_);
+                }
             }
             std::sort(pending.begin(), pending.end(), [&](std::size_t a, std::size_t b) {
-                return states_[a].chords != states_[b].chords ? states_[a].chords < states_[b].chords : a < b;
+                const ChordCount &i = states_[a].far.count, &j = states_[b].far.count;
+                if (states_[a].single != states_[b].single) {
+                    return states_[a].single;
+                }
+                return i.chords != j.chords ? i.chords < j.chords : i.nodes != j.nodes ? i.nodes < j.nodes : a < b;
             });
-            dispatch_batches(pending);
+            const auto end =
+                std::partition_point(pending.begin(), pending.end(), [&](std::size_t p) { return states_[p].single; });
+            const std::size_t singles = static_cast<std::size_t>(end - pending.begin());
+            dispatch_batches<float>(pending.data(), singles);
+            dispatch_batches<double>(pending.data() + singles, pending.size() - singles);
             double worst = 0.0;
             for (const std::size_t p : pending) {
                 worst = std::max(worst, states_[p].relative);
@@ -76,178 +100,142 @@ class ChordalRenderer {
             const auto done = [&](std::size_t p) { return states_[p].relative <= tol_; };
             pending.erase(std::remove_if(pending.begin(), pending.end(), done), pending.end());
             bool more = true;
+            ChordBound outer = lines_.bound_of(1.0), inner = lines_.bound_of(stack_.obscuration);
             for (const std::size_t p : pending) {
                 State& s = states_[p];
                 more = more && !s.at_rounding;
                 const double wanted = ChordalBudget::field * tol_ * std::sqrt(s.peak);
-                s.error = std::min(ChordalBudget::again * s.error, std::max(wanted, ChordalBudget::least * s.error));
+                // Double precision alone may do.
+                s.error = std::min((s.single ? 1.0 : ChordalBudget::again) * s.error,
+                                   std::max(wanted, ChordalBudget::least * s.error));
+                s.single = false;
+                const std::size_t from = p * stack_.terms.size();
+                ChordLines::renew(outer, stack_.outer.data() + from, s.error, s.far);
+                if (area_ > 0.0) {
+                    ChordLines::renew(inner, stack_.inner.data() + from, s.error, s.near);
+                }
             }
             return more;
         });
     }
 
    private:
-    static constexpr double expected_share = 0.6;  // of the sampled bound in the sum over terms, usually
-
-    struct Sharp {
-        std::size_t curve = 0;
-        double phase = 1e300;
-    };
     struct State {
         double error = 0.0, relative = 1e300, peak = 0.0;
-        std::size_t chords = 0, inner = 0;
-        bool at_rounding = false;  // less than this error cannot be asked for
-        Sharp far, near;  // of the whole disk and of the obscured one
+        bool at_rounding = false;                  // less than this error cannot be asked for
+        bool single = sizeof(T) == sizeof(float);  // whether sums are in single precision
+        ChordDisk far, near;                       // the whole disk and the obscured one
     };
 
-    void prepare(std::size_t p, ChordBound& outer, ChordBound& inner) const {
-        outer.prepare(terms_, stack_.outer.data() + p * stack_.terms.size(), stack_.amplitude, box_);
-        if (area_ > 0.0) {
-            inner.prepare(terms_, stack_.inner.data() + p * stack_.terms.size(), inner_amplitude_,
-                          box_.scaled(stack_.obscuration));
-            inner.sharpen(states_[p].near.curve, states_[p].near.phase);
+    double wrong(const ChordDisk& disk, const ChordCount& n, bool single) const {
+        return disk.chords.line.bound(Sum::chords, n.chords) + disk.nodes.line.bound(Sum::nodes, n.nodes) + disk.rounding +
+               ChordBound::rounding(n.chords, n.nodes) +
+               (single ? ChordBound::single_rounding(static_cast<double>(n.chords), static_cast<double>(n.nodes),
+                                                     stack_.terms.size())
+                       : 0.0);
+    }
+
+    // The error to ask for where sums are in single precision; or in double precision, if that leaves too little.
+    double singly(std::size_t p) {
+        State& s = states_[p];
+        const double chords = s.far.chords.line.needed(s.error), nodes = s.far.nodes.line.needed(s.error);
+        const double rounding = (1.0 + area_) * ChordBound::single_rounding(chords, nodes, stack_.terms.size());
+        const double all = s.error * (ChordalBudget::single / ChordalBudget::field) * (answer_.scales[p] == 0.0 ? 0.5 : 1.0);
+        s.single = rounding <= ChordalBudget::rounding * all;
+        return s.single ? std::min(s.error, all - rounding) : s.error;
+    }
+
+    void choose(std::size_t p, double scale, ChordDisk& disk, double error) const {
+        const std::size_t chords = disk.chords.line.enough(Sum::chords, ChordalBudget::chords * error);
+        disk.count.chords = std::max(disk.least, chords);
+        const double rest = error - disk.chords.line.bound(Sum::chords, disk.count.chords);
+        disk.count.nodes = chords > max_chords ? 0 : disk.nodes.line.enough(Sum::nodes, rest);
+        if (std::max(disk.count.chords, disk.count.nodes) > max_chords) {
+            const bool many = disk.count.chords > max_chords;
+            ChordBound bound = lines_.bound_of(scale);
+            bound.prepare((scale == 1.0 ? stack_.outer : stack_.inner).data() + p * stack_.terms.size());
+            bound.refuse(many ? Sum::chords : Sum::nodes, many ? disk.chords.line : disk.nodes.line,
+                         many ? ChordalBudget::chords * error : rest);
         }
-        outer.sharpen(states_[p].far.curve, states_[p].far.phase);
     }
 
-    // Roughly the vector operations for a vector of pupils, counted, not measured, as those of samples are.
-    double work(std::size_t chords) const {
-        const double n = static_cast<double>(chords), rows = static_cast<double>(rows_.at.size());
-        return n * n * (45.0 + static_cast<double>(stack_.terms.size()) + 2.0 * rows) +
-               2.0 * n * static_cast<double>(rows_.count * columns_.at.size());
-    }
-
-    // Bounds the phases of one disk by samples, on the curve that suits each, where that is worth its work; before that, of the
-    // whole disk, the first error.
-    void sharpen(const double* coefficients, double scale, Sharp State::* which) {
-        std::vector<std::size_t> worth;
-        const double samples = SharpTable::work(terms_), bright = stack_.amplitude.integral(stack_.obscuration);
-        const Amplitude light = stack_.amplitude.scaled(scale * scale);
-        const VBox box = box_.scaled(scale);
-        ChordBound bound;
-        const std::size_t terms = stack_.terms.size();
-        for (std::size_t p = 0; p < stack_.count; ++p) {
-            look();
-            bound.prepare(terms_, coefficients + p * terms, light, box);
-            double& error = states_[p].error;
-            if (scale == 1.0) {
-                check_phase(bound.size());
-                // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
-                error = ChordalBudget::field * tol_ * 0.5 * bright / std::sqrt(1.0 + bound.variance());
-            }
-            const std::size_t curve = bound.best_curve(error, expected_share), plain = bound.estimate(curve, error, 1.0);
-            const double gain = work(plain) - work(bound.estimate(curve, error, expected_share));
-            if (gain > 1.5 * samples) {
-                (states_[p].*which).curve = curve;
-                worth.push_back(p);
-            }
-        }
-        std::sort(worth.begin(), worth.end(), [&](std::size_t a, std::size_t b) {
-            const std::size_t i = (states_[a].*which).curve, j = (states_[b].*which).curve;
-            return i != j ? i < j : a < b;
-        });
-        const std::size_t lanes = vector_lanes(), batches = (worth.size() + lanes - 1) / lanes;
-        std::vector<std::shared_ptr<const SharpTable>> tables(batches);
-        for (std::size_t b = 0; b < batches; ++b) {
-            const std::size_t curve = (states_[worth[b * lanes]].*which).curve;
-            const bool same = b > 0 && tables[b - 1]->b == chord_curves.b[curve];
-            tables[b] = same ? tables[b - 1] : cache<SharpTable>.get(stack_.terms, chord_curves.b[curve]);
-        }
-        parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
-            thread_local Doubles given, room;
-            const std::size_t* pupils = worth.data() + b * lanes;
-            const std::size_t here = std::min(lanes, worth.size() - b * lanes);
-            const SharpTable& table = *tables[b];
-            given.assign(2 * table.pairs.size() * lanes, 0.0);
-            room.resize(2 * table.harmonics * lanes);
-            for (std::size_t lane = 0; lane < here; ++lane) {
-                sharp_lane(table, coefficients + pupils[lane] * terms, lane, lanes, given.data());
-            }
-            double found[row_lanes];
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { store(found, sharp_size(isa, table, given.data(), room.data())); });
-            for (std::size_t lane = 0; lane < here; ++lane) {
-                (states_[pupils[lane]].*which) = {(states_[pupils[0]].*which).curve, found[lane]};
-            }
-        });
-    }
-
-    static std::size_t vector_lanes() {
-        std::size_t lanes = Portable::lanes;
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { lanes = decltype(isa)::lanes; });
-        return lanes;
-    }
-
-    std::shared_ptr<const KernelTable> kernel(std::size_t chords, double step) const {
-        if (KernelTable::bytes(chords, rows_.at.size()) > max_table_bytes) {
+    template <class Real>
+    std::shared_ptr<const KernelTable<Real>> kernel(const ChordCount& count, double step) const {
+        if (KernelTable<Real>::bytes(count, rows_.at.size()) > max_table_bytes) {
             throw PhaseTooLarge("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
-                                std::to_string(chords) + " chords, whose tables exceed the limit of 256 MiB");
+                                std::to_string(count.chords) + " chords of " + std::to_string(count.nodes) +
+                                " nodes, whose tables exceed the limit of 256 MiB");
         }
-        return cache<KernelTable>.get(chords, rows_, columns_, step);
+        return cache<KernelTable<Real>>.get(count, rows_, columns_, step);
     }
 
+    template <class Real>
     struct Tables {
         std::shared_ptr<const TermTable> terms;
-        std::shared_ptr<const KernelTable> kernel;
+        std::shared_ptr<const KernelTable<Real>> kernel;
     };
 
-    Tables tables(std::size_t chords, double scale) const {
+    template <class Real>
+    Tables<Real> tables(const ChordCount& count, double scale) const {
         // The kernel first: it knows when there are too many chords.
-        const auto k = kernel(chords, scale * step_);
-        return {cache<TermTable>.get(chords, stack_.terms, stack_.amplitude.scaled(scale * scale)), k};
+        const auto k = kernel<Real>(count, scale * step_);
+        return {cache<TermTable>.get(count, stack_.terms, stack_.amplitude.scaled(scale * scale)), k};
     }
 
-    void dispatch_batches(const std::vector<std::size_t>& pending) {
-        const std::size_t lanes = vector_lanes(), batches = (pending.size() + lanes - 1) / lanes;
+    template <class Real>
+    void dispatch_batches(const std::size_t* pending, std::size_t pupils) {
+        const std::size_t lanes = vector_lanes() * sizeof(double) / sizeof(Real), batches = (pupils + lanes - 1) / lanes;
         // Tables before threads, so that no thread waits for another to make them.
-        std::vector<Tables> outer(batches), inner(batches);
+        std::vector<Tables<Real>> outer(batches), inner(batches);
         for (std::size_t b = 0; b < batches; ++b) {
-            std::size_t chords = 0, within = 0;
-            for (std::size_t i = b * lanes; i < std::min(pending.size(), (b + 1) * lanes); ++i) {
-                chords = std::max(chords, states_[pending[i]].chords);
-                within = std::max(within, states_[pending[i]].inner);
+            ChordCount far, near;
+            for (std::size_t i = b * lanes; i < std::min(pupils, (b + 1) * lanes); ++i) {
+                far.include(states_[pending[i]].far.count);
+                near.include(states_[pending[i]].near.count);
             }
-            const bool same = b > 0 && outer[b - 1].terms->chords == chords;
-            outer[b] = same ? outer[b - 1] : tables(chords, 1.0);
+            const bool same = b > 0 && outer[b - 1].terms->count == far;
+            outer[b] = same ? outer[b - 1] : tables<Real>(far, 1.0);
             if (area_ > 0.0) {
-                const bool alike = b > 0 && inner[b - 1].terms->chords == within;
-                inner[b] = alike ? inner[b - 1] : tables(within, stack_.obscuration);
+                const bool alike = b > 0 && inner[b - 1].terms->count == near;
+                inner[b] = alike ? inner[b - 1] : tables<Real>(near, stack_.obscuration);
             }
         }
         parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
-            thread_local ChordalScratch scratch;
-            const std::size_t first = b * lanes, here = std::min(lanes, pending.size() - first);
-            dispatch([&](auto isa)
-                         LOMMEL_INLINE_LAMBDA { batch(isa, pending.data() + first, here, outer[b], inner[b], scratch); });
+            thread_local ChordalScratch<Real> scratch;
+            const std::size_t first = b * lanes, here = std::min(lanes, pupils - first);
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { batch(isa, pending + first, here, outer[b], inner[b], scratch); });
         });
     }
 
-    template <class I>
+    template <class I, class Real>
     LOMMEL_INLINE void gather(I, const double* coefficients, const std::size_t* pupils, std::size_t here,
-                              const TermTable& table, ChordalScratch& scratch) const {
+                              const TermTable& table, ChordalScratch<Real>& scratch) const {
+        using Wave = Waves<I, Real>;
         const std::size_t terms = stack_.terms.size();
-        scratch.coefficients.resize(terms * I::lanes);
-        for (std::size_t j = 0; j < terms; ++j) {
-            for (std::size_t lane = 0; lane < I::lanes; ++lane) {
-                // Lanes without a pupil repeat the last one.
-                const std::size_t p = pupils[std::min(lane, here - 1)];
-                scratch.coefficients[j * I::lanes + lane] = coefficients[p * terms + table.order[j]];
+        scratch.coefficients.resize(terms * Wave::lanes);
+        for (std::size_t lane = 0; lane < Wave::lanes; ++lane) {
+            // Lanes without a pupil repeat the last one.
+            const double* own = coefficients + pupils[std::min(lane, here - 1)] * terms;
+            for (std::size_t j = 0; j < terms; ++j) {
+                scratch.coefficients[j * Wave::lanes + Wave::place(lane)] = Wave::unit * own[table.classes.order[j]];
             }
         }
     }
 
-    template <class I>
-    LOMMEL_INLINE void batch(I isa, const std::size_t* pupils, std::size_t here, const Tables& outer, const Tables& inner,
-                             ChordalScratch& scratch) {
-        using V = typename I::pack;
-        constexpr std::size_t lanes = I::lanes;
+    template <class I, class Real>
+    LOMMEL_INLINE void batch(I isa, const std::size_t* pupils, std::size_t here, const Tables<Real>& outer,
+                             const Tables<Real>& inner, ChordalScratch<Real>& scratch) {
+        using V = typename Waves<I, Real>::V;
+        constexpr std::size_t lanes = Waves<I, Real>::lanes;
         const std::size_t width = columns_.count, pixels = rows_.count * width;
         if (area_ > 0.0) {
             scratch.inner.resize(pixels * 2 * lanes);
-            double* kept = scratch.inner.data();
+            Real* kept = scratch.inner.data();
+            const V area = splat<V>(static_cast<Real>(area_));
             gather(isa, stack_.inner.data(), pupils, here, *inner.terms, scratch);
-            chordal_fields(isa, *inner.terms, *inner.kernel, scratch, [&](std::size_t y, const double* u) LOMMEL_INLINE_LAMBDA {
+            chordal_fields(isa, *inner.terms, *inner.kernel, scratch, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
                 for (std::size_t j = 0; j < 2 * width * lanes; j += lanes) {
-                    store(kept + 2 * y * width * lanes + j, load<V>(u + j) * splat<V>(area_));
+                    store(kept + 2 * y * width * lanes + j, load<V>(u + j) * area);
                 }
             });
         }
@@ -257,11 +245,11 @@ class ChordalRenderer {
             scale[lane] = given == 0.0 ? 1.0 : given;
         }
         scratch.intensity.resize(width * lanes);
-        double* intensity = scratch.intensity.data();
-        V top = splat<V>(0.0);
+        Real* intensity = scratch.intensity.data();
+        V top = splat<V>(Real(0));
         gather(isa, stack_.outer.data(), pupils, here, *outer.terms, scratch);
-        chordal_fields(isa, *outer.terms, *outer.kernel, scratch, [&](std::size_t y, const double* u) LOMMEL_INLINE_LAMBDA {
-            const double* less = area_ > 0.0 ? scratch.inner.data() + 2 * y * width * lanes : nullptr;
+        chordal_fields(isa, *outer.terms, *outer.kernel, scratch, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
+            const Real* less = area_ > 0.0 ? scratch.inner.data() + 2 * y * width * lanes : nullptr;
             for (std::size_t x = 0; x < width; ++x) {
                 V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
                 if (less != nullptr) {
@@ -276,25 +264,23 @@ class ChordalRenderer {
                 T* to = answer_.images + pupils[lane] * pixels + y * width;
                 const double by = scale[lane];
                 for (std::size_t x = 0; x < width; ++x) {
-                    to[x] = static_cast<T>(by * intensity[x * lanes + lane]);
+                    to[x] = static_cast<T>(by * static_cast<double>(intensity[x * lanes + lane]));
                 }
             }
         });
-        double peaks[lanes];
+        Real peaks[lanes];
         store(peaks, top);
-        thread_local ChordBound far, near;
         for (std::size_t lane = 0; lane < here; ++lane) {
-            finish(pupils[lane], peaks[lane], outer, inner, far, near);
+            finish<Real>(pupils[lane], static_cast<double>(peaks[lane]), outer, inner);
         }
     }
 
-    void finish(std::size_t p, double peak, const Tables& outer, const Tables& inner, ChordBound& far, ChordBound& near) {
+    template <class Real>
+    void finish(std::size_t p, double peak, const Tables<Real>& outer, const Tables<Real>& inner) {
         State& s = states_[p];
-        prepare(p, far, near);
-        double error = stack_.lost[p] + far.bound(outer.terms->chords) + far.rounding(outer.terms->chords);
-        if (area_ > 0.0) {
-            error += area_ * (near.bound(inner.terms->chords) + near.rounding(inner.terms->chords));
-        }
+        const bool single = sizeof(Real) == sizeof(float);
+        const double error = stack_.lost[p] + wrong(s.far, outer.terms->count, single) +
+                             (area_ > 0.0 ? area_ * wrong(s.near, inner.terms->count, single) : 0.0);
         s.peak = peak;
         const bool divide = answer_.scales[p] == 0.0;
         s.relative = finished_error<T>(relative_error(peak, error), divide, true);
@@ -315,10 +301,8 @@ class ChordalRenderer {
     double step_, tol_;
     int threads_;
     DiskAnswer<T> answer_;
-    TermPairs terms_;
-    VBox box_;
     double area_;
-    Amplitude inner_amplitude_;
+    ChordLines lines_;
     std::vector<State> states_;
 };
 

@@ -1,5 +1,5 @@
-// The largest imaginary part of a whole phase on the curves phi = a + ib through the chords, by samples and the theorem
-// about trigonometric polynomials between them: sharper than the sum over terms, and worth its work for strong phases.
+// The mean of the integrand's modulus on the curves by which the sums of the chordal rule are bounded, at the worst place of
+// the window: sharper than the largest value that each term may have, and worth its work for strong phases.
 #pragma once
 
 #include <algorithm>
@@ -11,117 +11,199 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
+#include "lommel/chordal/tables.hpp"
 #include "lommel/special/radial_polynomials.hpp"
 
 namespace lommel {
 
-// For one b: terms at the samples (phi, eta), and harmonics at the samples of the direction theta of the chords.
+// For one curve of one sum: terms at samples of a quarter of it, sorted as at the nodes, and shares of the mean at the corners
+// of the window. A sample at (x, y) stands for (+-x, +-y) and their conjugates.
 struct SharpTable {
-    TermPairs list;
-    std::vector<TermPairs::Pair> pairs;  // of them, those of degree 2 and more
-    double b, margin = 1.0;  // what the largest sample is multiplied by
-    std::size_t points, directions, harmonics;
-    Doubles values;                 // [point][pair][cosine, sine]
-    Doubles waves;                  // [direction][m][cos, sin]
+    static constexpr std::size_t images = 4, corners = 4;
+    static constexpr double single = 5.9604644775390625e-08;  // the unit roundoff of floats
 
-    SharpTable(const std::vector<ZernikeTerm>& terms, double curve)
-        : list(terms), pairs(list.pairs.begin() + static_cast<std::ptrdiff_t>(list.curved), list.pairs.end()), b(curve) {
-        const std::size_t degree = std::max<std::size_t>(2, list.degree);
-        harmonics = degree + 1;
-        // A whole turn has 2 `across` samples of phi, 4 `turns` of theta; eta those of Chebyshev, of which half suffice:
-        // the others, like the other half turns, are the same points or their opposites or conjugates.
-        const std::size_t across = samples(degree), half = (samples(degree) + 1) / 2, turns = half;
-        points = across * half;
-        directions = turns + 1;
-        const wide pi = std::acos(wide(-1));
-        values.resize(points * pairs.size() * 2);
-        double* to = values.data();
-        for (std::size_t p = 0; p < across; ++p) {
-            const std::complex<wide> angle(pi * static_cast<wide>(p) / static_cast<wide>(across), b);
-            for (std::size_t q = 0; q < half; ++q) {
+    std::vector<ZernikeTerm> terms;
+    Sum sum;
+    std::size_t curve;
+    double b;
+    VBox box;
+    TermClasses classes;
+    std::size_t samples;
+    double step;         // between samples
+    double scale = 0.0;  // the logarithm of what shares are divided by
+    Floats values;       // [sample][term]
+    Floats shares;       // [sample][image][+, - its phase][corner]
+    std::vector<double> most;  // of each term in size
+
+    SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window)
+        : terms(list), sum(which), curve(at), b(chord_curves.b[at]), box(window), classes(list) {
+        const std::size_t degree = TermPairs(list).degree, last = quarter(degree), side = last + 1;
+        samples = side * side;
+        step = std::acos(-1.0) / static_cast<double>(2 * last);
+        for (const ZernikeTerm& term : list) {
+            most.push_back(std::sinh(static_cast<double>(term.n) * b));
+        }
+        values.resize(samples * list.size());
+        std::vector<double> exponents(samples * images * 2 * corners);
+        const double tips[corners][2] = {
+            {box.left, box.top}, {box.right, box.top}, {box.left, box.bottom}, {box.right, box.bottom}};
+        for (std::size_t p = 0; p < side; ++p) {
+            for (std::size_t q = 0; q < side; ++q) {
                 look();
-                const wide eta = std::cos(pi * static_cast<wide>(2 * q + 1) / static_cast<wide>(4 * half));
-                const std::complex<wide> x = std::cos(angle), y = eta * std::sin(angle);
-                for (const TermPairs::Pair& pair : pairs) {
-                    const std::int32_t n = static_cast<std::int32_t>(pair.n), m = static_cast<std::int32_t>(pair.m);
-                    *to++ = static_cast<double>(zernike_value(ZernikeTerm{n, m}, x, y).imag());
-                    *to++ = m == 0 ? 0.0 : static_cast<double>(zernike_value(ZernikeTerm{n, -m}, x, y).imag());
+                const std::size_t s = p * side + q;
+                const std::complex<wide> one(step * static_cast<double>(p), sum == Sum::chords ? b : 0.0);
+                const std::complex<wide> two(step * static_cast<double>(q), sum == Sum::nodes ? b : 0.0);
+                const std::complex<wide> x = std::cos(one), y = std::sin(one) * std::cos(two);
+                const double rise_x = static_cast<double>(x.imag()), rise_y = static_cast<double>(y.imag());
+                for (std::size_t j = 0; j < list.size(); ++j) {
+                    values[s * list.size() + j] = static_cast<float>(zernike_value(list[classes.order[j]], x, y).imag());
+                }
+                for (std::size_t place = 0; place < images * 2 * corners; ++place) {
+                    const std::size_t corner = place % corners, sign = place / corners % 2, image = place / corners / 2;
+                    const double here = (image < 2 ? 1.0 : -1.0) * tips[corner][0] * rise_x +
+                                        (image % 2 == 0 ? 1.0 : -1.0) * tips[corner][1] * rise_y;
+                    exponents[s * images * 2 * corners + place] = sign == 0 ? -here : here;
+                    scale = std::max(scale, std::abs(here));
                 }
             }
         }
-        waves.resize(directions * harmonics * 2);
-        for (std::size_t d = 0; d < directions; ++d) {
-            for (std::size_t m = 0; m < harmonics; ++m) {
-                const wide angle = pi * static_cast<wide>(d * m) / static_cast<wide>(2 * turns);
-                waves[2 * (d * harmonics + m)] = static_cast<double>(std::cos(angle));
-                waves[2 * (d * harmonics + m) + 1] = static_cast<double>(std::sin(angle));
-            }
+        const std::vector<double> first = firsts(last), second = seconds(last);
+        shares.resize(exponents.size());
+        for (std::size_t j = 0; j < shares.size(); ++j) {
+            const std::size_t s = j / (images * 2 * corners);
+            const double share = first[s / side] * second[s % side] * std::exp(exponents[j] - scale);
+            shares[j] = static_cast<float>(std::max(share, 1e-35));
         }
-        // Half a step from a sample, a polynomial of that degree has not fallen below this share of its largest value.
-        const double d = static_cast<double>(degree), quarter = 0.5 * std::acos(-1.0) * d;
-        margin = (1.0 + 1e-9) /
-                 (std::cos(quarter / static_cast<double>(across)) * std::cos(quarter / static_cast<double>(2 * half)) *
-                  std::cos(quarter / static_cast<double>(2 * turns)));
     }
 
-    static std::size_t samples(std::size_t degree) { return (7 * degree + 1) / 2; }
-    // Vector operations for a vector of pupils.
-    static double work(const TermPairs& list) {
-        const double degree = static_cast<double>(std::max<std::size_t>(2, list.degree)), s = 3.5 * degree;
-        return 0.5 * s * s * (2.0 * static_cast<double>(list.terms.size()) + 0.5 * s * (2.0 * degree + 11.0));
+    // Steps of a quarter of a turn.
+    static std::size_t quarter(std::size_t degree) { return (5 * std::max<std::size_t>(2, degree) + 1) / 2; }
+    // Where values of terms are well within the range of floats.
+    static bool serves(std::size_t degree, std::size_t curve) {
+        return static_cast<double>(degree) * chord_curves.b[curve] <= 15.0;
     }
-    bool is(const std::vector<ZernikeTerm>& terms, double curve) const { return b == curve && list.terms == terms; }
-    std::size_t bytes() const { return (values.size() + waves.size()) * sizeof(double); }
-    static constexpr std::size_t most_bytes = std::size_t{96} << 20;
+    // Sums over nodes have so many chords at least.
+    static constexpr std::size_t least_chords = 16;
+
+    // Of a mean of samples, from what sharp_means() finds.
+    double logarithm(float top, float mean) const {
+        return static_cast<double>(top) + std::log(static_cast<double>(mean)) + scale;
+    }
+    // What the logarithm of the mean is at most beyond the one that samples have: between them, by the second derivatives along
+    // both directions, `bend` at most; and by rounding, of terms and of sums.
+    double margin(double bend, const double* coefficients) const {
+        double size = 0.0;
+        for (std::size_t j = 0; j < terms.size(); ++j) {
+            size += std::abs(coefficients[j]) * most[j];
+        }
+        return 0.25 * step * step * bend + 1e-3 +
+               single * (static_cast<double>(terms.size() + 10) * size + static_cast<double>(8 * samples));
+    }
+    // Vector operations for a vector of doubles' worth of pupils.
+    static double work(const TermPairs& list) {
+        const double side = static_cast<double>(quarter(list.degree) + 1);
+        return 0.5 * side * side * (static_cast<double>(list.terms.size()) + 110.0);
+    }
+    bool is(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window) const {
+        return sum == which && curve == at && box == window && terms == list;
+    }
+    std::size_t bytes() const { return (values.size() + shares.size()) * sizeof(float); }
+    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
+
+   private:
+    // Means of hats around the samples, those of which fewer than eight images differ with half their shares. Over the chords' a
+    // with the weight |sin(a + ib)|^2; over chords where they lie, the most that sums over any number of them have.
+    std::vector<double> firsts(std::size_t last) const {
+        std::vector<double> found(last + 1);
+        if (sum == Sum::chords) {
+            const double level = 0.5 * std::cosh(2.0 * b), hat = std::sin(step) / step;
+            for (std::size_t p = 0; p <= last; ++p) {
+                const double falls = 0.5 * std::cos(2.0 * step * static_cast<double>(p)) * hat * hat;
+                found[p] = (p % last == 0 ? 0.5 : 1.0) / static_cast<double>(4 * last) * (level - falls) / level;
+            }
+            return found;
+        }
+        for (std::size_t chords = least_chords; chords <= max_chords;
+             chords = rounded_chords(static_cast<double>(chords + 1))) {
+            std::vector<double> here(2 * last + 2);
+            for (std::size_t i = 1; i <= chords; ++i) {
+                const double angle = std::acos(-1.0) * static_cast<double>(i) / static_cast<double>(chords + 1);
+                const double weight = 2.0 * std::sin(angle) * std::sin(angle) / static_cast<double>(chords + 1);
+                const double place = angle / step, whole = std::floor(place), part = place - whole;
+                here[static_cast<std::size_t>(whole)] += (1.0 - part) * weight;
+                here[static_cast<std::size_t>(whole) + 1] += part * weight;
+            }
+            for (std::size_t p = 0; p <= last; ++p) {
+                found[p] = std::max(found[p], (p == last ? 0.5 : 1.0) * here[p]);
+            }
+        }
+        return found;
+    }
+    // Over the places on chords, eta = cos tau; or over a turn of tau.
+    std::vector<double> seconds(std::size_t last) const {
+        std::vector<double> found(last + 1);
+        const double hat = std::sin(0.5 * step) / (0.5 * step);
+        for (std::size_t q = 0; q <= last; ++q) {
+            if (sum == Sum::nodes) {
+                found[q] = (q % last == 0 ? 0.5 : 1.0) / static_cast<double>(4 * last);
+            } else if (q == 0) {
+                found[q] = 0.5 * (1.0 - std::sin(step) / step);
+            } else {
+                found[q] = (q == last ? 0.5 : 1.0) * 0.5 * step * std::sin(step * static_cast<double>(q)) * hat * hat;
+            }
+        }
+        return found;
+    }
 };
 
-// Bounds |Im Phi| on the curve of the table: coefficients[pair][cosine, sine], `room` for 2 * harmonics vectors.
-template <class I>
-LOMMEL_INLINE typename I::pack sharp_size(I, const SharpTable& table, const double* coefficients, double* room) {
-    using V = typename I::pack;
-    constexpr std::size_t lanes = I::lanes;
-    const auto size = [](V x) LOMMEL_INLINE_LAMBDA { return larger(x, splat<V>(0.0) - x); };
-    V top = splat<V>(0.0);
-    const double* value = table.values.data();
-    for (std::size_t point = 0; point < table.points; ++point) {
-        look();
-        for (std::size_t j = 0; j < 2 * table.harmonics * lanes; j += lanes) {
-            store(room + j, splat<V>(0.0));
-        }
-        // cos m(chi + theta) and sin m(chi + theta), sorted by cos m theta and sin m theta.
-        for (std::size_t k = 0; k < table.pairs.size(); ++k, value += 2) {
-            const V a = load<V>(coefficients + 2 * k * lanes), s = load<V>(coefficients + (2 * k + 1) * lanes);
-            const V c = splat<V>(value[0]), d = splat<V>(value[1]);
-            double* to = room + 2 * table.pairs[k].m * lanes;
-            store(to, load<V>(to) + a * c + s * d);
-            store(to + lanes, load<V>(to + lanes) + s * c - a * d);
-        }
-        const double* wave = table.waves.data();
-        for (std::size_t direction = 0; direction < table.directions; ++direction, wave += 2 * table.harmonics) {
-            V even[2] = {splat<V>(0.0), splat<V>(0.0)}, odd[2] = {splat<V>(0.0), splat<V>(0.0)};
-            for (std::size_t m = 0; m < table.harmonics; m += 2) {
-                even[0] = even[0] + splat<V>(wave[2 * m]) * load<V>(room + 2 * m * lanes);
-                even[1] = even[1] + splat<V>(wave[2 * m + 1]) * load<V>(room + (2 * m + 1) * lanes);
-            }
-            for (std::size_t m = 1; m < table.harmonics; m += 2) {
-                odd[0] = odd[0] + splat<V>(wave[2 * m]) * load<V>(room + 2 * m * lanes);
-                odd[1] = odd[1] + splat<V>(wave[2 * m + 1]) * load<V>(room + (2 * m + 1) * lanes);
-            }
-            // The directions theta and -theta, then pi - theta and pi + theta.
-            top = larger(top, size(even[0] + odd[0]) + size(even[1] + odd[1]));
-            top = larger(top, size(even[0] - odd[0]) + size(even[1] - odd[1]));
-        }
-    }
-    return top * splat<V>(table.margin);
+// At least e^x for x from -80 to 0, and at most 1.07 of it: between powers of two a chord lies above the curve.
+template <class V>
+LOMMEL_INLINE V chord_of_exp(V x) {
+    const V low = splat<V>(-80.0f);
+    return from_bits(larger(x, low) * splat<V>(12102203.16f) + splat<V>(1065353216.0f));
 }
 
-// Puts the coefficients of one pupil into a lane of those that sharp_size takes.
-inline void sharp_lane(const SharpTable& table, const double* given, std::size_t lane, std::size_t lanes, double* to) {
-    for (std::size_t k = 0; k < table.pairs.size(); ++k) {
-        const TermPairs::Pair& pair = table.pairs[k];
-        to[2 * k * lanes + lane] = pair.cosine == TermPairs::none ? 0.0 : given[pair.cosine];
-        to[(2 * k + 1) * lanes + lane] = pair.sine == TermPairs::none ? 0.0 : given[pair.sine];
+// The largest |Im Phi| of all samples, and for each corner the mean of e^{-Im (Phi - v r)} over e^{top + scale}:
+// coefficients[term], in the order of the table, and `room` for images of all samples.
+template <class I>
+LOMMEL_INLINE void sharp_means(I, const SharpTable& table, const float* coefficients, float* room, float* tops, float* means) {
+    using V = typename I::floats;
+    constexpr std::size_t lanes = 2 * I::lanes;
+    const auto size = [](V x) LOMMEL_INLINE_LAMBDA { return larger(x, splat<V>(0.0f) - x); };
+    const std::size_t terms = table.terms.size();
+    V top = splat<V>(0.0f);
+    for (std::size_t s = 0; s < table.samples; ++s) {
+        const float* value = table.values.data() + s * terms;
+        V part[4];
+        for (std::size_t parity = 0, j = 0; parity < 4; ++parity) {
+            V total = splat<V>(0.0f);
+            for (; j < table.classes.ends[parity]; ++j) {
+                total = total + splat<V>(value[j]) * load<V>(coefficients + j * lanes);
+            }
+            part[parity] = total;
+        }
+        const V a = part[0] + part[2], b = part[1] + part[3], c = part[0] - part[2], d = part[1] - part[3];
+        const V image[SharpTable::images] = {a + b, a - b, c + d, c - d};
+        for (std::size_t k = 0; k < SharpTable::images; ++k) {
+            store(room + (s * SharpTable::images + k) * lanes, image[k]);
+            top = larger(top, size(image[k]));
+        }
     }
+    V sums[2][SharpTable::corners] = {};
+    const float* share = table.shares.data();
+    for (std::size_t s = 0; s < table.samples * SharpTable::images; ++s, share += 2 * SharpTable::corners) {
+        const V h = load<V>(room + s * lanes), up = chord_of_exp(h - top), down = chord_of_exp(splat<V>(0.0f) - h - top);
+        for (std::size_t k = 0; k < SharpTable::corners; ++k) {
+            sums[0][k] = sums[0][k] + splat<V>(share[k]) * up;
+            sums[1][k] = sums[1][k] + splat<V>(share[SharpTable::corners + k]) * down;
+        }
+    }
+    V most = sums[0][0] + sums[1][0];
+    for (std::size_t k = 1; k < SharpTable::corners; ++k) {
+        most = larger(most, sums[0][k] + sums[1][k]);
+    }
+    store(tops, top);
+    store(means, most);
 }
 
 }  // namespace lommel

@@ -11,13 +11,13 @@
 namespace lommel {
 
 // sum += table[k][r] * data[k][c] for every vector c of `data`: R * C chains of multiply-adds.
-template <std::size_t R, std::size_t C, class I>
-LOMMEL_INLINE void multiply(I, const double* table, const double* data, std::size_t count, typename I::pack (&sum)[R][C]) {
-    using V = typename I::pack;
-    for (std::size_t k = 0; k < count; ++k, table += R, data += C * I::lanes) {
+template <std::size_t R, std::size_t C, class V, class Real>
+LOMMEL_INLINE void multiply(const Real* table, const Real* data, std::size_t count, V (&sum)[R][C]) {
+    constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
+    for (std::size_t k = 0; k < count; ++k, table += R, data += C * lanes) {
         V d[C];
         for (std::size_t c = 0; c < C; ++c) {
-            d[c] = load<V>(data + c * I::lanes);
+            d[c] = load<V>(data + c * lanes);
         }
         for (std::size_t r = 0; r < R; ++r) {
             const V t = splat<V>(table[r]);
@@ -63,38 +63,83 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
     });
 }
 
-// Of as many pupils as a vector has lanes.
+// Of as many pupils as a vector of `Real` has lanes.
+template <class Real>
 struct ChordalScratch {
-    Doubles coefficients, nodes, chords, row, inner, intensity;
+    using Values = std::vector<Real, AlignedAllocator<Real>>;
+    Doubles coefficients;
+    Values nodes, chords, row, inner, intensity;
+};
+
+// Phases and how they become waves, in double precision: a vector of pupils.
+template <class I, class Real>
+struct Waves {
+    using V = typename I::pack;
+    using Phase = V;
+    static constexpr std::size_t vectors = 1, lanes = I::lanes;
+    static constexpr double unit = 1.0;  // of phases, in 1 / rad
+    // Where the coefficient of the pupil in a lane stands.
+    static constexpr std::size_t place(std::size_t lane) { return lane; }
+
+    static LOMMEL_INLINE V zero() { return splat<V>(0.0); }
+    static LOMMEL_INLINE Phase phase(const V (&sum)[vectors]) { return sum[0]; }
+    static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos(I{}, x, sine, cosine); }
+};
+
+// In single precision: two vectors of phases are summed in double precision as multiples of 2^-32 turns, which stand in the low
+// half of the bits, where whole turns drop out, and lie side by side in the lanes of one vector.
+template <class I>
+struct Waves<I, float> {
+    using V = typename I::floats;
+    using Phase = typename I::turns;
+    static constexpr std::size_t vectors = 2, lanes = 2 * I::lanes;
+    static constexpr double unit = 683565275.57643158978;  // 2^32 / (2 pi)
+    static constexpr std::size_t place(std::size_t lane) { return lane % 2 * I::lanes + lane / 2; }
+
+    // 1.5 * 2^52: sums are rounded to whole numbers.
+    static LOMMEL_INLINE typename I::pack zero() { return splat<typename I::pack>(6755399441055744.0); }
+    static LOMMEL_INLINE Phase phase(const typename I::pack (&sum)[vectors]) { return low_halves<Phase>(sum[0], sum[1]); }
+    static LOMMEL_INLINE void wave(Phase x, V& sine, V& cosine) { sincos_turns(x, sine, cosine); }
 };
 
 // The pupil function of a pair of chords at +-x: nodes[even, odd in y][node][even, odd in x][re, im], weighted. Bound
 // by the sines.
-template <class I>
-LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t chord, const double* coefficients, double* nodes) {
-    using V = typename I::pack;
-    constexpr std::size_t lanes = I::lanes;
-    const std::size_t half = table.half, terms = table.order.size();
-    double *even = nodes, *odd = nodes + half * 4 * lanes;
+template <class I, class Real>
+LOMMEL_INLINE void pair_of_chords(I, const TermTable& table, std::size_t chord, const double* coefficients, Real* nodes) {
+    using Wave = Waves<I, Real>;
+    using V = typename Wave::V;
+    using Phase = typename Wave::Phase;
+    constexpr std::size_t lanes = Wave::lanes, C = Wave::vectors;
+    const std::size_t half = table.count.half_nodes(), terms = table.terms.size();
+    Real *even = nodes, *odd = nodes + half * 4 * lanes;
     for_fixed_tiles<node_tile>(half, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
         const double* values = table.values.data() + (chord * half + first) * terms;
-        V parts[4][R][1] = {};
-        for (std::size_t parity = 0, from = 0; parity < 4; from = table.ends[parity], ++parity) {
-            multiply<R, 1>(isa, values + from * R, coefficients + from * lanes, table.ends[parity] - from, parts[parity]);
+        Phase parts[4][R];
+        for (std::size_t parity = 0, from = 0; parity < 4; from = table.classes.ends[parity], ++parity) {
+            typename I::pack sums[R][C];
+            for (std::size_t r = 0; r < R; ++r) {
+                for (std::size_t c = 0; c < C; ++c) {
+                    sums[r][c] = Wave::zero();
+                }
+            }
+            multiply<R, C>(values + from * R, coefficients + from * lanes, table.classes.ends[parity] - from, sums);
+            for (std::size_t r = 0; r < R; ++r) {
+                parts[parity][r] = Wave::phase(sums[r]);
+            }
         }
         for (std::size_t r = 0; r < R; ++r) {
-            const V ee = parts[0][r][0], eo = parts[1][r][0], oe = parts[2][r][0], oo = parts[3][r][0];
-            const V a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;  // at +x: even, odd in y; at -x
+            const Phase ee = parts[0][r], eo = parts[1][r], oe = parts[2][r], oo = parts[3][r];
+            const Phase a = ee + oe, b = eo + oo, c = ee - oe, d = eo - oo;  // at +x: even, odd in y; at -x
             V re[4], im[4];
-            sincos(isa, a + b, im[0], re[0]);
-            sincos(isa, a - b, im[1], re[1]);
-            sincos(isa, c + d, im[2], re[2]);
-            sincos(isa, c - d, im[3], re[3]);
-            const V w = splat<V>(table.weights[chord * half + first + r]);
+            Wave::wave(a + b, im[0], re[0]);
+            Wave::wave(a - b, im[1], re[1]);
+            Wave::wave(c + d, im[2], re[2]);
+            Wave::wave(c - d, im[3], re[3]);
+            const V w = splat<V>(static_cast<Real>(table.weights[chord * half + first + r]));
             const auto spread = [&](const V* p, std::size_t part) LOMMEL_INLINE_LAMBDA {
                 const V e = (p[0] + p[1]) * w, f = (p[2] + p[3]) * w, o = (p[0] - p[1]) * w, q = (p[2] - p[3]) * w;
-                double *at = even + (first + r) * 4 * lanes + part * lanes, *on = odd + (at - even);
+                Real *at = even + (first + r) * 4 * lanes + part * lanes, *on = odd + (at - even);
                 store(at, e + f);
                 store(at + 2 * lanes, e - f);
                 store(on, o + q);
@@ -107,28 +152,29 @@ LOMMEL_INLINE void pair_of_chords(I isa, const TermTable& table, std::size_t cho
 }
 
 // U at every pixel, row by row, as sink(row, values[column][re, im]).
-template <class I, class Sink>
-LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTable& kernel, ChordalScratch& scratch,
+template <class I, class Real, class Sink>
+LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTable<Real>& kernel, ChordalScratch<Real>& scratch,
                                   const Sink& sink) {
-    using V = typename I::pack;
-    constexpr std::size_t lanes = I::lanes;
-    const std::size_t half = kernel.half, rows = kernel.rows.at.size(), columns = kernel.columns.at.size();
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const std::size_t half = kernel.count.half_chords(), within = kernel.count.half_nodes();
+    const std::size_t rows = kernel.rows.at.size(), columns = kernel.columns.at.size();
     const std::size_t line = half * 2 * lanes;  // of chords[row][even, odd in x][chord][re, im]
-    scratch.nodes.resize(2 * half * 4 * lanes);
+    scratch.nodes.resize(2 * within * 4 * lanes);
     scratch.chords.resize(kernel.rows.count * 2 * line);
     scratch.row.resize(kernel.columns.count * 2 * lanes);
-    double *nodes = scratch.nodes.data(), *chords = scratch.chords.data(), *row = scratch.row.data();
+    Real *nodes = scratch.nodes.data(), *chords = scratch.chords.data(), *row = scratch.row.data();
     for (std::size_t i = 0; i < half; ++i) {
         look();
         pair_of_chords(isa, terms, i, scratch.coefficients.data(), nodes);
         for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;
-            const std::size_t at = (i * rows + first) * half;
+            const std::size_t at = (i * rows + first) * within;
             V a[R][4] = {}, b[R][4] = {};
-            multiply<R, 4>(isa, kernel.row_cos.data() + at, nodes, half, a);
-            multiply<R, 4>(isa, kernel.row_sin.data() + at, nodes + half * 4 * lanes, half, b);
+            multiply<R, 4>(kernel.row_cos.data() + at, nodes, within, a);
+            multiply<R, 4>(kernel.row_sin.data() + at, nodes + within * 4 * lanes, within, b);
             for (std::size_t r = 0; r < R; ++r) {
-                double* to = chords + kernel.rows.plus[first + r] * 2 * line + i * 2 * lanes;
+                Real* to = chords + kernel.rows.plus[first + r] * 2 * line + i * 2 * lanes;
                 for (std::size_t x = 0; x < 2; ++x) {
                     store(to + x * line, a[r][2 * x] + b[r][2 * x + 1]);
                     store(to + x * line + lanes, a[r][2 * x + 1] - b[r][2 * x]);
@@ -145,14 +191,14 @@ LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTab
     }
     for (std::size_t y = 0; y < kernel.rows.count; ++y) {
         look();
-        const double* from = chords + y * 2 * line;
+        const Real* from = chords + y * 2 * line;
         for_fixed_tiles<column_tile>(columns, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;
             V a[R][2] = {}, b[R][2] = {};
-            multiply<R, 2>(isa, kernel.column_cos.data() + first * half, from, half, a);
-            multiply<R, 2>(isa, kernel.column_sin.data() + first * half, from + line, half, b);
+            multiply<R, 2>(kernel.column_cos.data() + first * half, from, half, a);
+            multiply<R, 2>(kernel.column_sin.data() + first * half, from + line, half, b);
             for (std::size_t r = 0; r < R; ++r) {
-                double* to = row + kernel.columns.plus[first + r] * 2 * lanes;
+                Real* to = row + kernel.columns.plus[first + r] * 2 * lanes;
                 store(to, a[r][0] + b[r][1]);
                 store(to + lanes, a[r][1] - b[r][0]);
                 if (kernel.columns.minus[first + r] != WindowAxis::none) {

@@ -1,4 +1,4 @@
-// sin and cos of a vector of doubles.
+// sin and cos of a vector of doubles, or of turns in floats.
 #pragma once
 
 #include "lommel/base/simd.hpp"
@@ -37,6 +37,28 @@ LOMMEL_INLINE void sincos(I, typename I::pack x, typename I::pack& sine, typenam
     const V a = choose(quadrant, 1, c, s), b = choose(quadrant, 1, s, c);
     sine = choose(quadrant, 2, splat<V>(0.0) - a, a);
     cosine = choose(quadrant + 1, 2, splat<V>(0.0) - b, b);
+}
+
+// Of multiples of 2^-32 turns, to floats: the vector (cos, sin) is off by less than 5 roundings to float. The nearest quarter
+// of a turn stands in the two highest bits; what is left is an angle of at most pi/4, for which polynomials of degree 7 and 8
+// are off by less than 2e-9.
+template <class W, class V>
+LOMMEL_INLINE void sincos_turns(W x, V& sine, V& cosine) {
+    const W shifted = x + 0x20000000u, half = shifted & 0x80000000u, other = (shifted + 0x40000000u) & 0x80000000u;
+    const V r = signed_floats<V>(x - (shifted & 0xc0000000u)) * splat<V>(1.4629180792671596e-09f);  // 2 pi / 2^32
+    const V z = r * r;
+    V s = splat<V>(-1.9496e-04f);
+    s = s * z + splat<V>(8.33198e-03f);
+    s = s * z + splat<V>(-1.6666651e-01f);
+    s = r + r * (z * s);
+    V c = splat<V>(2.43904508e-05f);
+    c = c * z + splat<V>(-1.38867638e-03f);
+    c = c * z + splat<V>(4.16666233e-02f);
+    c = c * z + splat<V>(-4.99999997e-01f);
+    c = splat<V>(1.0f) + z * c;
+    const W quarter = shifted & 0x40000000u;
+    sine = flipped(choose_lanes(quarter, c, s), half);
+    cosine = flipped(choose_lanes(quarter, s, c), other);
 }
 
 }  // namespace lommel

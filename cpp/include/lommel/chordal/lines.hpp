@@ -1,0 +1,153 @@
+// The curves by which the errors of a stack are bounded, each with what the integrand is there: by samples, where these are worth
+// their work.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/bounds/chords.hpp"
+#include "lommel/chordal/sharp.hpp"
+#include "lommel/chordal/tables.hpp"
+#include "lommel/zernike/disk_stack.hpp"
+
+namespace lommel {
+
+// What bounds the errors of one sum; and the curve for its samples, with how phase and window bend there.
+struct ChordSide {
+    ChordLine line;
+    std::size_t curve = 0;
+    double bend = 0.0;
+};
+
+// Of one disk with one phase.
+struct ChordDisk {
+    ChordSide chords, nodes;
+    double rounding = 0.0;
+    std::size_t least = 0;  // chords
+    ChordCount count;
+
+    ChordSide& of(Sum sum) { return sum == Sum::chords ? chords : nodes; }
+};
+
+// Doubles in a vector.
+inline std::size_t vector_lanes() {
+    std::size_t lanes = Portable::lanes;
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { lanes = decltype(isa)::lanes; });
+    return lanes;
+}
+
+class ChordLines {
+   public:
+    // For a window with so many rows, those at +v and -v as one, and pixels, with columns so.
+    ChordLines(const DiskStack& stack, const VBox& box, double rows, double pixels, int threads)
+        : stack_(stack), terms_(stack.terms), box_(box), rows_(rows), pixels_(pixels), threads_(threads) {}
+
+    // Of a disk over its radius.
+    ChordBound bound_of(double radius) const { return {terms_, stack_.amplitude.scaled(radius * radius), box_.scaled(radius)}; }
+
+    // Finds the lines of disk(p) for error(p, bound), for all pupils.
+    template <class Error, class Disk>
+    void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const {
+        std::vector<std::size_t> worth;
+        std::vector<double> errors(stack_.count);
+        const double samples = 2.0 * SharpTable::work(terms_);
+        ChordBound bound = bound_of(radius);
+        for (std::size_t p = 0; p < stack_.count; ++p) {
+            look();
+            bound.prepare(coefficients + p * stack_.terms.size());
+            ChordDisk& here = disk(p);
+            here.rounding = bound.rounding();
+            errors[p] = error(p, bound);
+            double plain[2], better[2];
+            for (const Sum sum : {Sum::chords, Sum::nodes}) {
+                const std::size_t at = sum == Sum::chords ? 0 : 1;
+                const ChordLine likely = bound.best(sum, errors[p], usual_share[at]);
+                here.of(sum) = {bound.best(sum, errors[p], 1.0), likely.curve, bound.bend(sum, likely.curve)};
+                plain[at] = here.of(sum).line.needed(errors[p]);
+                better[at] = likely.needed(errors[p]);
+            }
+            if (work(plain[0], plain[1]) - work(better[0], better[1]) > 1.5 * samples &&
+                SharpTable::serves(terms_.degree, std::max(here.chords.curve, here.nodes.curve))) {
+                worth.push_back(p);
+            }
+        }
+        for (const Sum sum : {Sum::chords, Sum::nodes}) {
+            sample(coefficients, bound, box_.scaled(radius), sum, worth, errors, disk);
+        }
+    }
+
+    // For less error, other curves may do with less.
+    static void renew(ChordBound& bound, const double* coefficients, double error, ChordDisk& disk) {
+        bound.prepare(coefficients);
+        for (const Sum sum : {Sum::chords, Sum::nodes}) {
+            const ChordLine found = bound.best(sum, error, 1.0);
+            if (found.needed(error) < disk.of(sum).line.needed(error)) {
+                disk.of(sum).line = found;
+            }
+        }
+    }
+
+   private:
+    // What a mean usually is of the most that phase and window may be, as logarithms.
+    static constexpr double usual_share[2] = {0.4, 0.25};
+
+    // Roughly the vector operations for a vector of pupils, counted, not measured, as those of samples are.
+    double work(double chords, double nodes) const {
+        return chords * nodes * (45.0 + static_cast<double>(stack_.terms.size()) + 2.0 * rows_) + 2.0 * chords * pixels_;
+    }
+
+    template <class Disk>
+    void sample(const double* coefficients, const ChordBound& bound, const VBox& box, Sum sum, std::vector<std::size_t>& worth,
+                const std::vector<double>& errors, const Disk& disk) const {
+        std::sort(worth.begin(), worth.end(), [&](std::size_t a, std::size_t b) {
+            const std::size_t i = disk(a).of(sum).curve, j = disk(b).of(sum).curve;
+            return i != j ? i < j : a < b;
+        });
+        const std::size_t lanes = 2 * vector_lanes(), batches = (worth.size() + lanes - 1) / lanes;
+        const std::size_t terms = stack_.terms.size();
+        std::vector<std::shared_ptr<const SharpTable>> tables(batches);
+        for (std::size_t b = 0; b < batches; ++b) {
+            const std::size_t curve = disk(worth[b * lanes]).of(sum).curve;
+            const bool same = b > 0 && tables[b - 1]->curve == curve;
+            tables[b] = same ? tables[b - 1] : cache<SharpTable>.get(stack_.terms, sum, curve, box);
+        }
+        parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
+            thread_local Floats given, room;
+            const std::size_t* pupils = worth.data() + b * lanes;
+            const std::size_t here = std::min(lanes, worth.size() - b * lanes);
+            const SharpTable& table = *tables[b];
+            given.assign(terms * lanes, 0.0f);
+            room.resize(table.samples * SharpTable::images * lanes);
+            for (std::size_t j = 0; j < terms; ++j) {
+                for (std::size_t lane = 0; lane < here; ++lane) {
+                    given[j * lanes + lane] = static_cast<float>(coefficients[pupils[lane] * terms + table.classes.order[j]]);
+                }
+            }
+            float tops[2 * row_lanes], means[2 * row_lanes];
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { sharp_means(isa, table, given.data(), room.data(), tops, means); });
+            for (std::size_t lane = 0; lane < here; ++lane) {
+                const std::size_t p = pupils[lane];
+                ChordSide& side = disk(p).of(sum);
+                // The curve of the first has the least b, where the others bend less than on their own.
+                const double mean =
+                    table.logarithm(tops[lane], means[lane]) + table.margin(side.bend, coefficients + p * terms);
+                const ChordLine found = bound.line(sum, table.curve, mean);
+                if (found.needed(errors[p]) < side.line.needed(errors[p])) {
+                    side.line = found;
+                    disk(p).least = sum == Sum::nodes ? SharpTable::least_chords : 0;
+                }
+            }
+        });
+    }
+
+    const DiskStack& stack_;
+    TermPairs terms_;
+    VBox box_;
+    double rows_, pixels_;
+    int threads_;
+};
+
+}  // namespace lommel

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import functools
 import math
+from dataclasses import dataclass
 
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from lommel import _core
@@ -131,9 +132,7 @@ def test_the_error_by_one_curve_and_what_is_enough_for_it(nodes, curve, exponent
     assert same(found["bound"], error_of(nodes, curve, mp.mpf(exponent), size))
     enough = int(found["enough"])
     assert enough > 1024 or error_of(nodes, curve, mp.mpf(exponent), enough) <= error * (1 + 1e-12)
-    below = enough - (
-        2 if enough <= 64 else 4 if enough <= 128 else 8 if enough <= 256 else 16 if enough <= 512 else 32
-    )
+    below = max([n for n in SIZES[nodes] if n < enough], default=0)
     assert below < 8 or error_of(nodes, curve, mp.mpf(exponent), below) > error * (1 - 1e-12)
 
 
@@ -171,6 +170,96 @@ def test_the_variance_that_the_first_error_rests_on(c):
     assert same(found, expected)
 
 
+LARGE = [*range(68, 129, 4), *range(136, 257, 8), *range(272, 513, 16), *range(544, 1025, 32)]
+# Of chords, and of nodes.
+SIZES = np.array([*range(8, 65, 2), *LARGE]), np.array([*range(8, 25, 2), *range(28, 65, 4), *LARGE])
+SAMPLE_STEPS = 5  # of the degree, a half turn
+
+
+@dataclass
+class Disk:
+    """The phase of one disk on a window of one row: what bounds its sums, at first and for less error."""
+
+    terms: list[tuple[int, int]]
+    phase: list[float]
+    light: list[float]
+    low: float
+    high: float
+
+    def __post_init__(self) -> None:
+        values = dict(zip(self.terms, self.phase, strict=True))
+        # The first two are the tilts; a term that is 0 counts for nothing but its place.
+        ours = [(1, 1), (1, -1), *(term for term in self.terms if term[0] != 1)]
+        padded = [values.get(term, 0.0) for term in ours]
+        whole = exponents(padded, self.light, self.low, self.high, ours)
+        none = exponents([0.0, 0.0], self.light, 0.0, 0.0, ours[:2])
+        self.whole = {kind: np.array(values, dtype=float) for kind, values in whole.items()}
+        self.still = {kind: np.array(values, dtype=float) for kind, values in none.items()}
+        degree = max(n for n, _ in self.terms)
+        far = farthest(padded, self.low, self.high)
+        steady = 36 + 3 * far + (len(self.terms) + degree + 7) * sum(abs(mp.mpf(x)) for x in self.phase)
+        self.steady = float(UNIT * steady + coarse(self.terms, self.phase, far))
+        self.side = (SAMPLE_STEPS * max(2, degree) + 1) // 2 + 1
+        self.least = 0
+
+    def choose(self, error: float, columns: int) -> bool:
+        """Find the lines for the first error, and whether samples were worth their work."""
+        b, plain, likely = np.array(CURVES, dtype=float), {}, {}
+        for kind, share in (("chords", 0.4), ("nodes", 0.25)):
+            sizes = self.still[kind] + share * (self.whole[kind] - self.still[kind])
+            at = int(np.argmin((sizes - math.log(error)) / b))
+            likely[kind] = at, 0.5 * (sizes[at] - math.log(error)) / b[at]
+            at = int(np.argmin((self.whole[kind] - math.log(error)) / b))
+            plain[kind] = at, 0.5 * (self.whole[kind][at] - math.log(error)) / b[at]
+        self.lines = {kind: (at, self.whole[kind][at]) for kind, (at, _) in plain.items()}
+
+        def work(of: dict[str, tuple[int, float]]) -> float:
+            chords, nodes = of["chords"][1], of["nodes"][1]
+            return chords * nodes * (45 + len(self.terms) + 2) + 2 * chords * columns
+
+        worth = work(plain) - work(likely) > 1.5 * self.side**2 * (len(self.terms) + 110)
+        for kind in ("chords", "nodes") if worth else ():
+            curve = likely[kind][0]
+            window = np.array([self.low, self.high, 0.0, 0.0])
+            given = np.array(self.terms, np.int64), np.array(self.phase), curve, kind == "nodes", window
+            found = _core.chordal_mean(*given)
+            exponent = self.still[kind][curve] + found["mean"] + found["margin"]
+            if 0.5 * (exponent - math.log(error)) / b[curve] < plain[kind][1]:
+                self.lines[kind] = curve, exponent
+                self.least = 16 if kind == "nodes" else 0
+        return worth
+
+    def needed(self, kind: str, error: float) -> float:
+        curve, exponent = self.lines[kind]
+        return 0.5 * (exponent - math.log(error)) / float(CURVES[curve])
+
+    def errors(self, asked: np.ndarray, part: float, single: bool = False) -> np.ndarray:
+        """Return the error for each that may be asked for, of which this disk has a part."""
+        b = np.array(CURVES, dtype=float)
+        total, left, sums = np.full(asked.size, self.steady), part * asked, np.zeros(asked.size)
+        for kind, share, each, singly in (("chords", 0.7, 2, 0.375), ("nodes", 1.0, 1 if WIDER else 2, 0.5)):
+            curve, exponent = self.lines[kind]
+            best = np.argmin((self.whole[kind] - np.log(asked)[:, None]) / b, axis=1)
+            better = (self.whole[kind][best] - np.log(asked)) / b[best] < (exponent - np.log(asked)) / b[curve]
+            better &= not single  # tried once, by the lines for the first error
+            at = np.where(better, best, curve)
+            size = np.where(better, self.whole[kind][best], exponent)
+            n = enough(kind == "nodes", size, b[at], share * left)
+            n = np.maximum(n, self.least) if kind == "chords" else n
+            error = np.exp(size - 2 * n * b[at]) / (1 if kind == "nodes" else -np.expm1(-2 * (n + 1) * b[at]))
+            left = left - error
+            total = total + error + float(UNIT) * each * n
+            sums += singly * n
+        return total + (2.0**-24 * (30 + sums) + 7.4e-10 * (len(self.terms) + 4) if single else 0.0)
+
+
+def first_error(terms: list[tuple[int, int]], phase: list[float], light: list[float], obscuration: float, tol: float):
+    """Return the error that is asked for at first: a part of the tolerance, times half of a likely peak."""
+    edge = dict(zip(terms, phase, strict=True))
+    variance = sum(mp.mpf(value) ** 2 / ((n + 1) * (1 if m == 0 else 2)) for (n, m), value in edge.items() if n > 1)
+    return float(mp.mpf("0.4") * mp.mpf(tol) / 2 * amount(light, obscuration) / mp.sqrt(1 + variance))
+
+
 @few
 @given(
     coefficients,
@@ -181,9 +270,12 @@ def test_the_variance_that_the_first_error_rests_on(c):
     st.sampled_from([0.0, 0.5]),
     # Beside the light, the first error does not do.
     st.sampled_from([3.0, 20.0]),
+    # Strong phases are worth samples.
+    st.sampled_from([0.1, 0.7]),
 )
-def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscuration, column):
-    c = [0.1 * value for value in c]
+@example([8.0, -3.0, 4.0, 7.0, -5.0, 6.0, 8.0, 5.0], [0.0, 1.5], 1e-6, False, 0.5, 3.0, 0.7)
+def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscuration, column, strength):
+    c = [strength * value for value in c]
     images, bounds, scales = np.empty((1, 1, 8)), np.empty(1), np.full(1, 0.0 if divided else 1.0)
     step, peaks = 1.2, np.empty(1)
     disk, places = (np.array([c]), obscuration, np.array(light)), (images, scales, bounds, peaks)
@@ -196,45 +288,21 @@ def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscurat
     low, high, area = -column * step, (7 - column) * step, obscuration**2
     stack = _core.disk_stack(TERMS, np.array(c), obscuration, 0.0, column, step, moved=False)
     terms = stack["terms"]
-    lost = mp.mpf(stack["lost"][0])
+    lost = float(stack["lost"][0])
     assert (lost > 0) == (obscuration > 0 and any(c))
-
-    edge = dict(zip(terms, stack["outer"], strict=True))
-    variance = sum(mp.mpf(value) ** 2 / ((n + 1) * (1 if m == 0 else 2)) for (n, m), value in edge.items() if n > 1)
-    bright = amount(light, obscuration)
-    first = mp.mpf("0.4") * mp.mpf(tol) / 2 * bright / mp.sqrt(1 + variance)
-
-    asked = float(first) * np.geomspace(1.0, 1e-9, 4000)
-
-    def errors_of(phase: list[float], share: float, fall: list[float], part: float) -> np.ndarray:
-        """Return the error of one disk for each that may be asked for, in parts, by the curve that suits it best."""
-        window = (share * low, share * high)
-        # The first two are the tilts; a term that is 0 counts for nothing but its place.
-        values = dict(zip(terms, phase, strict=True))
-        ours = [(1, 1), (1, -1), *(term for term in terms if term[0] != 1)]
-        padded = [values.get(term, 0.0) for term in ours]
-        sizes, curves = exponents(padded, fall, *window, ours), np.array(CURVES, dtype=float)
-        degree = max(n for n, _ in terms)
-        far = farthest(padded, *window)
-        steady = UNIT * (36 + 3 * far + (len(terms) + degree + 7) * sum(abs(mp.mpf(x)) for x in phase))
-        steady += coarse(terms, phase, far)
-        total, left = np.full(asked.size, float(steady)), part * asked
-        for kind, share_of, each in (("chords", 0.7, 2), ("nodes", 1.0, 1 if WIDER else 2)):
-            size = np.array(sizes[kind], dtype=float)
-            best = np.argmin((size - np.log(asked)[:, None]) / curves, axis=1)
-            exponent, b, target = size[best], curves[best], share_of * left
-            n = enough(kind == "nodes", exponent, b, target)
-            error = np.exp(exponent - 2 * n * b) / (1 if kind == "nodes" else -np.expm1(-2 * (n + 1) * b))
-            left = left - error
-            total = total + error + float(UNIT) * each * n
-        return total
-
-    # That of another disk has its part.
-    parts = (0.6, 0.4 / area) if obscuration else (1.0, 0.0)
-    candidates = float(lost) + errors_of(stack["outer"], 1.0, light, parts[0])
+    first = first_error(terms, stack["outer"], light, obscuration, tol)
+    columns = len({abs(j - column) for j in range(8)})
+    # Later ones follow from peaks that were found.
+    asked = first * np.geomspace(1.0, 1e-9, 4000)
+    outer = Disk(terms, stack["outer"], light, low, high)
+    worth = outer.choose(first, columns)
+    assert worth or min(map(abs, c)) < 2
+    candidates = lost + outer.errors(asked, 0.6 if obscuration else 1.0)
     if obscuration:
-        fall = [g * area**k for k, g in enumerate(light)]
-        candidates = candidates + area * errors_of(stack["inner"], obscuration, fall, parts[1])
+        within = [g * area**k for k, g in enumerate(light)]
+        inner = Disk(terms, stack["inner"], within, obscuration * low, obscuration * high)
+        inner.choose(first, columns)
+        candidates = candidates + area * inner.errors(asked, 0.4 / area)
     candidates = np.unique(candidates[candidates < math.sqrt(peak)])
     name = "normalized" if divided else "relative"
     expected = [_core.stored_bound(_core.intensity_bounds(peak, float(e))[name], False, divided) for e in candidates]
@@ -242,17 +310,43 @@ def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscurat
     assert bounds[0] <= tol
 
 
-SIZES = np.array(
-    [*range(8, 65, 2), *range(68, 129, 4), *range(136, 257, 8), *range(272, 513, 16), *range(544, 1025, 32)]
-)
+@few
+@given(coefficients, st.sampled_from([1e-2, 1e-3]), st.booleans(), st.sampled_from([0.0, 0.5]))
+def test_the_bound_of_an_image_in_single_precision_has_its_rounding(c, tol, divided, obscuration):
+    c = [0.1 * value for value in c]
+    images, bounds = np.empty((1, 1, 8), np.float32), np.empty(1)
+    step, peaks, scales, light = 1.2, np.empty(1), np.full(1, 0.0 if divided else 1.0), [0.0]
+    disk, places = (np.array([c]), obscuration, np.array(light)), (images, scales, bounds, peaks)
+    assert _core.chordal_images(TERMS.astype(np.int32), *disk, 0.0, 3.0, step, tol, 1, *places) == 0.0
+    low, high, area = -3 * step, 4 * step, obscuration**2
+    stack = _core.disk_stack(TERMS, np.array(c), obscuration, 0.0, 3.0, step, moved=False)
+    terms = stack["terms"]
+    first = first_error(terms, stack["outer"], light, obscuration, tol)
+    outer = Disk(terms, stack["outer"], light, low, high)
+    outer.choose(first, 5)
+    chords, nodes = outer.needed("chords", first), outer.needed("nodes", first)
+    rounded = 2.0**-24 * (30 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * (len(terms) + 4)
+    rounded *= 1 + area
+    whole = first * 1.5 * (0.5 if divided else 1.0)
+    assert rounded < 0.7 * whole
+    asked = np.array([min(first, whole - rounded)])
+    error = float(stack["lost"][0]) + outer.errors(asked, 0.6 if obscuration else 1.0, single=True)[0]
+    if obscuration:
+        inner = Disk(terms, stack["inner"], light, obscuration * low, obscuration * high)
+        inner.choose(first, 5)
+        error += area * inner.errors(asked, 0.4 / area, single=True)[0]
+    name = "normalized" if divided else "relative"
+    expected = _core.stored_bound(_core.intensity_bounds(peaks[0], float(error))[name], True, divided)
+    assert bounds[0] == pytest.approx(expected, rel=1e-9)
 
 
 def enough(nodes: bool, exponent: np.ndarray, b: np.ndarray, error: np.ndarray) -> np.ndarray:
     """Return the least number in use for each error by a curve."""
-    bounds = np.exp(exponent[:, None] - 2 * SIZES * b[:, None])
+    sizes = SIZES[nodes]
+    bounds = np.exp(exponent[:, None] - 2 * sizes * b[:, None])
     if not nodes:
-        bounds /= -np.expm1(-2 * (SIZES + 1) * b[:, None])
-    return SIZES[np.argmax(bounds <= error[:, None], axis=1)]
+        bounds /= -np.expm1(-2 * (sizes + 1) * b[:, None])
+    return sizes[np.argmax(bounds <= error[:, None], axis=1)]
 
 
 def amount(light: list[float], obscuration: float) -> mp.mpf:
@@ -300,7 +394,7 @@ def shares(nodes: bool, steps: int, b: float) -> tuple[np.ndarray, np.ndarray]:
         half = np.sin(fine) / 2
         return first[:-1], (hats(fine, steps + 1) * half[:, None]).sum(0) / half.sum()
     first = np.zeros(steps + 1)
-    for chords in SIZES[SIZES >= 16]:
+    for chords in SIZES[0][SIZES[0] >= 16]:
         angle = math.pi * np.arange(1, chords + 1) / (chords + 1)
         weight = 2 * np.sin(angle) ** 2 / (chords + 1)
         first = np.maximum(first, (hats(angle, steps + 1) * weight[:, None]).sum(0))

@@ -15,10 +15,13 @@ namespace lommel {
 
 constexpr std::size_t max_chords = 1024;  // chords of the disk, and nodes on each
 
-// Numbers of chords in use: few, so that tables are shared, and even, so that all nodes come in quadruples.
-inline std::size_t rounded_chords(double wanted) {
+// The two sums of the rule: over chords, and over the nodes of each.
+enum class Sum { chords, nodes };
+
+// Numbers of either in use: few, so that tables are shared, and even, so that all nodes come in quadruples.
+inline std::size_t rounded_size(Sum sum, double wanted) {
     const std::size_t n = static_cast<std::size_t>(std::max(8.0, std::ceil(wanted)));
-    const std::size_t step = n <= 64 ? 2 : n <= 128 ? 4 : n <= 256 ? 8 : n <= 512 ? 16 : 32;
+    const std::size_t step = n <= (sum == Sum::chords ? 64 : 24) ? 2 : n <= 128 ? 4 : n <= 256 ? 8 : n <= 512 ? 16 : 32;
     return (n + step - 1) / step * step;
 }
 
@@ -35,9 +38,6 @@ struct VBox {
     }
 };
 
-// The two sums of the rule: over chords, and over the nodes of each.
-enum class Sum { chords, nodes };
-
 // On one curve, e^exponent / e^{2 n b} bounds the error in U of a sum of size n, but for a factor close to 1.
 struct ChordLine {
     std::size_t curve = 0;
@@ -52,9 +52,9 @@ struct ChordLine {
     // The size for an error, roughly; and one that is in use, above max_chords where it takes more.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
     std::size_t enough(Sum sum, double error) const {
-        std::size_t n = rounded_chords(std::min(needed(error), 2.0 * max_chords));
+        std::size_t n = rounded_size(sum, std::min(needed(error), 2.0 * max_chords));
         while (n <= max_chords && bound(sum, n) > error) {
-            n = rounded_chords(static_cast<double>(n + 1));
+            n = rounded_size(sum, static_cast<double>(n + 1));
         }
         return n;
     }

@@ -124,7 +124,7 @@ struct SharpTable {
             return found;
         }
         for (std::size_t chords = least_chords; chords <= max_chords;
-             chords = rounded_chords(static_cast<double>(chords + 1))) {
+             chords = rounded_size(Sum::chords, static_cast<double>(chords + 1))) {
             std::vector<double> here(2 * last + 2);
             for (std::size_t i = 1; i <= chords; ++i) {
                 const double angle = std::acos(-1.0) * static_cast<double>(i) / static_cast<double>(chords + 1);

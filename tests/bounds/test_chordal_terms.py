@@ -136,9 +136,9 @@ def test_the_variance_that_the_first_error_rests_on(c):
 )
 def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscuration, column):
     c = [0.1 * value for value in c]
-    images, bounds, scales = np.empty((1, 1, 8)), np.empty(1), np.full(1, 0.0 if divided else 1.0)
-    step, peaks = 1.2, np.empty(1)
-    disk, places = (np.array([c]), obscuration, np.array(light)), (images, scales, bounds, peaks)
+    images, numbers, step = np.empty((1, 1, 8)), np.empty((3, 1)), 1.2
+    scales, bounds, peaks = numbers
+    disk, places = (np.array([c]), obscuration, np.array(light)), (0.0 if divided else 1.0, images, numbers)
     unmet = _core.chordal_images(TERMS.astype(np.int32), *disk, 0.0, column, step, tol, 1, *places)
     if unmet:
         assert unmet > tol

@@ -25,6 +25,8 @@ class Terms:
     edge: Array
     error: float
     shape: tuple[int, ...]
+    # How many of the terms, the first, are radially symmetric: those of n = 2, 4, ...
+    symmetric: int = field(repr=False)
     # Coefficients of rho^2, rho^4, ... where the radial terms were given so: what is shown, and comes back as it was.
     _powers: Array | None = field(repr=False)
 
@@ -50,7 +52,8 @@ class Terms:
         if powers is not None:
             powers.flags.writeable = False
         # As object.__setattr__ would, but all at once.
-        vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=edge.shape[:-1])
+        shape, symmetric = edge.shape[:-1], _symmetric(terms)
+        vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=shape, symmetric=symmetric)
         return self
 
     @classmethod
@@ -97,11 +100,6 @@ class Terms:
         `error` is that of a wavefront.
         """
         return cls.trusted(symmetric_terms(edge.shape[-1]), edge, error)
-
-    @property
-    def symmetric(self) -> int:
-        """How many of the terms, the first, are radially symmetric: those of n = 2, 4, ..."""
-        return _symmetric(self.terms)
 
     @property
     def radial_terms(self) -> Array:

@@ -106,12 +106,10 @@ class Terms:
         """Coefficients of R_2^0, R_4^0, ..., shape ``shape + (terms,)``."""
         return self.edge if self.symmetric == len(self.terms) else self.edge[..., : self.symmetric].copy()
 
-    @cached_property
+    @property
     def indices(self) -> NDArray[np.int32]:
         """The n and m of each term, shape ``(terms, 2)``."""
-        found = np.array(self.terms, dtype=np.int32)
-        found.flags.writeable = False
-        return found
+        return _indices(self.terms)
 
     @cached_property
     def coefficients(self) -> Array:
@@ -244,6 +242,13 @@ class Terms:
 @lru_cache(maxsize=64)
 def _symmetric(terms: tuple[tuple[int, int], ...]) -> int:
     return sum(m == 0 for _, m in terms)
+
+
+@lru_cache(maxsize=64)
+def _indices(terms: tuple[tuple[int, int], ...]) -> NDArray[np.int32]:
+    found = np.array(terms, dtype=np.int32)
+    found.flags.writeable = False
+    return found
 
 
 @lru_cache(maxsize=64)

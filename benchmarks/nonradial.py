@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from importlib.util import find_spec
 
 import lommel as lm
@@ -11,7 +12,8 @@ from benchmarks.engine import engine
 from benchmarks.mixed import ALIGNED, RANDOM, Mixed, error
 from benchmarks.peers_image import ducc0_single
 from benchmarks.settings import Settings
-from benchmarks.targets import Measured, worst
+from benchmarks.targets import Measured, over_empty, worst
+from benchmarks.targets import by_plan as plan_of
 from benchmarks.timing import Contender, race
 
 PIXELS = (0.25, 0.5, 1.0)
@@ -33,6 +35,13 @@ def against_fft(
         note = f"{q}: {mine.config}, {1e3 * result.median(mine.name):.2f} ms; {other.config}"
         found.append(Measured(result.ratio(other.name, mine.name), error(q, result.values[mine.name]), note))
     return worst(found, more=True)
+
+
+def by_plan(settings: Settings) -> Measured:
+    """Measure one 33² by a plan."""
+    q = Mixed(n=33, reach=1.0)
+    note = f"{q}: plan(pupil, out=frame), a new pupil each time"
+    return over_empty(settings, plan_of(q), partial(error, q), note)
 
 
 def against_ducc0(settings: Settings, *, pixel: float) -> Measured:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 import lommel as lm
 from benchmarks.baselines import Plain, copy, fewest, fft, plain
@@ -13,7 +15,7 @@ from benchmarks.engine import engine, stack, through_focus
 from benchmarks.fresh import memory
 from benchmarks.settings import Settings
 from benchmarks.timing import Contender, Race, Spread, race
-from benchmarks.truth import Question, exact_stack, stack_error, truth
+from benchmarks.truth import Question, Window, exact_stack, stack_error, truth
 
 CASES = [(0.0, 0.0), (10.0, 3.0), (50.0, 0.0), (0.0, 50.0), (50.0, 50.0), (-50.0, 50.0)]
 TOL = 1e-6
@@ -190,19 +192,43 @@ def focus(settings: Settings, *, ways: tuple[str, ...]) -> Measured:
     return Measured(result.ratio(best, mine.name), error, note)
 
 
-def plan(settings: Settings, *, pupils: bool) -> Measured:
-    """Measure one 33² by a plan, in microseconds above an empty call; `pupils`: and making its pupil."""
-    q = Question(5.0, n=33)
-    live, frame = lm.Plan(q.n, q.pixel, threads=1), np.zeros((q.n, q.n), np.float32)
+def over_empty(
+    settings: Settings, mine: Contender, error: Callable[[NDArray[Any]], float] | None, note: str
+) -> Measured:
+    """Measure a call in microseconds above an empty one."""
     empty = Contender("empty", lambda _: None, values=lambda _: np.empty(0))
-    mine = Contender("plan", lambda pupil: live(pupil, out=frame), fresh=q.fresh, values=lambda a: a.values / a.scale)
+    result = race([mine, empty], settings.rounds)
+    found = None if error is None else error(result.values[mine.name])
+    return Measured(result.excess(mine.name, empty.name), found, note)
+
+
+def by_plan(q: Window, *, pupils: bool = False) -> Contender:
+    """One window of a new pupil by a plan; `pupils`: and making that, of 5 rad of defocus."""
+    live, frame = lm.Plan(q.n, q.pixel, threads=1), np.zeros((q.n, q.n), np.float32)
     if pupils:
-        mine = Contender(
+        return Contender(
             "plan", lambda _: live(lm.Pupil(lm.Wavefront(5.0)), out=frame), values=lambda a: a.values / a.scale
         )
-    result = race([mine, empty], settings.rounds)
-    error = truth(q).error(result.values[mine.name])
-    return Measured(result.excess(mine.name, empty.name), error, "plan(pupil, out=frame), a new pupil each time")
+    return Contender("plan", lambda pupil: live(pupil, out=frame), fresh=q.fresh, values=lambda a: a.values / a.scale)
+
+
+def plan(settings: Settings, *, pupils: bool) -> Measured:
+    """Measure one 33² by a plan; `pupils`: and making its pupil."""
+    q = Question(5.0, n=33)
+    note = "plan(pupil, out=frame), a new pupil each time"
+    return over_empty(settings, by_plan(q, pupils=pupils), truth(q).error, note)
+
+
+def pupil_of_lens(settings: Settings) -> Measured:
+    """Measure the pupil of a lens for an object at a new distance."""
+    lens = lm.Lens(focal_length=50e-3, f_number=2.0, wavelength=550e-9, focus_distance=2.0)
+    mine = Contender(
+        "pupil",
+        lens.pupil,
+        fresh=lambda count: [1.0 + 1e-7 * k for k in range(count)],
+        values=lambda pupil: pupil.wavefront.edge,
+    )
+    return over_empty(settings, mine, None, "lens.pupil(distance) of a lens without aberrations")
 
 
 def peak_memory(settings: Settings) -> Measured:

@@ -162,13 +162,20 @@ TARGETS = [
         depth.TOL,
     ),
     Target("the same through focus, 30 frames", "nothing", None, None, " frames/s", True, depth.focus_pull),
-    Target("one 33² by a plan", "an empty Python call", 15, 5, " µs", False, partial(t.plan, pupils=False)),
+    Target("one 33² by a plan", "an empty Python call", 4, 2.5, " µs", False, partial(t.plan, pupils=False)),
     Target(
         "the same, and making its pupil",
         "an empty Python call",
         *(None, None, " µs", False),
         partial(t.plan, pupils=True),
     ),
+    Target(
+        "one 33² of coma, astigmatism, trefoil and defocus of up to 1 rad each by a plan",
+        "an empty Python call",
+        *(60, 25, " µs", False),
+        nonradial.by_plan,
+    ),
+    Target("the pupil of a lens", "an empty Python call", 4, 2, " µs", False, t.pupil_of_lens),
     Target("memory above the output, 512²", "nothing", 20, 8, " MiB", False, t.peak_memory),
 ]
 

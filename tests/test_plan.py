@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import copy
+import dataclasses
+import pickle
 import tracemalloc
 
 import numpy as np
@@ -15,6 +18,65 @@ def test_a_plan_answers_what_psf_answers():
     for pupil in (lm.Pupil(), lm.Pupil(lm.Wavefront(7.0), obscuration=0.3), lm.Pupil(lm.Wavefront([1.0, 2.0]))):
         expected = lm.psf(pupil, (33, 40), 0.4, normalize="peak", dtype=np.float64)
         assert np.array_equal(plan(pupil).values, expected.values)
+
+
+def test_a_plan_forgets_the_pupil_it_was_asked_about_before():
+    coma, lens = lm.Wavefront(3.0, nonradial={(3, 1): 1.0}), {"wavelength": 5e-4, "f_number": 2.0}
+    pupils = [
+        lm.Pupil(lm.Wavefront(3.0)),
+        lm.Pupil(lm.Wavefront(3.0), obscuration=0.3),
+        lm.Pupil(lm.Wavefront(3.0), apodization=1.0),
+        lm.Pupil(lm.Wavefront([3.0])),
+        lm.Pupil(coma),
+        lm.Pupil(lm.Wavefront(3.0), **lens),
+        lm.Pupil(lm.Wavefront(3.0), **lens | {"f_number": 3.0}),
+        lm.Pupil(lm.Wavefront(3.0), **lens | {"wavelength": 6e-4}),
+        lm.Pupil(lm.Wavefront(3.0)),
+    ]
+    for normalize in ("energy", "strehl", "peak"):
+        plan = lm.Plan(9, 1e-3, normalize=normalize)
+        for pupil in (*pupils, *pupils[::-1]):
+            answer, expected = plan(pupil), lm.psf(pupil, 9, 1e-3, normalize=normalize)
+            assert np.array_equal(answer.values, expected.values)
+            assert (answer.grid, answer.method) == (expected.grid, expected.method)
+            assert answer.error_bound == expected.error_bound
+            assert np.array_equal(answer.scale, expected.scale)
+
+
+def test_a_plan_refuses_a_pupil_whatever_it_took_before():
+    plan = lm.Plan(9, 0.5, method=lm.LommelSeries())
+    plan(lm.Pupil(lm.Wavefront(3.0)))
+    with pytest.raises(ValueError, match="supports defocus only"):
+        plan(lm.Pupil(lm.Wavefront(3.0, 1.0)))
+    with pytest.raises(TypeError, match="pupil must be a Pupil, got a Wavefront"):
+        plan(lm.Wavefront(3.0))
+    with pytest.raises(ValueError, match="more than the limit"):
+        lm.Plan(16384, 0.5)(lm.Pupil(lm.Wavefront(np.zeros(9))))
+
+
+@pytest.mark.parametrize("defocus", [3.0, [3.0, 4.0], [[3.0], [4.0]]])
+def test_the_answer_of_a_plan_is_what_the_constructor_makes_of_its_parts(defocus):
+    answer = lm.Plan(9, 0.5)(lm.Pupil(lm.Wavefront(defocus)), derivatives=("defocus",))
+    made = lm.PSF(**{item.name: getattr(answer, item.name) for item in dataclasses.fields(lm.PSF)})
+    assert type(answer) is type(made)
+    assert list(vars(answer)) == list(vars(made))
+    assert all(vars(answer)[name] is part for name, part in vars(made).items())
+    assert answer.scale.shape == np.shape(defocus)
+    assert type(answer.error_bound) is float
+    others = [
+        copy.copy(answer),
+        copy.deepcopy(answer),
+        pickle.loads(pickle.dumps(answer)),
+        dataclasses.replace(answer),
+    ]
+    for other in (made, *others):
+        assert repr(other) == repr(answer)
+        assert other.pupil == answer.pupil
+        for name in ("values", "scale"):
+            assert np.array_equal(getattr(other, name), getattr(answer, name))
+        assert np.array_equal(other.derivatives["defocus"], answer.derivatives["defocus"])
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        answer.values = made.values
 
 
 def test_out_receives_the_values_and_is_the_answer():

@@ -49,19 +49,22 @@ std::vector<lommel::ZernikeTerm> terms_of(const In<Integer, 2>& given, std::size
     return terms;
 }
 
-// Of each pupil an image and the numbers that go with it.
+// Of each pupil an image and the numbers that go with it, one array for calls that take a microsecond: what the intensity is
+// multiplied by, the bound on the error, the peak. A scale of 0 divides by the largest value.
 template <class T>
-void require_answers(std::size_t pupils, const Out<T, 3>& images, const Out<double, 1>& scales, const Out<double, 1>& bounds,
-                     const Out<double, 1>& peaks) {
-    require(images.shape(0) == pupils && scales.shape(0) == pupils && bounds.shape(0) == pupils && peaks.shape(0) == pupils,
+lommel::Answer<T> answer_of(std::size_t pupils, double scale, const Out<T, 3>& images, const Out<double, 2>& numbers) {
+    require(images.shape(0) == pupils && numbers.shape(0) == 3 && numbers.shape(1) == pupils,
             "one image, scale, bound and peak a pupil");
     require_image(images.shape(1), images.shape(2));
+    double* const scales = numbers.data();
+    std::fill_n(scales, pupils, scale);
+    return {images.data(), scales, scales + pupils, scales + 2 * pupils, nullptr, 0, nullptr, nullptr};
 }
 
-// Of images by the coefficients of t^power.
+// Of images by the coefficients of t^power, if there are any.
 inline std::vector<std::size_t> powers_of(const In<std::int64_t, 1>& powers) {
     std::vector<std::size_t> which;
-    for (std::size_t i = 0; i < powers.shape(0); ++i) {
+    for (std::size_t i = 0; powers.is_valid() && i < powers.shape(0); ++i) {
         require(powers.data()[i] >= 1 && powers.data()[i] <= 64, "powers must be from 1 to 64");
         which.push_back(static_cast<std::size_t>(powers.data()[i]));
     }
@@ -71,7 +74,8 @@ inline std::vector<std::size_t> powers_of(const In<std::int64_t, 1>& powers) {
 template <class T>
 void require_derivatives(std::size_t powers, std::size_t pupils, const Out<T, 3>& of, const Out<T, 4>& images,
                          const Out<double, 2>& bounds) {
-    require(images.shape(0) == powers && bounds.shape(0) == powers, "one derivative a power");
+    require((images.is_valid() ? images.shape(0) : 0) == powers && (bounds.is_valid() ? bounds.shape(0) : 0) == powers,
+            "one derivative a power");
     require(powers == 0 || (images.shape(1) == pupils && images.shape(2) == of.shape(1) && images.shape(3) == of.shape(2) &&
                             bounds.shape(1) == pupils),
             "derivatives must match the images");
@@ -95,8 +99,8 @@ double judged(const Work& work) {
 // Images of pupils that are not radially symmetric, whose axes the engine moves to pixels or not.
 template <template <class> class Engine, bool Moves, class T>
 double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, double center_y,
-                   double center_x, double step, double tol, int threads, Out<T, 3> images, Out<double, 1> scales,
-                   Out<double, 1> bounds, Out<double, 1> peaks) {
+                   double center_x, double step, double tol, int threads, double scale, Out<T, 3> images,
+                   Out<double, 2> numbers) {
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     for (auto term = list.begin(); term != list.end(); ++term) {
         const std::int32_t n = term->n, order = std::abs(term->m);
@@ -107,7 +111,7 @@ double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
     const std::size_t n = edge.shape(0);
     require(n > 0, "one pupil at least");
     obscuration_of(obscuration);
-    require_answers(n, images, scales, bounds, peaks);
+    const lommel::Answer<T> answer = answer_of(n, scale, images, numbers);
     require_center(center_y, center_x);
     require_request(step, tol, threads);
     return judged([&] {
@@ -117,7 +121,7 @@ double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
             stack.move_axes(window);
         }
         stack.shrink();
-        Engine<T>(stack, window, tol, threads, {images.data(), scales.data(), bounds.data(), peaks.data()}).run();
+        Engine<T>(stack, window, tol, threads, {answer.images, answer.scales, answer.bounds, answer.peaks}).run();
     });
 }
 
@@ -125,8 +129,8 @@ template <template <class> class Engine, bool Moves>
 void define_disk_images(nb::module_& m, const char* name, const char* says) {
     for_both([&](auto pixel) {
         m.def(name, &disk_images<Engine, Moves, decltype(pixel)>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,
-              "center_y"_a, "center_x"_a, "step"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
-              "bounds"_a.noconvert(), "peaks"_a.noconvert(), says);
+              "center_y"_a, "center_x"_a, "step"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(),
+              "numbers"_a.noconvert(), says);
     });
 }
 

@@ -11,23 +11,20 @@ namespace {
 
 template <class T>
 double render(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, double center_y, double center_x,
-              double step, bool integrate, double tol, int threads, Out<T, 3> images, Out<double, 1> scales,
-              Out<double, 1> bounds, Out<double, 1> peaks, In<std::int64_t, 1> powers, Out<T, 4> derivative_images,
-              Out<double, 2> derivative_bounds) {
+              double step, bool integrate, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers,
+              In<std::int64_t, 1> powers, Out<T, 4> derivative_images, Out<double, 2> derivative_bounds) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
-    require_answers(stack.count, images, scales, bounds, peaks);
+    lommel::Answer<T> answer = answer_of(stack.count, scale, images, numbers);
     const lommel::PixelWindow window = window_of(images.shape(1), images.shape(2), center_y, center_x, step, integrate);
     require_request(step, tol, threads);
     const std::vector<std::size_t> which = powers_of(powers);
     require_derivatives(which.size(), stack.count, images, derivative_images, derivative_bounds);
-    const lommel::Answer<T> answer{images.data(),
-                                   scales.data(),
-                                   bounds.data(),
-                                   peaks.data(),
-                                   which.data(),
-                                   which.size(),
-                                   derivative_images.data(),
-                                   derivative_bounds.data()};
+    if (!which.empty()) {
+        answer.powers = which.data();
+        answer.derivatives = which.size();
+        answer.derivative_images = derivative_images.data();
+        answer.derivative_bounds = derivative_bounds.data();
+    }
     return judged([&] {
         if (window.centered() && !integrate) {
             lommel::Renderer<T>(stack, window.height, window.width, step, tol, threads, answer).run();
@@ -64,9 +61,9 @@ std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2>
 void bindings::define_radial(nb::module_& m) {
     for_both([&](auto pixel) {
         m.def("render", &render<decltype(pixel)>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a,
-              "step"_a, "integrate"_a, "tol"_a, "threads"_a, "images"_a.noconvert(), "scales"_a.noconvert(),
-              "bounds"_a.noconvert(), "peaks"_a.noconvert(), "powers"_a, "derivative_images"_a.noconvert(),
-              "derivative_bounds"_a.noconvert(),
+              "step"_a, "integrate"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
+              "powers"_a.none() = nb::none(), "derivative_images"_a.noconvert().none() = nb::none(),
+              "derivative_bounds"_a.noconvert().none() = nb::none(),
               "Images of a stack of pupils by the spectral engine, and their derivatives by the coefficients of t^power; "
               "returns 0, or the bound where tol cannot be met.");
     });

@@ -6,20 +6,21 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Numbers
+from lommel.base.arrays import Numbers, largest
+from lommel.base.trusted import made as made_of
 from lommel.core.answers import Images, Wanted
 from lommel.measures import energy, image_transfer, spot
 from lommel.measures.answer import Answer
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, widened
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import Pupil, checked
 from lommel.show import plot
 
 if TYPE_CHECKING:
@@ -184,29 +185,21 @@ class Plan:
         self.normalize = validation.choice("normalize", normalize, ("energy", "strehl", "peak"))
         self.dtype = _output_type(dtype, tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
+        self._asked: _Asked | None = None
 
     def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
-        grid, normalize = self._grid(pupil), self.normalize
-        ways = candidates(pupil, grid, self.tol) if self.method is None else (self.method,)
-        method = ways[0]
-        method.require(pupil)
-        validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
-        if method.sampling == "center":
-            grid.require_reach(pupil)
-        stack = pupil.shape
-        count = math.prod(stack) * grid.height * grid.width
-        if count > validation.MAX_VALUES:
-            raise ValueError(
-                f"shape {grid.shape} for {math.prod(stack)} pupils makes {count} values, "
-                f"more than the limit of {validation.MAX_VALUES}"
-            )
-        powers = _powers(derivatives)
+        light = checked(pupil).aperture, pupil.radial, pupil.wavefront.shape, pupil.wavelength, pupil.f_number
+        asked = self._asked
+        if asked is None or asked.light != light:
+            asked = self._asked = self._prepared(pupil, light)
+        _, grid, ways, shape, flat, per_pixel = asked
+        ways[0].require(pupil)
+        normalize, powers = self.normalize, _powers(derivatives)
         if powers and normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
-        per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
-        scale = per_pixel if normalize == "energy" else 1.0 / method.unaberrated_peak(pupil)
-        place = None if out is None else self._checked(out, stack)
+        scale = per_pixel if normalize == "energy" else 1.0 / ways[0].unaberrated_peak(pupil)
+        place = None if out is None else self._checked(out, shape, flat)
         wanted = Wanted(None if normalize == "peak" else scale, self.dtype, place, powers, self.threads)
 
         def ask(way: Method) -> Images:
@@ -218,37 +211,66 @@ class Plan:
             for name, values, bound in zip(derivatives, *made.slopes, strict=True):
                 # The coefficient of rho^2 is twice C_d.
                 factor = 2.0 if name == "defocus" else 1.0
-                slopes[name] = np.multiply(values, factor, out=values).reshape(stack + grid.shape)
+                slopes[name] = np.multiply(values, factor, out=values).reshape(shape)
                 slope_bounds[name] = factor * float(bound.max())
-        return PSF(
-            values=made.values.reshape(stack + grid.shape) if out is None else out,
+        return made_of(
+            PSF,
+            values=made.values.reshape(shape) if out is None else out,
             grid=grid,
             pupil=pupil,
             method=method,
             normalize=normalize,
-            error_bound=None if made.error is None else float(made.error.max()),
-            scale=made.scale.reshape(stack),
+            error_bound=None if made.error is None else largest(made.error),
+            scale=made.scale.reshape(pupil.shape),
             derivatives=slopes,
             derivative_bounds=slope_bounds,
         )
 
+    def _prepared(self, pupil: Pupil, light: tuple[Any, ...]) -> _Asked:
+        """Return what is to be asked for a pupil of such light, which nothing but its phase tells from others."""
+        grid = self._grid(pupil)
+        ways = candidates(pupil, grid, self.tol) if self.method is None else (self.method,)
+        ways[0].require(pupil)
+        validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
+        if ways[0].sampling == "center":
+            grid.require_reach(pupil)
+        stack = pupil.shape
+        count = math.prod(stack) * grid.height * grid.width
+        if count > validation.MAX_VALUES:
+            raise ValueError(
+                f"shape {grid.shape} for {math.prod(stack)} pupils makes {count} values, "
+                f"more than the limit of {validation.MAX_VALUES}"
+            )
+        per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
+        return _Asked(light, grid, ways, stack + grid.shape, (math.prod(stack), *grid.shape), per_pixel)
+
     def _grid(self, pupil: Pupil) -> Grid:
         averages = self.integrate
         if averages is None:
-            # What is no pupil is refused by the method, as ever.
-            averages = getattr(pupil, "wavelength", None) is not None
-            averages = averages or (self.method is not None and self.method.sampling == "pixel")
+            metric = pupil.wavelength is not None
+            averages = metric or (self.method is not None and self.method.sampling == "pixel")
         return self._averaged if averages else self._sampled
 
-    def _checked(self, out: NDArray[Any], stack: tuple[int, ...]) -> NDArray[Any]:
-        wanted = stack + self._sampled.shape
-        if _array("out", out).shape != wanted:
-            raise ValueError(f"out must have the shape {wanted}, got {out.shape}")
+    def _checked(self, out: NDArray[Any], shape: tuple[int, ...], flat: tuple[int, ...]) -> NDArray[Any]:
+        if _array("out", out).shape != shape:
+            raise ValueError(f"out must have the shape {shape}, got {out.shape}")
         if out.dtype != self.dtype:
             raise ValueError(f"out must be of {self.dtype}, got {out.dtype}")
-        if not (out.flags.c_contiguous and out.flags.writeable):
+        flags = out.flags
+        if not (flags.c_contiguous and flags.writeable):
             raise ValueError("out must be C-contiguous and writable")
-        return out.reshape(-1, *self._sampled.shape)
+        return out.reshape(flat)
+
+
+class _Asked(NamedTuple):
+    """What to ask for pupils of some `light`, all but their phase: the window, methods in turn, shapes, scale."""
+
+    light: tuple[Any, ...]
+    grid: Grid
+    ways: tuple[Method, ...]
+    shape: tuple[int, ...]
+    flat: tuple[int, ...]
+    per_pixel: float
 
 
 _POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}

@@ -283,9 +283,9 @@ def first_error(terms: list[tuple[int, int]], phase: list[float], light: list[fl
 @example([8.0, -3.0, 4.0, 7.0, -5.0, 6.0, 0.0, 6.0], [0.0], 1e-6, False, 0.0, 4.0, 0.7)
 def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscuration, column, strength):
     c = [strength * value for value in c]
-    images, bounds, scales = np.empty((1, 1, 8)), np.empty(1), np.full(1, 0.0 if divided else 1.0)
-    step, peaks = 1.2, np.empty(1)
-    disk, places = (np.array([c]), obscuration, np.array(light)), (images, scales, bounds, peaks)
+    images, numbers, step = np.empty((1, 1, 8)), np.empty((3, 1)), 1.2
+    scales, bounds, peaks = numbers
+    disk, places = (np.array([c]), obscuration, np.array(light)), (0.0 if divided else 1.0, images, numbers)
     unmet = _core.chordal_images(TERMS.astype(np.int32), *disk, 0.0, column, step, tol, 1, *places)
     if unmet:
         assert unmet > tol
@@ -321,9 +321,9 @@ def test_the_bound_of_an_image_is_made_of_these(c, light, tol, divided, obscurat
 @given(coefficients, st.sampled_from([1e-2, 1e-3]), st.booleans(), st.sampled_from([0.0, 0.5]))
 def test_the_bound_of_an_image_in_single_precision_has_its_rounding(c, tol, divided, obscuration):
     c = [0.1 * value for value in c]
-    images, bounds = np.empty((1, 1, 8), np.float32), np.empty(1)
-    step, peaks, scales, light = 1.2, np.empty(1), np.full(1, 0.0 if divided else 1.0), [0.0]
-    disk, places = (np.array([c]), obscuration, np.array(light)), (images, scales, bounds, peaks)
+    images, numbers, step, light = np.empty((1, 1, 8), np.float32), np.empty((3, 1)), 1.2, [0.0]
+    _, bounds, peaks = numbers
+    disk, places = (np.array([c]), obscuration, np.array(light)), (0.0 if divided else 1.0, images, numbers)
     assert _core.chordal_images(TERMS.astype(np.int32), *disk, 0.0, 3.0, step, tol, 1, *places) == 0.0
     low, high, area = -3 * step, 4 * step, obscuration**2
     stack = _core.disk_stack(TERMS, np.array(c), obscuration, 0.0, 3.0, step, moved=False)

@@ -122,8 +122,8 @@ def test_every_pupil_of_a_stack_has_its_own_inner_disk(engine):
     edge = rng.normal(size=(5, 4))
 
     def image(rows):
-        images, parts = np.empty((len(rows), 6, 7)), [np.ones(len(rows)), np.empty(len(rows)), np.empty(len(rows))]
-        assert engine(terms, rows, 0.5, np.zeros(1), 2.2, 3.7, 0.9, 1e-9, 1, images, *parts) == 0.0
+        images, numbers = np.empty((len(rows), 6, 7)), np.empty((3, len(rows)))
+        assert engine(terms, rows, 0.5, np.zeros(1), 2.2, 3.7, 0.9, 1e-9, 1, 1.0, images, numbers) == 0.0
         return images
 
     together = image(edge)

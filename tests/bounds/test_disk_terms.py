@@ -247,10 +247,10 @@ def test_the_bound_of_an_image_is_made_of_these(normalize, side, step, obscurati
     outer, lost = np.array(disks["outer"]), disks["lost"][0]
     inner = np.array(disks["inner"] or disks["outer"])
     assert (lost > 0.0) == (obscuration > 0.0)
-    images, scales = np.empty((1, side, side)), np.full(1, 0.0 if normalize == "peak" else 1.0)
-    bounds, peaks = np.empty(1), np.empty(1)
+    images, numbers = np.empty((1, side, side)), np.empty((3, 1))
+    scale, (_, bounds, peaks) = 0.0 if normalize == "peak" else 1.0, numbers
     stack = (terms.astype(np.int32), np.array([list(c.values())]), obscuration, np.zeros(1), middle, middle)
-    assert _core.series_images(*stack, step, tol, 1, images, scales, bounds, peaks) == 0.0
+    assert _core.series_images(*stack, step, tol, 1, scale, images, numbers) == 0.0
     size = sum(abs(x) for x in c.values())
     # Storing takes its part of the tolerance first.
     rest = tol - (_core.stored_bound(tol, False, False) - tol)

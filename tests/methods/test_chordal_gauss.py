@@ -298,15 +298,14 @@ def test_what_is_refused_is_named():
         ({"step": 0.0}, "step and tol must be positive"),
         ({"center_y": 2e6}, "within 1e6 pixels"),
         ({"images": np.zeros((2, 3, 3))}, "one image, scale, bound and peak"),
-        ({"peaks": np.zeros(2)}, "one image, scale, bound and peak"),
+        ({"numbers": np.zeros((3, 2))}, "one image, scale, bound and peak"),
     ],
 )
 def test_the_compiled_core_refuses_what_does_not_fit(change, message):
     arguments = {
         "terms": np.array([[2, 0]], np.int32), "edge": np.zeros((1, 1)), "obscuration": 0.0,
         "amplitude": np.zeros(1), "center_y": 1.0, "center_x": 1.0, "step": 1.0, "tol": 1e-6, "threads": 1,
-        "images": np.zeros((1, 3, 3)), "scales": np.ones(1), "bounds": np.zeros(1),
-        "peaks": np.zeros(1),
+        "scale": 1.0, "images": np.zeros((1, 3, 3)), "numbers": np.zeros((3, 1)),
     }  # fmt: skip
     for engine in (_core.chordal_images, _core.series_images):
         with pytest.raises(ValueError, match=message):
@@ -316,12 +315,12 @@ def test_the_compiled_core_refuses_what_does_not_fit(change, message):
 @pytest.mark.parametrize("engine", [_core.chordal_images, _core.series_images])
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
 def test_an_image_is_written_where_it_is_to_be_even_if_other_arguments_are_converted(engine, kind):
-    images, parts = np.zeros((1, 3, 3), kind), (np.ones(1), np.zeros(1), np.zeros(1))
-    place = (1, 1, 0.5, 1e-3, 1)  # whole numbers for the centre
-    assert engine(np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1), *place, images, *parts) == 0.0
+    images, numbers = np.zeros((1, 3, 3), kind), np.zeros((3, 1))
+    place = (1, 1, 0.5, 1e-3, 1, 1.0)  # whole numbers for the centre
+    assert engine(np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1), *place, images, numbers) == 0.0
     assert images.min() > 0.1
     with pytest.raises(TypeError, match="incompatible function arguments"):
-        engine(np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1), *place, images.astype(int), *parts)
+        engine(np.array([[2, 2]], np.int32), np.ones((1, 1)), 0.0, np.zeros(1), *place, images.astype(int), numbers)
 
 
 def test_a_pupil_that_passes_less_light_than_rounding_makes_is_refused_and_not_tried_for_ever():

@@ -276,3 +276,23 @@ def test_distances_that_do_not_broadcast_with_the_aberrations_are_named():
         lens.pupil([1.0, 2.0, 3.0])
     assert "(3,)" in str(caught.value)
     assert "(2,)" in str(caught.value)
+
+
+@pytest.mark.parametrize("model", ["paraxial", "aplanatic"])
+@pytest.mark.parametrize("aberrations", [lm.Wavefront(), lm.Wavefront(0.3, 0.2), lm.Wavefront(np.array([1.0, 2.0]))])
+def test_the_pupil_of_a_number_is_that_of_an_array_of_one_bit_by_bit(model, aberrations):
+    lens = lm.Lens(
+        focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=5e-7, model=model, aberrations=aberrations
+    )
+    for distance in (1.0, np.float64(1.7), 2.0, 3, np.inf, np.float32(4.0)):
+        one, other = lens.pupil(distance), lens.pupil(np.array(distance))
+        assert one == other
+        assert repr(one) == repr(other)
+        assert one.wavefront.edge.tobytes() == other.wavefront.edge.tobytes()
+        assert one.wavefront.coefficients.tobytes() == other.wavefront.coefficients.tobytes()
+        assert not one.wavefront.edge.flags.writeable
+        assert not one.wavefront.coefficients.flags.writeable
+        assert [type(s) for s in one.geometry.object_distance] == [float] * max(1, len(aberrations.shape) * 2)
+        assert one.transmission == replace(one).transmission
+        assert lens.defocus(distance).tobytes() == lens.defocus(np.array(distance)).tobytes()
+        assert isinstance(lens.defocus(distance), np.ndarray)

@@ -38,10 +38,9 @@ def rendered(
     """Return what is rendered on an image of this shape, around its middle unless a center is named."""
     coefficients = np.array(pupils, np.float64)
     count, which = len(coefficients), np.array(powers, np.int64)
-    images, scales = np.empty((count, *shape), dtype), np.full(count, 0.0 if divided else 1.0)
-    bounds, peaks = np.empty(count), np.empty(count)
+    images, numbers = np.empty((count, *shape), dtype), np.empty((3, count))
     slopes, slope_bounds = np.empty((len(which), *images.shape), dtype), np.empty((len(which), count))
     place = (*(center or (shape[0] // 2, shape[1] // 2)), step, integrate, tol, threads)
-    written = (images, scales, bounds, peaks, which, slopes, slope_bounds)
+    written = (0.0 if divided else 1.0, images, numbers, which, slopes, slope_bounds)
     unmet = _core.render(coefficients, obscuration, np.array(light, np.float64), *place, *written)
-    return Rendered(unmet, images, scales, bounds, peaks, slopes, slope_bounds)
+    return Rendered(unmet, images, *numbers, slopes, slope_bounds)

@@ -175,14 +175,17 @@ def number_array(name: str, value: ArrayLike) -> NDArray[Any]:
     return given
 
 
-def real_array(name: str, value: ArrayLike, *, least: float = -math.inf) -> Array:
+def real_array(name: str, value: float | ArrayLike, *, least: float = -math.inf) -> Array:
     """Return `value` as a read-only float64 array of finite numbers ``>= least``."""
-    with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, which is told
-        found = np.array(number_array(name, value), dtype=np.float64, subok=False)
-    bad = ~(np.isfinite(found) & (found >= least))
-    if bad.any():
-        limit = f" and >= {least:g}" if least > -math.inf else ""
-        raise ValueError(f"{name} must be finite{limit}, got {found[bad].flat[0]}")
+    if isinstance(value, float) and math.isfinite(value) and value >= least:
+        found = np.array(value, dtype=np.float64)  # without what it costs to ask an array
+    else:
+        with np.errstate(over="ignore"):  # a long double beyond the range becomes infinite, which is told
+            found = np.array(number_array(name, value), dtype=np.float64, subok=False)
+        bad = ~(np.isfinite(found) & (found >= least))
+        if bad.any():
+            limit = f" and >= {least:g}" if least > -math.inf else ""
+            raise ValueError(f"{name} must be finite{limit}, got {found[bad].flat[0]}")
     found.flags.writeable = False
     return found
 

@@ -77,18 +77,10 @@ class Window(NamedTuple):
     step: float
 
 
-# No powers, and so no derivatives: for small images, to which such arrays would add a tenth.
-_NO_SLOPES: dict[Any, tuple[NDArray[np.int64], NDArray[Any], Array]] = {
-    kind: (np.empty(0, np.int64), np.empty((0, 0, 0, 0), kind), np.empty((0, 0))) for kind in (np.float32, np.float64)
-}
-
-
-def _places(count: int, window: Window, wanted: Wanted) -> tuple[NDArray[Any], Array, Array, Array]:
-    """Return where the core writes: images, what they are multiplied by, bounds on their error, and peaks."""
+def _places(count: int, window: Window, wanted: Wanted) -> tuple[float, NDArray[Any], Array]:
+    """Return the scale, and where the core writes: images; of each what it is multiplied by, its error, its peak."""
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
-    scales = np.empty(count)
-    scales.fill(0.0 if wanted.scale is None else wanted.scale)
-    return values, scales, np.empty(count), np.empty(count)
+    return wanted.scale or 0.0, values, np.empty((3, count))
 
 
 def _require(unmet: float, tol: float, over: str) -> None:
@@ -119,15 +111,14 @@ def radial_images(
     ToleranceError
         If `tol` cannot be met.
     """
-    values, scales, bounds, peaks = places = _places(len(stack.terms), window, wanted)
-    written, n = _NO_SLOPES[values.dtype.type], len(wanted.powers)
-    if n:
-        powers = np.array(wanted.powers, dtype=np.int64)
-        written = powers, np.empty((n, *values.shape), values.dtype), np.empty((n, len(values)))
-    given = (*stack, *window.center, window.step, integrate, tol, wanted.threads)
-    unmet = _core.render(*given, *places, *written)
-    _require(unmet, tol, "the largest value in the window" if wanted.scale is None else "the peak")
-    return Images(values, scales, bounds, Slopes(*written[1:]) if n else None, peaks)
+    _, values, numbers = places = _places(len(stack.terms), window, wanted)
+    given: tuple[Any, ...] = (*stack, *window.center, window.step, integrate, tol, wanted.threads, *places)
+    slopes = None
+    if n := len(wanted.powers):
+        slopes = Slopes(np.empty((n, *values.shape), values.dtype), np.empty((n, len(values))))
+        given += np.array(wanted.powers, dtype=np.int64), *slopes
+    _require(_core.render(*given), tol, "the largest value in the window" if wanted.scale is None else "the peak")
+    return Images(values, numbers[0], numbers[1], slopes, numbers[2])
 
 
 def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
@@ -143,10 +134,10 @@ def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted)
 def _disk_images(
     compute: Callable[..., float], over: str, stack: DiskStack, window: Window, tol: float, wanted: Wanted
 ) -> Images:
-    values, scales, bounds, peaks = places = _places(len(stack.edge), window, wanted)
+    _, values, numbers = places = _places(len(stack.edge), window, wanted)
     unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places)
     _require(unmet, tol, over)
-    return Images(values, scales, bounds, None, peaks)
+    return Images(values, numbers[0], numbers[1], None, numbers[2])
 
 
 def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:

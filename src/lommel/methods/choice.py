@@ -11,7 +11,6 @@ from typing import Any, NamedTuple, TypeVar
 from lommel.core.answers import ToleranceError
 from lommel.methods.averaging import samples_across
 from lommel.methods.chordal_gauss import ChordalGauss
-from lommel.methods.hankel import Hankel
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
@@ -133,13 +132,12 @@ def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> 
     ToleranceError, ValueError
         What the last one raises.
     """
-    *others, last = ways
-    for way in others:
+    for way in ways[:-1]:
         try:
             return way, ask(way)
         except (ToleranceError, ValueError):
             continue
-    return last, ask(last)
+    return ways[-1], ask(ways[-1])
 
 
 def of_profiles(tol: float = Method.tol) -> NijboerZernike:
@@ -170,5 +168,7 @@ def reference(pupil: Pupil) -> Method:
         For apertures that are not round, `NonuniformFFT` at its finest.
     """
     if pupil.radial:
+        from lommel.methods.hankel import Hankel  # for reports, which are rare
+
         return Hankel()
     return NijboerZernike(tol=1e-9) if pupil.circular else NonuniformFFT(tol=NonuniformFFT.least_tol)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.core.answers import FieldValues
-from lommel.methods import bounds
+from lommel.methods.bounds import growth, quadrature_error, quadrature_nodes, rounding_error
 from lommel.methods.method import FieldMethod
 from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
@@ -57,8 +57,8 @@ class Hankel(FieldMethod):
         low = pupil.obscuration**2
         terms = pupil.radial_terms()
         reach = float(v[-1]) if v.size else 0.0
-        g = bounds.growth(terms, low, reach, pupil.illumination)
-        n = bounds.quadrature_nodes(g, self.tol * (1.0 - low), low)
+        g = growth(terms, low, reach, pupil.illumination)
+        n = quadrature_nodes(g, self.tol * (1.0 - low), low)
         if n > _MAX_NODES:
             raise ValueError(
                 f"phases of {np.abs(terms).max():.3g} rad and v up to {reach:.3g} take {n:.3g} quadrature "
@@ -73,5 +73,5 @@ class Hankel(FieldMethod):
             block = slice(start, start + rows)
             kernel = j0(root * v[block])
             values[:, block] = integrand.real @ kernel + 1j * (integrand.imag @ kernel)
-        error = bounds.quadrature_error(g, n, low) + bounds.rounding_error(terms, low, n)
+        error = quadrature_error(g, n, low) + rounding_error(terms, low, n)
         return FieldValues(values, error)

@@ -22,8 +22,8 @@ def radial_stack(pupil: Pupil) -> RadialStack:
 
 def disk_stack(pupil: Pupil) -> DiskStack:
     """Return the flattened stack of a pupil of any wavefront over a round aperture."""
-    wavefront = pupil.wavefront.flattened()
-    return DiskStack(wavefront.indices, wavefront.edge, pupil.obscuration, pupil.illumination.exponent)
+    edge, indices = pupil.wavefront.edge, pupil.wavefront.indices
+    return DiskStack(indices, edge.reshape(-1, len(indices)), pupil.obscuration, pupil.illumination.exponent)
 
 
 def window_of(pupil: Pupil, grid: Grid) -> Window:

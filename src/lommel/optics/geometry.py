@@ -67,8 +67,10 @@ class Geometry:
         return cls(**{**description, "object_distance": distances})
 
 
-def object_distances(value: ArrayLike) -> NDArray[np.float64]:
-    """Return distances of objects as floats, or raise TypeError or ValueError."""
+def object_distances(value: float | ArrayLike) -> float | NDArray[np.float64]:
+    """Return distances of objects as floats, one as a float of Python, or raise TypeError or ValueError."""
+    if isinstance(value, float) and value >= 1e-150:
+        return float(value)
     distance = validation.array("object_distance", value)
     if distance.dtype.kind not in "iuf":
         raise TypeError(f"object_distance must be a number of metres, got {validation.shown(value)}")

@@ -63,7 +63,7 @@ class Grid:
         """Whether the axis is in the default place."""
         return self.center == (self.height // 2, self.width // 2)
 
-    @property
+    @cached_property
     def shape(self) -> tuple[int, int]:
         """Height and width."""
         return self.height, self.width

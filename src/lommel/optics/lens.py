@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.cached import cached_property
+from lommel.base.trusted import changed
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
 from lommel.optics.aplanatic import expansion, growth
 from lommel.optics.apodization import Apodization, illumination, lens_apodization
@@ -20,6 +21,7 @@ from lommel.optics.wavefront import Wavefront
 
 MODELS = ("paraxial", "aplanatic")
 CORRECTED_FOR = ("object", "focus")
+_Numbers = float | NDArray[np.float64]
 
 
 @dataclass(frozen=True, init=False)
@@ -268,11 +270,12 @@ class Lens:
         TypeError, ValueError
             If a distance is not above 0; without one, if no object is in focus.
         """
-        return self._defocus(self._object_distance(object_distance))
+        return np.asarray(self._defocus(self._object_distance(object_distance)))
 
-    def _defocus(self, s: NDArray[np.float64]) -> NDArray[np.float64]:
+    # For one object in numbers of Python, which such small sums are faster with.
+    def _defocus(self, s: _Numbers) -> _Numbers:
         vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length + 1.0 / s
-        return np.asarray(math.pi / (2.0 * self.wavelength) * vergence * (0.5 * self.aperture_diameter) ** 2)
+        return math.pi / (2.0 * self.wavelength) * vergence * (0.5 * self.aperture_diameter) ** 2
 
     def phase(self, defocus: ArrayLike) -> Wavefront:
         """Return the wavefront of a defocus C_d (radians, of any shape), without the aberrations of the lens.
@@ -297,9 +300,10 @@ class Lens:
         """
         return self._phase(validation.real_array("defocus", defocus))
 
-    def _phase(self, c: NDArray[np.float64]) -> Wavefront:
+    def _phase(self, c: _Numbers) -> Wavefront:
         if self.model == "paraxial":
             return Wavefront.of_defocus(c)
+        c = np.asarray(c)
         radius = 0.5 * self.aperture_diameter
         vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c.ravel()
         edge, error = expansion(radius, self._geometry.sphere, vergence, self.wavelength)
@@ -362,11 +366,11 @@ class Lens:
             except ValueError:
                 raise ValueError(
                     "object_distance must broadcast with the aberrations, "
-                    f"got shapes {s.shape} and {self.aberrations.shape}"
+                    f"got shapes {np.shape(s)} and {self.aberrations.shape}"
                 ) from None
-        distances = s if s.shape == wavefront.shape else np.broadcast_to(s, wavefront.shape)
-        geometry = replace(self._geometry, object_distance=tuple(distances.ravel().tolist()))
-        return self._in_focus.carrying(wavefront, geometry)
+        one = isinstance(s, float) and not wavefront.shape
+        distances = (s,) if one else tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
+        return self._in_focus.carrying(wavefront, changed(self._geometry, object_distance=distances))
 
     @cached_property
     def _in_focus(self) -> Pupil:
@@ -382,7 +386,7 @@ class Lens:
             mask=self.mask,
         )
 
-    def _object_distance(self, value: ArrayLike | None) -> NDArray[np.float64]:
+    def _object_distance(self, value: ArrayLike | None) -> _Numbers:
         if value is None:
             value = focus = self.focus_distance
             if focus < 0.0:

@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.cached import cached_property
+from lommel.base.trusted import changed
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider, cell_centers, vignetting_from_dict
 from lommel.optics.apodization import Apodization, illumination
 from lommel.optics.geometry import Geometry
@@ -55,6 +57,8 @@ class Pupil:
         Whether the aperture is a plain disc or annulus: without spider, vignetting and mask.
     radial : bool
         Whether phase and transmission depend on the distance from the axis only.
+    aperture : tuple
+        All that decides which light passes: obscuration, illumination, spider, vignetting and mask.
 
     Raises
     ------
@@ -74,8 +78,9 @@ class Pupil:
     mask: Mask | None = field(default=None, kw_only=True)
     illumination: Apodization = field(init=False, repr=False, compare=False)
     circular: bool = field(init=False, repr=False, compare=False)
-    # A field, for a PSF asks several times and a small one takes microseconds.
+    # Fields, for a PSF asks several times and a small one takes microseconds.
     radial: bool = field(init=False, repr=False, compare=False)
+    aperture: tuple[Any, ...] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         validation.instance("wavefront", self.wavefront, Wavefront)
@@ -96,7 +101,8 @@ class Pupil:
             wavelength = validation.wavelength(self.wavelength)
             vars(self).update(wavelength=wavelength, f_number=validation.real("f_number", self.f_number, above=0.0))
         circular = all(part is None for part in (self.spider, self.vignetting, self.mask))
-        vars(self).update(circular=circular, radial=circular and self.wavefront.radial)
+        aperture = eps, light, self.spider, self.vignetting, self.mask
+        vars(self).update(circular=circular, radial=circular and self.wavefront.radial, aperture=aperture)
         if not circular:
             self._check_aperture()
 
@@ -127,12 +133,14 @@ class Pupil:
         """Unit of lengths on the sensor: ``"m"`` or ``"lambda*N"``."""
         return "lambda*N" if self.wavelength is None else "m"
 
-    @property
+    # Cached are what all pupils of an aperture share and :meth:`carrying` carries along.
+
+    @cached_property
     def area(self) -> float:
         """Clear area over that of the unobscured aperture, ``1 - eps^2`` if circular; a mask counts by amplitude."""
         return self._integral(0.0)
 
-    @property
+    @cached_property
     def amplitude(self) -> float:
         """Field at the peak without aberration, ``(1/pi) int A dx dy`` of the amplitude A; the area if it is 1.
 
@@ -141,7 +149,7 @@ class Pupil:
         """
         return self._integral(1.0)
 
-    @property
+    @cached_property
     def transmission(self) -> float:
         """Light that passes, ``(1/pi) int A^2 dx dy`` of the amplitude A; the area if A is 1."""
         return self._integral(2.0)
@@ -190,7 +198,7 @@ class Pupil:
     def radial_terms(self) -> NDArray[np.float64]:
         """Return the coefficients of R_2^0, R_4^0, ... for the flattened stack, shape ``(n, terms)``."""
         terms = self.wavefront.radial_terms
-        return terms.reshape(-1, terms.shape[-1])
+        return terms[None] if terms.ndim == 1 else terms.reshape(-1, terms.shape[-1])
 
     def radial_phase(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the radially symmetric part of the phase at `t`, rho^2, 0 at t = 0, shape ``(n, ...)``."""
@@ -267,11 +275,13 @@ class Pupil:
 
         Nothing is checked that was checked before.
         """
-        made = object.__new__(Pupil)
-        vars(made).update(vars(self))
-        vars(made).update(wavefront=wavefront, geometry=geometry, radial=self.circular and wavefront.radial)
-        vars(made).update(wavelength=wavelength or self.wavelength)
-        return made
+        return changed(
+            self,
+            wavefront=wavefront,
+            geometry=geometry,
+            radial=self.circular and wavefront.radial,
+            wavelength=wavelength or self.wavelength,
+        )
 
     def unaberrated(self) -> Pupil:
         """Return the same aperture, in focus and without aberration."""

@@ -25,6 +25,8 @@ class Terms:
     edge: Array
     error: float
     shape: tuple[int, ...]
+    # How many of the terms, the first, are radially symmetric: those of n = 2, 4, ...
+    symmetric: int = field(repr=False)
     # Coefficients of rho^2, rho^4, ... where the radial terms were given so: what is shown, and comes back as it was.
     _powers: Array | None = field(repr=False)
 
@@ -38,14 +40,21 @@ class Terms:
         """Take what was checked. Of powers that are given the radial terms are made, into `edge`."""
         if powers is not None:
             edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
-            powers.flags.writeable = False
         if edge.size == 0:
             raise ValueError(f"the coefficients of a wavefront must not be empty, got shape {edge.shape[:-1]}")
         if not np.isfinite(edge).all():
             raise ValueError("the coefficients of a wavefront must be finite, and so must their multiples and sums")
+        self._hold(terms, edge, error, powers)
+
+    def _hold(self, terms: tuple[tuple[int, int], ...], edge: Array, error: float, powers: Array | None) -> Self:
+        """Take what needs no check, and return the wavefront."""
         edge.flags.writeable = False
+        if powers is not None:
+            powers.flags.writeable = False
         # As object.__setattr__ would, but all at once.
-        vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=edge.shape[:-1])
+        shape, symmetric = edge.shape[:-1], _symmetric(terms)
+        vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=shape, symmetric=symmetric)
+        return self
 
     @classmethod
     def trusted(
@@ -92,22 +101,15 @@ class Terms:
         """
         return cls.trusted(symmetric_terms(edge.shape[-1]), edge, error)
 
-    @cached_property
-    def symmetric(self) -> int:
-        """How many of the terms, the first, are radially symmetric: those of n = 2, 4, ..."""
-        return sum(m == 0 for _, m in self.terms)
-
-    @cached_property
+    @property
     def radial_terms(self) -> Array:
         """Coefficients of R_2^0, R_4^0, ..., shape ``shape + (terms,)``."""
         return self.edge if self.symmetric == len(self.terms) else self.edge[..., : self.symmetric].copy()
 
-    @cached_property
+    @property
     def indices(self) -> NDArray[np.int32]:
         """The n and m of each term, shape ``(terms, 2)``."""
-        found = np.array(self.terms, dtype=np.int32)
-        found.flags.writeable = False
-        return found
+        return _indices(self.terms)
 
     @cached_property
     def coefficients(self) -> Array:
@@ -127,17 +129,19 @@ class Terms:
         """Whether there is no phase at all, and no stack of it."""
         return not (self.edge.any() or self.error or self.shape)
 
-    @cached_property
+    @property
     def left_out(self) -> float:
         """Bound on what the terms leave out of the phase: `error`, and what they lose where powers of rho cancel.
 
         A rounding of each term is not counted here: engines count it.
         """
-        if self._powers is None or self.symmetric <= 2:
-            return self.error
-        lost = zernike.conversion_error(self._powers)
+        return self.error + (0.0 if self._powers is None or self.symmetric <= 2 else self._lost)
+
+    @cached_property
+    def _lost(self) -> float:
+        lost = zernike.conversion_error(self.coefficients)
         rounded = 2.0**-53 * np.abs(self.radial_terms).sum(axis=-1)
-        return self.error + (float(lost.max()) if np.any(lost > rounded) else 0.0)
+        return float(lost.max()) if np.any(lost > rounded) else 0.0
 
     def __getitem__(self, index: Any) -> Self:
         """Return part of a stack, as NumPy indexes arrays of its shape."""
@@ -233,6 +237,18 @@ class Terms:
         # Without the views, of which that of `nonradial` cannot be pickled.
         powers = None if self._powers is None else self._powers.copy()
         return type(self).trusted, (self.terms, self.edge.copy(), self.error, powers)
+
+
+@lru_cache(maxsize=64)
+def _symmetric(terms: tuple[tuple[int, int], ...]) -> int:
+    return sum(m == 0 for _, m in terms)
+
+
+@lru_cache(maxsize=64)
+def _indices(terms: tuple[tuple[int, int], ...]) -> NDArray[np.int32]:
+    found = np.array(terms, dtype=np.int32)
+    found.flags.writeable = False
+    return found
 
 
 @lru_cache(maxsize=64)

@@ -109,8 +109,13 @@ class Wavefront(Descriptions):
             )
 
     @classmethod
-    def of_defocus(cls, defocus: Array) -> Self:
+    def of_defocus(cls, defocus: float | Array) -> Self:
         """Build a wavefront from a checked C_d, `defocus`, radians."""
+        if isinstance(defocus, float) and math.isfinite(2.0 * defocus):
+            # As below, bit by bit, but without what arrays of two numbers cost.
+            powers, edge = np.array((2.0 * defocus, 0.0)), np.array((defocus + 0.0, 0.0))
+            return cls.__new__(cls)._hold(symmetric_terms(2), edge, 0.0, powers)
+        defocus = np.asarray(defocus)
         powers = np.zeros((*defocus.shape, 2))
         powers[..., 0] = 2.0 * defocus
         return cls.trusted(symmetric_terms(2), np.empty_like(powers), 0.0, powers)
@@ -141,7 +146,7 @@ class Wavefront(Descriptions):
     @property
     def radial(self) -> bool:
         """Whether the phase depends on rho only: no other term, or none but zeros."""
-        return not self.nonradial or not any(np.any(c) for c in self.nonradial.values())
+        return self.symmetric == len(self.terms) or not self.edge[..., self.symmetric :].any()
 
     @property
     def waves(self) -> dict[str, Array]:

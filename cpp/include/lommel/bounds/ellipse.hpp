@@ -101,13 +101,19 @@ class Ellipses {
     // Math. Comp. 81, 861 (2012): |beta_n| <= (2n+1) l M e^{-(n+1) eta} / (pi (1 - e^{-2 eta})), l the perimeter.
     double tail(std::size_t terms) const {
         const double order = 2.0 * static_cast<double>(terms) + 1.0;
-        double best = 1e300;
+        std::array<double, count> exponent;
         for (std::size_t i = 0; i < count; ++i) {
+            exponent[i] = g_[i] + grid.perimeter[i] - (static_cast<double>(terms) + 1.0) * grid.eta[i];
+        }
+        const auto whole = [&](std::size_t i) {
             const double q = grid.decay[i];
-            const double exponent = g_[i] + grid.perimeter[i] - (static_cast<double>(terms) + 1.0) * grid.eta[i];
-            // The sum is more than 1; its logarithm only where it may matter.
-            if (exponent < best) {
-                best = std::min(best, exponent + std::log(1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q))));
+            return exponent[i] + std::log(1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q)));
+        };
+        // The sum is more than 1; its logarithm only where it may matter, which is hardly anywhere but where the rest is least.
+        double best = whole(static_cast<std::size_t>(std::min_element(exponent.begin(), exponent.end()) - exponent.begin()));
+        for (std::size_t i = 0; i < count; ++i) {
+            if (exponent[i] < best) {
+                best = std::min(best, whole(i));
             }
         }
         return std::sqrt(order) * std::exp(std::min(best, 700.0));

@@ -23,9 +23,11 @@ struct Expansion {
     Expansion(const Ellipses& ellipses, double reach, double error) {
         check_reach(reach);
         const double left = RadialBudget::truncation * error;
-        const std::size_t by_phase = ellipses.terms(left), by_window = window_terms(reach, left);
-        terms = std::min(by_phase, by_window);
-        truncation = by_phase <= by_window ? ellipses.tail(terms) : window_tail(terms, reach);
+        terms = ellipses.terms(left);
+        // Counted only where the window takes fewer terms than the phase.
+        const bool by_window = terms > 1 && window_tail(terms - 1, reach) <= left;
+        terms = by_window ? window_terms(reach, left) : terms;
+        truncation = by_window ? window_tail(terms, reach) : ellipses.tail(terms);
         const std::size_t nodes = ellipses.nodes(terms, RadialBudget::quadrature * error);
         if (nodes > max_terms) {
             throw PhaseTooLarge("aberrations this large take a series of " + std::to_string(nodes) +

@@ -19,7 +19,7 @@ from lommel.measures.answer import Answer
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, widened
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import Pupil, checked
 from lommel.show import plot
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def psf(
     tol: float | None = None,
     normalize: str = "energy",
     dtype: DTypeLike | None = None,
-    center: tuple[float, float] | None = None,
+    center: tuple[ArrayLike, ArrayLike] | None = None,
     integrate: bool | None = None,
     derivatives: Sequence[str] = (),
     out: NDArray[Any] | None = None,
@@ -66,9 +66,10 @@ def psf(
     dtype : float32 or float64, optional
         Of the values. By default that of `out`, or float64 where the method has a tolerance below 1e-6, else
         float32.
-    center : (float, float), optional
+    center : (float, float) or (array_like, array_like), optional
         Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
-        pixel ``(height // 2, width // 2)``.
+        pixel ``(height // 2, width // 2)``. Arrays of rows and of columns, which broadcast with the stack of pupils,
+        have a place for each, as `NijboerZernike`, `ChordalGauss` and a `Polychromatic` of these take them.
     integrate : bool, optional
         True: average the intensity over the area of each pixel, as a sensor does; False: sample it at the centre. By
         default a pixel in metres averages and one in units of lambda*N samples; `Geometric`, which has no point
@@ -86,7 +87,7 @@ def psf(
     Returns
     -------
     PSF
-        With ``values`` of shape ``pupil.shape + (height, width)``.
+        With ``values`` of shape ``pupil.shape + (height, width)``, the stack broadcast with the places in `center`.
 
     Raises
     ------
@@ -155,7 +156,7 @@ class Plan:
         tol: float | None = None,
         normalize: str = "energy",
         dtype: DTypeLike | None = None,
-        center: tuple[float, float] | None = None,
+        center: tuple[ArrayLike, ArrayLike] | None = None,
         integrate: bool | None = None,
         threads: int | None = None,
     ) -> None:
@@ -188,6 +189,8 @@ class Plan:
     def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         grid, normalize = self._grid(pupil), self.normalize
+        if grid.stack:
+            pupil, grid = _paired(checked(pupil), grid)
         ways = candidates(pupil, grid, self.tol) if self.method is None else (self.method,)
         method = ways[0]
         method.require(pupil)
@@ -249,6 +252,17 @@ class Plan:
         if not (out.flags.c_contiguous and out.flags.writeable):
             raise ValueError("out must be C-contiguous and writable")
         return out.reshape(-1, *self._sampled.shape)
+
+
+def _paired(pupil: Pupil, grid: Grid) -> tuple[Pupil, Grid]:
+    """Return pupils and pixels around an axis for each, in the shape that they broadcast to."""
+    try:
+        shape = np.broadcast_shapes(pupil.shape, grid.stack)
+    except ValueError:
+        raise ValueError(
+            f"center must broadcast with the stack of pupils, got places of shape {grid.stack} for {pupil.shape}"
+        ) from None
+    return pupil.broadcast(shape), grid.broadcast(shape)
 
 
 _POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}

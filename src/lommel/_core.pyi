@@ -249,6 +249,19 @@ def chordal_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None
     Bound on the imaginary part of the phase, without tilt, at a distance b from real angles on any chord.
     """
 
+def anywhere_bounds(pitch: float, averages: bool, farthest: float, level: int) -> dict[str, object]:
+    """
+    Degree, harmonics and radii of windows around any axis, and bounds on what they leave and magnify.
+    """
+
+def anywhere_values(profile: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center_y: float, center_x: float, pitch: float, averages: bool, farthest: float, level: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float:
+    """
+    The pixels of one, and the units of roundoff that their sums may be off by.
+    """
+
+def tilted_stack(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], row: float, column: float, step: float) -> dict[str, object]:
+    """A wavefront whose axis is moved by a tilt, and what that loses."""
+
 def pixel_bounds(height: int, width: int, center_y: float, center_x: float, step: float, integrate: bool, level: int) -> dict[str, object]:
     """
     Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.

@@ -26,7 +26,7 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
     bool integrate;  // as of a PixelWindow
     double farthest;  // middles of pixels from the axis, in pixels
     int level;        // errors are about 10^-level; `error` says what they are
-    std::size_t harmonics = 1, degree, outputs;
+    std::size_t harmonics = 1, gauss, degree, outputs;
     Doubles weights, penalty;  // [block of outputs][node][output]; roundings that each coefficient takes part in
     double error, of_nodes = 1.0, of_grid, rounding;  // as of a PixelTable
 
@@ -34,7 +34,7 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
         : step(pitch), integrate(averages), farthest(pixels), level(digits) {
         using Budget = PixelTable::Budget;
         const double side = integrate ? step : 0.0, allowed = std::pow(10.0, -level), reach = farthest * step;
-        const std::size_t gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
+        gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
         harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
         const double by_angle = lebesgue(harmonics);
         const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
@@ -50,7 +50,7 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
         radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
         outputs = degree * harmonics;
         weigh(places.of(degree), nodes, Square(side, gauss));
-        judge(reach, side, gauss, nodes.error);
+        judge(reach, side, nodes.error);
     }
 
     double magnification() const { return of_grid * of_nodes; }
@@ -116,7 +116,7 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
         block_rows(rows.data(), outputs, count, weights.data());
     }
 
-    void judge(double reach, double side, std::size_t gauss, double of_interpolation) {
+    void judge(double reach, double side, double of_interpolation) {
         const double n = static_cast<double>(count), degrees = static_cast<double>(degree),
                      orders = static_cast<double>(harmonics);
         error = of_interpolation;

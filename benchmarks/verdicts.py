@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 
-from benchmarks import averages, chordal, depth, nonradial
+from benchmarks import averages, axes, chordal, depth, nonradial
 from benchmarks import targets as t
 from benchmarks.baselines import faster_ffts, fft
 from benchmarks.report import Table
@@ -82,6 +82,15 @@ TARGETS = [
         "the same stack sampled",
         *(8, 3, "", False),
         averages.stack_over_samples,
+    ),
+    *(
+        Target(
+            f"1000 of 25², float32, 0.5 λN, {'averaged' if integrate else 'sampled'}, each around an axis of its own",
+            "the same stack around the middle pixel",
+            *(12, 5, "", False),
+            partial(axes.over_centred, pixel=0.5, integrate=integrate),
+        )
+        for integrate in (False, True)
     ),
     *(
         Target(

@@ -330,6 +330,49 @@ Named pixel_bounds(std::size_t height, std::size_t width, double center_y, doubl
                  "penalty"_a = listed(table->penalty));
 }
 
+lommel::PixelWindow anywhere_window(double pitch, bool averages, double farthest, int level) {
+    require(
+        pitch > 0.0 && farthest >= 1.0 && pitch * farthest <= lommel::AnywhereTable::most_reach && level >= 1 && level <= 15,
+        "pitch must be positive, farthest 1 at least and within reach, level from 1 to 15");
+    return {1, 1, 0.0, 0.0, pitch, averages};
+}
+
+Named anywhere_bounds(double pitch, bool averages, double farthest, int level) {
+    anywhere_window(pitch, averages, farthest, level);
+    const auto table = lommel::AnywhereTable::get(pitch, averages, farthest, level);
+    return named("gauss"_a = table->gauss, "harmonics"_a = table->harmonics, "degree"_a = table->degree,
+                 "error"_a = table->error, "of_nodes"_a = table->of_nodes, "of_grid"_a = table->of_grid,
+                 "rounding"_a = table->rounding, "penalty"_a = listed(table->penalty),
+                 "radii"_a = std::vector<double>(table->radii.data(), table->radii.data() + table->count));
+}
+
+// Pixels around an axis from I at these radii, and what evaluating the polynomials may be off by.
+double anywhere_values(In<double, 1> profile, double center_y, double center_x, double pitch, bool averages, double farthest,
+                       int level, Out<double, 2> out) {
+    lommel::PixelWindow window = anywhere_window(pitch, averages, farthest, level);
+    window = {out.shape(0), out.shape(1), center_y, center_x, pitch, averages};
+    const auto table = lommel::AnywhereTable::get(pitch, averages, farthest, level);
+    require(profile.shape(0) == table->count, "the profile must be at the radii");
+    lommel::WindowValues made;
+    made.make(*table, window, profile.data(), 1);
+    std::copy_n(made.values.data(), made.count, out.data());
+    return made.penalty;
+}
+
+// The tilts of one pupil, (along rows, along columns), whose axis is at `center`, where that of the window is elsewhere.
+Named tilted_stack(Terms terms, Doubles1 edge, In<double, 1> center, double row, double column, double step) {
+    require(center.shape(0) == 2, "center must be a row and a column");
+    lommel::DiskStack stack(terms_of(terms, edge.size()), edge.data(), 1, 0.0, {});
+    stack.tilt_to(center.data(), {1, 1, row, column, step});
+    std::vector<double> tilts(2, 0.0);
+    for (std::size_t j = 0; j < stack.terms.size(); ++j) {
+        if (stack.terms[j].n == 1) {
+            tilts[stack.terms[j].m == 1 ? 1 : 0] = stack.outer[j];
+        }
+    }
+    return named("tilts"_a = tilts, "lost"_a = stack.lost);
+}
+
 }  // namespace
 
 void bindings::define_bounds(nb::module_& m) {
@@ -381,6 +424,12 @@ void bindings::define_bounds(nb::module_& m) {
           "Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and "
           "what "
           "it may be beyond that; the window is left, right, top and bottom in v.");
+    m.def("anywhere_bounds", &anywhere_bounds, "pitch"_a, "averages"_a, "farthest"_a, "level"_a,
+          "Degree, harmonics and radii of windows around any axis, and bounds on what they leave and magnify.");
+    m.def("anywhere_values", &anywhere_values, "profile"_a, "center_y"_a, "center_x"_a, "pitch"_a, "averages"_a, "farthest"_a,
+          "level"_a, "out"_a.noconvert(), "The pixels of one, and the units of roundoff that their sums may be off by.");
+    m.def("tilted_stack", &tilted_stack, "terms"_a, "edge"_a, "center"_a, "row"_a, "column"_a, "step"_a,
+          "A wavefront whose axis is moved by a tilt, and what that loses.");
     m.def("pixel_bounds", &pixel_bounds, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "level"_a,
           "Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.");
 }

@@ -71,7 +71,7 @@ Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double cent
         require(profiles.shape(1) == table->count, "profiles must be at the radii of the window");
         lommel::WindowValues made;
         for (std::size_t i = 0; i < n; ++i) {
-            made.make(*table, profiles.data() + i * table->count, threads);
+            made.make(*table, window, profiles.data() + i * table->count, threads);
             table->groups.paint(made.values.data(), 0, table->groups.rows.distances.size(), out.data() + i * height * width);
             penalties.data()[i] = made.penalty;
         }

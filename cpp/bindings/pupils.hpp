@@ -96,11 +96,11 @@ double judged(const Work& work) {
     return 0.0;
 }
 
-// Images of pupils that are not radially symmetric, whose axes the engine moves to pixels or not.
-template <template <class> class Engine, bool Moves, class T>
-double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, double center_y,
-                   double center_x, double step, double tol, int threads, double scale, Out<T, 3> images,
-                   Out<double, 2> numbers) {
+// Images of pupils that are not radially symmetric around one axis, (row, column), or each around its own; engines move the axes
+// to pixels or not.
+template <template <class> class Engine, bool Moves, class T, class... Center>
+double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
+                   double step, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers) {
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     for (auto term = list.begin(); term != list.end(); ++term) {
         const std::int32_t n = term->n, order = std::abs(term->m);
@@ -112,11 +112,21 @@ double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
     require(n > 0, "one pupil at least");
     obscuration_of(obscuration);
     const lommel::Answer<T> answer = answer_of(n, scale, images, numbers);
-    require_center(center_y, center_x);
+    if constexpr (sizeof...(Center) == 2) {
+        require_center(center...);
+    } else {
+        require_centers(center..., n);
+    }
     require_request(step, tol, threads);
     return judged([&] {
-        const lommel::DiskWindow window{images.shape(1), images.shape(2), center_y, center_x, step};
         lommel::DiskStack stack(list, edge.data(), n, obscuration, light);
+        const std::size_t height = images.shape(1), width = images.shape(2);
+        lommel::DiskWindow window{height, width, static_cast<double>(height / 2), static_cast<double>(width / 2), step};
+        if constexpr (sizeof...(Center) == 2) {
+            window = {height, width, center..., step};
+        } else {
+            stack.tilt_to((center.data(), ...), window);
+        }
         if constexpr (Moves) {
             stack.move_axes(window);
         }
@@ -128,9 +138,13 @@ double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
 template <template <class> class Engine, bool Moves>
 void define_disk_images(nb::module_& m, const char* name, const char* says) {
     for_both([&](auto pixel) {
-        m.def(name, &disk_images<Engine, Moves, decltype(pixel)>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,
+        using T = decltype(pixel);
+        m.def(name, &disk_images<Engine, Moves, T, double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,
               "center_y"_a, "center_x"_a, "step"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(),
               "numbers"_a.noconvert(), says);
+        m.def(name, &disk_images<Engine, Moves, T, In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,
+              "centers"_a, "step"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
+              "The same, each around an axis of its own.");
     });
 }
 

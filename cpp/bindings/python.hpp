@@ -91,6 +91,14 @@ inline lommel::PixelWindow window_of(std::size_t height, std::size_t width, doub
     return {height, width, center_y, center_x, step, integrate};
 }
 
+// One axis a pupil, each (row, column).
+inline void require_centers(const In<double, 2>& centers, std::size_t pupils) {
+    require(centers.shape(0) == pupils && centers.shape(1) == 2, "one centre a pupil, of a row and a column");
+    for (std::size_t i = 0; i < pupils; ++i) {
+        require_center(centers.data()[2 * i], centers.data()[2 * i + 1]);
+    }
+}
+
 inline void require_radii(const In<double, 1>& v) {
     for (std::size_t i = 0; i < v.shape(0); ++i) {
         require(v.data()[i] >= 0.0 && v.data()[i] <= lommel::max_reach, "v must be from 0 to 1e6");

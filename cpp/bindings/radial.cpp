@@ -9,13 +9,25 @@ using namespace bindings;
 
 namespace {
 
-template <class T>
-double render(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, double center_y, double center_x,
-              double step, bool integrate, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers,
+lommel::PixelWindows windows_of(std::size_t height, std::size_t width, std::size_t, double row, double column, double step,
+                                bool integrate) {
+    return window_of(height, width, row, column, step, integrate);
+}
+lommel::PixelWindows windows_of(std::size_t height, std::size_t width, std::size_t pupils, const In<double, 2>& centers,
+                                double step, bool integrate) {
+    require_centers(centers, pupils);
+    const double* first = centers.data();
+    return {window_of(height, width, first[0], first[1], step, integrate), first, pupils};
+}
+
+// Around one axis, (row, column), or each around its own.
+template <class T, class... Center>
+double render(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, Center... center, double step,
+              bool integrate, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers,
               In<std::int64_t, 1> powers, Out<T, 4> derivative_images, Out<double, 2> derivative_bounds) {
     const lommel::Stack stack = stack_of(coefficients, obscuration, amplitude);
     lommel::Answer<T> answer = answer_of(stack.count, scale, images, numbers);
-    const lommel::PixelWindow window = window_of(images.shape(1), images.shape(2), center_y, center_x, step, integrate);
+    const lommel::PixelWindows windows = windows_of(images.shape(1), images.shape(2), stack.count, center..., step, integrate);
     require_request(step, tol, threads);
     const std::vector<std::size_t> which = powers_of(powers);
     require_derivatives(which.size(), stack.count, images, derivative_images, derivative_bounds);
@@ -26,10 +38,11 @@ double render(In<double, 2> coefficients, double obscuration, In<double, 1> ampl
         answer.derivative_bounds = derivative_bounds.data();
     }
     return judged([&] {
-        if (window.centered() && !integrate) {
+        const lommel::PixelWindow& window = windows.first;
+        if (windows.centers == nullptr && window.centered() && !integrate) {
             lommel::Renderer<T>(stack, window.height, window.width, step, tol, threads, answer).run();
         } else {
-            lommel::PixelRenderer<T>(stack, window, tol, threads, answer).run();
+            lommel::PixelRenderer<T>(stack, windows, tol, threads, answer).run();
         }
     });
 }
@@ -60,12 +73,16 @@ std::tuple<Out<double, 2>, Out<double, 1>, Out<double, 1>> profile(In<double, 2>
 
 void bindings::define_radial(nb::module_& m) {
     for_both([&](auto pixel) {
-        m.def("render", &render<decltype(pixel)>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a,
-              "step"_a, "integrate"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
-              "powers"_a.none() = nb::none(), "derivative_images"_a.noconvert().none() = nb::none(),
+        m.def("render", &render<decltype(pixel), double, double>, "coefficients"_a, "obscuration"_a, "amplitude"_a,
+              "center_y"_a, "center_x"_a, "step"_a, "integrate"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(),
+              "numbers"_a.noconvert(), "powers"_a.none() = nb::none(), "derivative_images"_a.noconvert().none() = nb::none(),
               "derivative_bounds"_a.noconvert().none() = nb::none(),
               "Images of a stack of pupils by the spectral engine, and their derivatives by the coefficients of t^power; "
               "returns 0, or the bound where tol cannot be met.");
+        m.def("render", &render<decltype(pixel), In<double, 2>>, "coefficients"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
+              "step"_a, "integrate"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
+              "powers"_a.none() = nb::none(), "derivative_images"_a.noconvert().none() = nb::none(),
+              "derivative_bounds"_a.noconvert().none() = nb::none(), "The same, each around an axis of its own.");
     });
     m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
           "U at rising v, and bounds on its error.");

@@ -343,11 +343,26 @@ void pixels_around_any_axis(std::mt19937& random) {
         const double obscuration = c.count == 1 ? 0.3 : 0.0;
         const std::size_t derivatives = scales[0] > 0.0 && c.count < 6 ? 2 : 0;
         const double falling[] = {0.0, 0.2, 0.3};
-        lommel::PixelRenderer<T>({coefficients.data(), c.count, 2, obscuration, lommel::Amplitude(falling, 3)},
-                                 {c.height, c.width, c.row, c.column, c.step, c.integrate}, 1e-5, 2,
-                                 {images.data(), scales.data(), bounds.data(), peaks.data(), powers, derivatives, slopes.data(),
-                                  slope_bounds.data()})
-            .run();
+        const lommel::PixelWindow window{c.height, c.width, c.row, c.column, c.step, c.integrate};
+        std::vector<double> centers;
+        for (std::size_t i = 0; i < c.count; ++i) {
+            centers.push_back(c.row + share(random) - 0.5);
+            centers.push_back(c.column + share(random) - 0.5);
+        }
+        const auto render = [&](const lommel::PixelWindows& windows) {
+            lommel::PixelRenderer<T>({coefficients.data(), c.count, 2, obscuration, lommel::Amplitude(falling, 3)}, windows,
+                                     1e-5, 2,
+                                     {images.data(), scales.data(), bounds.data(), peaks.data(), powers, derivatives,
+                                      slopes.data(), slope_bounds.data()})
+                .run();
+        };
+        const std::vector<double> asked = scales;
+        render({window, centers.data(), c.count});
+        for (std::size_t i = 0; i < c.count; ++i) {
+            check(bounds[i] > 0.0 && bounds[i] <= 1e-5, "bound around an axis for each", bounds[i]);
+        }
+        scales = asked;
+        render(window);
         for (std::size_t i = 0; i < c.count; ++i) {
             check(bounds[i] > 0.0 && bounds[i] <= 1e-5, "bound of averages", bounds[i]);
             const double top = largest(images, i, pixels);

@@ -36,7 +36,7 @@ def psf(
     tol: float | None = None,
     normalize: str = "energy",
     dtype: DTypeLike | None = None,
-    center: tuple[float, float] | None = None,
+    center: tuple[ArrayLike, ArrayLike] | None = None,
     integrate: bool | None = None,
     derivatives: Sequence[str] = (),
     out: NDArray[Any] | None = None,
@@ -67,9 +67,10 @@ def psf(
     dtype : float32 or float64, optional
         Of the values. By default that of `out`, or float64 where the method has a tolerance below 1e-6, else
         float32.
-    center : (float, float), optional
+    center : (float, float) or (array_like, array_like), optional
         Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
-        pixel ``(height // 2, width // 2)``.
+        pixel ``(height // 2, width // 2)``. Arrays of rows and of columns, which broadcast with the stack of pupils,
+        have a place for each, as `NijboerZernike`, `ChordalGauss` and a `Polychromatic` of these take them.
     integrate : bool, optional
         True: average the intensity over the area of each pixel, as a sensor does; False: sample it at the centre. By
         default a pixel in metres averages and one in units of lambda*N samples; `Geometric`, which has no point
@@ -87,7 +88,7 @@ def psf(
     Returns
     -------
     PSF
-        With ``values`` of shape ``pupil.shape + (height, width)``.
+        With ``values`` of shape ``pupil.shape + (height, width)``, the stack broadcast with the places in `center`.
 
     Raises
     ------
@@ -156,7 +157,7 @@ class Plan:
         tol: float | None = None,
         normalize: str = "energy",
         dtype: DTypeLike | None = None,
-        center: tuple[float, float] | None = None,
+        center: tuple[ArrayLike, ArrayLike] | None = None,
         integrate: bool | None = None,
         threads: int | None = None,
     ) -> None:
@@ -189,6 +190,8 @@ class Plan:
 
     def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
+        if places := self._sampled.stack:
+            pupil = _paired(checked(pupil), places)
         light = checked(pupil).aperture, pupil.radial, pupil.wavefront.shape, pupil.wavelength, pupil.f_number
         asked = self._asked
         if asked is None or asked.light != light:
@@ -229,6 +232,8 @@ class Plan:
     def _prepared(self, pupil: Pupil, light: tuple[Any, ...]) -> _Asked:
         """Return what is to be asked for a pupil of such light, which nothing but its phase tells from others."""
         grid = self._grid(pupil)
+        if grid.stack:
+            grid = grid.broadcast(pupil.shape)
         ways = candidates(pupil, grid, self.tol) if self.method is None else (self.method,)
         ways[0].require(pupil)
         validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
@@ -271,6 +276,16 @@ class _Asked(NamedTuple):
     shape: tuple[int, ...]
     flat: tuple[int, ...]
     per_pixel: float
+
+
+def _paired(pupil: Pupil, places: tuple[int, ...]) -> Pupil:
+    """Return a pupil for each axis, in the shape that the stack and the places of axes broadcast to."""
+    try:
+        return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))
+    except ValueError:
+        raise ValueError(
+            f"center must broadcast with the stack of pupils, got places of shape {places} for {pupil.shape}"
+        ) from None
 
 
 _POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}

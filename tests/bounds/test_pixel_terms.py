@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from scipy.special import j0
 
 from lommel import _core
-from pixel_tables import Table, U, Window
+from pixel_tables import Table, U, Window, averages, fewest, gauss, harmonics, interpolation, lebesgue
 
 K = 16  # Chebyshev points across a ring with harmonics
 
@@ -23,32 +23,6 @@ def same(found: float, expected: mp.mpf) -> bool:
     if not mp.mpf("1e-290") < expected < mp.mpf("1e230"):
         return found <= 1e-280 or found >= 1e220
     return found == pytest.approx(float(expected), rel=1e-9, abs=0.0)
-
-
-def interpolation(half: float, n: int) -> mp.mpf:
-    w = mp.mpf(half)
-    bound = 2 * w**n / mp.factorial(n)
-    if n > 2 * w:
-        eta = mp.acosh(n / (2 * w))
-        bound = min(bound, 4 * mp.exp(2 * w * mp.sinh(eta) - n * eta) / (1 - mp.exp(-eta)))
-    return bound
-
-
-def gauss(side: float, q: int) -> mp.mpf:
-    a = mp.mpf(side)
-    return 2 * mp.mpf(2) ** (2 * q) * a ** (2 * q) * mp.factorial(q) ** 4 / ((2 * q + 1) * mp.factorial(2 * q) ** 3)
-
-
-def harmonics(side: float, angles: int) -> mp.mpf:
-    a = mp.sqrt(2) * mp.mpf(side)
-    if 4 * angles <= a:
-        return mp.inf
-    b = mp.acosh(4 * angles / a)
-    return 4 * mp.exp(a * mp.sinh(b) - 4 * angles * b) / (1 - mp.exp(-4 * b))
-
-
-def lebesgue(n: int) -> mp.mpf:
-    return 1 + 2 / mp.pi * mp.log(n)
 
 
 @given(st.floats(1e-3, 1.3), st.integers(1, 900))
@@ -149,19 +123,6 @@ def test_every_kind_of_table():
     # Averages and samples; harmonics, one ring, rings with a row a pixel, no table at all.
     assert {(True, True, False, True), (False, True, False, True), (True, False, True, True)} <= seen
     assert {(False, False, True, True), (True, False, False, True), (False, False, False, False)} <= seen
-
-
-def fewest(count: int, allowed: mp.mpf, error: Any, side: float) -> bool:
-    near = allowed * 1e-9
-    return bool(error(side, count) <= allowed + near and (count == 1 or error(side, count - 1) > allowed - near))
-
-
-def averages(x: np.ndarray, y: np.ndarray, side: float, kappa: float) -> np.ndarray:
-    """Return the averages of J0(kappa v) over squares around places."""
-    nodes, weights = np.polynomial.legendre.leggauss(24)
-    s, w = 0.5 * side * nodes, 0.5 * weights
-    far = np.hypot(x[..., None, None] + s, y[..., None, None] + s[:, None])
-    return np.einsum("...ab,a,b->...", j0(kappa * far), w, w)
 
 
 @pytest.mark.parametrize(

@@ -91,3 +91,40 @@ def test_writing_into_the_radii_of_one_grid_spares_the_next():
 def test_the_multiplicity_counts_the_pixels_at_each_radius(grid):
     counted = np.unique(np.round(distances(grid) / grid.pixel, 9), return_counts=True)[1]
     assert np.array_equal(grid.multiplicity, counted)
+
+
+def test_several_axes_are_read_only_and_one_of_them_is_a_grid_of_its_own():
+    rows, columns = [1.0, -0.0, 2.5], 0.5
+    grid = lm.Grid((3, 4), 2.0, center=(rows, columns), integrate=True)
+    assert grid.stack == (3,)
+    assert grid.x.shape == (3, 4)
+    assert grid.y.shape == (3, 3)
+    assert not grid.centered
+    assert not grid.symmetric
+    for part in grid.center:
+        assert part.shape == (3,)
+        with pytest.raises(ValueError, match="read-only"):
+            part[0] = 7.0
+    one = grid[2]
+    assert one == lm.Grid((3, 4), 2.0, center=(2.5, 0.5), integrate=True)
+    assert one.stack == ()
+    np.testing.assert_array_equal(one.y, grid.y[2])
+    np.testing.assert_array_equal(one.x, grid.x[2])
+    same = lm.Grid((3, 4), 2.0, center=([1.0, 0.0, 2.5], [0.5] * 3), integrate=True)
+    assert grid == same
+    assert hash(grid) == hash(same)
+    assert grid == grid[[0, 1, 2]]
+    for other in (grid[::-1], grid[:1], one, lm.Grid((3, 4), 2.0), 5):
+        assert grid != other
+    assert grid.broadcast((2, 3))[1, 2] == one
+    with pytest.raises(TypeError, match="a grid around one axis cannot be indexed"):
+        one[0]
+    with pytest.raises(ValueError, match="center must be one"):
+        _ = grid.axis
+
+
+def test_of_several_axes_the_farthest_counts():
+    pupil = lm.Pupil()
+    with pytest.raises(ValueError, match=r"around the farthest center=\(1.0, 400000.0\) reaches v = 1.26e\+06"):
+        lm.Grid((3, 4), 1.0, center=(1.0, [0.0, 4e5, -3e5])).require_reach(pupil)
+    lm.Grid((3, 4), 1.0, center=(1.0, [0.0, 3e5, -3e5])).require_reach(pupil)

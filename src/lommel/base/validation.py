@@ -236,6 +236,24 @@ def position(name: str, value: Any) -> tuple[float, float]:
     return row, column
 
 
+def positions(name: str, value: Any) -> tuple[float, float] | tuple[Array, Array]:
+    """Return :func:`position`, or ``(rows, columns)``, read-only arrays of one shape where either is an array."""
+    pair = isinstance(value, tuple | list | np.ndarray) and getattr(value, "ndim", 1) != 0 and len(value) == 2
+    if not pair:
+        raise ValueError(f"{name} must be (row, column), or (rows, columns) of several, got {shown(value)}")
+    if all(np.isscalar(part) or getattr(part, "shape", None) == () for part in value):
+        return position(name, value)
+    parts = (real_array(f"{name}[{k}]", part) + 0.0 for k, part in enumerate(value))  # no -0
+    rows, columns = (np.array(part) for part in broadcast(f"{name}[0] and {name}[1]", *parts))
+    if rows.size == 0:
+        raise ValueError(f"{name} must not be empty, got shape {rows.shape}")
+    for part in (rows, columns):
+        if not np.abs(part).max() < 1e6:
+            raise ValueError(f"{name} must be within 1e6 pixels, got {part.flat[np.abs(part).argmax()]:g}")
+        part.flags.writeable = False
+    return rows, columns
+
+
 def wavelength(value: Any) -> float:
     """Return a wavelength in metres; a number that was meant in nm or um is refused with a hint."""
     metres = real("wavelength", value, above=0.0, unit="metres")

@@ -70,10 +70,13 @@ class DiskStack(NamedTuple):
 
 
 class Window(NamedTuple):
-    """Pixels: (height, width), the pixel (row, column) that the axis is at, and their pitch in v."""
+    """Pixels: (height, width), the pixel (row, column) that the axis is at, and their pitch in v.
+
+    Or, where each of n pupils has an axis of its own, ``center`` is one array of these, shape (n, 2).
+    """
 
     shape: tuple[int, int]
-    center: tuple[float, float]
+    center: Any
     step: float
 
 
@@ -170,15 +173,16 @@ class PixelRadii(NamedTuple):
 
 def pixel_radii(window: Window, *, integrate: bool, level: int, threads: int = 0) -> PixelRadii:
     """Return the radii for errors of about ``10^-level``."""
-    return PixelRadii(*_core.pixel_radii(*window.shape, *window.center, window.step, integrate, level, threads))
+    row, column = window.center
+    return PixelRadii(*_core.pixel_radii(*window.shape, row, column, window.step, integrate, level, threads))
 
 
 def pixel_values(
     window: Window, profiles: Array, *, integrate: bool, level: int, threads: int = 0
 ) -> tuple[Array, Array]:
     """Return the pixels from I at those radii, shape ``(n, height, width)``, and what their rounding is at most."""
-    values = np.empty((len(profiles), *window.shape))
+    (row, column), values = window.center, np.empty((len(profiles), *window.shape))
     penalties = _core.pixel_values(
-        np.ascontiguousarray(profiles), *window.center, window.step, integrate, level, threads, values
+        np.ascontiguousarray(profiles), row, column, window.step, integrate, level, threads, values
     )
     return values, penalties

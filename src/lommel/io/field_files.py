@@ -93,6 +93,10 @@ def _write_npz(grid: AnswerGrid, description: dict[str, Any], target: Path) -> N
 def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
     import zarr
 
+    if grid.psf.grid.stack:
+        raise ValueError(
+            "path must end in .tif or .npz for PSFs with a center each: in .zarr all have one x and one y"
+        )
     said = sealed(description, {"values": grid.values})
     if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
         raise ValueError(

@@ -124,7 +124,7 @@ def describe(psf: Answer) -> dict[str, Any]:
         "sampling": psf.sampling,
         "normalize": psf.normalize,
         "pixel": psf.pixel,
-        "center": list(psf.grid.center),
+        "center": [np.asarray(part).tolist() for part in psf.grid.center],
         "integrate": psf.grid.integrate,
         "unit": psf.unit,
         "error_bound": psf.error_bound,

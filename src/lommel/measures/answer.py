@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
@@ -32,6 +33,11 @@ class Answer:
     def __post_init__(self) -> None:
         for name, kind in (("grid", Grid), ("pupil", Pupil), ("method", Method)):
             validation.instance(name, getattr(self, name), kind)
+        if self.grid.stack not in ((), self.pupil.shape):
+            raise ValueError(
+                f"grid must have one center, or one for each pupil of a stack of shape {self.pupil.shape}, "
+                f"got {self.grid.stack}"
+            )
         wanted = self.pupil.shape + self.grid.shape
         if not isinstance(self.values, np.ndarray) or self.values.dtype not in (np.float32, np.float64):
             raise TypeError(f"values must be an array of float32 or float64, got {validation.shown(self.values)}")
@@ -63,6 +69,12 @@ class Answer:
         """Unit of `pixel` and of every radius: ``"m"`` or ``"lambda*N"``."""
         return self.pupil.unit
 
+    def positions(self) -> tuple[Array, Array]:
+        """Return where columns and rows are, x and y from the axis, of each of the flattened stack."""
+        count = (math.prod(self.pupil.shape), -1)
+        x, y = (np.broadcast_to(part, (*self.pupil.shape, part.shape[-1])) for part in (self.grid.x, self.grid.y))
+        return x.reshape(count), y.reshape(count)
+
     @property
     def radial_method(self) -> RadialMethod | None:
         """The method where a profile describes the whole PSF (pupil and method are radial), else None."""
@@ -75,7 +87,8 @@ class Answer:
         ----------
         radius : array_like, optional
             Any radii, evaluated anew by the method as point samples; by default the pixels from the middle one,
-            ``(height // 2, width // 2)``, to the right.
+            ``(height // 2, width // 2)``, to the right; then radii are of the shape of the values where each pupil
+            has its own axis.
 
         Raises
         ------
@@ -84,7 +97,7 @@ class Answer:
         """
         if radius is None:
             middle = (self.shape[-2] // 2, self.shape[-1] // 2)
-            radii = np.hypot(self.grid.y[middle[0]], self.grid.x[middle[1] :])
+            radii = np.hypot(self.grid.y[..., middle[0], None], self.grid.x[..., middle[1] :])
             return radii, self.values[..., middle[0], middle[1] :].astype(np.float64)
         method = self.radial_method
         if method is None:
@@ -116,6 +129,7 @@ class Answer:
         return replace(
             self,
             values=self.values.reshape(-1, *self.shape[-2:])[which],
+            grid=self.grid[index] if self.grid.stack else self.grid,
             pupil=pupil,
             scale=np.asarray(self.scale.reshape(-1)[which]),
             derivatives={k: d.reshape(-1, *self.shape[-2:])[which] for k, d in self.derivatives.items()},

@@ -48,8 +48,8 @@ def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis") 
     half = 0.5 * grid.pixel
     share = energy_per_pixel(answer).reshape(-1, *grid.shape)
     inside = np.empty((len(share), at.size))
-    for i, (x, y) in enumerate(center):
-        columns, rows = grid.x - x, grid.y[:, None] - y
+    for i, ((x, y), across, down) in enumerate(zip(center, *answer.positions(), strict=True)):
+        columns, rows = across - x, down[:, None] - y
         for j, r in enumerate(at.ravel()):
             covered = disk_overlap(r, columns - half, columns + half, rows - half, rows + half) / grid.pixel**2
             inside[i, j] = np.sum(covered * share[i])
@@ -95,8 +95,8 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
         return np.asarray(np.maximum(np.minimum(high, a) - np.maximum(low, -a), 0.0) / grid.pixel)
 
     inside = [
-        np.einsum("ky,yx,kx->k", covered(grid.y - y), one, covered(grid.x - x), optimize=True)
-        for one, (x, y) in zip(share, center, strict=True)
+        np.einsum("ky,yx,kx->k", covered(down - y), one, covered(across - x), optimize=True)
+        for one, (x, y), across, down in zip(share, center, *answer.positions(), strict=True)
     ]
     return numbers(inside, pupil.shape + at.shape)
 
@@ -126,7 +126,7 @@ def window_centroid(answer: Answer) -> Array:
     total = share.sum(axis=(-2, -1))
     if not np.all(total > 0):
         raise ValueError("the centroid of no light is unknown: none falls into the window")
-    x, y = share.sum(axis=-2) @ answer.grid.x, share.sum(axis=-1) @ answer.grid.y
+    x, y = (share.sum(axis=-2) * answer.grid.x).sum(axis=-1), (share.sum(axis=-1) * answer.grid.y).sum(axis=-1)
     return np.stack([x / total, y / total], axis=-1)
 
 
@@ -207,6 +207,8 @@ def window_energy(answer: Answer) -> Numbers:
     if answer.radial_method is None:
         return numbers(energy_per_pixel(answer).sum(axis=(-2, -1)), answer.pupil.shape)
     pupil, grid = answer.pupil, answer.grid
+    if grid.stack:
+        return numbers([window_energy(answer[index]) for index in np.ndindex(pupil.shape)], pupil.shape)
     step = grid.step(pupil) / grid.pixel
     half = 0.5 * grid.pixel
     # Inclusion and exclusion of rectangles with one corner on the axis.

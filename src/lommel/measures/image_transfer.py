@@ -45,9 +45,9 @@ def image_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
                 f"got {np.abs(part).max():.6g}"
             )
     x, y = answer.grid.x, answer.grid.y
-    columns = np.exp(-2j * math.pi * np.outer(x, across.ravel()))
-    rows = np.exp(-2j * math.pi * np.outer(y, down.ravel()))
-    found = np.einsum("...yf,yf->...f", energy_per_pixel(answer) @ columns, rows)
+    columns = np.exp(-2j * math.pi * x[..., None] * across.ravel())
+    rows = np.exp(-2j * math.pi * y[..., None] * down.ravel())
+    found = np.einsum("...yf,...yf->...f", energy_per_pixel(answer) @ columns, rows)
     result: Complexes = found.reshape(answer.pupil.shape + across.shape)[()]
     return result
 
@@ -75,5 +75,5 @@ def image_spectrum(answer: Answer) -> tuple[Array, Array, NDArray[np.complex128]
     fy = fft.fftshift(fft.fftfreq(grid.height, grid.pixel))
     plain = fft.fftshift(fft.fft2(energy_per_pixel(answer)), axes=(-2, -1))
     # The transform counts from the first pixel, positions from the axis.
-    shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[0] + fx * grid.x[0]))
+    shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[..., :1, None] + fx * grid.x[..., :1, None]))
     return fx, fy, np.asarray(plain * shift)

@@ -37,10 +37,10 @@ def peak_position(answer: Answer) -> Array:
         lambda*N. Of several pixels that are equally bright, as on a ring, it is the first in reading order.
     """
     checked(answer)
-    grid = answer.grid
+    pixel = answer.pixel
     out = [
-        (grid.x[column] + grid.pixel * _vertex(across, column), grid.y[row] + grid.pixel * _vertex(down, row))
-        for row, column, across, down in _brightest(answer)
+        (x[column] + pixel * _vertex(across, column), y[row] + pixel * _vertex(down, row))
+        for x, y, (row, column, across, down) in zip(*answer.positions(), _brightest(answer), strict=True)
     ]
     return np.array(out).reshape(*answer.pupil.shape, 2)
 
@@ -94,7 +94,7 @@ def axis_strehl(answer: Answer) -> Numbers:
         total = sum(part.weight * np.asarray(aperture_means.strehl(part.pupil)) for part in parts)
         return numbers(total / sum(part.weight for part in parts), pupil.shape)
     else:
-        row, column = (round(c) for c in answer.grid.center)
+        row, column = (round(c) for c in answer.grid.axis)
         if not (0 <= row < answer.grid.height and 0 <= column < answer.grid.width):
             raise ValueError(f"the axis at {answer.grid.center} is outside the window of {type(method).__name__}")
         center = answer.values[..., row, column] / answer.scale
@@ -234,7 +234,7 @@ def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> 
     images = [answer] if answer.pupil.shape == () else [answer[i] for i in np.ndindex(answer.pupil.shape)]
     out = []
     for one in images:
-        reach = 1.5 * one.pixel * sum(one.grid.shape) + float(np.hypot(*one.grid.center)) * one.pixel
+        reach = 1.5 * one.pixel * sum(one.grid.shape) + float(np.hypot(*one.grid.axis)) * one.pixel
         most = float(encircled_energy(one, reach, about=about))
         if most < wanted:
             raise ValueError(f"fraction must be at most the {most:.6g} of all light in the window, got {wanted:g}")

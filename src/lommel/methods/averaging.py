@@ -174,8 +174,8 @@ def _filtered(
     count = math.prod(pupil.shape)
     wanted = Wanted(dtype=np.dtype(np.float32 if tol >= _SINGLE else np.float64), threads=threads)
     total, error, peaks = np.empty((count, *grid.shape)), np.zeros(count), np.zeros(count)
-    values = math.prod(_samples(pixels, taps) for pixels in grid.shape)
-    for part, one in _blocks(pupil, max(1, _VALUES // values)):
+    values = math.prod(_samples(side, taps) for side in grid.shape)
+    for part, one, pixels in _blocks(pupil, grid, max(1, _VALUES // values)):
 
         def samples(fine: Grid, part: slice = part, one: Pupil = one) -> NDArray[Any]:
             made = sample(one, fine, tol, wanted)
@@ -185,7 +185,7 @@ def _filtered(
             peaks[part] = np.maximum(peaks[part], made.peak * (1.0 - made.error))
             return made.values
 
-        filtered(samples, total[part], grid, taps, threads)
+        filtered(samples, total[part], pixels, taps, threads)
     return total, error, peaks
 
 
@@ -211,12 +211,13 @@ def _fine(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
     return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.pixel / taps.stride, center=at)
 
 
-def _blocks(pupil: Pupil, size: int) -> Iterator[tuple[slice, Pupil]]:
-    """Return parts of a stack, at most `size` pupils each, and where they are in the flattened stack."""
+def _blocks(pupil: Pupil, grid: Grid, size: int) -> Iterator[tuple[slice, Pupil, Grid]]:
+    """Return parts of a stack of at most `size` pupils, where they are in the flattened stack, and their pixels."""
     count = math.prod(pupil.shape)
     if count <= size:
-        yield slice(0, count), pupil
+        yield slice(0, count), pupil, grid
         return
     for first in range(0, count, size):
         part = slice(first, min(first + size, count))
-        yield part, pupil[np.unravel_index(np.arange(part.start, part.stop), pupil.shape)]
+        which = np.unravel_index(np.arange(part.start, part.stop), pupil.shape)
+        yield part, pupil[which], grid[which] if grid.stack else grid

@@ -73,7 +73,7 @@ class Fraunhofer(Method):
         count = math.ceil(1.0 / spacing + 0.5)
         x = spacing * np.arange(-count, count + 1, dtype=np.float64)
         # An axis off the default place is a tilt of the pupil.
-        away = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.center)
+        away = grid.step(pupil) * (np.array([grid.height // 2, grid.width // 2]) - grid.axis)
         tilt = np.exp(-1j * (away[0] * x[:, None] + away[1] * x))
         place = np.arange(-count, count + 1) % side
         rows = stride * (np.arange(grid.height) - grid.height // 2) % side

@@ -47,6 +47,7 @@ class Geometric(Method):
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I averaged over pixels, shape ``(n, height, width)``."""
+        grid.require_one_axis()
         step = grid.step(pupil)
         # A centred image is four times its quadrant.
         rows = np.arange(grid.height // 2 + 1.0) if grid.centered else grid.y / grid.pixel

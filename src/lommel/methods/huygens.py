@@ -105,6 +105,7 @@ class HuygensFresnel(FieldMethod):
         return Intensities(self._samples(pupil, grid), None)
 
     def _samples(self, pupil: Pupil, grid: Grid) -> NDArray[np.float64]:
+        grid.require_one_axis()
         y, x = (part.ravel() for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
         field = self._sums(pupil, x, y, half=False)
         return np.asarray(field.real**2 + field.imag**2).reshape(-1, *grid.shape)

@@ -136,7 +136,7 @@ class NonuniformFFT(Method):
         x, y, w = pupil.rule(math.ceil(degree / _BLOCK_DEGREE) * _BLOCK_DEGREE)
         phase = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(y, x)).ravel()
         # An axis off the default place is a tilt of the pupil.
-        down, across = step * (np.array([grid.height // 2, grid.width // 2]) - grid.center)
+        down, across = step * (np.array([grid.height // 2, grid.width // 2]) - grid.axis)
         strengths = w * pupil.illumination.at(x * x + y * y) * np.exp(1j * (phase - down * y - across * x))
         eps = budget / pupil.amplitude
         # Modes run from -(n // 2), and the first axis of the answer belongs to the first coordinate.

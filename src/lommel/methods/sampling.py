@@ -29,7 +29,8 @@ def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
 
 
 def require_samples(method: Method, samples: int, pupil: Pupil, grid: Grid) -> None:
-    """Raise ValueError where light would wrap around into the window."""
+    """Raise ValueError where light would wrap around into the window, or each pupil has an axis of its own."""
+    grid.require_one_axis()
     needed, why = samples_needed(pupil, grid)
     if needed > samples:
         advice = (

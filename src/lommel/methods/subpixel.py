@@ -104,7 +104,7 @@ def subpixel_intensity(
 def _values(method: _Profiled, pupil: Pupil, grid: Grid, level: int, threads: int) -> _Values:
     # What varies faster than I is I of a larger window.
     faster, ceiling = method.stretch(pupil), method.unaberrated_peak(pupil)
-    window = Window(grid.shape, grid.center, faster * grid.step(pupil))
+    window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
     asked: dict[str, Any] = {"integrate": grid.integrate, "level": level, "threads": threads}
     v, error, of_nodes, of_grid, rounding = pixel_radii(window, **asked)
     profile = method.profile(pupil, v / faster)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
+
 from lommel.core.answers import Images, Wanted
 from lommel.core.engine import DiskStack, RadialStack, Window
 from lommel.methods.averaging import averaged_images
@@ -28,7 +30,8 @@ def disk_stack(pupil: Pupil) -> DiskStack:
 
 def window_of(pupil: Pupil, grid: Grid) -> Window:
     """Return the pixels of a grid in v."""
-    return Window(grid.shape, grid.center, grid.step(pupil))
+    each = (np.stack([np.ravel(part) for part in grid.center], axis=1),) if grid.stack else None
+    return Window(grid.shape, each or grid.axis, grid.step(pupil))
 
 
 def disk_images(

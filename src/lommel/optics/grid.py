@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
@@ -27,9 +27,9 @@ class Grid:
         Side of a square, or height and width, each 1 to 16384.
     pixel : float
         Pixel pitch: metres where the pupil has a wavelength, else units of lambda*N.
-    center : (float, float), optional
+    center : (float, float) or (array_like, array_like), optional
         Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
-        pixel ``(height // 2, width // 2)``.
+        pixel ``(height // 2, width // 2)``. Arrays, which broadcast, have an axis for each pupil of a stack.
     integrate : bool, default False
         Whether pixels average the intensity over their area instead of sampling it at their centre.
 
@@ -37,21 +37,72 @@ class Grid:
     ------
     TypeError, ValueError
         If an argument is out of range.
+
+    Attributes
+    ----------
+    center : (float, float) or (ndarray, ndarray)
+        Read-only arrays of one shape where there are several.
+    stack : tuple of int
+        Their shape; ``()`` where one axis serves all pupils.
     """
 
     height: int
     width: int
     pixel: float
-    center: tuple[float, float]
+    center: tuple[float, float] | tuple[Array, Array]
     integrate: bool
+    stack: tuple[int, ...] = field(repr=False)
 
     def __init__(self, shape: Any, pixel: float, *, center: Any = None, integrate: bool = False) -> None:
         height, width = validation.image_shape(shape)
         middle = (float(height // 2), float(width // 2))
         pitch = validation.real("pixel", pixel, above=0.0)
-        center = middle if center is None else validation.position("center", center)
+        center = middle if center is None else validation.positions("center", center)
         integrate = validation.truth("integrate", integrate)
-        vars(self).update(height=height, width=width, pixel=pitch, center=center, integrate=integrate)
+        stack = () if isinstance(center[0], float) else center[0].shape
+        vars(self).update(height=height, width=width, pixel=pitch, center=center, integrate=integrate, stack=stack)
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether two grids have the same pixels."""
+        return self._content() == other._content() if isinstance(other, Grid) else NotImplemented
+
+    def __hash__(self) -> int:
+        """Return a hash that equal grids share."""
+        return hash(self._content())
+
+    def _content(self) -> tuple[Any, ...]:
+        center = tuple(part.tobytes() for part in np.asarray(self.center)) if self.stack else self.center
+        return self.height, self.width, self.pixel, self.integrate, self.stack, center
+
+    def __getitem__(self, index: Any) -> Grid:
+        """Return the pixels around some of several axes, as NumPy indexes arrays of their shape."""
+        if not self.stack:
+            raise TypeError("a grid around one axis cannot be indexed")
+        return self._around(*(np.asarray(part)[index] for part in self.center))
+
+    def broadcast(self, shape: tuple[int, ...]) -> Grid:
+        """Return the pixels around axes of another `shape`, which those there are broadcast to."""
+        if self.stack == shape:
+            return self
+        return self._around(*(np.broadcast_to(part, shape) for part in self.center))
+
+    def _around(self, *center: Any) -> Grid:
+        return Grid(self.shape, self.pixel, center=center, integrate=self.integrate)
+
+    @property
+    def axis(self) -> tuple[float, float]:
+        """The one axis that serves all pupils, as :attr:`center`; ValueError where there are several."""
+        self.require_one_axis()
+        row, column = self.center
+        return float(row), float(column)
+
+    def require_one_axis(self) -> None:
+        """Raise ValueError where each pupil has an axis of its own, which few methods take."""
+        if self.stack:
+            raise ValueError(
+                f"center must be one (row, column) for this method, got arrays of shape {self.stack}; ask pupil by "
+                "pupil, each with its own center, or take NijboerZernike or ChordalGauss where the aperture is round"
+            )
 
     @property
     def symmetric(self) -> bool:
@@ -61,7 +112,7 @@ class Grid:
     @property
     def centered(self) -> bool:
         """Whether the axis is in the default place."""
-        return self.center == (self.height // 2, self.width // 2)
+        return not self.stack and self.center == (self.height // 2, self.width // 2)
 
     @cached_property
     def shape(self) -> tuple[int, int]:
@@ -70,13 +121,17 @@ class Grid:
 
     @property
     def x(self) -> Array:
-        """Column positions, in the unit of `pixel`; 0 at the axis, rising to the right."""
-        return self.pixel * (np.arange(self.width, dtype=np.float64) - self.center[1])
+        """Column positions in the unit of `pixel`, rising to the right, 0 at the axis; shape ``stack + (width,)``."""
+        return self._positions(1)
 
     @property
     def y(self) -> Array:
-        """Row positions, in the unit of `pixel`; 0 at the axis, rising downwards."""
-        return self.pixel * (np.arange(self.height, dtype=np.float64) - self.center[0])
+        """Row positions in the unit of `pixel`, rising downwards, 0 at the axis; shape ``stack + (height,)``."""
+        return self._positions(0)
+
+    def _positions(self, side: int) -> Array:
+        pixels = np.arange(self.shape[side], dtype=np.float64)
+        return np.asarray(self.pixel * (pixels - np.asarray(self.center[side])[..., None]))
 
     @property
     def radii(self) -> Array:
@@ -97,7 +152,9 @@ class Grid:
         """Raise ValueError if pixels are farther from the axis than a `pupil` sends light that is worth computing."""
         v = self._farthest * self.step(pupil)
         if not v <= validation.MAX_REACH:
-            center = "" if self.centered else f" around center={self.center}"
+            center = (
+                "" if self.centered else f" around {'the farthest ' if self.stack else ''}center={self._far_center}"
+            )
             what = f"pixel={self.pixel:g} with shape={self.shape}{center}"
             validation.reach(what, v, pupil.scale, pupil.unit)
 
@@ -105,8 +162,17 @@ class Grid:
     def _farthest(self) -> float:
         """Distance of the farthest point of a pixel from the axis, in pixels."""
         half = 0.5 if self.integrate else 0.0
-        sides = zip(self.center, self.shape, strict=True)
+        sides = zip(self._far_center, self.shape, strict=True)
         return math.hypot(*(max(abs(c), abs(side - 1 - c)) + half for c, side in sides))
+
+    @cached_property
+    def _far_center(self) -> tuple[float, float]:
+        """Which of several centres has the farthest pixel."""
+        if not self.stack:
+            return self.axis
+        (row, column), (far_row, far_column) = self.center, (0.5 * (side - 1) for side in self.shape)
+        away = np.hypot(np.abs(row - far_row) + far_row, np.abs(column - far_column) + far_column)
+        return self[np.unravel_index(int(away.argmax()), self.stack)].axis
 
     def v(self, pupil: Pupil) -> Array:
         """Return the optical coordinate v, for a `pupil`, of the distinct :attr:`radii`."""

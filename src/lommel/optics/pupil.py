@@ -296,6 +296,16 @@ class Pupil:
             geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
         return self.carrying(part, geometry)
 
+    def broadcast(self, shape: tuple[int, ...]) -> Pupil:
+        """Return a stack of another `shape`, which this one is broadcast to."""
+        if self.shape == shape:
+            return self
+        geometry = self.geometry
+        if geometry is not None:
+            distances = np.broadcast_to(np.reshape(geometry.object_distance, self.shape), shape)
+            geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
+        return self.carrying(self.wavefront.broadcast(shape), geometry)
+
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
         plain = {

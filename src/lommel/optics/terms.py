@@ -153,6 +153,10 @@ class Terms:
 
         return self._each(part)
 
+    def broadcast(self, shape: tuple[int, ...]) -> Self:
+        """Return a stack of another `shape`, which this one is broadcast to."""
+        return self._each(lambda c: np.broadcast_to(c, (*shape, c.shape[-1])).copy())
+
     def _each(self, change: Callable[[Array], Array], growth: float = 1.0) -> Self:
         """Return the wavefront whose coefficients went through `change`, its error `growth` times as large."""
         powers = None if self._powers is None else change(self._powers)

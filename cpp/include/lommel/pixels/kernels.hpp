@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "lommel/base/simd.hpp"
 
 namespace lommel {
 
-constexpr std::size_t radial_degree = 16;  // Chebyshev coefficients across a ring
+using RadialDegree = std::integral_constant<std::size_t, 16>;
+constexpr std::size_t radial_degree = RadialDegree::value;  // Chebyshev coefficients across a ring
 constexpr std::size_t block_outputs = 16;  // values that share a block of weights
 
 // Positions are padded to so many.
@@ -123,20 +125,22 @@ LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* 
     return lane_sum(sum);
 }
 
-// Clenshaw's recurrence along the radius for `Orders` harmonics of two vectors of pixels.
-template <std::size_t Orders, class V>
-LOMMEL_INLINE void along_radius(const double* coefficients, const V (&x)[2], V (&out)[Orders][2]) {
-    V now[Orders][2], before[Orders][2] = {};
-    const V twice[2] = {x[0] + x[0], x[1] + x[1]};
+// Clenshaw's recurrence along the radius for `Orders` harmonics of some vectors of pixels, of `degree` coefficients each.
+template <std::size_t Orders, std::size_t Vectors, class Degree, class V>
+LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const V (&x)[Vectors], V (&out)[Orders][Vectors]) {
+    V now[Orders][Vectors], before[Orders][Vectors] = {}, twice[Vectors];
+    for (std::size_t u = 0; u < Vectors; ++u) {
+        twice[u] = x[u] + x[u];
+    }
     for (std::size_t j = 0; j < Orders; ++j) {
-        for (std::size_t u = 0; u < 2; ++u) {
-            now[j][u] = splat<V>(coefficients[j * radial_degree + radial_degree - 1]);
+        for (std::size_t u = 0; u < Vectors; ++u) {
+            now[j][u] = splat<V>(coefficients[j * degree + degree - 1]);
         }
     }
-    for (std::size_t k = radial_degree - 2; k > 0; --k) {
+    for (std::size_t k = degree - 2; k > 0; --k) {
         for (std::size_t j = 0; j < Orders; ++j) {
-            const V c = splat<V>(coefficients[j * radial_degree + k]);
-            for (std::size_t u = 0; u < 2; ++u) {
+            const V c = splat<V>(coefficients[j * degree + k]);
+            for (std::size_t u = 0; u < Vectors; ++u) {
                 const V next = twice[u] * now[j][u] + (c - before[j][u]);
                 before[j][u] = now[j][u];
                 now[j][u] = next;
@@ -144,18 +148,35 @@ LOMMEL_INLINE void along_radius(const double* coefficients, const V (&x)[2], V (
         }
     }
     for (std::size_t j = 0; j < Orders; ++j) {
-        const V c = splat<V>(coefficients[j * radial_degree]);
-        for (std::size_t u = 0; u < 2; ++u) {
+        const V c = splat<V>(coefficients[j * degree]);
+        for (std::size_t u = 0; u < Vectors; ++u) {
             out[j][u] = x[u] * now[j][u] + (c - before[j][u]);
         }
     }
 }
 
-// Values of `count` pixels of a ring from coefficients [harmonic][radial_degree]: x from -1 to 1 across the ring, the
-// cosine of four times the angle. Bound by arithmetic.
+// Values of `count` pixels, in whole steps of four vectors, of one harmonic. Bound by arithmetic.
 template <class I>
-LOMMEL_INLINE void sum_harmonics(I, const double* coefficients, std::size_t harmonics, const double* x, const double* cosine,
-                                 std::size_t count, double* out) {
+LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients, const double* x, std::size_t count,
+                               double* out) {
+    using V = typename I::pack;
+    for (std::size_t i = 0; i < count; i += 4 * I::lanes) {
+        V at[4], values[1][4];
+        for (std::size_t u = 0; u < 4; ++u) {
+            at[u] = load<V>(x + i + u * I::lanes);
+        }
+        along_radius<1>(degree, coefficients, at, values);
+        for (std::size_t u = 0; u < 4; ++u) {
+            store(out + i + u * I::lanes, values[0][u]);
+        }
+    }
+}
+
+// Values of `count` pixels of a ring from coefficients [harmonic][degree]: x from -1 to 1 across the ring, the cosine of four
+// times the angle. Bound by arithmetic.
+template <class I, class Degree>
+LOMMEL_INLINE void sum_harmonics(I, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
+                                 const double* cosine, std::size_t count, double* out) {
     using V = typename I::pack;
     for (std::size_t i = 0; i < count; i += 2 * I::lanes) {
         const V at[2] = {load<V>(x + i), load<V>(x + i + I::lanes)};
@@ -175,22 +196,24 @@ LOMMEL_INLINE void sum_harmonics(I, const double* coefficients, std::size_t harm
                 now[u] = next;
             }
         };
+        // Four are two and two: the chains of one alone would wait for themselves.
         std::size_t j = 0;
-        for (; j + 2 < harmonics; j += 3) {
+        for (; harmonics - j == 3 || harmonics - j > 4; j += 3) {
             V values[3][2];
-            along_radius<3>(coefficients + j * radial_degree, at, values);
+            along_radius<3>(degree, coefficients + j * degree, at, values);
             add(values[0]);
             add(values[1]);
             add(values[2]);
         }
-        if (j + 1 < harmonics) {
+        for (; j + 1 < harmonics; j += 2) {
             V values[2][2];
-            along_radius<2>(coefficients + j * radial_degree, at, values);
+            along_radius<2>(degree, coefficients + j * degree, at, values);
             add(values[0]);
             add(values[1]);
-        } else if (j < harmonics) {
+        }
+        if (j < harmonics) {
             V values[1][2];
-            along_radius<1>(coefficients + j * radial_degree, at, values);
+            along_radius<1>(degree, coefficients + j * degree, at, values);
             add(values[0]);
         }
         store(out + i, sum[0]);

@@ -1,6 +1,7 @@
 // Where averages over pixels take I: at some radii of a ring, and at some places within a pixel.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -32,6 +33,12 @@ struct RingNodes {
         error = off(count);
     }
 
+    // At least so many.
+    RingNodes of(std::size_t least) const {
+        RingNodes more = *this;
+        more.count = std::max(count, least);
+        return more;
+    }
     double point(std::size_t i) const { return chebyshev_point(count - 1 - i, count); }
     double radius(std::size_t i) const {
         return even ? high * std::sqrt(0.5 * (1.0 + point(i))) : 0.5 * (low + high + (high - low) * point(i));

@@ -20,6 +20,7 @@
 #include "lommel/pixels/kernels.hpp"
 #include "lommel/pixels/layout.hpp"
 #include "lommel/pixels/nodes.hpp"
+#include "lommel/pixels/weights.hpp"
 #include "lommel/pixels/window.hpp"
 
 namespace lommel {
@@ -144,8 +145,8 @@ struct PixelTable : Radii {  // where I is wanted, in v
             }
             for (std::size_t p = 0; p < Together && !ring.direct; ++p) {
                 penalties[p] = std::max(penalties[p], weighted_size(isa, sums[p], penalty.data(), ring.outputs));
-                sum_harmonics(isa, sums[p], harmonics, x.data() + ring.first_value, cosine.data() + ring.first_value,
-                              ring.values, out[p] + ring.first_value);
+                sum_harmonics(isa, RadialDegree{}, sums[p], harmonics, x.data() + ring.first_value,
+                              cosine.data() + ring.first_value, ring.values, out[p] + ring.first_value);
             }
         }
     }
@@ -220,93 +221,25 @@ struct PixelTable : Radii {  // where I is wanted, in v
         groups.v = groups.cosine = {};
     }
 
-    // The weights of the average over the square at `radius`, along the direction that has this cosine of four times
-    // its angle: all such directions are alike.
-    template <class I>
-    LOMMEL_INLINE void row(I isa, const RingNodes& nodes, const Square& square, double radius, double fourfold,
-                           const Doubles& points, const Doubles& scale, Doubles& scratch, double* out) const {
-        const double angle = 0.25 * std::acos(std::max(-1.0, std::min(1.0, fourfold)));
-        const double at_x = radius * std::cos(angle), at_y = radius * std::sin(angle);
-        scratch.resize(square.padded + 3 * nodes.count * I::lanes);
-        for (std::size_t i = 0; i < square.padded; ++i) {
-            const double dx = at_x + square.across[i], dy = at_y + square.down[i];
-            scratch[i] = dx * dx + dy * dy;
-        }
-        nodes.squeeze(scratch.data(), square.padded);
-        lagrange_row(isa, scratch.data(), square.share.data(), square.padded, points.data(), scale.data(), nodes.count,
-                     scratch.data() + square.padded, out);
-    }
-
     template <class I>
     LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Square& square, const Doubles& radial, const Doubles& angular) {
-        const std::size_t count_here = ring.nodes.count;
-        Doubles points(count_here), scale(count_here), scratch;
-        for (std::size_t i = 0; i < count_here; ++i) {
-            points[i] = ring.nodes.point(i);
-        }
-        for (std::size_t i = 0; i < count_here; ++i) {
-            double product = 1.0;
-            for (std::size_t k = 0; k < count_here; ++k) {
-                product *= k == i ? 1.0 : 2.0 * (points[i] - points[k]);
-            }
-            scale[i] = 1.0 / product;
-        }
-        Doubles rows(ring.outputs * count_here);
-        for (std::size_t o = 0; o < ring.outputs; ++o) {
-            look();
+        Doubles rows(ring.outputs * ring.nodes.count);
+        average_rows(
+            isa, ring.nodes, square, ring.outputs,
             // Directly the pixels; else Chebyshev points of the radius, and of the cosine for each.
-            const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
-            const double fourfold = ring.direct ? cosine[ring.first_value + o] : chebyshev_point(o / radial_degree, harmonics);
-            row(isa, ring.nodes, square, ring.middle + ring.half * at, fourfold, points, scale, scratch,
-                rows.data() + o * count_here);
-        }
+            [&](std::size_t o) {
+                const double at = ring.direct ? x[ring.first_value + o] : chebyshev_point(o % radial_degree, radial_degree);
+                return ring.middle + ring.half * at;
+            },
+            [&](std::size_t o) {
+                return ring.direct ? cosine[ring.first_value + o] : chebyshev_point(o / radial_degree, harmonics);
+            },
+            rows.data());
         if (!ring.direct) {
-            transform(radial, harmonics, radial_degree, 1, count_here, rows);
-            transform(angular, radial_degree, 1, radial_degree, count_here, rows);
+            transform(radial, harmonics, radial_degree, 1, ring.nodes.count, rows);
+            transform(angular, radial_degree, 1, radial_degree, ring.nodes.count, rows);
         }
-        double* out = weights.data() + ring.first_weight;
-        for (std::size_t o = 0; o < ring.outputs; ++o) {
-            double* block = out + o / block_outputs * block_outputs * count_here + o % block_outputs;
-            for (std::size_t i = 0; i < count_here; ++i) {
-                block[i * block_outputs] = rows[o * count_here + i];
-            }
-        }
-    }
-
-    // From values at Chebyshev points to the coefficients of their polynomial: [degree][point].
-    static Doubles cosine_transform(std::size_t points) {
-        Doubles matrix(points * points);
-        for (std::size_t k = 0; k < points; ++k) {
-            for (std::size_t i = 0; i < points; ++i) {
-                const double angle = 3.14159265358979323846 * static_cast<double>(k) * (static_cast<double>(i) + 0.5);
-                matrix[k * points + i] =
-                    (k == 0 ? 1.0 : 2.0) / static_cast<double>(points) * std::cos(angle / static_cast<double>(points));
-            }
-        }
-        return matrix;
-    }
-
-    // Applies a square matrix to each of so many sets of rows; sets are `apart` rows from each other, their rows `stride`.
-    LOMMEL_INLINE static void transform(const Doubles& matrix, std::size_t sets, std::size_t apart, std::size_t stride,
-                                        std::size_t length, Doubles& rows) {
-        const std::size_t points = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
-        Doubles made(points * length);
-        for (std::size_t s = 0; s < sets; ++s) {
-            double* first = rows.data() + s * apart * length;
-            std::fill(made.begin(), made.end(), 0.0);
-            for (std::size_t k = 0; k < points; ++k) {
-                for (std::size_t i = 0; i < points; ++i) {
-                    const double factor = matrix[k * points + i];
-                    const double* from = first + i * stride * length;
-                    for (std::size_t n = 0; n < length; ++n) {
-                        made[k * length + n] += factor * from[n];
-                    }
-                }
-            }
-            for (std::size_t k = 0; k < points; ++k) {
-                std::copy_n(made.data() + k * length, length, first + k * stride * length);
-            }
-        }
+        block_rows(rows.data(), ring.outputs, ring.nodes.count, weights.data() + ring.first_weight);
     }
 
     // docs/certificate.md, section 9.

@@ -27,6 +27,32 @@ struct PixelWindow {
     bool centered() const { return center_y == static_cast<double>(height / 2) && center_x == static_cast<double>(width / 2); }
 };
 
+// Those of a stack of pupils, all around the axis of the first or each around its own.
+struct PixelWindows {
+    PixelWindow first;
+    const double* centers = nullptr;  // [pupil](row, column)
+    double farthest = 0.0;            // a pixel from its axis, in pixels, or more: a whole number
+
+    PixelWindows(const PixelWindow& shared) : first(shared) {}
+    PixelWindows(const PixelWindow& like, const double* each, std::size_t pupils) : first(like), centers(each), farthest(1.0) {
+        for (std::size_t p = 0; p < pupils; ++p) {
+            const PixelWindow w = (*this)[p];
+            const auto away = [](double center, std::size_t side) {
+                return std::max(std::abs(center), std::abs(static_cast<double>(side - 1) - center));
+            };
+            farthest = std::max(farthest, std::ceil(std::hypot(away(w.center_y, w.height), away(w.center_x, w.width))));
+        }
+    }
+    PixelWindow operator[](std::size_t pupil) const {
+        PixelWindow w = first;
+        if (centers != nullptr) {
+            w.center_y = centers[2 * pupil];
+            w.center_x = centers[2 * pupil + 1];
+        }
+        return w;
+    }
+};
+
 // Distances from the axis along one side of a window: the distinct ones, rising, and which one each pixel has.
 struct Fold {
     std::vector<double> distances;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "lommel/base/tasks.hpp"
@@ -54,15 +55,16 @@ class PixelRenderer {
    public:
     // The bounds are related to what the largest value over the plane, or in the window where values are divided by that,
     // is at least.
-    PixelRenderer(const Stack& stack, const PixelWindow& window, double tol, int threads, const Answer<T>& answer)
-        : stack_(stack), aperture_(stack.obscuration, stack.amplitude), window_(window), tol_(tol),
+    PixelRenderer(const Stack& stack, const PixelWindows& windows, double tol, int threads, const Answer<T>& answer)
+        : stack_(stack), aperture_(stack.obscuration, stack.amplitude), windows_(windows), window_(windows.first), tol_(tol),
           allowed_(std::max(1e-16, tol - 1.1 * storing<T>(false))), threads_(threads), answer_(answer) {}
 
     void run() {
         // Roughly what the stack takes, in microseconds: the same processor took 1.2 for each of 300 of 33^2, 40 for one of 128^2.
         threads_ =
             worthwhile_threads(threads_, static_cast<double>(stack_.count) * (0.3 + 2e-3 * static_cast<double>(pixels())));
-        if (!(answer_.derivatives == 0 && Batch::fits(stack_) && render_batch())) {
+        const bool batch = answer_.derivatives == 0 && Batch::fits(stack_);
+        if (!(batch && (anywhere() ? render_batch<AnywhereTable>() : render_batch<PixelTable>()))) {
             for_pupils(stack_.count, threads_, [&](std::size_t pupil, int threads) { render(pupil, threads); });
         }
     }
@@ -84,14 +86,28 @@ class PixelRenderer {
         int level;     // asked of the table
     };
     // What a window turned out to be.
+    template <class Table>
     struct Found {
-        std::shared_ptr<const PixelTable> table;
+        std::shared_ptr<const Table> table;
         double bound, size;                    // of U; the largest I at the radii
         double top, off, by_field, by_table;   // the largest value, the bound on its error, and two parts of that
     };
 
     std::size_t pixels() const { return window_.height * window_.width; }
-    static Places places(const PixelTable& table) { return {table.radii.data(), table.count, 1.0}; }
+    static Places places(const Radii& radii) { return {radii.radii.data(), radii.count, 1.0}; }
+
+    // Whether one table serves all the axes of the stack.
+    bool anywhere() const {
+        return windows_.centers != nullptr && windows_.farthest * window_.step <= AnywhereTable::most_reach;
+    }
+    template <class Table>
+    std::shared_ptr<const Table> table_of(const PixelWindow& window, int level) const {
+        if constexpr (std::is_same_v<Table, AnywhereTable>) {
+            return AnywhereTable::get(window.step, window.integrate, windows_.farthest, level);
+        } else {
+            return PixelTable::get(window, level, threads_);
+        }
+    }
 
     // What the largest value of a window may be: the peak of I or, of pixels that hold all light, its average.
     double likely_value(const Phase& phase) const {
@@ -106,25 +122,27 @@ class PixelRenderer {
         return {std::max(field, RadialBudget::least), static_cast<int>(std::max(3.0, std::min(digits, double(last_level))))};
     }
 
-    double window_bound(const PixelTable& table, double penalty, double size, double bound) const {
+    template <class Table>
+    double window_bound(const Table& table, double penalty, double size, double bound) const {
         const double root = std::sqrt(size);
         // |I'| = 2 |U| |U'|, and |U'| < 1/2.
         return window_error(table, penalty, size, intensity_error(root, bound), root * std::sqrt(table.of_nodes),
                             0.5 * aperture_.area * aperture_.area);
     }
 
-    Found measure(Field& field, const PixelWindow& window, const Phase& phase, const Attempt& attempt, int threads,
-                  Doubles& at_radii, WindowValues& made) const {
-        Found f{};
-        f.table = PixelTable::get(window, attempt.level, threads_);
-        const PixelTable& table = *f.table;
+    template <class Table>
+    Found<Table> measure(Field& field, const PixelWindow& window, const Phase& phase, const Attempt& attempt, int threads,
+                         Doubles& at_radii, WindowValues& made) const {
+        Found<Table> f{};
+        f.table = table_of<Table>(window, attempt.level);
+        const Table& table = *f.table;
         f.bound = field.prepare(phase, 0, stack_.obscuration, places(table), attempt.error);
         at_radii.resize(table.count + widest_step);
         f.size = intensities(field, places(table), threads, [&](std::size_t first, std::size_t count, const double* values) {
             std::copy_n(values, count, at_radii.data() + first);
         });
-        made.make(table, at_radii.data(), threads);
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { f.top = largest(made.values.data(), table.value_count); });
+        made.make(table, window, at_radii.data(), threads);
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { f.top = largest(made.values.data(), made.count); });
         f.off = window_bound(table, made.penalty, f.size, f.bound);
         f.by_field = table.magnification() * intensity_error(std::sqrt(f.size), f.bound);
         f.by_table = table.error * 0.5 * aperture_.area * aperture_.area;
@@ -142,7 +160,7 @@ class PixelRenderer {
         Field field;
         Doubles at_radii;
         WindowValues made;
-        const Found f = measure(field, line, phase, attempt, 1, at_radii, made);
+        const Found<PixelTable> f = measure<PixelTable>(field, line, phase, attempt, 1, at_radii, made);
         return f.top - f.off;
     }
 
@@ -153,6 +171,18 @@ class PixelRenderer {
     }
 
     void render(std::size_t pupil, int threads) {
+        if (anywhere()) {
+            try {
+                return render_by<AnywhereTable>(pupil, threads);
+            } catch (const ToleranceNotMet&) {
+                // Roundings of long polynomials are more than those of weights for every pixel.
+            }
+        }
+        render_by<PixelTable>(pupil, threads);
+    }
+
+    template <class Table>
+    void render_by(std::size_t pupil, int threads) {
         thread_local Field field;
         thread_local Doubles at_radii;
         thread_local WindowValues made;
@@ -161,9 +191,10 @@ class PixelRenderer {
         double elsewhere = 0.0;
         bool looked = false;
         Attempt asked = first_attempt(phase);
-        Found f{};
+        const PixelWindow window = windows_[pupil];
+        Found<Table> f{};
         const auto attempt = [&] {
-            f = measure(field, window_, phase, asked, threads, at_radii, made);
+            f = measure<Table>(field, window, phase, asked, threads, at_radii, made);
             const double bound = relative(f.top, f.off, elsewhere, normalize);
             if (bound <= tol_ || normalize || looked) {
                 return bound;
@@ -185,90 +216,132 @@ class PixelRenderer {
             }
             return asked.error < before.error || asked.level > before.level;
         });
-        finish(pupil, *f.table, made.values.data(), f.top, std::max(f.top - f.off, elsewhere), bound, threads);
+        finish(pupil, *f.table, made.values.data(), made.count, f.top, std::max(f.top - f.off, elsewhere), bound, threads);
         for (std::size_t d = 0; d < answer_.derivatives; ++d) {
-            differentiate(pupil, d, field, f, asked.error, threads);
+            differentiate(pupil, d, window, field, f, asked.error, threads);
         }
     }
 
-    void finish(std::size_t pupil, const PixelTable& table, const double* values, double top, double peak, double bound,
-                int threads) {
+    template <class Table>
+    void finish(std::size_t pupil, const Table& table, const double* values, std::size_t count, double top, double peak,
+                double bound, int threads) {
         const double scale = answer_.finish(pupil, top, peak, bound);
-        paint(table, values, scale, T{0}, answer_.images + pupil * pixels(), threads);
+        paint(table, values, count, scale, T{0}, answer_.images + pupil * pixels(), threads);
     }
 
     // No average of an intensity is negative, and none less exact for being `least`.
-    static void paint(const PixelTable& table, const double* values, double scale, T least, T* image, int threads) {
+    static void store_clipped(const double* values, std::size_t count, double scale, T least, T* out) {
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            store_scaled(values, scale, count, out);
+            for (std::size_t i = 0; i < count; ++i) {
+                out[i] = std::max(out[i], least);
+            }
+        });
+    }
+    static void paint(const AnywhereTable&, const double* values, std::size_t count, double scale, T least, T* image, int) {
+        store_clipped(values, count, scale, least, image);
+    }
+    static void paint(const PixelTable& table, const double* values, std::size_t count, double scale, T least, T* image,
+                      int threads) {
         thread_local std::vector<T> kept;
-        std::vector<T>& rounded = kept;  // of this thread, whoever paints
-        rounded.resize(table.value_count);
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_scaled(values, scale, table.value_count, rounded.data()); });
-        for (T& value : rounded) {
-            value = std::max(value, least);
-        }
-        const T* from = rounded.data();
+        kept.resize(count);
+        store_clipped(values, count, scale, least, kept.data());
+        const T* from = kept.data();  // of this thread, whoever paints
         for_rows(table.groups.rows.distances.size(), table.window.width, threads,
                  [&](std::size_t first, std::size_t last) { table.groups.paint(from, first, last, image); });
     }
 
     // dI/dc_k, averaged as I is: it is of exponential type 2 like I.
-    void differentiate(std::size_t pupil, std::size_t which, Field& field, const Found& f, double error, int threads) {
-        const PixelTable& table = *f.table;
+    template <class Table>
+    void differentiate(std::size_t pupil, std::size_t which, const PixelWindow& window, Field& field, const Found<Table>& f,
+                       double error, int threads) {
+        const Table& table = *f.table;
         const std::size_t power = answer_.powers[which], at = which * stack_.count + pupil;
         const Slopes slopes(field, stack_[pupil], power, stack_.obscuration, places(table), error);
         WindowValues made;
-        made.make(table, slopes.values.data(), threads);
+        made.make(table, window, slopes.values.data(), threads);
         const double root = std::sqrt(f.size), other = std::sqrt(slopes.size);
         const double given = 2.0 * (root * slopes.error + other * f.bound + slopes.error * f.bound);
         const double off = window_error(table, made.penalty, slopes.steepest, given, (root + other) * std::sqrt(table.of_nodes),
                                         2.0 * aperture_.area * aperture_.moment(power));
         answer_.derivative_bounds[at] =
             (off + storing<T>(false) * slopes.steepest * table.magnification()) / answer_.peaks[pupil];
-        paint(table, made.values.data(), answer_.scales[pupil], std::numeric_limits<T>::lowest(),
+        paint(table, made.values.data(), made.count, answer_.scales[pupil], std::numeric_limits<T>::lowest(),
               answer_.derivative_images + at * pixels(), threads);
     }
 
-    // Many pupils on one small window, by the Bessel functions at the radii of its table. Returns false where it would
-    // not pay.
-    bool render_batch() {
+    // Windows of some pupils, from I at the radii, to made[pupil * apart]; returns the largest penalty.
+    static double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils,
+                                const double* at_radii, std::size_t stride, double* made, std::size_t apart) {
         constexpr std::size_t at_once = 4;
+        thread_local Doubles sums;
+        double penalties[at_once] = {};
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t p = 0; p < pupils; p += at_once) {
+                // Pupils that are not there have some intensities too.
+                const double* from[at_once];
+                double* to[at_once];
+                for (std::size_t k = 0; k < at_once; ++k) {
+                    from[k] = at_radii + (p + k) * stride;
+                    to[k] = made + (p + k) * apart;
+                }
+                table.apply<at_once>(isa, 0, table.rings.size(), from, to, penalties, sums);
+            }
+        });
+        return *std::max_element(penalties, penalties + at_once);
+    }
+    static double make_together(const AnywhereTable& table, const PixelWindows& windows, std::size_t first, std::size_t pupils,
+                                const double* at_radii, std::size_t stride, double* made, std::size_t apart) {
+        thread_local Doubles scratch;
+        double penalty = 0.0;
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t p = 0; p < pupils; ++p) {
+                penalty =
+                    std::max(penalty, table.apply(isa, windows[first + p], at_radii + p * stride, scratch, made + p * apart));
+            }
+        });
+        return penalty;
+    }
+
+    // Many pupils on one small window, or on those around their own axes, by the Bessel functions at the radii of one table.
+    // Returns false where it would not pay.
+    template <class Table>
+    bool render_batch() {
         const Box box(stack_);
         const Phase worst = box.worst(stack_.amplitude);
         const Attempt attempt = first_attempt(worst);
-        const auto shared = PixelTable::get(window_, attempt.level, threads_);
-        const PixelTable& table = *shared;
-        if (table.rings.size() > 1 || !Batch::pays(stack_, worst, table, 1.0)) {
+        const auto shared = table_of<Table>(window_, attempt.level);
+        const Table& table = *shared;
+        bool plain = false;  // I at the radii are the pixels
+        std::size_t values = pixels();
+        if constexpr (std::is_same_v<Table, PixelTable>) {
+            if (table.rings.size() > 1) {
+                return false;
+            }
+            plain = table.rings.empty();
+            values = table.value_count;
+        }
+        if (!Batch::pays(stack_, worst, table, 1.0)) {
             return false;
         }
+        const std::size_t apart = (values + widest_step) / widest_step * widest_step;
         const Batch batch(stack_, box, shared, 1.0, attempt.error);
         batch.run(threads_, [&](std::size_t first, std::size_t here, const double* at_radii, std::size_t stride) {
-            thread_local Doubles made, sums;
-            made.resize(Batch::group * table.value_count);
-            double penalties[at_once] = {};
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                for (std::size_t p = 0; p < here && !table.rings.empty(); p += at_once) {
-                    // Pupils that are not there have some intensities too.
-                    const double* from[at_once];
-                    double* to[at_once];
-                    for (std::size_t k = 0; k < at_once; ++k) {
-                        from[k] = at_radii + (p + k) * stride;
-                        to[k] = made.data() + (p + k) * table.value_count;
-                    }
-                    table.apply<at_once>(isa, 0, table.rings.size(), from, to, penalties, sums);
-                }
-            });
-            const double penalty = *std::max_element(penalties, penalties + at_once);
+            thread_local Doubles made;
+            made.resize(Batch::group * apart);
+            const double penalty =
+                plain ? 0.0 : make_together(table, windows_, first, here, at_radii, stride, made.data(), apart);
             for (std::size_t p = 0; p < here; ++p, at_radii += stride) {
-                const double* window = table.rings.empty() ? at_radii : made.data() + p * table.value_count;
+                const double* window = plain ? at_radii : made.data() + p * apart;
                 double size = 0.0, top = 0.0;
                 dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
                     size = largest(at_radii, table.count);
-                    top = largest(window, table.value_count);
+                    top = largest(window, values);
                 });
                 const double off = window_bound(table, penalty, size, batch.error(first + p));
                 const double bound = relative(top, off, 0.0, answer_.scales[first + p] == 0.0);
                 if (bound <= tol_) {
-                    finish(first + p, table, window, top, top - off, bound, 1);
+                    finish(first + p, table, window, values, top, top - off, bound, 1);
                 } else {
                     render(first + p, 1);
                 }
@@ -279,7 +352,8 @@ class PixelRenderer {
 
     Stack stack_;
     Aperture aperture_;
-    PixelWindow window_;
+    PixelWindows windows_;
+    PixelWindow window_;  // the first
     double tol_, allowed_;  // the latter before values are stored
     int threads_;
     Answer<T> answer_;

@@ -44,6 +44,22 @@ struct DiskStack {
         trim();
     }
 
+    // Takes the way from the axis of a window to that of each pupil, (row, column), as a tilt.
+    void tilt_to(const double* centers, const DiskWindow& window) {
+        const std::size_t at[2] = {place({1, -1}), place({1, 1})};
+        for (std::size_t p = 0; p < count; ++p) {
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                double& tilt = outer[p * terms.size() + at[axis]];
+                const double before = axis == 0 ? window.row : window.column;
+                const double way = (centers[2 * p + axis] - before) * window.step;
+                // Difference, product and sum are rounded, relative to what may cancel; |dU/dv| < 1/2.
+                lost[p] += way == 0.0 ? 0.0 : unit_roundoff * (2.0 * std::abs(way) + std::abs(tilt));
+                tilt += way;
+            }
+        }
+        trim();
+    }
+
     // Takes whole pixels of tilt as a move of the axis, which is then in the middle of a pixel for each pupil; what is left of
     // them, and of the place of the axis, is a tilt of less than a pixel.
     void move_axes(const DiskWindow& window) {

@@ -1,0 +1,140 @@
+// Windows of one pitch whose axis is anywhere, for stacks of pupils each around an axis of its own: samples or averages as
+// polynomials of the distance from the axis, by weights that depend on the pitch and the reach alone. docs/certificate.md,
+// section 9.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/bounds/pixels.hpp"
+#include "lommel/bounds/settle.hpp"
+#include "lommel/pixels/layout.hpp"
+#include "lommel/pixels/table.hpp"
+#include "lommel/pixels/weights.hpp"
+#include "lommel/pixels/window.hpp"
+
+namespace lommel {
+
+struct AnywhereTable : Radii {  // where I is wanted, in v
+    // Beyond, polynomials are so long that tables of the window itself take less.
+    static constexpr double most_reach = 110.0;
+
+    double step;     // the pitch in v
+    bool integrate;  // as of a PixelWindow
+    double farthest;  // middles of pixels from the axis, in pixels
+    int level;        // errors are about 10^-level; `error` says what they are
+    std::size_t harmonics = 1, gauss, degree, outputs;
+    Doubles weights, penalty;  // [block of outputs][node][output]; roundings that each coefficient takes part in
+    double error, of_nodes = 1.0, of_grid, rounding;  // as of a PixelTable
+
+    AnywhereTable(double pitch, bool averages, double pixels, int digits)
+        : step(pitch), integrate(averages), farthest(pixels), level(digits) {
+        using Budget = PixelTable::Budget;
+        const double side = integrate ? step : 0.0, allowed = std::pow(10.0, -level), reach = farthest * step;
+        gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
+        harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
+        const double by_angle = lebesgue(harmonics);
+        const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
+        degree = std::max<std::size_t>(2, places.count);
+        of_grid = by_angle * lebesgue(degree);
+        // What samples take I at is what they are.
+        const RingNodes nodes = integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid)
+                                          : places.of(degree);
+        for (std::size_t i = 0; i < nodes.count; ++i) {
+            radii.push_back(nodes.radius(i));
+        }
+        count = nodes.count;
+        radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
+        outputs = degree * harmonics;
+        weigh(places.of(degree), nodes, Square(side, gauss));
+        judge(reach, side, nodes.error);
+    }
+
+    double magnification() const { return of_grid * of_nodes; }
+    std::size_t bytes() const { return sizeof(double) * (weights.size() + penalty.size() + radii.size()); }
+    bool is(double pitch, bool averages, double pixels, int digits) const {
+        return step == pitch && integrate == averages && farthest == pixels && level == digits;
+    }
+    static constexpr std::size_t most_bytes = std::size_t{16} << 20;
+    static std::shared_ptr<const AnywhereTable> get(double pitch, bool averages, double pixels, int digits) {
+        return cache<AnywhereTable>.get(pitch, averages, pixels, digits);
+    }
+
+    // The pixels of a window from I at the radii, in whole vectors; returns what evaluating the polynomials may be off by, in
+    // units of roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
+    template <class I>
+    LOMMEL_INLINE double apply(I isa, const PixelWindow& window, const double* intensity, Doubles& scratch, double* out) const {
+        const std::size_t pixels = window.height * window.width, room = (pixels + widest_step) / widest_step * widest_step;
+        scratch.resize(weights.size() / count + 2 * room);
+        double *const sums = scratch.data(), *const x = sums + weights.size() / count, *const cosine = x + room;
+        for (std::size_t block = 0; block < outputs; block += block_outputs) {
+            weighted_sums<1>(isa, weights.data() + block * count, count, &intensity, &sums, block);
+        }
+        const double slope = 2.0 / (farthest * farthest);
+        for (std::size_t row = 0, i = 0; row < window.height; ++row) {
+            const double dy = static_cast<double>(row) - window.center_y, above = dy * dy;
+            for (std::int32_t column = 0; column < static_cast<std::int32_t>(window.width); ++column, ++i) {
+                const double dx = static_cast<double>(column) - window.center_x, square = dx * dx + above;
+                x[i] = slope * square - 1.0;
+                if (harmonics > 1) {
+                    const double product = dx * dy / std::max(square, 1e-300);
+                    cosine[i] = 1.0 - 8.0 * product * product;
+                }
+            }
+        }
+        // What fills the last vectors is a pixel too.
+        std::fill(x + pixels, x + room, x[0]);
+        std::fill(cosine + pixels, cosine + room, cosine[0]);
+        if (harmonics > 1) {
+            sum_harmonics(isa, degree, sums, harmonics, x, cosine, room, out);
+        } else {
+            sum_profile(isa, degree, sums, x, room, out);
+        }
+        return weighted_size(isa, sums, penalty.data(), penalty.size());
+    }
+
+   private:
+    void weigh(const RingNodes& places, const RingNodes& nodes, const Square& square) {
+        Doubles rows(outputs * count, 0.0);
+        if (integrate) {
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                average_rows(
+                    isa, nodes, square, outputs, [&](std::size_t o) { return places.radius(degree - 1 - o % degree); },
+                    [&](std::size_t o) { return chebyshev_point(o / degree, harmonics); }, rows.data());
+            });
+        } else {
+            for (std::size_t o = 0; o < degree; ++o) {
+                rows[o * count + degree - 1 - o] = 1.0;
+            }
+        }
+        transform(cosine_transform(degree), harmonics, degree, 1, count, rows);
+        transform(cosine_transform(harmonics), degree, 1, degree, count, rows);
+        weights.resize((outputs + block_outputs - 1) / block_outputs * block_outputs * count, 0.0);
+        block_rows(rows.data(), outputs, count, weights.data());
+    }
+
+    void judge(double reach, double side, double of_interpolation) {
+        const double n = static_cast<double>(count), degrees = static_cast<double>(degree),
+                     orders = static_cast<double>(harmonics);
+        error = of_interpolation;
+        if (integrate) {
+            of_nodes = lebesgue(count);
+            error = of_grid * (error + gauss_error(side, gauss)) +
+                    lebesgue(harmonics) * interpolation_error(reach, 2 * degree) + harmonics_error(side, harmonics);
+        }
+        rounding = of_grid * of_nodes * (2.0 * n * n + 6.0 * n + 40.0) +
+                   of_nodes * 4.0 * orders * degrees * (n + orders + degrees + 4.0);
+        for (std::size_t o = 0; o < weights.size() / count; ++o) {
+            const double order = static_cast<double>(o / degree), power = static_cast<double>(o % degree);
+            // The square of a distance is off by fifteen units of the farthest one's half, and T_k by k^2 as much.
+            const double each =
+                1.5 * (power + 1.0) * (power + 2.0) + 15.0 * power * power + 10.0 * order * order + 4.0 * orders;
+            penalty.push_back(o < outputs ? each : 0.0);
+        }
+    }
+};
+
+}  // namespace lommel

@@ -1,0 +1,91 @@
+// The weights by which I at the radii of a ring becomes averages over squares, or coefficients of these.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "lommel/base/simd.hpp"
+#include "lommel/base/watch.hpp"
+#include "lommel/pixels/kernels.hpp"
+#include "lommel/pixels/nodes.hpp"
+
+namespace lommel {
+
+// rows[output][node]: the weights of the average over the square at radius(output), along a direction of which
+// fourfold(output) is the cosine of four times its angle: all such directions are alike.
+template <class I, class Radius, class Fourfold>
+LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Square& square, std::size_t outputs, const Radius& radius,
+                                const Fourfold& fourfold, double* rows) {
+    Doubles points(nodes.count), scale(nodes.count), scratch(square.padded + 3 * nodes.count * I::lanes);
+    for (std::size_t i = 0; i < nodes.count; ++i) {
+        points[i] = nodes.point(i);
+    }
+    for (std::size_t i = 0; i < nodes.count; ++i) {
+        double product = 1.0;
+        for (std::size_t k = 0; k < nodes.count; ++k) {
+            product *= k == i ? 1.0 : 2.0 * (points[i] - points[k]);
+        }
+        scale[i] = 1.0 / product;
+    }
+    for (std::size_t o = 0; o < outputs; ++o) {
+        look();
+        const double angle = 0.25 * std::acos(std::max(-1.0, std::min(1.0, fourfold(o))));
+        const double at_x = radius(o) * std::cos(angle), at_y = radius(o) * std::sin(angle);
+        for (std::size_t i = 0; i < square.padded; ++i) {
+            const double dx = at_x + square.across[i], dy = at_y + square.down[i];
+            scratch[i] = dx * dx + dy * dy;
+        }
+        nodes.squeeze(scratch.data(), square.padded);
+        lagrange_row(isa, scratch.data(), square.share.data(), square.padded, points.data(), scale.data(), nodes.count,
+                     scratch.data() + square.padded, rows + o * nodes.count);
+    }
+}
+
+// From values at Chebyshev points to the coefficients of their polynomial: [degree][point].
+inline Doubles cosine_transform(std::size_t points) {
+    Doubles matrix(points * points);
+    for (std::size_t k = 0; k < points; ++k) {
+        for (std::size_t i = 0; i < points; ++i) {
+            const double angle = 3.14159265358979323846 * static_cast<double>(k) * (static_cast<double>(i) + 0.5);
+            matrix[k * points + i] =
+                (k == 0 ? 1.0 : 2.0) / static_cast<double>(points) * std::cos(angle / static_cast<double>(points));
+        }
+    }
+    return matrix;
+}
+
+// Applies a square matrix to each of so many sets of rows; sets are `apart` rows from each other, their rows `stride`.
+LOMMEL_INLINE void transform(const Doubles& matrix, std::size_t sets, std::size_t apart, std::size_t stride, std::size_t length,
+                             Doubles& rows) {
+    const std::size_t points = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
+    Doubles made(points * length);
+    for (std::size_t s = 0; s < sets; ++s) {
+        double* first = rows.data() + s * apart * length;
+        std::fill(made.begin(), made.end(), 0.0);
+        for (std::size_t k = 0; k < points; ++k) {
+            for (std::size_t i = 0; i < points; ++i) {
+                const double factor = matrix[k * points + i];
+                const double* from = first + i * stride * length;
+                for (std::size_t n = 0; n < length; ++n) {
+                    made[k * length + n] += factor * from[n];
+                }
+            }
+        }
+        for (std::size_t k = 0; k < points; ++k) {
+            std::copy_n(made.data() + k * length, length, first + k * stride * length);
+        }
+    }
+}
+
+// As weighted_sums() reads them: [block of outputs][node][output].
+inline void block_rows(const double* rows, std::size_t outputs, std::size_t length, double* out) {
+    for (std::size_t o = 0; o < outputs; ++o) {
+        double* block = out + o / block_outputs * block_outputs * length + o % block_outputs;
+        for (std::size_t i = 0; i < length; ++i) {
+            block[i * block_outputs] = rows[o * length + i];
+        }
+    }
+}
+
+}  // namespace lommel

@@ -14,7 +14,7 @@ import lommel as lm
 from benchmarks.settings import Settings
 from benchmarks.targets import Measured
 from benchmarks.timing import Contender, Spread, race
-from lommel.imaging import RED_GREEN_BLUE, DepthBlur, FocusPlan
+from lommel.imaging import RED_GREEN_BLUE, DepthBlur, FocusPlan, Occlusion
 
 TOL = 1e-4
 HEIGHT, WIDTH, SIDE, PIXEL = 500, 741, 33, 6.6e-6
@@ -146,6 +146,34 @@ def against_points(settings: Settings) -> Measured:
     ratio, scale = result.ratio(other.name, mine.name), 3 * HEIGHT * WIDTH / _PART
     scaled = Spread(scale * ratio.median, scale * ratio.low, scale * ratio.high, ratio.rounds)
     return Measured(scaled, _error(result.values[mine.name]), f"{mine.config}, {_THREADS} threads; {config}")
+
+
+def _depths() -> dict[str, NDArray[np.float64]]:
+    """Return scenes of one layer and many, in which few points or most hide something."""
+    y, x = np.mgrid[:HEIGHT, :WIDTH]
+    slant = 1.0 / (1.0 / 1.1 + (1.0 / 6.0 - 1.0 / 1.1) * x / WIDTH)
+    return {
+        "one plane": np.full((HEIGHT, WIDTH), 1.4),
+        "squares of two planes": np.where((x // 60 + y // 60) % 2 == 0, 1.2, 3.0),
+        "a slanted plane": slant,
+        "bars before it": np.where(x // 20 % 3 == 0, 1.05, slant),
+        "the floor": scene()[1],
+    }
+
+
+def occluded(settings: Settings) -> Measured:
+    """Measure a blur in which points hide one another, what hides what being known: the worst of several scenes."""
+    light, found = np.ascontiguousarray(scene()[0][..., 1]), {}
+    for name, depth in _depths().items():
+        blur = DepthBlur(_LENS, depth, PIXEL, tol=TOL, threads=_THREADS)
+        operator = Occlusion(blur)
+        operator.forward(light)
+        mine = Contender("occluded", lambda _, made=operator: made.forward(light), "Occlusion(blur).forward(light)")
+        other = Contender("added", lambda _, made=blur: made.forward(light), "DepthBlur.forward(light)")
+        found[name] = race([mine, other], settings.rounds).ratio("occluded", "added")
+    worst = max(found.values(), key=lambda ratio: ratio.median)
+    each = ", ".join(f"{name} {ratio.median:.1f}" for name, ratio in found.items())
+    return Measured(worst, None, f"Occlusion(blur).forward(light) after the first, {_THREADS} threads: {each}")
 
 
 def focus_pull(settings: Settings) -> Measured:

@@ -171,6 +171,12 @@ TARGETS = [
         depth.TOL,
     ),
     Target("the same through focus, 30 frames", "nothing", None, None, " frames/s", True, depth.focus_pull),
+    Target(
+        "occlusion, forward after the first at one depth, the worst of five scenes",
+        "DepthBlur.forward without occlusion",
+        *(3, 2, "", False),
+        depth.occluded,
+    ),
     Target("one 33² by a plan", "an empty Python call", 4, 2.5, " µs", False, partial(t.plan, pupils=False)),
     Target(
         "the same, and making its pupil",

@@ -1,6 +1,9 @@
 // Products of matrices, and blur by depth.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include <nanobind/stl/optional.h>
 
 #include "lommel/imaging/product.hpp"
 #include "lommel/imaging/spread.hpp"
@@ -47,6 +50,20 @@ lommel::Scene scene_of(const In<double, 2>& positions, const In<std::int64_t, 1>
     return {positions.data(), positions.shape(1), rows.data(), columns.data(), rows.size(), columns.size()};
 }
 
+// What hides what, of as many points as there are positions and as many pixels as windows reach.
+template <class T>
+lommel::Screen<T> screen_of(const std::optional<In<T, 2>>& layers, const std::optional<In<T, 2>>& seen,
+                            const In<double, 2>& positions, std::size_t height, std::size_t width) {
+    require(layers.has_value() == seen.has_value(), "layers and what is seen of them belong together");
+    if (!layers) {
+        return {};
+    }
+    require(layers->shape(0) == positions.shape(0) && layers->shape(1) == positions.shape(1),
+            "layers must match the positions");
+    require(seen->shape(0) == height && seen->shape(1) == width, "seen must be as large as the image that windows reach");
+    return {layers->data(), seen->data()};
+}
+
 // Whether an image is as much larger than a scene as windows reach.
 template <class T>
 bool larger(const lommel::WindowBank<T>& bank, const lommel::Scene& scene, std::size_t height, std::size_t width) {
@@ -57,26 +74,31 @@ bool larger(const lommel::WindowBank<T>& bank, const lommel::Scene& scene, std::
 // 16 on either side.
 template <class T>
 void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<std::int64_t, 1> rows,
-            In<std::int64_t, 1> columns, Strided<T> image, int threads, Out<T, 2> out) {
+            In<std::int64_t, 1> columns, Strided<T> image, int threads, Out<T, 2> out, std::optional<In<T, 2>> layers,
+            std::optional<In<T, 2>> seen) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
     const lommel::Scene scene = scene_of(positions, rows, columns);
     require(image.shape(0) == positions.shape(0) && image.shape(1) == positions.shape(1) && threads >= 0,
             "positions must match the image");
     require(larger(bank, scene, out.shape(0), out.shape(1)), "out must be larger than the image by a window");
-    released(
-        [&] { lommel::Spreader<T>(bank, scene, threads).forward(image.data(), image.stride(0), image.stride(1), out.data()); });
+    const lommel::Screen<T> screen = screen_of<T>(layers, seen, positions, out.shape(0), out.shape(1));
+    released([&] {
+        lommel::Spreader<T>(bank, scene, threads, screen).forward(image.data(), image.stride(0), image.stride(1), out.data());
+    });
 }
 
 // The transpose of spread(), but that what is beyond the edges stays there.
 template <class T>
 void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<std::int64_t, 1> rows,
-             In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out) {
+             In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out, std::optional<In<T, 2>> layers,
+             std::optional<In<T, 2>> seen) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
     const lommel::Scene scene = scene_of(positions, rows, columns);
     require(larger(bank, scene, image.shape(0), image.shape(1)) && threads >= 0,
             "the image must be larger than the positions by a window");
     require(out.shape(0) == scene.height && out.shape(1) == scene.width, "out must match the positions");
-    released([&] { lommel::Spreader<T>(bank, scene, threads).adjoint(image.data(), out.data()); });
+    const lommel::Screen<T> screen = screen_of<T>(layers, seen, positions, image.shape(0), image.shape(1));
+    released([&] { lommel::Spreader<T>(bank, scene, threads, screen).adjoint(image.data(), out.data()); });
 }
 
 }  // namespace
@@ -86,9 +108,11 @@ void bindings::define_imaging(nb::module_& m) {
     for_both([&](auto pixel) {
         using T = decltype(pixel);
         m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
-              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(),
+              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(),
+              "seen"_a.noconvert() = nb::none(),
               "Adds each pixel times the window at its position in the bank to an image larger by a window.");
         m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
-              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "The transpose of spread().");
+              "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(),
+              "seen"_a.noconvert() = nb::none(), "The transpose of spread().");
     });
 }

@@ -123,6 +123,34 @@ def test_threads_add_up_in_the_same_sequence_however_wide_the_windows():
     assert np.array_equal(alone, together)
 
 
+@pytest.mark.parametrize(("height", "width", "half"), SIZES)
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_pixels_see_points_by_their_layers(level, height, width, half, dtype):
+    """All of the layers before the number that they see, a part of one, nothing of those behind."""
+    rng = np.random.default_rng(height + width)
+    b, positions = bank(rng, half, dtype=dtype), some_positions(rng, height, width)
+    image = rng.standard_normal((height, width)).astype(dtype)
+    layers = rng.integers(-2, 3, (height, width)).astype(dtype)
+    layers[: height // 2] = 0
+    seen, beyond = room(b, image), margin(b.half) - b.half
+    seen[:] = rng.uniform(-2.5, 3.5, seen.shape) if height % 2 else np.where(np.arange(seen.shape[1]) < 40, 0.0, 2.4)
+    used = seen[:, beyond:-beyond].astype(np.float64)
+    other, given = rng.standard_normal(used.shape).astype(dtype), (b.windows, b.halves, b.energies, positions)
+    total, back = np.zeros(used.shape), np.zeros((height, width))
+    for y, x in zip(*np.nonzero(positions >= 0.0), strict=True):
+        at = np.s_[y : y + 2 * half + 1, x : x + 2 * half + 1]
+        shown = np.clip(used[at] - layers[y, x], 0.0, 1.0) * b.window(positions[y, x])
+        total[at] += image[y, x] * shown
+        back[y, x] = (shown * other[at]).sum()
+    out, taken = room(b, image), np.empty_like(image)
+    _core.spread(*given, *places(positions), image, 2, out, layers, seen)
+    larger = np.ascontiguousarray(np.pad(other, ((0, 0), (beyond, beyond)), constant_values=1e3))
+    _core.collect(*given, *places(positions), larger, 2, taken, layers, seen)
+    allowed = 1e-5 if dtype is np.float32 else 1e-12
+    assert np.abs(out[:, beyond:-beyond] - total).max() <= allowed * max(1.0, np.abs(total).max())
+    assert np.abs(taken - back).max() <= allowed * max(1.0, np.abs(back).max())
+
+
 def test_light_is_held():
     rng = np.random.default_rng(2)
     b, image = bank(rng, 4), rng.random((50, 30))
@@ -194,6 +222,12 @@ def test_what_does_not_fit_is_refused():
             call(windows=b.windows[:4].copy())
         with pytest.raises(ValueError, match="windows must be padded, 5 or more"):
             call(windows=b.windows[:, :, :-1].copy())
+        with pytest.raises(ValueError, match="layers and what is seen of them belong together"):
+            call(layers=positions)
+        with pytest.raises(ValueError, match="layers must match the positions"):
+            call(layers=positions[1:], seen=wide)
+        with pytest.raises(ValueError, match="seen must be as large as the image that windows reach"):
+            call(layers=positions, seen=image)
     with pytest.raises(ValueError, match="out must be larger than the image by a window"):
         spreading(out=image.copy())
     with pytest.raises(ValueError, match="positions must match the image"):

@@ -54,6 +54,53 @@ def test_objects_at_infinity_and_holes_are_tiled_too():
     assert np.mean(tiled.values != whole.values) < 1e-3
 
 
+def edges(seed=0):
+    """Light, and surfaces of several distances with edges of every direction, some slanted, some rough."""
+    rng = np.random.default_rng(seed)
+    y, x = np.mgrid[:70, :90]
+    depth = np.where(x + 0.6 * y > 70, 2.0 + 0.01 * y, 3.5)
+    depth[np.hypot(y - 40, x - 33) < 17] = 1.6
+    depth[(x // 9 + y // 11) % 4 == 0] = 1.8
+    depth[55:, 60:] += 0.6 * rng.random((15, 30))
+    return rng.random((70, 90, 3)).astype(np.float32), depth
+
+
+@pytest.mark.parametrize("border", ["reflect", "extend", "zero"])
+@pytest.mark.parametrize(("side", "dtype", "allowed"), [(16, "f8", 1e-13), (33, "f4", 4e-6), (64, "f8", 1e-13)])
+def test_tiles_hide_what_the_whole_hides(border, side, dtype, allowed):
+    image, depth = edges()
+    image = image.astype(dtype)
+    options = {"encoding": "linear", "border": border, "occlusion": True, "dtype": dtype}
+    whole = depth_of_field(image, depth, LENS, PIXEL, **options)
+    tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=side, **options)
+    assert np.abs(tiled.values - whole.values).max() <= allowed
+    added = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=side, **{**options, "occlusion": False})
+    assert np.abs(added.values - whole.values).max() > 0.1
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_tiles_hide_what_the_whole_hides_wherever_edges_are_as_near(seed):
+    """Rough depth has many points as far from two edges: tiles are to choose the same."""
+    rng = np.random.default_rng(seed)
+    image, depth = rng.random((40, 53)), 1.7 + 1.5 * (rng.random((40, 53)) > 0.7)
+    options = {"encoding": "linear", "occlusion": True, "dtype": np.float64}
+    whole = depth_of_field(image, depth, LENS, PIXEL, **options)
+    tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=16, **options)
+    assert np.abs(tiled.values - whole.values).max() <= 1e-13
+
+
+@pytest.mark.parametrize("missing", ["nearest", "infinity"])
+@pytest.mark.parametrize("occlusion", [False, True])
+def test_holes_are_filled_as_in_the_whole(missing, occlusion):
+    image, depth = edges(1)
+    depth[20:62, 30:70] = np.nan  # wider than a tile
+    lens = lm.Lens(focal_length=20e-3, f_number=4.0, focus_distance=2.5, wavelength=550e-9)
+    options = {"encoding": "linear", "missing": missing, "occlusion": occlusion}
+    whole = depth_of_field(image, depth, lens, PIXEL, **options)
+    tiled = depth_of_field_by_tiles(image, depth, lens, PIXEL, side=16, **options)
+    assert np.abs(tiled.values - whole.values).max() < 4e-6
+
+
 def test_files_go_in_and_out_and_progress_is_told(tmp_path):
     image, depth = scene(dtype=np.uint8)
     np.save(tmp_path / "image.npy", image)
@@ -100,7 +147,7 @@ print(json.dumps(tracemalloc.get_traced_memory()[1] / 2**20))
     ("change", "error", "message"),
     [
         ({"side": 8}, ValueError, "side must be from 16 to 16384, got 8"),
-        ({"missing": "nearest"}, ValueError, "missing must be one of 'raise', 'infinity', got 'nearest'"),
+        ({"missing": "nearest", "depth": np.full((70, 90), np.nan)}, ValueError, "depth is NaN everywhere"),
         ({"out": np.zeros((70, 90, 3))}, ValueError, "out must be an array of the shape and type of the image"),
         ({"image": [[1.0]]}, ValueError, "image must be an array of the shape"),
         ({"depth": np.ones((7, 9))}, ValueError, r"depth must have the shape of the image, \(70, 90\), got \(7, 9\)"),
@@ -158,6 +205,27 @@ class TestChunks:
         # A wider range makes other windows, within tol of these.
         assert np.abs(made.compute() - whole).max() < 1e-3
         assert np.abs(alike.rechunk(chunk).compute() - whole).max() < 2e-6
+
+    @pytest.mark.parametrize("chunk", [13, 40])
+    @pytest.mark.parametrize("channels", [1, 3])
+    def test_chunks_hide_and_fill_as_the_whole(self, da, chunk, channels):
+        image, depth = edges(2)
+        image = image[..., 0] if channels == 1 else image
+        depth[20:50, 30:70] = np.nan
+        options = {"encoding": "linear", "missing": "nearest", "occlusion": True}
+        whole = depth_of_field(image, depth, LENS, PIXEL, **options).values
+        arrays = (da.from_array(a, chunks=chunk) for a in (image, depth))
+        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, **options)
+        assert np.abs(made.compute(scheduler="synchronous") - whole).max() < 4e-6
+
+    def test_chunks_may_reach_beyond_the_whole(self, da):
+        image, depth = (a[:20, :24] for a in edges(3))
+        depth = np.where(np.arange(24) < 9, 1.45, 2.8) + 0.0 * depth
+        options = {"encoding": "linear", "occlusion": True}
+        whole = depth_of_field(image, depth, LENS, PIXEL, **options).values
+        arrays = (da.from_array(a, chunks=8) for a in (image, depth))
+        made = depth_of_field_of_chunks(*arrays, LENS, PIXEL, **options)
+        assert np.abs(made.compute(scheduler="synchronous") - whole).max() < 4e-6
 
     def test_the_image_is_cut_as_asked(self, da):
         image, depth = scene(dtype=np.uint8)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any, Unpack
+from typing import Any, NamedTuple, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,7 +17,20 @@ from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 
-_Given = tuple[NDArray[Any], Array, Array, Array, NDArray[np.int64], NDArray[np.int64]]
+
+class Points(NamedTuple):
+    """Points of one channel that spread light.
+
+    Attributes
+    ----------
+    positions : ndarray, shape (height, width)
+        Where each is in the bank, below 0 for those that spread nothing.
+    layers : ndarray, shape (height, width), optional
+        Number of the layer that each is in, from the front; of the type of the sums.
+    """
+
+    positions: NDArray[np.float64]
+    layers: NDArray[Any] | None = None
 
 
 @shares(BlurKeywords, Settings)
@@ -150,9 +163,8 @@ class DepthBlur:
             If `image` is not finite light of the shape of the depth, or `weight` does not fit.
         """
         out = np.empty((*self.shape, len(self.banks)), dtype=self.dtype)
-        for channel, (plane, room, inside, given) in enumerate(self._parts(image, weight)):
-            engine.spread(*given, plane, self.threads, room)
-            out[..., channel] = inside
+        for channel, plane in enumerate(self.planes(image)):
+            out[..., channel] = self.spread(channel, [(plane, Points(self._positions(channel, weight)))])
         return out.reshape(image.shape)
 
     def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
@@ -176,13 +188,8 @@ class DepthBlur:
             As :meth:`forward`.
         """
         out = np.empty((*self.shape, len(self.banks)), dtype=self.dtype)
-        for channel, (plane, room, inside, given) in enumerate(self._parts(image, weight)):
-            inside[:] = plane
-            *_, rows, columns = given
-            taken = np.empty((rows.size, columns.size), dtype=self.dtype)
-            engine.collect(*given, room, self.threads, taken)
-            # What points beyond the edges took goes to those that they are copies of.
-            out[..., channel] = _folded(_folded(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
+        for channel, plane in enumerate(self.planes(image)):
+            (out[..., channel],) = self.collect(channel, plane, [Points(self._positions(channel, weight))])
         return out.reshape(image.shape)
 
     def require(self, image: NDArray[Any]) -> None:
@@ -207,35 +214,129 @@ class DepthBlur:
         if not np.all(np.isfinite(array)):
             raise ValueError(f"image must be finite, got {array[~np.isfinite(array)].flat[0]}")
 
-    def _parts(
-        self, image: NDArray[Any], weight: NDArray[Any] | None
-    ) -> Iterator[tuple[NDArray[Any], NDArray[Any], NDArray[Any], _Given]]:
-        """Yield for each channel its plane, the room that windows spread over, the image in that, and what spreads.
+    def planes(self, image: NDArray[Any]) -> NDArray[Any]:
+        """Return the channels of linear light, shape (channels, height, width), of the type of the sums.
 
-        That is the bank, where points are in it, and the rows and columns of the image with its border.
+        Parameters
+        ----------
+        image : ndarray of float
+            Of the shape that :meth:`forward` takes.
+
+        Returns
+        -------
+        ndarray
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`require`.
         """
         self.require(image)
         array = np.require(np.asarray(image), self.dtype, "A")  # without a mask, as require has seen
-        planes = array.reshape(*self.shape, len(self.banks))
-        mode: Any = "symmetric" if self.border == "reflect" else "edge"
-        for channel, bank in enumerate(self.banks):
-            margin = 0 if self.border == "zero" else bank.half
-            rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode=mode) for side in self.shape)
-            down, right = bank.beyond
-            room = np.zeros((rows.size + 2 * down, columns.size + 2 * right), dtype=self.dtype)
-            inside = room[margin + down :, margin + right :][: self.shape[0], : self.shape[1]]
-            where = self._positions(channel, weight), rows, columns
-            yield planes[..., channel], room, inside, (bank.windows, bank.halves, bank.energies, *where)
+        return np.moveaxis(array.reshape(*self.shape, len(self.banks)), 2, 0)
 
-    def _positions(self, channel: int, weight: NDArray[Any] | None) -> NDArray[np.float64]:
-        """Return where each point is in the bank of a channel, below 0 for those left out."""
+    def spread(
+        self, channel: int, sources: Sequence[tuple[NDArray[Any], Points]], seen: NDArray[Any] | None = None
+    ) -> NDArray[Any]:
+        """Return the sum of what light of several sources makes of one channel.
+
+        Parameters
+        ----------
+        channel : int
+            Its place among `banks`.
+        sources : sequence of (ndarray, Points)
+            A plane of light, shape (height, width), and the points that spread it.
+        seen : ndarray, shape (height, width), optional
+            How many layers of points each pixel sees, a real number, if not all.
+
+        Returns
+        -------
+        ndarray, shape (height, width)
+        """
+        rows, columns, room, inside = self._room(channel)
+        shown = self._shown(channel, seen)
+        for plane, points in sources:
+            where = points.positions, rows, columns
+            engine.spread(*self._bank(channel), *where, plane, self.threads, room, points.layers, shown)
+        return inside
+
+    def collect(
+        self, channel: int, plane: NDArray[Any], sources: Sequence[Points], seen: NDArray[Any] | None = None
+    ) -> Iterator[NDArray[Any]]:
+        """Yield for each source what the transpose of :meth:`spread` gives to it.
+
+        Parameters
+        ----------
+        channel : int
+            Its place among `banks`.
+        plane : ndarray, shape (height, width)
+        sources : sequence of Points
+        seen : ndarray, shape (height, width), optional
+            As of :meth:`spread`.
+
+        Yields
+        ------
+        ndarray, shape (height, width)
+        """
+        rows, columns, room, inside = self._room(channel)
+        shown = self._shown(channel, seen)
+        inside[:] = plane
+        for points in sources:
+            taken = np.empty((rows.size, columns.size), dtype=self.dtype)
+            where = points.positions, rows, columns
+            engine.collect(*self._bank(channel), *where, room, self.threads, taken, points.layers, shown)
+            # What points beyond the edges took goes to those that they are copies of.
+            yield _folded(_folded(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
+
+    def _bank(self, channel: int) -> tuple[NDArray[Any], Array, Array]:
+        bank = self.banks[channel]
+        return bank.windows, bank.halves, bank.energies
+
+    def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[Any], NDArray[Any]]:
+        """Return rows and columns of the image with its border, what their windows spread over, the image in that."""
+        bank = self.banks[channel]
+        mode: Any = "symmetric" if self.border == "reflect" else "edge"
+        margin = 0 if self.border == "zero" else bank.half
+        rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode=mode) for side in self.shape)
+        down, right = bank.beyond
+        room = np.zeros((rows.size + 2 * down, columns.size + 2 * right), dtype=self.dtype)
+        return rows, columns, room, room[margin + down :, margin + right :][: self.shape[0], : self.shape[1]]
+
+    def _shown(self, channel: int, seen: NDArray[Any] | None) -> NDArray[Any] | None:
+        """Return what pixels see, with the room around them."""
+        if seen is None:
+            return None
+        rows, columns, *_ = self._room(channel)
+        down, right = self.banks[channel].beyond
+        around = [
+            ((n - m) // 2 + w,) * 2
+            for n, m, w in zip((rows.size, columns.size), self.shape, (down, right), strict=True)
+        ]
+        return np.pad(seen, around, mode="edge")
+
+    def positions(self, channel: int) -> NDArray[np.float64]:
+        """Return where each point is in the bank of a channel.
+
+        Parameters
+        ----------
+        channel : int
+            Its place among `banks`.
+
+        Returns
+        -------
+        ndarray, shape (height, width)
+        """
         placed = self._placed
         if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
             known = {id(bank): bank.positions(self.defocus) for bank in self.banks}
             for positions in known.values():
                 np.maximum(positions, 0.0, out=positions)
             self._placed = placed = self.defocus, self.banks, tuple(known[id(bank)] for bank in self.banks)
-        positions = placed[2][channel]
+        return placed[2][channel]
+
+    def _positions(self, channel: int, weight: NDArray[Any] | None) -> NDArray[np.float64]:
+        """Return where each point is in the bank of a channel, below 0 for those left out."""
+        positions = self.positions(channel)
         if weight is None:
             return positions
         given = validation.array("weight", weight)

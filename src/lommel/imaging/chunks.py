@@ -9,8 +9,9 @@ from lommel.base import validation
 from lommel.base.optional import library
 from lommel.base.options import shares
 from lommel.imaging.blur import require_lens
+from lommel.imaging.scene import fill_missing
 from lommel.imaging.settings import Keywords, Settings
-from lommel.imaging.tiles import TileBlur, of_parts
+from lommel.imaging.tiles import TileBlur
 from lommel.optics.lens import Lens
 
 
@@ -28,7 +29,8 @@ def depth_of_field_of_chunks(
 ) -> Any:
     """Do as :func:`lommel.imaging.depth_of_field_by_tiles` for dask arrays; the same but for rounding.
 
-    The windows are made at once, for all chunks; all else when the result is computed. Needs dask,
+    The windows are made at once, for all chunks; all else when the result is computed. Where `missing` is "nearest",
+    one task holds all depths. Needs dask,
     ``pip install "dask[array]"``. One thread for each chunk by default, since chunks are computed side by side.
 
     Parameters
@@ -42,7 +44,8 @@ def depth_of_field_of_chunks(
         Nearest and farthest distance in the scene, metres. By default they are computed at once.
     side : int, optional
         Of the chunks that the image is cut into, pixels, at least 16; by default they stay as they are. Chunks grow
-        by half a window on every side; those of 1024 by 1024 pixels take some tenths of a second.
+        by half a window on every side, with `occlusion` as tiles do; those of 1024 by 1024 pixels take some tenths
+        of a second.
     {options}
 
     Returns
@@ -60,7 +63,7 @@ def depth_of_field_of_chunks(
     # Typed in part only.
     dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
 
-    settings = of_parts(depth_of_field_of_chunks, options)
+    settings = Settings.of(depth_of_field_of_chunks, {"occlusion": False, **options}, Keywords)
     require_lens(lens, "image, depth, lens, pixel")
     for name, array in (("image", image), ("depth", depth)):
         if not isinstance(array, da.Array):
@@ -74,6 +77,9 @@ def depth_of_field_of_chunks(
         image = image.rechunk({0: tile, 1: tile})
     if image.ndim == 3:
         image = image.rechunk({2: -1})
+    if settings.missing == "nearest":
+        # The nearest depth may lie in any chunk.
+        depth = depth.rechunk(-1).map_blocks(fill_missing, "nearest", dtype=depth.dtype, meta=depth._meta)
     if depths is None:
         known = da.where(da.isnan(depth), float("inf"), depth) if settings.missing == "infinity" else depth
         low, high = dask.compute(known.min(), known.max())
@@ -83,7 +89,7 @@ def depth_of_field_of_chunks(
     given: Keywords = {"threads": 1, **options}
     blur = TileBlur(image.shape, depths, lens, pixel, encoding=encoding, **given)
     distances = depth.rechunk(image.chunks[:2])
-    around = dict.fromkeys((0, 1), blur.overlap)
+    around = {axis: min(blur.overlap, image.shape[axis]) for axis in (0, 1)}
     if image.ndim == 3:
         # Chunks of the two arrays are matched by their axes, counted from the last.
         distances, around = distances[..., None], around | {2: 0}

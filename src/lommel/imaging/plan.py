@@ -13,7 +13,7 @@ from lommel.base import validation
 from lommel.base.encoding import clipped_share, from_light, to_light
 from lommel.base.options import shares
 from lommel.imaging.blur import DepthBlur, require_lens
-from lommel.imaging.layers import occlude
+from lommel.imaging.layers import Occlusion
 from lommel.imaging.scene import Photograph, fill_missing, photograph
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
@@ -23,18 +23,19 @@ from lommel.optics.lens import Lens
 class FocusPlan:
     """A scene, and the lens that is focused on it: for live use, where focus and stop change from frame to frame.
 
-    Everything is checked and the image decoded once. A frame computes the windows of its focus, unless that focus is
-    among the last ones; then it spreads the light and encodes it. The answer is that of
-    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit. Without `occlusion` a frame takes a
-    fraction of the time; see :func:`lommel.imaging.layers.occlude`.
+    Everything is checked and the image decoded once. A frame computes the windows of its focus, and what hides what
+    in it, unless that focus is among the last ones; then it spreads the light and encodes it. The answer is that of
+    :func:`lommel.imaging.depth_of_field` with the same arguments, bit for bit. Without `occlusion` a frame of a new
+    focus takes a fraction of the time; one of a focus that is remembered, little less.
 
     Parameters
     ----------
     image, depth, lens, pixel, encoding
         As of :func:`lommel.imaging.depth_of_field`. The image and the depth are copied.
     keep : int, default 4
-        How many settings of the lens are remembered, 1 to 1000: coming back to one costs no windows. A setting takes
-        some MiB, 8 bytes for each point, and as many for each channel of it.
+        How many settings of the lens are remembered, 1 to 1000: coming back to one costs no windows, and what hides
+        what is known. A setting takes some MiB, 8 bytes for each point and as many for each channel of it, and with
+        `occlusion` what :class:`lommel.imaging.Occlusion` keeps.
     {options}
 
     Raises
@@ -80,7 +81,7 @@ class FocusPlan:
         self._keep = validation.integer("keep", keep, least=1, most=1000)
         self._pixel = pixel
         self._channels = self.settings.channels(given.shape, lens)
-        self._known: OrderedDict[tuple[float, float], DepthBlur] = OrderedDict()
+        self._known: OrderedDict[tuple[float, float], Occlusion] = OrderedDict()
         self.blur()
 
     def lens_at(self, *, focus_distance: float | None = None, f_number: float | None = None) -> Lens:
@@ -122,12 +123,16 @@ class FocusPlan:
         TypeError, ValueError
             As :meth:`lens_at`, and if the blur exceeds the largest window allowed.
         """
+        return self._at(focus_distance, f_number).blur
+
+    def _at(self, focus_distance: float | None, f_number: float | None) -> Occlusion:
+        """Return what makes the light of a focus and f-number, either way."""
         lens = self.lens_at(focus_distance=focus_distance, f_number=f_number)
         key = (lens.sensor_distance, lens.aperture_diameter)
         if key in self._known:
             self._known.move_to_end(key)
             return self._known[key]
-        made = DepthBlur(lens, self._depth, self._pixel, channels=self._channels, **self.settings.of_blur)
+        made = Occlusion(DepthBlur(lens, self._depth, self._pixel, channels=self._channels, **self.settings.of_blur))
         self._known[key] = made
         if len(self._known) > self._keep:
             self._known.popitem(last=False)
@@ -163,10 +168,10 @@ class FocusPlan:
         """
         if out is not None:
             self._check(out)
-        blur = self.blur(focus_distance=focus_distance, f_number=f_number)
-        seen = occlude(blur, self._light) if self.settings.occlusion else blur.forward(self._light)
+        occlusion = self._at(focus_distance, f_number)
+        seen = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
         values = from_light(seen, self._encoding, self.dtype)
-        made = photograph(values, blur, clipped_share(seen, self.dtype))
+        made = photograph(values, occlusion.blur, clipped_share(seen, self.dtype))
         if out is None:
             return made
         np.copyto(out, made.values)

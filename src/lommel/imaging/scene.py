@@ -55,10 +55,10 @@ def fill_missing(depth: ArrayLike, missing: str) -> NDArray[Any]:
     if distances.dtype.kind != "f" or missing == "raise" or not np.isnan(distances).any():
         return distances
     unknown = np.isnan(distances)
-    if unknown.all():
-        raise ValueError("depth is NaN everywhere")
     if missing == "infinity":
         return np.where(unknown, np.inf, distances)
+    if unknown.all():
+        raise ValueError("depth is NaN everywhere")
     from scipy.ndimage import distance_transform_edt
 
     nearest = distance_transform_edt(unknown, return_distances=False, return_indices=True)

@@ -13,11 +13,11 @@ from lommel.base import validation
 from lommel.base.encoding import clipped_share, from_light, to_light
 from lommel.base.options import shares
 from lommel.imaging.blur import DepthBlur, require_lens
+from lommel.imaging.layers import Occlusion, reach_behind
 from lommel.imaging.scene import Photograph, fill_missing, photograph
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
 
-MISSING = ("raise", "infinity")
 _STRIP = 2**20  # points whose depths are looked at together
 
 
@@ -25,8 +25,8 @@ _STRIP = 2**20  # points whose depths are looked at together
 class TileBlur:
     """:func:`lommel.imaging.depth_of_field` of any part of a scene, with windows that are made once for all parts.
 
-    Can be sent to other processes. Points do not hide one another, and `missing` is "raise" or "infinity": what hides
-    a point, or is the nearest to it, may lie in another part.
+    Can be sent to other processes. What is `missing` is filled beforehand where it is "nearest": the nearest depth
+    may lie in another part.
 
     Parameters
     ----------
@@ -55,14 +55,17 @@ class TileBlur:
         **options: Unpack[Keywords],
     ) -> None:
         require_lens(lens, "shape, depths, lens, pixel")
-        settings = of_parts(TileBlur, options)
-        self.missing = settings.missing
+        settings = Settings.of(TileBlur, {"occlusion": False, **options}, Keywords)
+        self.missing = "raise" if settings.missing == "nearest" else settings.missing
         self.encoding = encoding
         keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}
         extremes = np.array([depths], dtype=np.float64)
         self._whole = DepthBlur(lens, extremes, pixel, channels=settings.channels(shape, lens), **keywords)
         self._reach = (float(self._whole.defocus.min()), float(self._whole.defocus.max()))
         self.overlap = max(bank.half for bank in self._whole.banks)
+        self._occlusion = settings.occlusion
+        if self._occlusion:
+            self.overlap += reach_behind(self._whole, self._reach)
 
     def __call__(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
         """Return the photograph of a part, stored as the image is; see :meth:`light`."""
@@ -85,7 +88,8 @@ class TileBlur:
                 f"depth must give C_d from {low:.6g} to {high:.6g} rad, as the depths named for the whole image, "
                 f"got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}"
             )
-        return blur.forward(to_light("image", image, self.encoding, blur.dtype))
+        made = Occlusion(blur, self._reach) if self._occlusion else blur
+        return made.forward(to_light("image", image, self.encoding, blur.dtype))
 
     def chunk(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
         """Return the photograph of a part whose depth has as many axes as the image."""
@@ -109,10 +113,11 @@ def depth_of_field_by_tiles(
     progress: Callable[[int, int], object] | None = None,
     **options: Unpack[Keywords],
 ) -> Photograph:
-    """Do as :func:`lommel.imaging.depth_of_field` with ``occlusion=False`` in little memory; equal but for rounding.
+    """Do as :func:`lommel.imaging.depth_of_field` in little memory; equal but for rounding.
 
-    Points do not hide one another, and `missing` is "raise" or "infinity" (fill depths beforehand): what hides a
-    point, or is the nearest to it, may lie in another tile.
+    With `occlusion` tiles overlap by twice the range of radii of the blur more: so far from its edge what a near
+    surface hides is looked for. Where `missing` is "nearest", all depths are read at once: the nearest one may lie in
+    any tile.
 
     Parameters
     ----------
@@ -153,9 +158,11 @@ def depth_of_field_by_tiles(
         raise ValueError(f"out must be an array of the shape and type of the image, {image.shape} and {image.dtype}")
     elif not out.flags.writeable or np.may_share_memory(out, image) or np.may_share_memory(out, depth):
         raise ValueError("out must be writeable, and must not share memory with image or depth")
-    settings = of_parts(depth_of_field_by_tiles, options)
+    settings = Settings.of(depth_of_field_by_tiles, {"occlusion": False, **options}, Keywords)
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+    if settings.missing == "nearest":
+        depth = fill_missing(depth, "nearest")
     depths = depth_range(depth, settings.missing)
     blur = TileBlur(image.shape, depths, lens, pixel, encoding=encoding, **options)
     tiles = list(_tiles(image.shape[:2], tile, blur.overlap))
@@ -167,21 +174,6 @@ def depth_of_field_by_tiles(
         if progress is not None:
             progress(done, len(tiles))
     return blur.photograph(out, clipped)
-
-
-def of_parts(door: Callable[..., Any], given: Keywords) -> Settings:
-    """Return the settings of a photograph that is made part by part, as `door` was given them.
-
-    Raises
-    ------
-    TypeError, ValueError
-        As :class:`lommel.imaging.settings.Settings`, and for what depends on points of other parts.
-    """
-    validation.choice("missing", given.get("missing", Settings.missing), MISSING)
-    settings = Settings.of(door, {"occlusion": False, **given}, Keywords)
-    if settings.occlusion:
-        raise ValueError("occlusion must be False here: what hides a point may lie in another part of the image")
-    return settings
 
 
 def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, float]:

@@ -70,6 +70,10 @@ template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
     return a > b ? a : b;
 }
+template <class V>
+LOMMEL_INLINE V smaller(V a, V b) {
+    return a < b ? a : b;
+}
 // a where the bit of the integer in `at` is set, else b.
 template <class B, class V>
 LOMMEL_INLINE V choose(B at, std::int64_t bit, V a, V b) {
@@ -247,6 +251,10 @@ LOMMEL_INLINE V from_bits(V x) {
         std::memcpy(&lane, &whole, sizeof lane);
     }
     return x;
+}
+template <class V>
+LOMMEL_INLINE V smaller(V a, V b) {
+    return V::each(a, b, [](double x, double y) { return x < y ? x : y; });
 }
 template <class V, class Narrow>
 LOMMEL_INLINE V converted(Narrow p) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -10,76 +9,9 @@
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/imaging/mixture.hpp"
 
 namespace lommel {
-
-// Windows of 2 widest + 1 pixels a side, equally spaced in defocus, alike in their four quadrants. Of window i the
-// pixels up to halves[i] from the middle are used, and of the ring at k the share halves[i] + 1 - k, from 0 to 1; between two
-// windows the half width is interpolated, so that what is used never jumps. energies[i][half] is the sum of window i up to a
-// whole half width: the mixture is divided by what is used of it.
-template <class T>
-struct WindowBank {
-    const T* windows;  // [window and one more][row from the middle one down][column from the middle one on, zeros last]
-    const double* halves;  // [window]
-    const double* energies;  // [window][widest + 1]
-    std::size_t count, widest, stride;
-
-    std::size_t room() const { return (widest + 1) * stride; }
-};
-
-// The four windows of a pixel, from `first`, and their weights: cubic Lagrange in the middle interval, divided by the sum. Up
-// to `half` pixels from the middle are used, of the last ring the share `rim`.
-template <class T>
-struct Mixture {
-    std::uint32_t first, half;
-    T rim, weights[4];
-    bool any;  // else nothing is spread
-};
-
-// Makes mixtures of a bank, whose energies it keeps in such a sequence that those of four windows are a vector.
-template <class T>
-class Mixer {
-   public:
-    explicit Mixer(const WindowBank<T>& bank)
-        : halves_(bank.halves), last_(static_cast<std::ptrdiff_t>(bank.count) - 1), energies_((bank.widest + 2) * bank.count) {
-        for (std::size_t half = 0; half <= bank.widest; ++half) {
-            for (std::size_t i = 0; i < bank.count; ++i) {
-                energies_[(half + 1) * bank.count + i] = static_cast<T>(bank.energies[i * (bank.widest + 1) + half]);
-            }
-        }
-    }
-
-    LOMMEL_INLINE void operator()(double position, T value, Mixture<T>& m) const {
-        m.any = !(position < 0.0) && value != T(0);
-        if (!m.any) {
-            return;
-        }
-        // Of whole numbers with a sign, which processors make of others faster.
-        const double inside = std::min(position, static_cast<double>(last_));
-        const std::ptrdiff_t interval = std::min(static_cast<std::ptrdiff_t>(inside), last_ - 1);
-        const std::ptrdiff_t first = std::min(std::max<std::ptrdiff_t>(interval - 1, 0), last_ - 3);
-        const double part = inside - static_cast<double>(interval);
-        const double wide = (1.0 - part) * halves_[interval] + part * halves_[interval + 1];
-        const std::ptrdiff_t half = static_cast<std::ptrdiff_t>(std::ceil(wide));
-        m.first = static_cast<std::uint32_t>(first), m.half = static_cast<std::uint32_t>(half);
-        m.rim = static_cast<T>(wide + 1.0 - static_cast<double>(half));
-        const V t = splat<V>(static_cast<T>(inside - static_cast<double>(first)));
-        const V weights = load<V>(powers[0]) + t * (load<V>(powers[1]) + t * (load<V>(powers[2]) + t * load<V>(powers[3])));
-        const T* energy = energies_.data() + half * (last_ + 1) + first;
-        const V held = weights * (splat<V>(m.rim) * load<V>(energy + last_ + 1) + splat<V>(T(1) - m.rim) * load<V>(energy));
-        store(m.weights, weights * splat<V>(value / ((held[0] + held[1]) + (held[2] + held[3]))));
-    }
-
-   private:
-    using V = std::conditional_t<sizeof(T) == 4, typename Vector<2>::floats, typename Vector<4>::pack>;
-    static constexpr T powers[4][4] = {{T(1), T(0), T(0), T(0)},
-                                       {T(-11.0 / 6.0), T(3), T(-1.5), T(1.0 / 3.0)},
-                                       {T(1), T(-2.5), T(2), T(-0.5)},
-                                       {T(-1.0 / 6.0), T(0.5), T(-0.5), T(1.0 / 6.0)}};
-    const double* halves_;
-    std::ptrdiff_t last_;
-    std::vector<T, AlignedAllocator<T>> energies_;  // [half width, before the first one zeros][window]
-};
 
 // The pixels that spread their windows, [height][width]: where each is in the bank, row and column of `positions` being
 // rows[y] and columns[x], so that what lies beyond the edges of an image need not be copied. Those below 0 take no part.
@@ -90,11 +22,19 @@ struct Scene {
     std::size_t height, width;
 };
 
+// Points that hide others: of what one of layer l spreads, a pixel sees the share `seen - l`, from 0 to 1. That is all of the
+// layers before `seen`, a part of the one that it lies in, and nothing of those behind.
+template <class T>
+struct Screen {
+    const T* layers = nullptr;  // as positions; without them nothing is hidden
+    const T* seen = nullptr;    // as what is written to
+};
+
 template <class T>
 class Spreader {
    public:
-    Spreader(const WindowBank<T>& bank, const Scene& scene, int threads)
-        : bank_(bank), scene_(scene), height_(scene.height), width_(scene.width), threads_(threads),
+    Spreader(const WindowBank<T>& bank, const Scene& scene, int threads, const Screen<T>& screen = {})
+        : bank_(bank), scene_(scene), screen_(screen), height_(scene.height), width_(scene.width), threads_(threads),
           margin_(margin(bank.widest)), mixture_(bank) {}
 
     // Values in the longest vector; columns that vectors reach to on either side of a pixel.
@@ -134,35 +74,40 @@ class Spreader {
    private:
     // Small enough for what a tile writes to to stay in the first cache, next to its windows.
     static constexpr std::size_t least_rows = 16, least_columns = 64;
+    // Points that are looked at together: few beside the pixels that they reach.
+    static constexpr std::size_t near = 8;
 
     template <class Value>
     void spread_tile(std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const Value& value,
                      T* out) const {
-        const std::size_t wide = width_ + 2 * margin_;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             pixels(isa, top, bottom, left, right, value,
                    [&](const auto& rows, std::size_t y, std::size_t x) LOMMEL_INLINE_LAMBDA {
-                       T* const middle = out + (y + bank_.widest) * wide + margin_ + x;
-                       rows.each([&, step = static_cast<std::ptrdiff_t>(wide)](std::ptrdiff_t row, const auto* mixed)
-                                     LOMMEL_INLINE_LAMBDA { rows.add(middle + row * step, mixed); });
+                       const std::ptrdiff_t step = width_ + 2 * margin_, middle = at(y, x);
+                       rows.each([&](std::ptrdiff_t row, const auto* mixed)
+                                     LOMMEL_INLINE_LAMBDA { rows.add(out, screen_.seen, middle + row * step, mixed); });
                    });
         });
     }
 
     void collect_strip(std::size_t top, std::size_t bottom, const T* image, T* out) const {
-        const std::size_t wide = width_ + 2 * margin_;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             pixels(
                 isa, top, bottom, 0, width_, [](std::size_t, std::size_t) { return T(1); },
                 [&](const auto& rows, std::size_t y, std::size_t x) LOMMEL_INLINE_LAMBDA {
                     using Here = std::decay_t<decltype(rows)>;
                     typename Here::V total[Here::points] = {};
-                    const T* const middle = image + (y + bank_.widest) * wide + margin_ + x;
-                    rows.each([&, step = static_cast<std::ptrdiff_t>(wide)](std::ptrdiff_t row, const auto* mixed)
-                                  LOMMEL_INLINE_LAMBDA { rows.take(middle + row * step, mixed, total); });
+                    const std::ptrdiff_t step = width_ + 2 * margin_, middle = at(y, x);
+                    rows.each([&](std::ptrdiff_t row, const auto* mixed)
+                                  LOMMEL_INLINE_LAMBDA { rows.take(image, screen_.seen, middle + row * step, mixed, total); });
                     rows.sum(total, out + y * width_ + x, width_);
                 });
         });
+    }
+
+    // Where a pixel of the scene is in an image that windows reach beyond.
+    std::ptrdiff_t at(std::size_t y, std::size_t x) const {
+        return static_cast<std::ptrdiff_t>((y + bank_.widest) * (width_ + 2 * margin_) + margin_ + x);
     }
 
     // Calls visit(rows, y, x) for all blocks of columns of all pixels of a part of the image, of two below each other at once
@@ -170,8 +115,8 @@ class Spreader {
     // loaded again from the same address, which a processor does at once, whereas it waits for one that was stored across.
     // Mixtures are made across, some beforehand: so their loads and divisions need not wait for one another.
     template <class I, class Value, class Visit>
-    LOMMEL_INLINE void pixels(I, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const Value& value,
-                              const Visit& visit) const {
+    LOMMEL_INLINE void pixels(I isa, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right,
+                              const Value& value, const Visit& visit) const {
         constexpr std::size_t tall = 32, broad = 64;
         std::vector<Mixture<T>> mixtures(broad * (tall + 1));  // more than the stack of a thread need hold
         Glance glance;
@@ -180,9 +125,19 @@ class Spreader {
                 const std::size_t height = std::min(tall, bottom - y), width = std::min(broad, right - x);
                 glance(height * width * (1 + bank_.widest * bank_.widest));
                 for (std::size_t i = 0; i < height; ++i) {
-                    const double* positions = scene_.positions + static_cast<std::size_t>(scene_.rows[y + i]) * scene_.across;
+                    const std::size_t row = static_cast<std::size_t>(scene_.rows[y + i]) * scene_.across;
                     for (std::size_t j = 0; j < width; ++j) {
-                        mixture_(positions[scene_.columns[x + j]], value(y + i, x + j), mixtures[j * (tall + 1) + i]);
+                        const std::size_t from = row + static_cast<std::size_t>(scene_.columns[x + j]);
+                        Mixture<T>& made = mixtures[j * (tall + 1) + i];
+                        mixture_(scene_.positions[from], value(y + i, x + j), made);
+                        made.layer = screen_.layers ? screen_.layers[from] : T(0);
+                        made.hidden = false;
+                    }
+                }
+                for (std::size_t j = 0; screen_.layers && j < width; j += near) {
+                    for (std::size_t i = 0; i < height; i += near) {
+                        look(isa, mixtures.data() + j * (tall + 1) + i, tall + 1, y + i, std::min(near, height - i), x + j,
+                             std::min(near, width - j));
                     }
                 }
                 for (std::size_t j = 0; j < width; ++j) {
@@ -203,17 +158,65 @@ class Spreader {
         }
     }
 
+    template <class I>
+    using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
+
+    // Of points next to each other, [column][row], leaves out those that no pixel sees which one of them reaches, and finds
+    // those that not all pixels see: most of a scene is neither, and costs no more than where nothing is hidden.
+    template <class I>
+    LOMMEL_INLINE void look(I, Mixture<T>* points, std::size_t stride, std::size_t y, std::size_t height, std::size_t x,
+                            std::size_t width) const {
+        using V = Packed<I>;
+        constexpr std::size_t lanes = sizeof(V) / sizeof(T);
+        std::size_t half = 0;
+        bool any = false;
+        for (std::size_t j = 0; j < width; ++j) {
+            for (std::size_t i = 0; i < height; ++i) {
+                const Mixture<T>& point = points[j * stride + i];
+                half = point.any ? std::max<std::size_t>(half, point.half) : half;
+                any = any || point.any;
+            }
+        }
+        if (!any) {
+            return;
+        }
+        const std::size_t wide = width_ + 2 * margin_, left = margin_ + x - half, right = margin_ + x + width + half;
+        const std::size_t top = bank_.widest + y - half, bottom = bank_.widest + y + height + half;
+        V least = splat<V>(screen_.seen[top * wide + left]), most = least;
+        for (std::size_t row = top; row < bottom; ++row) {
+            for (std::size_t column = left; column < right; column += lanes) {
+                const V seen = load<V>(screen_.seen + row * wide + std::min(column, wide - lanes));
+                least = smaller(least, seen), most = larger(most, seen);
+            }
+        }
+        T low = least[0], high = most[0];
+        for (std::size_t i = 1; i < lanes; ++i) {
+            low = std::min(low, least[i]), high = std::max(high, most[i]);
+        }
+        for (std::size_t j = 0; j < width; ++j) {
+            for (std::size_t i = 0; i < height; ++i) {
+                Mixture<T>& point = points[j * stride + i];
+                point.any = point.any && point.layer < high;
+                point.hidden = point.layer + T(1) > low;
+            }
+        }
+    }
+
     template <class I, std::size_t Points, class Visit>
     LOMMEL_INLINE void blocks(const Mixture<T>* points, const Visit& visit) const {
-        using V = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
+        using V = Packed<I>;
         constexpr std::size_t lanes = sizeof(V) / sizeof(T);
-        if (points->half < lanes / 2) {
-            return visit(Rows<V, Points, Whole>(bank_, points, 0));
-        }
-        visit(Rows<V, Points, Beside>(bank_, points, 0));
-        for (std::size_t from = lanes; from <= points->half; from += lanes) {
-            visit(Rows<V, Points, Beyond>(bank_, points, from));
-        }
+        const auto visited = [&](auto hiding) LOMMEL_INLINE_LAMBDA {
+            constexpr bool Hiding = decltype(hiding)::value;
+            if (points->half < lanes / 2) {
+                return visit(Rows<V, Points, Whole, Hiding>(bank_, points, 0));
+            }
+            visit(Rows<V, Points, Beside, Hiding>(bank_, points, 0));
+            for (std::size_t from = lanes; from <= points->half; from += lanes) {
+                visit(Rows<V, Points, Beyond, Hiding>(bank_, points, from));
+            }
+        };
+        points[0].hidden || points[Points - 1].hidden ? visited(std::true_type{}) : visited(std::false_type{});
     }
 
     // Which column of a window, counted from the middle one on, is where in a vector: in one across the middle, in the one to
@@ -232,7 +235,7 @@ class Spreader {
 
     // Rows of the windows of one pixel, or of two below each other, a vector of columns on either side of the middle: all of
     // what the rows above and below, left and right share is loaded and mixed once. Bound by loads and stores.
-    template <class Vec, std::size_t Points, class Left>
+    template <class Vec, std::size_t Points, class Left, bool Hiding>
     struct Rows {
         using V = Vec;
         static constexpr bool whole = std::is_same_v<Left, Whole>;
@@ -241,7 +244,8 @@ class Spreader {
         const T* windows_at[windows];
         std::size_t stride, half;
         std::ptrdiff_t right, left;  // from the pixel to where the vectors begin
-        V weight[Points][windows], last[Points], beside;
+        V weight[Points][windows], last[Points], beside, layer[Points], all;
+        bool apart;  // in two layers
 
         LOMMEL_INLINE Rows(const WindowBank<T>& bank, const Mixture<T>* pixels, std::size_t from)
             : stride(bank.stride), half(pixels->half), right(static_cast<std::ptrdiff_t>(from)),
@@ -257,12 +261,15 @@ class Spreader {
                 for (std::size_t j = 0; j < 4; ++j) {
                     weights[pixels[p].first - first + j] = pixels[p].weights[j];
                 }
+                layer[p] = splat<V>(pixels[p].layer);
                 const V share = splat<V>(pixels[p].rim), cut = within + rim * share;
                 last[p] = within * share + rim;
                 for (std::size_t j = 0; j < windows; ++j) {
                     weight[p][j] = splat<V>(weights[j]) * cut;
                 }
             }
+            apart = Hiding && pixels[0].layer != pixels[Points - 1].layer;
+            all = splat<V>(T(1));
             // The column in the middle is not on both sides.
             beside = load<V>(mask(lanes)) - load<V>(mask(from > 0 ? 0 : 1));
         }
@@ -322,27 +329,40 @@ class Spreader {
             }
         }
 
-        LOMMEL_INLINE void add(T* to, const V* mixed) const {
-            V sum = mixed[0];
-            if (Points == 2) {
-                sum = sum + mixed[Points - 1];
+        LOMMEL_INLINE void add(T* out, const T* seen, std::ptrdiff_t at, const V* mixed) const {
+            const V both = Points == 2 && !apart ? mixed[0] + mixed[Points - 1] : mixed[0];
+            V there = hidden(whole ? both : permuted<Left, T>(both) * beside, seen, at + left, 0);
+            V here = whole ? both : hidden(both, seen, at + right, 0);
+            if (apart) {
+                const V other = mixed[Points - 1];
+                there = there + hidden(whole ? other : permuted<Left, T>(other) * beside, seen, at + left, Points - 1);
+                here = whole ? other : here + hidden(other, seen, at + right, Points - 1);
             }
-            if (whole) {
-                return store(to + left, load<V>(to + left) + sum);
+            store(out + (at + left), load<V>(out + (at + left)) + there);
+            if (!whole) {
+                store(out + (at + right), load<V>(out + (at + right)) + here);
             }
-            const V here = load<V>(to + right) + sum, there = load<V>(to + left) + permuted<Left, T>(sum) * beside;
-            store(to + left, there);
-            store(to + right, here);
         }
 
-        LOMMEL_INLINE void take(const T* from, const V* mixed, V* total) const {
-            V both = load<V>(from + left);
-            if (!whole) {
-                both = load<V>(from + right) + permuted<Left, T>(both) * beside;
-            }
+        LOMMEL_INLINE void take(const T* image, const T* seen, std::ptrdiff_t at, const V* mixed, V* total) const {
+            V both;
             for (std::size_t p = 0; p < Points; ++p) {
+                if (p == 0 || apart) {
+                    both = hidden(load<V>(image + (at + left)), seen, at + left, p);
+                    if (!whole) {
+                        both = hidden(load<V>(image + (at + right)), seen, at + right, p) + permuted<Left, T>(both) * beside;
+                    }
+                }
                 total[p] = total[p] + mixed[p] * both;
             }
+        }
+
+        // What pixels see of what a point spreads.
+        LOMMEL_INLINE V hidden(V light, const T* seen, std::ptrdiff_t at, std::size_t p) const {
+            if constexpr (Hiding) {
+                return light * smaller(larger(load<V>(seen + at) - layer[p], V{}), all);
+            }
+            return light;
         }
 
         LOMMEL_INLINE void sum(const V* total, T* out, std::size_t width) const {
@@ -362,6 +382,7 @@ class Spreader {
 
     WindowBank<T> bank_;
     Scene scene_;
+    Screen<T> screen_;
     std::size_t height_, width_;
     int threads_;
     std::size_t margin_;

@@ -1,0 +1,150 @@
+"""The operator of what hides what: a sum over layers in plain NumPy, its matrix, and its transpose."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import lommel as lm
+from lommel.imaging import DepthBlur, FocusPlan, Occlusion, depth_of_field
+from lommel.imaging.layers import _behind, _layers, occlude
+
+LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+PIXEL = 20e-6
+
+
+def torn(rng: np.random.Generator, shape: tuple[int, int] = (17, 22)) -> np.ndarray:
+    """Depth with edges, slants and single points; it reaches from 1.3 to 6 m in every scene."""
+    y, x = np.indices(shape)
+    depth = 2.5 + 0.1 * rng.random() * x + (y > rng.integers(4, 12)) * 1.5 * rng.random()
+    depth[rng.integers(0, 9) :, rng.integers(3, 16) :] = 1.3 + 0.3 * rng.random()
+    depth[rng.random(shape) < 0.05] = 1.4
+    depth[0, 0], depth[-1, -1] = 1.3, 6.0
+    return depth
+
+
+def by_layers(blur: DepthBlur, light: np.ndarray) -> np.ndarray:
+    """Layer after layer from the front, each point a window of its own: the definition, for grey light."""
+    layer, radius = _layers(blur)
+    behind, bank, (height, width) = _behind(layer, radius), blur.banks[0], blur.shape
+    half = bank.half
+    mode = "symmetric" if blur.border == "reflect" else "edge"
+    rows, columns = (np.pad(np.arange(side), half, mode=mode) for side in blur.shape)
+    out, taken = np.zeros(blur.shape), np.zeros(blur.shape)
+    for index in np.unique(layer):
+        spread, covered = np.zeros((2, height + 4 * half, width + 4 * half))
+        for i, y in enumerate(rows):
+            for j, x in enumerate(columns):
+                point = y * width + x
+                if layer[y, x] != index:
+                    point = behind[y, x]
+                    if point < 0 or layer.flat[point] != index:
+                        continue
+                window, at = bank.window(blur.defocus.flat[point]), np.s_[i : i + 2 * half + 1, j : j + 2 * half + 1]
+                within = half <= i < half + height and half <= j < half + width
+                spread[at] += light.flat[point] * window * (within or blur.border != "zero")
+                covered[at] += window
+        middle = np.s_[2 * half : 2 * half + height, 2 * half : 2 * half + width]
+        spread, covered = spread[middle], np.maximum(covered[middle], 0.0)
+        share = np.minimum(1.0, np.maximum(1.0 - taken, 0.0) / np.maximum(covered, 1e-300))
+        out += share * spread
+        taken += share * covered
+    return (out + 1e-9 * light) / (taken + 1e-9)
+
+
+@pytest.mark.parametrize("border", ["reflect", "extend", "zero"])
+@pytest.mark.parametrize(("dtype", "allowed"), [(np.float64, 1e-11), (np.float32, 4e-6)])
+def test_it_is_the_sum_over_layers(border, dtype, allowed):
+    rng = np.random.default_rng(5)
+    blur = DepthBlur(LENS, torn(rng), PIXEL, border=border, dtype=dtype, largest=20)
+    light = rng.random(blur.shape).astype(dtype)
+    wanted = by_layers(blur, light.astype(np.float64))
+    assert len(np.unique(_layers(blur)[0])) > 4
+    assert np.abs(blur.forward(light) - wanted).max() > 0.1
+    for made in (Occlusion(blur).forward(light), occlude(blur, light)):
+        assert (made.dtype, made.shape) == (dtype, light.shape)
+        assert np.abs(made - wanted).max() <= allowed
+
+
+@pytest.mark.parametrize("border", ["reflect", "extend", "zero"])
+def test_its_transpose_is_that_of_its_matrix(border):
+    rng = np.random.default_rng(6)
+    blur = DepthBlur(LENS, torn(rng, (9, 11)), PIXEL, border=border, dtype=np.float64, largest=20)
+    operator, size = Occlusion(blur), 99
+    matrix, back = (
+        np.array([apply(unit.reshape(9, 11)).ravel() for unit in np.eye(size)])
+        for apply in (operator.forward, operator.adjoint)
+    )
+    assert np.abs(matrix - back.T).max() < 1e-15
+    sources = _behind(*_layers(blur)).ravel()
+    sources = sources[sources >= 0]
+    assert len(np.unique(sources)) < sources.size  # one point stands for several
+    light = rng.random((9, 11))
+    assert np.abs(light.ravel() @ matrix - operator.forward(light).ravel()).max() < 1e-14
+
+
+@given(
+    st.integers(0, 2**32 - 1),
+    st.sampled_from(["reflect", "extend", "zero"]),
+    st.sampled_from([(np.float64, 1e-13), (np.float32, 1e-5)]),
+)
+def test_the_product_of_two_images_does_not_tell_which_was_blurred(seed, border, precision):
+    rng, (dtype, allowed) = np.random.default_rng(seed), precision
+    blur = DepthBlur(LENS, torn(rng), PIXEL, border=border, dtype=dtype, channels=(6e-7, 5e-7, 6e-7), largest=20)
+    operator = Occlusion(blur)
+    a, b, c = rng.standard_normal((3, *blur.shape, 3)).astype(dtype)
+    forth, back = operator.forward(a), operator.adjoint(b)
+    assert abs(np.vdot(forth, b) - np.vdot(a, back)) <= allowed * np.linalg.norm(a) * np.linalg.norm(b)
+    both = operator.forward(a + 2 * c) - 2 * operator.forward(c)
+    assert np.abs(both - forth).max() <= allowed * 30.0
+
+
+def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
+    rng, made = np.random.default_rng(7), []
+    one, other = torn(rng), torn(rng)
+    blur = DepthBlur(LENS, one, PIXEL, dtype=np.float64, channels=(6e-7, 5e-7, 6e-7), largest=20)
+    light = rng.random((*one.shape, 3))
+    monkeypatch.setattr("lommel.imaging.layers._behind", lambda *given: made.append(1) or _behind(*given))
+    operator = Occlusion(blur)
+    first = operator.forward(light)
+    assert np.array_equal(operator.forward(light), first)
+    operator.adjoint(light)
+    assert len(made) == 1
+    blur.place(other)
+    assert np.array_equal(operator.forward(light), Occlusion(blur).forward(light))
+    assert len(made) == 3
+    assert np.abs(operator.forward(light) - first).max() > 0.1
+    # No more is kept than is said.
+    edges, shares = operator._made[2:]
+    arrays = {id(array): array for found in shares for array in (found.seen, found.total)}
+    arrays |= {id(a): a for found in shares for points in found.sources for a in points if a is not None}
+    own = {id(blur.positions(channel)) for channel in range(3)}
+    kept = sum(array.nbytes for name, array in arrays.items() if name not in own) + sum(a.nbytes for a in edges)
+    assert kept <= (16 + 3 * 24) * one.size + 16 * edges.points.size
+
+
+def test_plans_keep_what_hides_what(monkeypatch):
+    rng, made = np.random.default_rng(8), []
+    depth, image = torn(rng), rng.random((17, 22)).astype(np.float32)
+    monkeypatch.setattr("lommel.imaging.layers._behind", lambda *given: made.append(1) or _behind(*given))
+    plan = FocusPlan(image, depth, LENS, PIXEL, encoding="linear", largest=20)
+    frames = [plan(focus_distance=distance).values for distance in (2.0, 2.2, 2.0, 2.2)]
+    assert len(made) == 2
+    assert np.array_equal(frames[0], frames[2])
+    whole = depth_of_field(image, depth, LENS.focused(2.2), PIXEL, encoding="linear", largest=20)
+    assert np.array_equal(frames[3], whole.values)
+
+
+def test_what_does_not_fit_is_refused():
+    with pytest.raises(TypeError, match="blur must be a DepthBlur, got int"):
+        Occlusion(3)
+    operator = Occlusion(DepthBlur(LENS, np.full((5, 6), 2.0), PIXEL))
+    for call in (operator.forward, operator.adjoint):
+        with pytest.raises(ValueError, match=r"image must have the shape \(5, 6\), got \(4, 6\)"):
+            call(np.zeros((4, 6)))
+        with pytest.raises(TypeError, match="image must hold floats"):
+            call(np.zeros((5, 6), int))
+        with pytest.raises(ValueError, match="image must be finite, got inf"):
+            call(np.full((5, 6), np.inf))

@@ -17,6 +17,7 @@ from lommel.base.trusted import made as made_of
 from lommel.core.answers import Images, Wanted
 from lommel.measures import energy, image_transfer, spot
 from lommel.measures.answer import Answer
+from lommel.methods import wanted
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, widened
 from lommel.optics.grid import Grid
@@ -107,7 +108,7 @@ def psf(
     (512, 512)
     """
     if out is not None and dtype is None:
-        dtype = _array("out", out).dtype
+        dtype = wanted.array("out", out).dtype
     prepared = Plan(
         shape,
         pixel,
@@ -184,29 +185,29 @@ class Plan:
         )
         self.method, self.tol = method, tol
         self.normalize = validation.choice("normalize", normalize, ("energy", "strehl", "peak"))
-        self.dtype = _output_type(dtype, tol)
+        self.dtype = wanted.output_type(dtype, tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
         self._asked: _Asked | None = None
 
     def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         if places := self._sampled.stack:
-            pupil = _paired(checked(pupil), places)
+            pupil = wanted.for_axes(checked(pupil), places)
         light = checked(pupil).aperture, pupil.radial, pupil.wavefront.shape, pupil.wavelength, pupil.f_number
         asked = self._asked
         if asked is None or asked.light != light:
             asked = self._asked = self._prepared(pupil, light)
         _, grid, ways, shape, flat, per_pixel = asked
         ways[0].require(pupil)
-        normalize, powers = self.normalize, _powers(derivatives)
+        normalize, powers = self.normalize, wanted.powers(derivatives)
         if powers and normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
         scale = per_pixel if normalize == "energy" else 1.0 / ways[0].unaberrated_peak(pupil)
         place = None if out is None else self._checked(out, shape, flat)
-        wanted = Wanted(None if normalize == "peak" else scale, self.dtype, place, powers, self.threads)
+        question = Wanted(None if normalize == "peak" else scale, self.dtype, place, powers, self.threads)
 
         def ask(way: Method) -> Images:
-            return widened(way.images(pupil, grid, wanted), pupil, way, normalized=wanted.scale is None)
+            return widened(way.images(pupil, grid, question), pupil, way, normalized=question.scale is None)
 
         method, made = first_proven(ways, ask)
         slopes, slope_bounds = {}, {}
@@ -257,7 +258,7 @@ class Plan:
         return self._averaged if averages else self._sampled
 
     def _checked(self, out: NDArray[Any], shape: tuple[int, ...], flat: tuple[int, ...]) -> NDArray[Any]:
-        if _array("out", out).shape != shape:
+        if wanted.array("out", out).shape != shape:
             raise ValueError(f"out must have the shape {shape}, got {out.shape}")
         if out.dtype != self.dtype:
             raise ValueError(f"out must be of {self.dtype}, got {out.dtype}")
@@ -276,44 +277,6 @@ class _Asked(NamedTuple):
     shape: tuple[int, ...]
     flat: tuple[int, ...]
     per_pixel: float
-
-
-def _paired(pupil: Pupil, places: tuple[int, ...]) -> Pupil:
-    """Return a pupil for each axis, in the shape that the stack and the places of axes broadcast to."""
-    try:
-        return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))
-    except ValueError:
-        raise ValueError(
-            f"center must broadcast with the stack of pupils, got places of shape {places} for {pupil.shape}"
-        ) from None
-
-
-_POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
-
-
-def _powers(derivatives: Sequence[str]) -> tuple[int, ...]:
-    if isinstance(derivatives, tuple) and not derivatives:
-        return ()
-    if isinstance(derivatives, str) or not isinstance(derivatives, Sequence):
-        raise TypeError(
-            f"derivatives must be a sequence of names such as ('defocus',), got {validation.shown(derivatives)}"
-        )
-    return tuple(_POWERS[validation.choice("derivatives", name, _POWERS)] for name in derivatives)
-
-
-def _array(name: str, value: Any) -> NDArray[Any]:
-    if not isinstance(value, np.ndarray):
-        raise TypeError(f"{name} must be a NumPy array, got {type(value).__name__}")
-    return value
-
-
-def _output_type(dtype: DTypeLike | None, tol: float) -> np.dtype[Any]:
-    if dtype is None:
-        return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
-    kind = validation.kind("dtype", dtype, np.float32, np.float64)
-    if kind == np.float32 and tol < 2.0**-22:
-        raise ValueError(f"dtype float32 cannot hold tol={tol:g}; use float64, or a tolerance of at least 2.4e-7")
-    return kind
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -11,10 +11,10 @@
 #include <cstdint>
 #include <cstring>
 #include <iterator>
-#include <new>
 #include <type_traits>
 #include <utility>
-#include <vector>
+
+#include "lommel/base/aligned.hpp"
 
 #if defined(__GNUC__) || defined(__clang__)
 #define LOMMEL_INLINE inline __attribute__((always_inline))
@@ -375,28 +375,5 @@ LOMMEL_INLINE void dispatch(const Kernel& kernel) {
 #endif
     kernel(Portable{});
 }
-
-// Memory that begins at a cache line, so that no vector of a table lies across two.
-template <class T>
-struct AlignedAllocator {
-    using value_type = T;
-    AlignedAllocator() = default;
-    template <class U>
-    AlignedAllocator(const AlignedAllocator<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
-    void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
-    template <class U>
-    bool operator==(const AlignedAllocator<U>&) const {
-        return true;
-    }
-    template <class U>
-    bool operator!=(const AlignedAllocator<U>&) const {
-        return false;
-    }
-};
-template <class T>
-using Aligned = std::vector<T, AlignedAllocator<T>>;
-using Doubles = Aligned<double>;
-using Floats = Aligned<float>;
 
 }  // namespace lommel

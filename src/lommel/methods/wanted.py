@@ -1,0 +1,52 @@
+"""What callers may want of the values of a method: their type, where they go, derivatives, axes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from lommel.base import validation
+from lommel.optics.pupil import Pupil
+
+_POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
+
+
+def powers(derivatives: Sequence[str]) -> tuple[int, ...]:
+    """Return the powers of rho^2 whose coefficients `derivatives` are by; TypeError or ValueError if none are."""
+    if isinstance(derivatives, tuple) and not derivatives:
+        return ()
+    if isinstance(derivatives, str) or not isinstance(derivatives, Sequence):
+        raise TypeError(
+            f"derivatives must be a sequence of names such as ('defocus',), got {validation.shown(derivatives)}"
+        )
+    return tuple(_POWERS[validation.choice("derivatives", name, _POWERS)] for name in derivatives)
+
+
+def array(name: str, value: Any) -> NDArray[Any]:
+    """Return `value` if it is an array; the TypeError says which argument is not."""
+    if not isinstance(value, np.ndarray):
+        raise TypeError(f"{name} must be a NumPy array, got {type(value).__name__}")
+    return value
+
+
+def output_type(dtype: DTypeLike | None, tol: float) -> np.dtype[Any]:
+    """Return the type of values that are exact to `tol`; ValueError if the one that is named cannot hold it."""
+    if dtype is None:
+        return np.dtype(np.float32 if tol >= 1e-6 else np.float64)
+    kind = validation.kind("dtype", dtype, np.float32, np.float64)
+    if kind == np.float32 and tol < 2.0**-22:
+        raise ValueError(f"dtype float32 cannot hold tol={tol:g}; use float64, or a tolerance of at least 2.4e-7")
+    return kind
+
+
+def for_axes(pupil: Pupil, places: tuple[int, ...]) -> Pupil:
+    """Return a pupil for each axis, in the shape that the stack and the places of axes broadcast to."""
+    try:
+        return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))
+    except ValueError:
+        raise ValueError(
+            f"center must broadcast with the stack of pupils, got places of shape {places} for {pupil.shape}"
+        ) from None

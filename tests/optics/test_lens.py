@@ -185,6 +185,13 @@ def test_nothing_that_a_pupil_is_made_of_is_forgotten():
     made = {
         "__getitem__": (pupil[1], {"wavefront": pupil.wavefront[1], "geometry": one.geometry}),
         "unaberrated": (pupil.unaberrated(), {"wavefront": lm.Wavefront(), "geometry": focus.geometry}),
+        "broadcast": (
+            pupil.broadcast((3, 2)),
+            {
+                "wavefront": pupil.wavefront.broadcast((3, 2)),
+                "geometry": replace(pupil.geometry, object_distance=(1.0, 2.0) * 3),
+            },
+        ),
         "carrying": (
             pupil.carrying(lm.Wavefront(2.0), one.geometry),
             {"wavefront": lm.Wavefront(2.0), "geometry": one.geometry},

@@ -91,7 +91,7 @@ class Grid:
 
     @property
     def axis(self) -> tuple[float, float]:
-        """The one axis that serves all pupils, as :attr:`center`; ValueError where there are several."""
+        """The one axis that serves all pupils, as ``center``; ValueError where there are several."""
         self.require_one_axis()
         row, column = self.center
         return float(row), float(column)

@@ -194,7 +194,7 @@ class Occlusion:
 
 
 def occlude(blur: DepthBlur, light: NDArray[Any]) -> NDArray[Any]:
-    """Return the image of linear light in which near points hide far ones, by an :class:`Occlusion` for this once.
+    """Return the image of linear light in which near points hide far ones, by an ``Occlusion`` for this once.
 
     Parameters
     ----------

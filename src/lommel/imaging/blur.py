@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple, Unpack
 
 import numpy as np
@@ -162,10 +162,10 @@ class DepthBlur:
         TypeError, ValueError
             If `image` is not finite light of the shape of the depth, or `weight` does not fit.
         """
-        out = np.empty((*self.shape, len(self.banks)), dtype=self.dtype)
-        for channel, plane in enumerate(self.planes(image)):
-            out[..., channel] = self.spread(channel, [(plane, Points(self._positions(channel, weight)))])
-        return out.reshape(image.shape)
+        return self.by_channel(
+            image,
+            lambda channel, plane: self.spread(channel, [(plane, Points(self._positions(channel, weight)))]),
+        )
 
     def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
@@ -187,10 +187,10 @@ class DepthBlur:
         TypeError, ValueError
             As :meth:`forward`.
         """
-        out = np.empty((*self.shape, len(self.banks)), dtype=self.dtype)
-        for channel, plane in enumerate(self.planes(image)):
-            (out[..., channel],) = self.collect(channel, plane, [Points(self._positions(channel, weight))])
-        return out.reshape(image.shape)
+        return self.by_channel(
+            image,
+            lambda channel, plane: next(self.collect(channel, plane, [Points(self._positions(channel, weight))])),
+        )
 
     def require(self, image: NDArray[Any]) -> None:
         """Refuse what is no finite light of the shape of the depth.
@@ -234,6 +234,31 @@ class DepthBlur:
         self.require(image)
         array = np.require(np.asarray(image), self.dtype, "A")  # without a mask, as require has seen
         return np.moveaxis(array.reshape(*self.shape, len(self.banks)), 2, 0)
+
+    def by_channel(self, image: NDArray[Any], make: Callable[[int, NDArray[Any]], NDArray[Any]]) -> NDArray[Any]:
+        """Return the image whose channels are made one by one of those of linear light.
+
+        Parameters
+        ----------
+        image : ndarray of float
+            Of the shape that :meth:`forward` takes.
+        make : callable
+            From the place of a channel and its plane of light to the plane wanted, each of shape (height, width).
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `image`, and of the type of the sums.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`require`, before anything is made.
+        """
+        out = np.empty((*self.shape, len(self.banks)), dtype=self.dtype)
+        for channel, plane in enumerate(self.planes(image)):
+            out[..., channel] = make(channel, plane)
+        return out.reshape(image.shape)
 
     def spread(
         self, channel: int, sources: Sequence[tuple[NDArray[Any], Points]], seen: NDArray[Any] | None = None

@@ -136,14 +136,15 @@ class Occlusion:
         TypeError, ValueError
             As :meth:`lommel.imaging.DepthBlur.forward`.
         """
-        planes = self.blur.planes(image)
-        edges, shares = self._looked()
-        out = np.empty((*self.blur.shape, len(planes)), dtype=self.blur.dtype)
-        for channel, (plane, (seen, total, sources)) in enumerate(zip(planes, shares, strict=True)):
+
+        def make(channel: int, plane: NDArray[Any]) -> NDArray[Any]:
+            edges, shares = self._looked()
+            seen, total, sources = shares[channel]
             given = zip((plane, edges.behind(plane)), sources, strict=False)
             spread = self.blur.spread(channel, list(given), seen)
-            out[..., channel] = (spread + _TRACE * plane) / (total + _TRACE)
-        return out.reshape(image.shape)
+            return np.asarray((spread + _TRACE * plane) / (total + _TRACE))
+
+        return self.blur.by_channel(image, make)
 
     def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
@@ -163,18 +164,19 @@ class Occlusion:
         TypeError, ValueError
             As :meth:`lommel.imaging.DepthBlur.forward`.
         """
-        planes = self.blur.planes(image)
-        edges, shares = self._looked()
-        out = np.empty((*self.blur.shape, len(planes)), dtype=self.blur.dtype)
-        for channel, (plane, (seen, total, sources)) in enumerate(zip(planes, shares, strict=True)):
+
+        def make(channel: int, plane: NDArray[Any]) -> NDArray[Any]:
+            edges, shares = self._looked()
+            seen, total, sources = shares[channel]
             even = plane / (total + _TRACE)
             taken, *hidden = self.blur.collect(channel, even, sources, seen)
             taken += _TRACE * even
             for given in hidden:
                 # One point may stand for several.
                 np.add.at(taken, np.unravel_index(edges.sources, taken.shape), given.reshape(-1)[edges.points])
-            out[..., channel] = taken
-        return out.reshape(image.shape)
+            return taken
+
+        return self.blur.by_channel(image, make)
 
     def _looked(self) -> tuple[_Edges, tuple[_Shares, ...]]:
         """Return what points hide, and the shares of each channel: kept for one depth map."""
@@ -211,7 +213,6 @@ def occlude(blur: DepthBlur, light: NDArray[Any]) -> NDArray[Any]:
     TypeError, ValueError
         As :meth:`lommel.imaging.DepthBlur.forward`.
     """
-    blur.require(light)
     return Occlusion(blur).forward(light)
 
 

@@ -43,6 +43,16 @@ def test_positions_make_stacks_of_pupils_with_the_scale_of_the_map(seidel):
     assert (seidel.unit, lm.FieldMap.from_seidel(1.0).unit) == ("m", "lambda*N")
 
 
+def test_stars_between_the_pixels_have_an_axis_each(seidel):
+    x, y, tol = np.array([0.0, 9e-3, -14e-3]), np.array([[1e-3], [-7e-3]]), 1e-6
+    rows, columns = 10.0 + np.array([[0.25], [-0.5]]), 10.0 + np.array([0.125, -0.375, 0.5])
+    stack = seidel.psf(x, y, 21, 1e-6, center=(rows, columns), tol=tol)
+    for i, j in np.ndindex(2, 3):
+        center = float(rows[i, 0]), float(columns[j])
+        alone = seidel.psf(x[j], y[i, 0], 21, 1e-6, center=center, tol=1e-9).values
+        assert np.abs(stack.values[i, j] - alone).max() <= 1.1 * tol * alone.max()
+
+
 def test_a_map_without_aberrations_of_the_field_is_the_same_everywhere():
     field = lm.FieldMap.from_seidel(1.0, W040=0.5)
     assert field.pupil([0.0, 0.5], 0.0).wavefront == lm.Wavefront.from_seidel(W040=[0.5, 0.5])

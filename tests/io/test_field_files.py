@@ -52,6 +52,20 @@ def test_a_grid_comes_back_as_it_was_saved(suffix, name, tmp_path, request):
     assert [file.name for file in tmp_path.iterdir()] == [path.name]
 
 
+def test_a_grid_of_axes_of_their_own_is_kept_by_formats_that_have_a_place_for_them(tmp_path):
+    field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
+    rows, columns = np.array([[3.75], [4.25]]), np.array([3.5, 4.0, 4.625])
+    grid = field.grid(2, 3, sensor=(20e-3, 30e-3), shape=9, pixel=2e-6, center=(rows, columns))
+    for suffix in (".tif", ".npz"):
+        grid.save(tmp_path / f"a{suffix}")
+        loaded = lm.PSFGrid.load(tmp_path / f"a{suffix}")
+        np.testing.assert_array_equal(loaded.values, grid.values)
+        np.testing.assert_array_equal(loaded.psf.grid.center, grid.psf.grid.center)
+    with pytest.raises(ValueError, match=r"path must end in .tif or .npz for PSFs with a center each"):
+        grid.save(tmp_path / "a.zarr")
+    assert not (tmp_path / "a.zarr").exists()
+
+
 def test_tifffile_reads_a_page_for_each_psf_with_its_position(grid, tmp_path):
     grid.save(tmp_path / "a.tif")
     with tifffile.TiffFile(tmp_path / "a.tif") as file:

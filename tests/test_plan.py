@@ -5,6 +5,8 @@ from __future__ import annotations
 import copy
 import dataclasses
 import pickle
+import subprocess
+import sys
 import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
 
@@ -143,6 +145,17 @@ def test_a_plan_that_was_asked_can_be_copied_and_sent_to_other_processes():
     expected = plan(pupil).values
     for other in (copy.copy(plan), copy.deepcopy(plan), pickle.loads(pickle.dumps(plan))):
         assert np.array_equal(other(pupil).values, expected)
+
+
+def test_a_plan_that_a_thread_holds_to_the_end_of_the_process_goes_quietly():
+    code = """
+import threading, lommel as lm
+plan = lm.Plan(9, 0.5)
+plan(lm.Pupil())
+threading.Thread(target=lambda held=plan: threading.Event().wait(), daemon=True).start()
+"""
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert (ended.stdout, ended.stderr) == ("", "")
 
 
 def test_one_plan_serves_many_threads():

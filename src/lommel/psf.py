@@ -197,32 +197,33 @@ class Plan:
             asked = self._asked = asked_about(
                 pupil, light, self._grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
+        _, grid, ways, _, shape, _, shortcut = asked
         powers = wanted.powers(derivatives)
         if powers and self.normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
         found = None
-        if asked.shortcut is not None and not powers and (out is None or isinstance(out, np.ndarray)):
-            values = np.empty(asked.shape, self.dtype) if out is None else out
-            found = asked.shortcut(pupil, values)
+        if shortcut is not None and not powers and (out is None or isinstance(out, np.ndarray)):
+            values = np.empty(shape, self.dtype) if out is None else out
+            found = shortcut(pupil, values)
         slopes: dict[str, NDArray[Any]] = {}
         slope_bounds: dict[str, float] = {}
         error: float | None
         if found is not None:
-            method, (scale, error) = asked.ways[0], found
+            method, (scale, error) = ways[0], found
         else:
-            place = None if out is None else wanted.place(out, asked.shape, self.dtype)
+            place = None if out is None else wanted.place(out, shape, self.dtype)
             method, made = asked.images(pupil, powers, place)
-            values = made.values.reshape(asked.shape) if place is None else place
+            values = made.values.reshape(shape) if place is None else place
             scale, error = made.scale.reshape(pupil.shape), None if made.error is None else largest(made.error)
             if made.slopes is not None:
                 for name, slope, bound in zip(derivatives, *made.slopes, strict=True):
                     # The coefficient of rho^2 is twice C_d.
                     factor = 2.0 if name == "defocus" else 1.0
-                    slopes[name] = np.multiply(slope, factor, out=slope).reshape(asked.shape)
+                    slopes[name] = np.multiply(slope, factor, out=slope).reshape(shape)
                     slope_bounds[name] = factor * float(bound.max())
         parts = {
             "values": values,
-            "grid": asked.grid,
+            "grid": grid,
             "pupil": pupil,
             "method": method,
             "normalize": self.normalize,

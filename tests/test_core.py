@@ -131,8 +131,80 @@ def test_rendering_refuses_what_does_not_fit() -> None:
             _render(images=bad)
 
 
+def _plan(**changes: Any) -> _core.RadialPlan:
+    arguments: dict[str, Any] = {
+        "obscuration": 0.1,
+        "amplitude": np.array([0.0, 0.2]),
+        "height": 5,
+        "width": 7,
+        "center_y": 2.0,
+        "center_x": 3.0,
+        "step": 0.5,
+        "integrate": False,
+        "tol": 1e-6,
+        "threads": 1,
+        "scale": 1.0,
+        "kind": "d",
+    }
+    return _core.RadialPlan(**(arguments | changes))
+
+
+def test_a_plan_refuses_what_has_no_answer() -> None:
+    for changes, message in (
+        ({"obscuration": 1.0}, "obscuration"),
+        ({"amplitude": np.array([0.0, -1.0])}, "amplitude must be at most 1"),
+        ({"height": 0}, "1 to 40000 pixels a side"),
+        ({"center_x": 1e7}, "the centre must be within"),
+        ({"step": 0.0}, "step must be above 0"),
+        ({"tol": 0.0}, "must be positive"),
+        ({"threads": -1}, "must be positive"),
+        ({"kind": "e"}, "kind must be f or d"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            _plan(**changes)
+    for empty in (np.empty((0, 2)), np.empty((2, 0))):
+        with pytest.raises(ValueError, match="must not be empty"):
+            _plan().render(empty, np.empty((len(empty), 5, 7)), np.empty(len(empty)))
+    with pytest.raises(ValueError, match="30 a pupil at most"):
+        _plan().render(np.empty(31), np.empty((5, 7)), np.empty(()))
+
+
+def test_a_plan_leaves_alone_what_it_does_not_take() -> None:
+    fits: dict[str, Any] = {"coefficients": np.ones((2, 3)), "images": np.zeros((2, 5, 7)), "scales": np.zeros(2)}
+    frozen = {name: array.copy() for name, array in fits.items()}
+    for array in frozen.values():
+        array.flags.writeable = False
+    for name, others in {
+        "coefficients": (
+            np.ones(3),
+            np.ones((1, 2, 3)),
+            np.ones((3, 3)),
+            np.ones((3, 2)).T,
+            np.ones((2, 3), np.float32),
+        ),
+        "images": (
+            *(np.zeros(shape) for shape in ((5, 7), (1, 2, 5, 7), (2, 7, 5), (2, 5, 6), (3, 5, 7), (2, 35))),
+            np.zeros((2, 5, 14))[:, :, ::2],
+            np.zeros((2, 5, 7), np.float32),
+            np.zeros((2, 5, 7), ">f8"),
+            frozen["images"],
+        ),
+        "scales": (np.zeros(()), np.zeros(3), np.zeros((2, 1)), np.zeros(4)[::2], frozen["scales"]),
+    }.items():
+        for other in (*others, 1.0, "", [[1.0]]):
+            assert _plan().render(**(fits | {name: other})) is None
+            assert not fits["images"].any()
+            assert not fits["scales"].any()
+    assert 0.0 < _plan().render(**(fits | {"coefficients": frozen["coefficients"]})) <= 1e-6
+    assert fits["images"].all()
+    assert fits["scales"].all()
+
+
 def test_a_tolerance_that_is_not_met_is_told_by_the_bound_that_is() -> None:
-    assert _render(coefficients=np.full((2, 2), 300.0), tol=1e-13) > 1e-13
+    far = np.full((2, 2), 300.0)
+    unmet = _render(coefficients=far, tol=1e-13)
+    assert unmet > 1e-13
+    assert _plan(tol=1e-13).render(far, np.empty((2, 5, 7)), np.empty(2)) == -unmet
 
 
 def test_the_instructions_in_use_can_be_limited_and_not_misspelt() -> None:

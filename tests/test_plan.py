@@ -5,7 +5,10 @@ from __future__ import annotations
 import copy
 import dataclasses
 import pickle
+import subprocess
+import sys
 import tracemalloc
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -79,6 +82,94 @@ def test_the_answer_of_a_plan_is_what_the_constructor_makes_of_its_parts(defocus
         answer.values = made.values
 
 
+SHORT = {
+    "plain": {},
+    "obscured": {"obscuration": 0.4},
+    "apodized": {"apodization": 1.5},
+    "any amplitude": {"apodization": lm.Apodization([0.0, 0.5, 0.2]), "obscuration": 0.2},
+    "a stack": {"wavefront": lm.Wavefront([[1.0, 2.0], [3.0, 4.0], [5.0, 60.0]], 2.0)},
+    "a stack of one": {"wavefront": lm.Wavefront([3.0])},
+    "zeros that depend on the direction": {"wavefront": lm.Wavefront(4.0, nonradial={(3, 1): 0.0})},
+    "higher orders": {"wavefront": lm.Wavefront.zernike({(2, 0): 1.0, (6, 0): 0.5, (10, 0): -0.7})},
+}
+
+
+@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
+@pytest.mark.parametrize("asked", [{}, {"integrate": True}, {"center": (3.3, 5.0)}, {"dtype": float, "tol": 1e-9}])
+@pytest.mark.parametrize("name", SHORT)
+def test_the_shortcut_of_a_plan_leads_where_the_method_does(name, asked, normalize):
+    pupil = lm.Pupil(**({"wavefront": lm.Wavefront(7.0, 1.0)} | SHORT[name]))
+    plan = lm.Plan((9, 8), 0.7, normalize=normalize, **asked)
+    answer = plan(pupil)
+    scale, bound = plan._asked.shortcut(pupil, values := np.empty_like(answer.values))
+    method, images = plan._asked.images(pupil, ())
+    assert answer.method == method
+    assert answer.values.tobytes() == images.values.tobytes() == values.tobytes()
+    assert answer.scale.shape == pupil.shape
+    assert answer.scale.tobytes() == images.scale.tobytes() == scale.tobytes()
+    assert answer.error_bound == images.error.max() == bound
+
+
+@pytest.mark.parametrize(
+    ("pupil", "center", "there"),
+    [
+        (lm.Pupil(lm.Wavefront(3.0, error=1e-9)), None, True),
+        (lm.Pupil(apodization=lm.Apodization([1.0], error=1e-9)), None, False),
+        (lm.Pupil(lm.Wavefront(3.0, nonradial={(3, 1): 1.0})), None, False),
+        (lm.Pupil(lm.Wavefront([3.0, 4.0])), ([3.0, 4.0], 5.0), False),
+    ],
+)
+def test_what_has_no_shortcut_is_asked_of_the_method(pupil, center, there):
+    plan = lm.Plan(9, 0.5, center=center, method=lm.NijboerZernike())
+    answer = plan(pupil)
+    shortcut = plan._asked.shortcut
+    assert (shortcut is not None) == there
+    assert not there or shortcut(pupil, np.empty_like(answer.values)) is None
+    images = plan._asked.images(pupil, ())[1]
+    assert answer.values.tobytes() == images.values.tobytes()
+    assert answer.error_bound == images.error.max()
+
+
+def test_a_plan_that_was_asked_says_that_a_tolerance_is_not_met_as_one_that_was_not():
+    plan, pupil = lm.Plan(9, 0.5, tol=1e-12), lm.Pupil(lm.Wavefront(900.0))
+    plan(lm.Pupil(lm.Wavefront(1.0)))
+    with pytest.raises(lm.ToleranceError) as short:
+        plan(pupil)
+    with pytest.raises(lm.ToleranceError) as full:
+        plan._asked.images(pupil, ())
+    assert str(short.value) == str(full.value)
+
+
+def test_a_plan_that_was_asked_can_be_copied_and_sent_to_other_processes():
+    pupil, plan = lm.Pupil(lm.Wavefront(3.0)), lm.Plan(9, 0.5)
+    expected = plan(pupil).values
+    for other in (copy.copy(plan), copy.deepcopy(plan), pickle.loads(pickle.dumps(plan))):
+        assert np.array_equal(other(pupil).values, expected)
+
+
+def test_a_plan_that_a_thread_holds_to_the_end_of_the_process_goes_quietly():
+    code = """
+import threading, lommel as lm
+plan = lm.Plan(9, 0.5)
+plan(lm.Pupil())
+threading.Thread(target=lambda held=plan: threading.Event().wait(), daemon=True).start()
+"""
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert (ended.stdout, ended.stderr) == ("", "")
+
+
+def test_one_plan_serves_many_threads():
+    plan, pupils = lm.Plan(33, 0.5), [lm.Pupil(lm.Wavefront(0.1 * k), obscuration=k % 2 / 3) for k in range(40)]
+    expected = [lm.psf(pupil, 33, 0.5).values for pupil in pupils]
+
+    def ask(k: int) -> np.ndarray:
+        return plan(pupils[k % 40], out=np.empty((33, 33), np.float32)).values
+
+    with ThreadPoolExecutor(4) as pool:
+        for k, values in enumerate(pool.map(ask, range(400))):
+            assert np.array_equal(values, expected[k % 40])
+
+
 def test_out_receives_the_values_and_is_the_answer():
     out = np.full((2, 33, 33), np.nan, np.float32)
     pupil = lm.Pupil(lm.Wavefront([3.0, 4.0]))
@@ -111,13 +202,18 @@ def test_after_the_first_call_nothing_large_is_allocated():
         ([[0.0]], TypeError, "out must be a NumPy array"),
         (np.empty((33, 32), np.float32), ValueError, r"out must have the shape \(33, 33\), got \(33, 32\)"),
         (np.empty((33, 33), np.float64), ValueError, "out must be of float32, got float64"),
+        (memoryview(np.empty((33, 33), np.float32)), TypeError, "out must be a NumPy array, got memoryview"),
+        (np.empty((33, 33), ">f4"), ValueError, "out must be of float32, got >f4"),
         (np.empty((33, 66), np.float32)[:, ::2], ValueError, "out must be C-contiguous and writable"),
         (np.broadcast_to(np.float32(0), (33, 33)), ValueError, "out must be C-contiguous and writable"),
     ],
 )
 def test_an_out_that_cannot_hold_the_answer_is_refused(out, error, message):
-    with pytest.raises(error, match=message):
-        lm.Plan(33, 0.5)(lm.Pupil(), out=out)
+    plan = lm.Plan(33, 0.5)
+    for _ in range(2):
+        with pytest.raises(error, match=message):
+            plan(lm.Pupil(), out=out)
+        plan(lm.Pupil())
 
 
 @pytest.mark.parametrize("threads", [0, -1, 2.5, True, 10**6])

@@ -45,6 +45,8 @@ void limit_instructions(const std::string& level) {
 lommel::Watch::Ask bindings::ask_python() { return PyThread_get_thread_ident() == main_thread.id ? &signalled : nullptr; }
 
 NB_MODULE(_core, m) {
+    // Python keeps what its users hold to the end of the process, plans among it, and that is no fault here.
+    nb::set_leak_warnings(false);
     main_thread.id = nb::cast<unsigned long>(nb::module_::import_("threading").attr("main_thread")().attr("ident"));
     // The exception is set, by the handler that raised it.
     nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {

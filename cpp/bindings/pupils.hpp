@@ -31,11 +31,15 @@ inline double obscuration_of(double obscuration) {
     return obscuration;
 }
 
+inline lommel::Stack stack_of(const double* coefficients, std::size_t pupils, std::size_t terms, double obscuration,
+                              const lommel::Amplitude& amplitude) {
+    require(pupils > 0 && terms > 0, "coefficients must not be empty");
+    require(terms <= lommel::LegendreRule::most_terms, "coefficients must be 30 a pupil at most");
+    return {coefficients, pupils, terms, obscuration, amplitude};
+}
 inline lommel::Stack stack_of(const In<double, 2>& coefficients, double obscuration, const In<double, 1>& amplitude) {
-    require(coefficients.shape(0) > 0 && coefficients.shape(1) > 0, "coefficients must not be empty");
-    require(coefficients.shape(1) <= lommel::LegendreRule::most_terms, "coefficients must be 30 a pupil at most");
-    return {coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration_of(obscuration),
-            amplitude_of(amplitude)};
+    return stack_of(coefficients.data(), coefficients.shape(0), coefficients.shape(1), obscuration_of(obscuration),
+                    amplitude_of(amplitude));
 }
 
 template <class Integer>

@@ -1,4 +1,12 @@
 // Pupils that are radially symmetric, by their series: images, fields and profiles.
+#include <nanobind/stl/optional.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <vector>
+
 #include "lommel/radial/average_images.hpp"
 #include "lommel/radial/images.hpp"
 #include "lommel/radial/profiles.hpp"
@@ -20,6 +28,19 @@ lommel::PixelWindows windows_of(std::size_t height, std::size_t width, std::size
     return {window_of(height, width, first[0], first[1], step, integrate), first, pupils};
 }
 
+template <class T>
+double images_of(const lommel::Stack& stack, const lommel::PixelWindows& windows, double tol, int threads,
+                 const lommel::Answer<T>& answer) {
+    return judged([&] {
+        const lommel::PixelWindow& window = windows.first;
+        if (windows.centers == nullptr && window.centered() && !window.integrate) {
+            lommel::Renderer<T>(stack, window.height, window.width, window.step, tol, threads, answer).run();
+        } else {
+            lommel::PixelRenderer<T>(stack, windows, tol, threads, answer).run();
+        }
+    });
+}
+
 // Around one axis, (row, column), or each around its own.
 template <class T, class... Center>
 double render(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude, Center... center, double step,
@@ -37,15 +58,64 @@ double render(In<double, 2> coefficients, double obscuration, In<double, 1> ampl
         answer.derivative_images = derivative_images.data();
         answer.derivative_bounds = derivative_bounds.data();
     }
-    return judged([&] {
-        const lommel::PixelWindow& window = windows.first;
-        if (windows.centers == nullptr && window.centered() && !integrate) {
-            lommel::Renderer<T>(stack, window.height, window.width, step, tol, threads, answer).run();
-        } else {
-            lommel::PixelRenderer<T>(stack, windows, tol, threads, answer).run();
-        }
-    });
+    return images_of(stack, windows, tol, threads, answer);
 }
+
+// What is asked of pupils, one stack after the other, whose phases alone tell them apart: all else is checked once.
+class RadialPlan {
+   public:
+    RadialPlan(double obscuration, In<double, 1> amplitude, std::size_t height, std::size_t width, double row, double column,
+               double step, bool integrate, double tol, int threads, double scale, char kind)
+        : obscuration_(obscuration_of(obscuration)), amplitude_(amplitude_of(amplitude)),
+          window_(window_of(height, width, row, column, step, integrate)), tol_(tol), threads_(threads), scale_(scale),
+          kind_(kind) {
+        require_request(step, tol, threads);
+        require(kind == 'f' || kind == 'd', "kind must be f or d");
+    }
+
+    // The largest bound on errors, below 0 where the tolerance cannot be met; nothing where the arrays are none of these.
+    std::optional<double> render(nb::handle coefficients, nb::handle images, nb::handle scales) const {
+        return kind_ == 'f' ? rendered<float>(coefficients, images, scales) : rendered<double>(coefficients, images, scales);
+    }
+
+   private:
+    template <class T>
+    std::optional<double> rendered(nb::handle coefficients, nb::handle images, nb::handle scales) const {
+        const Buffer<const double> phases(coefficients);
+        const Buffer<T> values(images);
+        const Buffer<double> factors(scales);
+        if (!phases || !values || !factors) {
+            return {};
+        }
+        // A stack of any shape, each with its coefficients, an image and a scale.
+        const std::size_t axes = factors.ndim();
+        const auto matches = [&](const auto& array, std::size_t more) {
+            return array.ndim() == axes + more && std::equal(array.shape(), array.shape() + axes, factors.shape());
+        };
+        if (!matches(phases, 1) || !matches(values, 2) || values.shape()[axes] != static_cast<Py_ssize_t>(window_.height) ||
+            values.shape()[axes + 1] != static_cast<Py_ssize_t>(window_.width)) {
+            return {};
+        }
+        const auto pupils = static_cast<std::size_t>(
+            std::accumulate(factors.shape(), factors.shape() + axes, Py_ssize_t{1}, std::multiplies<>()));
+        const auto terms = static_cast<std::size_t>(phases.shape()[axes]);
+        const lommel::Stack asked = stack_of(phases.data(), pupils, terms, obscuration_, amplitude_);
+        std::fill_n(factors.data(), pupils, scale_);
+        std::vector<double> numbers(2 * pupils);
+        double *const bounds = numbers.data(), *const peaks = bounds + pupils;
+        const lommel::Answer<T> answer{values.data(), factors.data(), bounds, peaks, nullptr, 0, nullptr, nullptr};
+        const double unmet = images_of(asked, window_, tol_, threads_, answer);
+        return unmet > 0.0 ? -unmet : *std::max_element(bounds, peaks);
+    }
+
+    double obscuration_;
+    lommel::Amplitude amplitude_;
+    lommel::PixelWindow window_;
+    double tol_;
+    int threads_;
+    double scale_;
+    char kind_;
+};
 
 std::pair<Out<complex, 2>, Out<double, 1>> field(In<double, 2> coefficients, double obscuration, In<double, 1> amplitude,
                                                  In<double, 1> v, double tol) {
@@ -84,6 +154,15 @@ void bindings::define_radial(nb::module_& m) {
               "powers"_a.none() = nb::none(), "derivative_images"_a.noconvert().none() = nb::none(),
               "derivative_bounds"_a.noconvert().none() = nb::none(), "The same, each around an axis of its own.");
     });
+    nb::class_<RadialPlan>(m, "RadialPlan", "Images of pupils, one stack after the other, that differ in their phase alone.")
+        .def(nb::init<double, In<double, 1>, std::size_t, std::size_t, double, double, double, bool, double, int, double,
+                      char>(),
+             "obscuration"_a, "amplitude"_a, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a,
+             "tol"_a, "threads"_a, "scale"_a, "kind"_a)
+        .def(
+            "render", &RadialPlan::render, "coefficients"_a, "images"_a, "scales"_a,
+            "Images, and what each is multiplied by; returns the largest bound, below 0 where tol cannot be met, or None where "
+            "the arrays do not match or are not of the types, the order and the access that this takes.");
     m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
           "U at rising v, and bounds on its error.");
     m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "threads"_a = 1,

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -14,12 +13,11 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Numbers, largest
 from lommel.base.trusted import made as made_of
-from lommel.core.answers import Images, Wanted
 from lommel.measures import energy, image_transfer, spot
 from lommel.measures.answer import Answer
 from lommel.methods import wanted
-from lommel.methods.choice import candidates, first_proven
-from lommel.methods.method import Method, widened
+from lommel.methods.asked import Asked, asked_about
+from lommel.methods.method import Method
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
 from lommel.show import plot
@@ -187,7 +185,7 @@ class Plan:
         self.normalize = validation.choice("normalize", normalize, ("energy", "strehl", "peak"))
         self.dtype = wanted.output_type(dtype, tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
-        self._asked: _Asked | None = None
+        self._asked: Asked | None = None
 
     def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
@@ -196,59 +194,49 @@ class Plan:
         light = checked(pupil).aperture, pupil.radial, pupil.wavefront.shape, pupil.wavelength, pupil.f_number
         asked = self._asked
         if asked is None or asked.light != light:
-            asked = self._asked = self._prepared(pupil, light)
-        _, grid, ways, shape, flat, per_pixel = asked
-        ways[0].require(pupil)
-        normalize, powers = self.normalize, wanted.powers(derivatives)
-        if powers and normalize == "peak":
-            raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
-        scale = per_pixel if normalize == "energy" else 1.0 / ways[0].unaberrated_peak(pupil)
-        place = None if out is None else self._checked(out, shape, flat)
-        question = Wanted(None if normalize == "peak" else scale, self.dtype, place, powers, self.threads)
-
-        def ask(way: Method) -> Images:
-            return widened(way.images(pupil, grid, question), pupil, way, normalized=question.scale is None)
-
-        method, made = first_proven(ways, ask)
-        slopes, slope_bounds = {}, {}
-        if made.slopes is not None:
-            for name, values, bound in zip(derivatives, *made.slopes, strict=True):
-                # The coefficient of rho^2 is twice C_d.
-                factor = 2.0 if name == "defocus" else 1.0
-                slopes[name] = np.multiply(values, factor, out=values).reshape(shape)
-                slope_bounds[name] = factor * float(bound.max())
-        return made_of(
-            PSF,
-            values=made.values.reshape(shape) if out is None else out,
-            grid=grid,
-            pupil=pupil,
-            method=method,
-            normalize=normalize,
-            error_bound=None if made.error is None else largest(made.error),
-            scale=made.scale.reshape(pupil.shape),
-            derivatives=slopes,
-            derivative_bounds=slope_bounds,
-        )
-
-    def _prepared(self, pupil: Pupil, light: tuple[Any, ...]) -> _Asked:
-        """Return what is to be asked for a pupil of such light, which nothing but its phase tells from others."""
-        grid = self._grid(pupil)
-        if grid.stack:
-            grid = grid.broadcast(pupil.shape)
-        ways = candidates(pupil, grid, self.tol) if self.method is None else (self.method,)
-        ways[0].require(pupil)
-        validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
-        if ways[0].sampling == "center":
-            grid.require_reach(pupil)
-        stack = pupil.shape
-        count = math.prod(stack) * grid.height * grid.width
-        if count > validation.MAX_VALUES:
-            raise ValueError(
-                f"shape {grid.shape} for {math.prod(stack)} pupils makes {count} values, "
-                f"more than the limit of {validation.MAX_VALUES}"
+            asked = self._asked = asked_about(
+                pupil, light, self._grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
-        per_pixel = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
-        return _Asked(light, grid, ways, stack + grid.shape, (math.prod(stack), *grid.shape), per_pixel)
+        _, grid, ways, _, shape, _, shortcut = asked
+        powers = wanted.powers(derivatives)
+        if powers and self.normalize == "peak":
+            raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
+        found = None
+        if shortcut is not None and not powers and (out is None or isinstance(out, np.ndarray)):
+            values = np.empty(shape, self.dtype) if out is None else out
+            found = shortcut(pupil, values)
+        slopes: dict[str, NDArray[Any]] = {}
+        slope_bounds: dict[str, float] = {}
+        error: float | None
+        if found is not None:
+            method, (scale, error) = ways[0], found
+        else:
+            place = None if out is None else wanted.place(out, shape, self.dtype)
+            method, made = asked.images(pupil, powers, place)
+            values = made.values.reshape(shape) if place is None else place
+            scale, error = made.scale.reshape(pupil.shape), None if made.error is None else largest(made.error)
+            if made.slopes is not None:
+                for name, slope, bound in zip(derivatives, *made.slopes, strict=True):
+                    # The coefficient of rho^2 is twice C_d.
+                    factor = 2.0 if name == "defocus" else 1.0
+                    slopes[name] = np.multiply(slope, factor, out=slope).reshape(shape)
+                    slope_bounds[name] = factor * float(bound.max())
+        parts = {
+            "values": values,
+            "grid": grid,
+            "pupil": pupil,
+            "method": method,
+            "normalize": self.normalize,
+            "error_bound": error,
+            "scale": scale,
+            "derivatives": slopes,
+            "derivative_bounds": slope_bounds,
+        }
+        return made_of(PSF, parts)
+
+    def __getstate__(self) -> dict[str, Any]:
+        # Without what is remembered of the last pupil, which the compiled core has a part in.
+        return vars(self) | {"_asked": None}
 
     def _grid(self, pupil: Pupil) -> Grid:
         averages = self.integrate
@@ -256,27 +244,6 @@ class Plan:
             metric = pupil.wavelength is not None
             averages = metric or (self.method is not None and self.method.sampling == "pixel")
         return self._averaged if averages else self._sampled
-
-    def _checked(self, out: NDArray[Any], shape: tuple[int, ...], flat: tuple[int, ...]) -> NDArray[Any]:
-        if wanted.array("out", out).shape != shape:
-            raise ValueError(f"out must have the shape {shape}, got {out.shape}")
-        if out.dtype != self.dtype:
-            raise ValueError(f"out must be of {self.dtype}, got {out.dtype}")
-        flags = out.flags
-        if not (flags.c_contiguous and flags.writeable):
-            raise ValueError("out must be C-contiguous and writable")
-        return out.reshape(flat)
-
-
-class _Asked(NamedTuple):
-    """What to ask for pupils of some `light`, all but their phase: the window, methods in turn, shapes, scale."""
-
-    light: tuple[Any, ...]
-    grid: Grid
-    ways: tuple[Method, ...]
-    shape: tuple[int, ...]
-    flat: tuple[int, ...]
-    per_pixel: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)

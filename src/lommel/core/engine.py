@@ -120,8 +120,49 @@ def radial_images(
     if n := len(wanted.powers):
         slopes = Slopes(np.empty((n, *values.shape), values.dtype), np.empty((n, len(values))))
         given += np.array(wanted.powers, dtype=np.int64), *slopes
-    _require(_core.render(*given), tol, "the largest value in the window" if wanted.scale is None else "the peak")
+    _require(_core.render(*given), tol, _over(wanted))
     return Images(values, numbers[0], numbers[1], slopes, numbers[2])
+
+
+def radial_plan(
+    stack: RadialStack, shape: tuple[int, ...], window: Window, tol: float, wanted: Wanted, *, integrate: bool = False
+) -> Callable[[Array, NDArray[Any]], tuple[Array, float] | None]:
+    """Return what answers as :func:`radial_images`, one stack after the other: of a small image most is the asking.
+
+    Parameters
+    ----------
+    stack, window, tol, wanted, integrate
+        As there; of `stack` all but its terms counts, of `wanted` neither `out` nor `powers`.
+    shape : tuple of int
+        That of the stacks.
+
+    Returns
+    -------
+    callable
+        Given terms, shape ``shape + (k,)``, and where to put the values, ``shape + window.shape``, returns what these
+        were multiplied by, of that shape, and the largest bound on errors; or None, with nothing written, where the
+        arrays are not of these shapes, of the wanted type, C-contiguous and writable. ToleranceError if `tol` cannot
+        be met.
+    """
+    (row, column), scale, kind = window.center, wanted.scale or 0.0, np.dtype(wanted.dtype).char
+    place = (*window.shape, row, column, window.step, integrate)
+    plan = _core.RadialPlan(stack.obscuration, stack.amplitude, *place, tol, wanted.threads, scale, kind)
+    over = _over(wanted)
+
+    def ask(terms: Array, values: NDArray[Any]) -> tuple[Array, float] | None:
+        scales = np.empty(shape)
+        bound = plan.render(terms, values, scales)
+        if bound is None:
+            return None
+        if bound < 0.0:
+            raise not_met(tol, -bound, over)
+        return scales, bound
+
+    return ask
+
+
+def _over(wanted: Wanted) -> str:
+    return "the largest value in the window" if wanted.scale is None else "the peak"
 
 
 def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:

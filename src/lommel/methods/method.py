@@ -19,6 +19,9 @@ from lommel.optics.spectrum import Component
 from lommel.optics.wavefront import MAX_HIGHER
 from lommel.special.bessel import _radii
 
+Shortcut = Callable[[Pupil, NDArray[Any]], tuple[NDArray[np.float64], float] | None]
+"""From a pupil and an array for its values to what these were multiplied by, and the largest bound; or None."""
+
 
 class Method(ABC):
     """A way to evaluate the diffraction integral.
@@ -159,6 +162,24 @@ class Method(ABC):
             way = finer
             made = way.intensity(pupil, grid, wanted.threads)
         return painted(made, grid, wanted)
+
+    def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
+        """Return a shorter way to the images of further pupils, where there is one; here, there is none.
+
+        Parameters
+        ----------
+        pupil, grid
+            One that is supported; further ones differ from it in their wavefronts alone, of one shape.
+        wanted : Wanted
+            Without `out` and `powers`.
+
+        Returns
+        -------
+        callable or None
+            Given such a pupil and an array for the values, returns what these were multiplied by, of the shape of the
+            pupil, and the largest bound on errors; or None where :meth:`images` has to be asked. Raises as that does.
+        """
+        return None
 
     def require(self, pupil: Pupil) -> None:
         """Raise ValueError if `pupil` is not supported."""

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.core.answers import FieldValues, Images, Intensities, Wanted
-from lommel.core.engine import product, radial_fields, radial_images, radial_profiles, series_images
-from lommel.methods.method import FieldMethod
+from lommel.core.engine import product, radial_fields, radial_images, radial_plan, radial_profiles, series_images
+from lommel.methods.method import FieldMethod, Shortcut
 from lommel.methods.terms import disk_images, radial_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -87,6 +87,19 @@ class NijboerZernike(FieldMethod):
             return super().intensity(pupil, grid, threads)
         made = self.images(pupil, grid, Wanted(threads=threads))
         return Intensities(made.values, made.error, made.peak)
+
+    def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
+        """Return a shorter way to the images of further radial pupils around one axis; see :meth:`Method.plan`."""
+        if not pupil.radial or grid.stack or pupil.illumination.error:
+            return None
+        window = window_of(pupil, grid)
+        ask = radial_plan(radial_stack(pupil), pupil.shape, window, self.tol, wanted, integrate=grid.integrate)
+
+        def answer(further: Pupil, values: NDArray[Any]) -> tuple[NDArray[np.float64], float] | None:
+            wavefront = further.wavefront
+            return None if wavefront.left_out else ask(wavefront.radial_terms, values)
+
+        return answer
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""

@@ -32,6 +32,18 @@ def array(name: str, value: Any) -> NDArray[Any]:
     return value
 
 
+def place(out: NDArray[Any], shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
+    """Return `out` if values of this shape and type can be put there; TypeError or ValueError otherwise."""
+    if array("out", out).shape != shape:
+        raise ValueError(f"out must have the shape {shape}, got {out.shape}")
+    if out.dtype != dtype:
+        raise ValueError(f"out must be of {dtype}, got {out.dtype}")
+    flags = out.flags
+    if not (flags.c_contiguous and flags.writeable):
+        raise ValueError("out must be C-contiguous and writable")
+    return out
+
+
 def output_type(dtype: DTypeLike | None, tol: float) -> np.dtype[Any]:
     """Return the type of values that are exact to `tol`; ValueError if the one that is named cannot hold it."""
     if dtype is None:

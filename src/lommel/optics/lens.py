@@ -274,8 +274,14 @@ class Lens:
 
     # For one object in numbers of Python, which such small sums are faster with.
     def _defocus(self, s: _Numbers) -> _Numbers:
-        vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length + 1.0 / s
-        return math.pi / (2.0 * self.wavelength) * vergence * (0.5 * self.aperture_diameter) ** 2
+        vergence, waves, area = self._of_defocus
+        return waves * (vergence + 1.0 / s) * area
+
+    @cached_property
+    def _of_defocus(self) -> tuple[float, float, float]:
+        """What its sum is made of but 1/s."""
+        vergence = 1.0 / self.sensor_distance - 1.0 / self.focal_length
+        return vergence, math.pi / (2.0 * self.wavelength), (0.5 * self.aperture_diameter) ** 2
 
     def phase(self, defocus: ArrayLike) -> Wavefront:
         """Return the wavefront of a defocus C_d (radians, of any shape), without the aberrations of the lens.

@@ -44,17 +44,12 @@ class Terms:
             raise ValueError(f"the coefficients of a wavefront must not be empty, got shape {edge.shape[:-1]}")
         if not np.isfinite(edge).all():
             raise ValueError("the coefficients of a wavefront must be finite, and so must their multiples and sums")
-        self._hold(terms, edge, error, powers)
-
-    def _hold(self, terms: tuple[tuple[int, int], ...], edge: Array, error: float, powers: Array | None) -> Self:
-        """Take what needs no check, and return the wavefront."""
         edge.flags.writeable = False
         if powers is not None:
             powers.flags.writeable = False
         # As object.__setattr__ would, but all at once.
         shape, symmetric = edge.shape[:-1], _symmetric(terms)
         vars(self).update(terms=terms, edge=edge, error=error, _powers=powers, shape=shape, symmetric=symmetric)
-        return self
 
     @classmethod
     def trusted(

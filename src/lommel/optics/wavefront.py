@@ -14,11 +14,13 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
+from lommel.base.trusted import made
 from lommel.optics.descriptions import Descriptions
 from lommel.optics.terms import symmetric_terms
 from lommel.special import zernike
 
 _FAR = 1e3  # the pupil ends at 1; beyond this, powers of rho overflow
+_PARABOLA = symmetric_terms(2)
 MAX_HIGHER = 8
 """Most coefficients beyond rho^4."""
 
@@ -113,8 +115,12 @@ class Wavefront(Descriptions):
         """Build a wavefront from a checked C_d, `defocus`, radians."""
         if isinstance(defocus, float) and math.isfinite(2.0 * defocus):
             # As below, bit by bit, but without what arrays of two numbers cost.
-            powers, edge = np.array((2.0 * defocus, 0.0)), np.array((defocus + 0.0, 0.0))
-            return cls.__new__(cls)._hold(symmetric_terms(2), edge, 0.0, powers)
+            powers, edge = np.zeros(2), np.zeros(2)
+            powers[0], edge[0] = 2.0 * defocus, defocus + 0.0
+            powers.setflags(write=False)
+            edge.setflags(write=False)
+            parts = {"terms": _PARABOLA, "edge": edge, "error": 0.0, "_powers": powers, "shape": (), "symmetric": 2}
+            return made(cls, parts)
         defocus = np.asarray(defocus)
         powers = np.zeros((*defocus.shape, 2))
         powers[..., 0] = 2.0 * defocus

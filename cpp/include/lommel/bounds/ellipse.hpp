@@ -10,6 +10,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "lommel/bounds/amplitude.hpp"
@@ -110,53 +111,66 @@ class Ellipses {
             return exponent[i] + std::log(1.0 / (1.0 - q) + q / (order * (1.0 - q) * (1.0 - q)));
         };
         // The sum is more than 1; its logarithm only where it may matter, which is hardly anywhere but where the rest is least.
-        double best = whole(static_cast<std::size_t>(std::min_element(exponent.begin(), exponent.end()) - exponent.begin()));
+        const double rest = least([&](std::size_t i) { return exponent[i]; });
+        const auto first = static_cast<std::size_t>(std::find(exponent.begin(), exponent.end() - 1, rest) - exponent.begin());
+        double best = whole(first);
         for (std::size_t i = 0; i < count; ++i) {
-            if (exponent[i] < best) {
+            if (exponent[i] < best && i != first) {
                 best = std::min(best, whole(i));
             }
         }
         return std::sqrt(order) * std::exp(std::min(best, 700.0));
     }
 
-    // Fewest terms for which tail() is at most `error`.
-    std::size_t terms(double error) const {
+    // Fewest terms for which tail() is at most `error`, and what it is.
+    std::pair<std::size_t, double> terms(double error) const {
         const double target = std::log(error);
-        double needed = 1e300;
-        for (std::size_t i = 0; i < count; ++i) {
-            // From below: sums >= 1 / (1 - q), order >= 1.
-            needed = std::min(needed, (g_[i] + grid.perimeter[i] + grid.closed[i] - target) / grid.eta[i] - 1.0);
-        }
+        // From below: sums >= 1 / (1 - q), order >= 1.
+        const double needed =
+            least([&](std::size_t i) { return (g_[i] + grid.perimeter[i] + grid.closed[i] - target) / grid.eta[i] - 1.0; });
         std::size_t n = static_cast<std::size_t>(std::max(1.0, std::min(needed, 1e9)));
-        while (tail(n) > error && n < 1000000) {
+        double left = tail(n);
+        while (left > error && n < 1000000) {
             n += 1 + n / 64;
+            left = tail(n);
         }
-        return n;
+        return {n, left};
     }
 
     // Bound on the error in U when the first `terms` coefficients come from `nodes`-point Gauss quadrature
     // (Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3, with |P_n| <= e^{n eta}).
     double quadrature(std::size_t nodes, std::size_t terms) const {
-        double best = 1e300;
-        for (std::size_t i = 0; i < count; ++i) {
-            best = std::min(best, g_[i] + grid.quadrature[i] +
-                                      (static_cast<double>(terms) - 2.0 * static_cast<double>(nodes)) * grid.eta[i]);
-        }
+        const double best = least([&](std::size_t i) {
+            return g_[i] + grid.quadrature[i] + (static_cast<double>(terms) - 2.0 * static_cast<double>(nodes)) * grid.eta[i];
+        });
         return std::sqrt(2.0 * static_cast<double>(terms) + 1.0) * std::exp(std::min(best, 700.0));
     }
 
     // Fewest nodes for which quadrature() is at most `error`.
     std::size_t nodes(std::size_t terms, double error) const {
         const double log_error = std::log(error) - 0.5 * std::log(2.0 * static_cast<double>(terms) + 1.0);
-        double needed = 1e300;
-        for (std::size_t i = 0; i < count; ++i) {
-            needed =
-                std::min(needed, 0.5 * (static_cast<double>(terms) + (g_[i] + grid.quadrature[i] - log_error) / grid.eta[i]));
-        }
+        const double needed = least([&](std::size_t i) {
+            return 0.5 * (static_cast<double>(terms) + (g_[i] + grid.quadrature[i] - log_error) / grid.eta[i]);
+        });
         return static_cast<std::size_t>(std::ceil(std::max(1.0, std::min(needed, 1e9))));
     }
 
    private:
+    // The least over all ellipses, in eight chains lest each step wait for the one before.
+    template <class F>
+    static double least(const F& of) {
+        static_assert(count % 8 == 0);
+        double low[8];
+        std::fill_n(low, 8, 1e300);
+        for (std::size_t i = 0; i < count; i += 8) {
+            for (std::size_t j = 0; j < 8; ++j) {
+                const double here = of(i + j);
+                low[j] = here < low[j] ? here : low[j];
+            }
+        }
+        return *std::min_element(low, low + 8);
+    }
+
     void measure(const double* phase, std::size_t terms) {
         if (terms <= 2) {
             // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maxima are known.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <tuple>
 
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/radial/series.hpp"
@@ -23,11 +24,12 @@ struct Expansion {
     Expansion(const Ellipses& ellipses, double reach, double error) {
         check_reach(reach);
         const double left = RadialBudget::truncation * error;
-        terms = ellipses.terms(left);
+        std::tie(terms, truncation) = ellipses.terms(left);
         // Counted only where the window takes fewer terms than the phase.
-        const bool by_window = terms > 1 && window_tail(terms - 1, reach) <= left;
-        terms = by_window ? window_terms(reach, left) : terms;
-        truncation = by_window ? window_tail(terms, reach) : ellipses.tail(terms);
+        if (terms > 1 && window_tail(terms - 1, reach) <= left) {
+            terms = window_terms(reach, left);
+            truncation = window_tail(terms, reach);
+        }
         const std::size_t nodes = ellipses.nodes(terms, RadialBudget::quadrature * error);
         if (nodes > max_terms) {
             throw PhaseTooLarge("aberrations this large take a series of " + std::to_string(nodes) +

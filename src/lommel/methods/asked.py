@@ -1,0 +1,101 @@
+"""What is asked of methods about pupils that nothing but their phase tells apart: all else is decided once."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import validation
+from lommel.core.answers import Images, Wanted
+from lommel.methods.choice import candidates, first_proven
+from lommel.methods.method import Method, Shortcut, widened
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
+
+
+class Asked(NamedTuple):
+    """A question about pupils of some light.
+
+    Attributes
+    ----------
+    light : tuple
+        Whatever a pupil has but its phase, and whether that is radially symmetric.
+    grid : Grid
+    ways : tuple of Method
+        As they are tried, one by one.
+    wanted : Wanted
+        Without `out` and `powers`.
+    shape, flat : tuple of int
+        Of the values, and of those of the flattened stack.
+    shortcut : callable or None
+        See :meth:`Method.plan`.
+    """
+
+    light: tuple[Any, ...]
+    grid: Grid
+    ways: tuple[Method, ...]
+    wanted: Wanted
+    shape: tuple[int, ...]
+    flat: tuple[int, ...]
+    shortcut: Shortcut | None
+
+    def images(self, pupil: Pupil, powers: tuple[int, ...], out: NDArray[Any] | None = None) -> tuple[Method, Images]:
+        """Return the images of a pupil of this light, and the method that proved them, without a shortcut.
+
+        Raises
+        ------
+        ValueError, ToleranceError
+            If the methods do not support the pupil, or cannot meet their tolerance.
+        """
+        self.ways[0].require(pupil)
+        scale, dtype, _, _, threads = self.wanted
+        question = Wanted(scale, dtype, None if out is None else out.reshape(self.flat), powers, threads)
+
+        def ask(way: Method) -> Images:
+            return widened(way.images(pupil, self.grid, question), pupil, way, normalized=scale is None)
+
+        return first_proven(self.ways, ask)
+
+
+def asked_about(
+    pupil: Pupil,
+    light: tuple[Any, ...],
+    grid: Grid,
+    method: Method | None,
+    tol: float,
+    normalize: str,
+    dtype: np.dtype[Any],
+    threads: int,
+) -> Asked:
+    """Return what to ask about a pupil of some light, and about others of that; see :class:`lommel.Plan`.
+
+    Raises
+    ------
+    ValueError
+        If a method does not support the pupil, or the window is none that has an answer.
+    """
+    if grid.stack:
+        grid = grid.broadcast(pupil.shape)
+    ways = candidates(pupil, grid, tol) if method is None else (method,)
+    ways[0].require(pupil)
+    validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
+    if ways[0].sampling == "center":
+        grid.require_reach(pupil)
+    stack = pupil.shape
+    count = math.prod(stack) * grid.height * grid.width
+    if count > validation.MAX_VALUES:
+        raise ValueError(
+            f"shape {grid.shape} for {math.prod(stack)} pupils makes {count} values, "
+            f"more than the limit of {validation.MAX_VALUES}"
+        )
+    scale = None
+    if normalize == "energy":
+        scale = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
+    elif normalize == "strehl":
+        scale = 1.0 / ways[0].unaberrated_peak(pupil)
+    wanted = Wanted(scale, dtype, threads=threads)
+    shortcut = ways[0].plan(pupil, grid, wanted) if len(ways) == 1 else None
+    return Asked(light, grid, ways, wanted, stack + grid.shape, (math.prod(stack), *grid.shape), shortcut)

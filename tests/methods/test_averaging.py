@@ -56,7 +56,8 @@ def test_waves_within_the_band_are_averaged_over_each_pixel(wave):
 @pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
 @pytest.mark.parametrize(
-    ("stride", "taps", "shape"), [(1, 1, (3, 2)), (1, 13, (5, 40)), (3, 7, (4, 129)), (5, 31, (2, 64))]
+    ("stride", "taps", "shape"),
+    [(1, 1, (3, 2)), (1, 13, (5, 40)), (3, 7, (4, 129)), (3, 29, (7, 70)), (3, 29, (8, 3)), (5, 31, (2, 64))],
 )
 def test_the_core_filters_as_numpy_does(level, kind, stride, taps, shape):
     random = np.random.default_rng(5)

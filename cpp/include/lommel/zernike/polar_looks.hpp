@@ -119,19 +119,23 @@ class PolarOrders {
 
     // At v and beyond, whose aliases between circles are `aliases` of what there is.
     double left(std::size_t orders, double v, double aliases) const {
-        const OrderSize& tail = tails_[orders];
-        return std::min(tail.near, tail.at(v) + aliases * tail.near);
+        return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }
     // The fewest that leave no more than `error`.
     std::size_t least(double error, double v, double aliases) const {
+        const double fall = OrderSize::fall(v);
         std::size_t m = tails_.size() - 1;
-        while (m > 1 && left(m - 1, v, aliases) <= error) {
+        while (m > 1 && left_of(tails_[m - 1], fall, aliases) <= error) {
             --m;
         }
         return m;
     }
 
    private:
+    static double left_of(const OrderSize& tail, double fall, double aliases) {
+        return std::min(tail.near, tail.fallen(fall) + aliases * tail.near);
+    }
+
     std::vector<OrderSize> tails_;
 };
 

@@ -96,9 +96,9 @@ struct DiskRule {
     std::size_t bytes() const { return sizeof(double) * (2 * orders * quarter + 3 * rings); }
 
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
-    // With the degree rounded up, so that a little more aberration does not mean new tables.
+    // With the degree rounded up to what eight more rings allow, so that a little more aberration does not mean new tables.
     static std::shared_ptr<const DiskRule> get(std::size_t exact, std::size_t order_count) {
-        return cache<DiskRule>.get((exact + 31) / 32 * 32, order_count);
+        return cache<DiskRule>.get((exact + 35) / 32 * 32 - 4, order_count);
     }
 };
 

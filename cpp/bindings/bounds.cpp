@@ -184,9 +184,9 @@ Named zernike_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, dou
     const lommel::ZernikePhase phase{pairs, coefficients.data(), powers_of_amplitude(amplitude)};
     const lommel::DiskExpansion plan(phase, reach, error);
     return named("degrees"_a = plan.degrees, "orders"_a = plan.orders, "exact"_a = plan.rule->degree,
-                 "rings"_a = plan.rule->rings, "quarter"_a = plan.rule->quarter, "truncation"_a = plan.truncation,
-                 "quadrature"_a = plan.quadrature, "error"_a = plan.error(phase), "curve"_a = plan.curve,
-                 "saved"_a = plan.saved);
+                 "rings"_a = plan.rule->rings, "angles"_a = plan.rule->fft.n, "transform"_a = plan.rule->rounding(),
+                 "truncation"_a = plan.truncation, "quadrature"_a = plan.quadrature, "error"_a = plan.error(phase),
+                 "curve"_a = plan.curve, "saved"_a = plan.saved);
 }
 
 Named sampled_growth(Terms terms, Doubles1 coefficients, std::size_t curve) {

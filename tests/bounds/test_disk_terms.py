@@ -143,6 +143,19 @@ def test_nothing_is_promised_of_degrees_below_the_window_nor_lost_of_an_empty_on
     assert _core.window_bounds(degrees, 0.0)["disk"] == (0.0 if degrees else 1.0)
 
 
+def transform_rounding(n: int) -> mp.mpf:
+    """Return what a transform rounds in units of the mean modulus: section 11; and half an angle more, and two sums."""
+    units, rest, root = mp.mpf(2), n // 4, 1 + 3 * mp.mpf("6.2832")
+    units += 2 + mp.mpf("2.24") + root
+    rest //= 4
+    for radix, own in ((4, 2), (3, mp.mpf("4.7")), (2, 1)):
+        while rest % radix == 0:
+            units += own + mp.mpf("2.24") + root
+            rest //= radix
+    assert rest == 1
+    return units + 25
+
+
 def expansion(c: list[float], light: list[float], reach: float, error: float) -> mp.mpf:
     """Return the bound on a disk, each term of it from the choices that the core made."""
     made = _core.zernike_bounds(TERMS, np.array(c), np.array(light), reach, error)
@@ -158,12 +171,13 @@ def expansion(c: list[float], light: list[float], reach: float, error: float) ->
     assert any(same(made["truncation"], total) for total in totals)
     # The rule is a product of Gauss and equal angles; its tables come in steps.
     assert exact == 4 * (made["rings"] - 1) or exact < 4 * made["rings"]
-    assert exact < 4 * made["quarter"]
+    assert exact < made["angles"]
     assert same(made["quadrature"], 2 * distance(c, light, exact - degrees, saved))
     sensitivity = sum(w * (3 * n + 6) for w, n, _ in amplitudes(c)) + sum(
         (3 * k + 1) * abs(mp.mpf(g)) for k, g in enumerate(light)
     )
-    sums = made["quarter"] + made["rings"] + 4 * degrees
+    assert same(made["transform"], transform_rounding(made["angles"]))
+    sums = mp.mpf(made["transform"]) + made["rings"] + 4 * degrees
     rounding = UNIT * (sensitivity + 8 + mp.mpf("0.71") * degrees * sums)
     assert same(made["error"], made["truncation"] + made["quadrature"] + rounding)
     assert made["truncation"] + made["quadrature"] <= error

@@ -69,14 +69,14 @@ struct DiskExpansion {
                                 " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
                                 std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
         }
-        rule = DiskRule::get(exact, orders);
+        rule = DiskRule::get(exact);
         quadrature = 2.0 * bounds.distance(rule->degree - degrees);
     }
 
     // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
     // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
     double error(const ZernikePhase& phase) const {
-        const double sums = static_cast<double>(rule->quarter + rule->rings + 4 * degrees);
+        const double sums = rule->rounding() + static_cast<double>(rule->rings + 4 * degrees);
         const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;
         return truncation + quadrature + unit_roundoff * rounding;
     }

@@ -144,7 +144,7 @@ def test_nothing_is_promised_of_degrees_below_the_window_nor_lost_of_an_empty_on
 
 
 def transform_rounding(n: int) -> mp.mpf:
-    """Return what a transform rounds in units of the mean modulus: section 11; and half an angle more, and two sums."""
+    """Return what a transform rounds, of the mean modulus: section 11; and half an angle more, and two sums."""
     units, rest, root = mp.mpf(2), n // 4, 1 + 3 * mp.mpf("6.2832")
     units += 2 + mp.mpf("2.24") + root
     rest //= 4

@@ -182,10 +182,21 @@ Named gridding_bounds(std::size_t taps, double oversampling, double step, Double
 Named zernike_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, double reach, double error) {
     const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
     const lommel::ZernikePhase phase{pairs, coefficients.data(), powers_of_amplitude(amplitude)};
-    const lommel::DiskExpansion plan(phase.bounds(), reach, error);
+    const lommel::DiskExpansion plan(phase, reach, error);
     return named("degrees"_a = plan.degrees, "orders"_a = plan.orders, "exact"_a = plan.rule->degree,
-                 "rings"_a = plan.rule->rings, "quarter"_a = plan.rule->quarter, "truncation"_a = plan.truncation,
-                 "quadrature"_a = plan.quadrature, "error"_a = plan.error(phase));
+                 "rings"_a = plan.rule->rings, "angles"_a = plan.rule->fft.n, "transform"_a = plan.rule->rounding(),
+                 "truncation"_a = plan.truncation, "quadrature"_a = plan.quadrature, "error"_a = plan.error(phase),
+                 "curve"_a = plan.curve, "saved"_a = plan.saved);
+}
+
+Named sampled_growth(Terms terms, Doubles1 coefficients, std::size_t curve) {
+    require(curve < lommel::ChordCurves::count, "no such curve");
+    const lommel::TermPairs pairs(terms_of(terms, coefficients.size()));
+    const lommel::GrowthTable table(pairs, curve);
+    lommel::SampledGrowth found{};
+    lommel::dispatch([&](auto isa)
+                         LOMMEL_INLINE_LAMBDA { found = lommel::sampled_growth(isa, table, pairs, coefficients.data()); });
+    return named("mean"_a = found.mean, "margin"_a = found.margin);
 }
 
 // Of one piece, for `wanted` in U, as an image asks for it.
@@ -400,6 +411,8 @@ void bindings::define_bounds(nb::module_& m) {
           "Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.");
     m.def("zernike_bounds", &zernike_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "reach"_a, "error"_a,
           "Degrees, orders and rule of a Zernike series, and bounds on what they leave.");
+    m.def("sampled_growth", &sampled_growth, "terms"_a, "coefficients"_a, "curve"_a,
+          "The logarithm of the mean of a pupil function on a curve, by samples, and what it may be more.");
     m.def("zernike_field_bounds", &zernike_field_bounds, "terms"_a, "outer"_a, "inner"_a, "obscuration"_a, "amplitude"_a,
           "reach"_a, "error"_a, "wanted"_a, "piece"_a, "groups"_a,
           "Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.");

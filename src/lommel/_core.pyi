@@ -225,6 +225,11 @@ def zernike_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None
     Degrees, orders and rule of a Zernike series, and bounds on what they leave.
     """
 
+def sampled_growth(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], curve: int) -> dict[str, object]:
+    """
+    The logarithm of the mean of a pupil function on a curve, by samples, and what it may be more.
+    """
+
 def zernike_field_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], outer: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], inner: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], reach: float, error: float, wanted: float, piece: int, groups: int) -> dict[str, object]:
     """
     Bounds on the error of U: of the series, of every piece, of one, and of its rings in single precision.

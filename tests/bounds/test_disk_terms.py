@@ -68,8 +68,18 @@ def size(coefficients: list[float], light: list[float], b: mp.mpf) -> mp.mpf:
     return phase + log_amplitude(light, mp.cosh(2 * b)) + mp.log(1 + mp.exp(-2 * b))
 
 
-def tail(coefficients: list[float], light: list[float], n: int) -> mp.mpf:
-    return min(mp.exp(size(coefficients, light, b) - n * b) / (1 - mp.exp(-b)) for b in CURVES)
+Saved = dict[int, float]  # on some curves, of the logarithm, by samples
+
+
+def sizes_on_curves(
+    coefficients: list[float], light: list[float], saved: Saved | None
+) -> list[tuple[mp.mpf, mp.mpf]]:
+    return [(b, size(coefficients, light, b) - (saved or {}).get(i, 0.0)) for i, b in enumerate(CURVES)]
+
+
+def tail(coefficients: list[float], light: list[float], n: int, saved: Saved | None = None) -> mp.mpf:
+    curves = sizes_on_curves(coefficients, light, saved)
+    return min(mp.exp(top - n * b) / (1 - mp.exp(-b)) for b, top in curves)
 
 
 def orders_tail(coefficients: list[float], m: int) -> mp.mpf:
@@ -79,13 +89,13 @@ def orders_tail(coefficients: list[float], m: int) -> mp.mpf:
     return min(map(one, CURVES))
 
 
-def distance(coefficients: list[float], light: list[float], d: int) -> mp.mpf:
+def distance(coefficients: list[float], light: list[float], d: int, saved: Saved | None = None) -> mp.mpf:
     """Bound sum over n > d of (n+1)^(3/2) M(b) (1 + e^(-2b)) e^(-n b) by a geometric series."""
     found = []
-    for b in CURVES:
+    for b, top in sizes_on_curves(coefficients, light, saved):
         ratio = mp.exp(-b) * (mp.mpf(d + 3) / (d + 2)) ** mp.mpf(1.5)
         if ratio < 1:
-            first = mp.mpf(d + 2) ** mp.mpf(1.5) * mp.exp(size(coefficients, light, b) - (d + 1) * b)
+            first = mp.mpf(d + 2) ** mp.mpf(1.5) * mp.exp(top - (d + 1) * b)
             found.append(first / (1 - ratio))
     return min(found)
 
@@ -133,22 +143,41 @@ def test_nothing_is_promised_of_degrees_below_the_window_nor_lost_of_an_empty_on
     assert _core.window_bounds(degrees, 0.0)["disk"] == (0.0 if degrees else 1.0)
 
 
+def transform_rounding(n: int) -> mp.mpf:
+    """Return what a transform rounds, of the mean modulus: section 11; and half an angle more, and two sums."""
+    units, rest, root = mp.mpf(2), n // 4, 1 + 3 * mp.mpf("6.2832")
+    units += 2 + mp.mpf("2.24") + root
+    rest //= 4
+    for radix, own in ((4, 2), (3, mp.mpf("4.7")), (2, 1)):
+        while rest % radix == 0:
+            units += own + mp.mpf("2.24") + root
+            rest //= radix
+    assert rest == 1
+    return units + 25
+
+
 def expansion(c: list[float], light: list[float], reach: float, error: float) -> mp.mpf:
     """Return the bound on a disk, each term of it from the choices that the core made."""
     made = _core.zernike_bounds(TERMS, np.array(c), np.array(light), reach, error)
     degrees, orders, exact = made["degrees"], made["orders"], made["exact"]
-    ends = [tail(c, light, degrees)] + ([window_tail(degrees, reach)] if degrees + 1 > reach else [])
+    saved = {made["curve"]: made["saved"]}
+    if made["saved"]:
+        found = _core.sampled_growth(TERMS, np.array(c), made["curve"])
+        most = sum(w * mp.sinh(n * CURVES[made["curve"]]) for w, n, _ in amplitudes(c))
+        assert same(made["saved"], most - mp.mpf(found["mean"]) - mp.mpf(found["margin"]))
+    ends = [tail(c, light, degrees, saved)] + ([window_tail(degrees, reach)] if degrees + 1 > reach else [])
     # Without orders, too, the tail is magnified by a Lebesgue constant.
     totals = [5 * end + orders_tail(c, orders) if orders < degrees else end for end in ends]
     assert any(same(made["truncation"], total) for total in totals)
     # The rule is a product of Gauss and equal angles; its tables come in steps.
     assert exact == 4 * (made["rings"] - 1) or exact < 4 * made["rings"]
-    assert exact < 4 * made["quarter"]
-    assert same(made["quadrature"], 2 * distance(c, light, exact - degrees))
+    assert exact < made["angles"]
+    assert same(made["quadrature"], 2 * distance(c, light, exact - degrees, saved))
     sensitivity = sum(w * (3 * n + 6) for w, n, _ in amplitudes(c)) + sum(
         (3 * k + 1) * abs(mp.mpf(g)) for k, g in enumerate(light)
     )
-    sums = made["quarter"] + made["rings"] + 4 * degrees
+    assert same(made["transform"], transform_rounding(made["angles"]))
+    sums = mp.mpf(made["transform"]) + made["rings"] + 4 * degrees
     rounding = UNIT * (sensitivity + 8 + mp.mpf("0.71") * degrees * sums)
     assert same(made["error"], made["truncation"] + made["quadrature"] + rounding)
     assert made["truncation"] + made["quadrature"] <= error
@@ -159,6 +188,69 @@ def expansion(c: list[float], light: list[float], reach: float, error: float) ->
 @given(parts, sizes, lights, st.floats(0.1, 60.0), st.floats(3, 11))
 def test_the_whole_of_a_disk(shares, scale, light, reach, digits):
     expansion([scale * s for s in shares], light, reach, 10.0**-digits)
+
+
+def test_samples_serve_large_expansions_and_no_small_ones():
+    for size, light in ((0.1, [0.0]), (20.0, [0.0]), (20.0, [0.0, 1.5])):
+        c = [size * (1 + 0.1 * k) for k in range(len(LIST))]
+        made = _core.zernike_bounds(TERMS, np.array(c), np.array(light), 500.0, 1e-8)
+        assert (made["saved"] > 1.0) == (size > 1.0)
+        expansion(c, light, 500.0, 1e-8)
+
+
+def on_chords(c: list[float], b: float, turn: np.ndarray, a: np.ndarray, tau: np.ndarray) -> np.ndarray:
+    """Return -Im Phi at [direction, a, tau], R_n^m by the factorial sum."""
+    x, y = np.cos(a + 1j * b)[:, None] + 0 * tau, np.sin(a + 1j * b)[:, None] * np.cos(tau)
+    total = np.zeros((turn.size, a.size, tau.size))
+    for value, (n, signed) in zip(c, LIST, strict=True):
+        m, square = abs(signed), x * x + y * y
+        radial = sum(
+            (-1) ** k * math.comb(n - k, k) * math.comb(n - 2 * k, (n - m) // 2 - k) * square ** ((n - m) // 2 - k)
+            for k in range((n - m) // 2 + 1)
+        )
+        wave = np.exp(1j * m * turn)[:, None, None]
+        over, back = wave * (radial * (x + 1j * y) ** m), wave.conj() * (radial * (x - 1j * y) ** m)
+        total -= value * ((over + back) / 2 if signed >= 0 else (over - back) / 2j).imag
+    return total
+
+
+@pytest.mark.parametrize("curve", [28, 38, 46])
+@pytest.mark.parametrize("scale", [0.3, 3.0])
+def test_the_sampled_growth_is_the_mean_over_chords_at_the_worst_direction(curve, scale):
+    rng, b, last, directions = np.random.default_rng(curve), float(CURVES[curve]), 4 * 9, 16 * 3
+    c = list(scale * rng.normal(size=len(LIST)))
+    step, turn = math.pi / (2 * last), math.pi / directions
+    # Hats around samples have as much of the mean as fine sums over them.
+    fine = (np.arange(400 * last) + 0.5) * math.pi / (400 * last)
+    hats = np.maximum(0.0, 1.0 - np.abs(fine[:, None] / step - np.arange(2 * last + 1)))
+    along = (hats * np.sin(fine)[:, None]).sum(0) / np.sin(fine).sum()
+    h = on_chords(c, b, turn * np.arange(directions), step * np.arange(4 * last), step * np.arange(2 * last + 1))
+    expected = np.log((np.exp(h).mean(axis=1) * along).sum(axis=1).max())
+    pairs = amplitudes(c)
+    most = float(sum(w * mp.sinh(n * b) for w, n, _ in pairs))
+    bends = [
+        float(sum(w * mp.sinh(n * b) * power**2 for w, power, n in found))
+        for found in ([(w, n, n) for w, n, _ in pairs], [(w, m, n) for w, n, m in pairs])
+    ]
+    samples, terms = (last + 1) ** 2, 2 * len(pairs)
+    margin = step**2 / 4 * bends[0] + turn**2 / 8 * bends[1] + 1e-3
+    margin += 5.97e-8 * (1.5 * (terms + 10) * most + 8 * samples)
+    for level in ("avx512", "avx2", "portable"):
+        try:
+            _core.limit_instructions(level)
+            found = _core.sampled_growth(TERMS, np.array(c), curve)
+        finally:
+            _core.limit_instructions("avx512")
+        # Chords above the exponential, at most 1.0615 of it.
+        assert expected - 1e-4 <= found["mean"] <= expected + math.log(1.0616)
+        assert found["margin"] == pytest.approx(margin, rel=1e-6)
+    # Between the samples, too, it is no larger, and not much less than they say.
+    a, tau = (np.arange(240) + 0.5) * math.pi / 120, (np.arange(240) + 0.5) * math.pi / 240
+    means = (
+        np.exp(on_chords(c, b, np.linspace(0, math.pi, 23), a, tau)).mean(axis=1) @ np.sin(tau) / np.sin(tau).sum()
+    )
+    assert np.log(means.max()) <= found["mean"] + found["margin"]
+    assert found["mean"] <= np.log(means.max()) + 0.3
 
 
 def bounds_of(c, inner, obscuration, light, reach, error, wanted, piece=0, groups=10**6):

@@ -9,7 +9,7 @@ from scipy.integrate import quad
 
 from lommel import _core
 
-KERNELS = [(10, 3.0), (10, 2.0), (8, 4.0), (8, 2.0), (8, 1.5), (6, 3.0), (4, 3.0)]
+KERNELS = [(10, 3.0), (10, 2.0), (8, 3.0), (8, 2.0), (8, 1.5), (6, 3.0), (4, 3.0)]
 NONE = np.array([])
 
 

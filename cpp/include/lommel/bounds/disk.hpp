@@ -164,6 +164,17 @@ class DiskBounds {
     double orders_tail(std::size_t m) const { return 2.0 * turns_.tail(m); }
     double distance(std::size_t d) const { return chords_.distance(d); }
 
+    // The curve by which fewest degrees are enough for an error, if it were `share` of the logarithm that terms make at most.
+    std::size_t likely(double error, double share) const {
+        ChordCurves::Values degrees;
+        for (std::size_t k = 0; k < ChordCurves::count; ++k) {
+            degrees[k] = (share * chords_.size[k] + chord_curves.closed[k] - std::log(error)) * chord_curves.inverse[k];
+        }
+        return least_at(degrees);
+    }
+    // Where it has been found that on a curve chords have so much less of the logarithm.
+    void lower(std::size_t curve, double by) { chords_.size[curve] -= by; }
+
     // Fewest degrees and orders for which their tails are at most `error`, and least degree for which distance() is.
     std::size_t degrees(double error) const { return fewest_for(&DiskBounds::tail, error); }
     std::size_t orders(double error) const { return fewest_for(&DiskBounds::orders_tail, error); }

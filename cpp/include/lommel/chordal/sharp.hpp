@@ -12,6 +12,7 @@
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/tables.hpp"
+#include "lommel/special/exponential.hpp"
 #include "lommel/special/radial_polynomials.hpp"
 
 namespace lommel {
@@ -155,13 +156,6 @@ struct SharpTable {
         return found;
     }
 };
-
-// At least e^x for x from -80 to 0, and at most 1.07 of it: between powers of two a chord lies above the curve.
-template <class V>
-LOMMEL_INLINE V chord_of_exp(V x) {
-    const V low = splat<V>(-80.0f);
-    return from_bits(larger(x, low) * splat<V>(12102203.16f) + splat<V>(1065353216.0f));
-}
 
 // The largest |Im Phi| of all samples, and for each corner the mean of e^{-Im (Phi - v r)} over e^{top + scale}:
 // coefficients[term], in the order of the table, and `room` for images of all samples.

@@ -91,9 +91,9 @@ class RowFft {
         return units;
     }
 
-    // All passes but the last: afterwards X_{q + k n/4} is sum_j y_{q + j n/4} i^{jk}. Of x, only the first and the last quarter
-    // are read: the others are taken to be 0. Returns where y is, x or `other`.
-    template <class I>
+    // All passes but the last: returns where y is, x or `other`. Unless it is told of all, only the first and the last quarter of x
+    // are read: the others are taken to be 0.
+    template <bool Sparse = true, class I>
     LOMMEL_INLINE Real* run(I, Real* x, Real* other) const {
         using V = typename RowPack<I, Real>::type;
         std::size_t size = n, stride = 1;
@@ -101,7 +101,7 @@ class RowFft {
         bool first = true;
         for (const std::size_t radix : radices_) {
             if (first) {
-                pass<4, true, V>(x, other, size, stride, turns);
+                pass<4, Sparse, V>(x, other, size, stride, turns);
             } else if (radix == 4) {
                 pass<4, false, V>(x, other, size, stride, turns);
             } else if (radix == 3) {
@@ -116,6 +116,21 @@ class RowFft {
             std::swap(x, other);
         }
         return x;
+    }
+
+    // The last pass, of y from element q on: X_{q + k n/4} = sum_j y_{q + j n/4} i^{jk}.
+    template <class V>
+    LOMMEL_INLINE void last(const Real* y, ComplexPack<V>* x) const {
+        const auto at = [&](std::size_t j) LOMMEL_INLINE_LAMBDA {
+            const Real* here = y + j * (n / 4) * fft_element;
+            return ComplexPack<V>{load<V>(here), load<V>(here + fft_rows)};
+        };
+        const auto a = at(0), b = at(1), d = at(2), e = at(3);
+        const auto even = a + d, odd = b + e, other = a - d, third = (b - e).times_i();
+        x[0] = even + odd;
+        x[1] = other + third;
+        x[2] = even - odd;
+        x[3] = other - third;
     }
 
    private:

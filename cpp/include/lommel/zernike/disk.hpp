@@ -12,6 +12,7 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/disk.hpp"
+#include "lommel/special/fft.hpp"
 #include "lommel/special/legendre.hpp"
 #include "lommel/special/radial_polynomials.hpp"
 #include "lommel/special/sincos.hpp"
@@ -54,19 +55,17 @@ struct ZernikePhase {
 };
 
 // A product rule on the disk, exact for polynomials up to a degree: Gauss nodes in t = rho^2, equal angles off the axes, so that
-// one quadrant of angles serves all four. Shared by all calls.
+// sums over the terms at those of a quadrant serve all four. Shared by all calls.
 struct DiskRule {
-    std::size_t degree;   // up to which it is exact
-    std::size_t rings;    // a multiple of 8
-    std::size_t quarter;  // angles in a quadrant, a multiple of 8
-    std::size_t orders;   // azimuthal orders there are tables for
+    std::size_t degree;  // up to which it is exact
+    std::size_t rings;   // a multiple of 8
+    RowFft<double> fft;  // over the angles, (j + 1/2) 2 pi / n
     Doubles t, rho, weights;
-    // cos and sin of m theta, of even m and of odd m: [angle][m / 2], as the transform reads them.
-    Doubles cosines[2], sines[2];
+    std::vector<double> cosines, sines;  // of multiples of pi / n
 
-    DiskRule(std::size_t exact, std::size_t order_count)
-        : degree(exact), rings((exact / 4 + 1 + 7) / 8 * 8), quarter((exact / 4 + 1 + 7) / 8 * 8),
-          orders((order_count + 31) / 32 * 32), t(rings), rho(rings), weights(rings) {
+    explicit DiskRule(std::size_t exact)
+        : degree(exact), rings((exact / 4 + 1 + 7) / 8 * 8), fft(RowFft<double>::length(exact + 1)), t(rings), rho(rings),
+          weights(rings) {
         std::vector<double> x(rings), w(rings);
         gauss_legendre(rings, x.data(), w.data());
         for (std::size_t k = 0; k < rings; ++k) {
@@ -74,32 +73,26 @@ struct DiskRule {
             rho[k] = std::sqrt(t[k]);
             weights[k] = 0.5 * w[k];
         }
-        for (std::size_t parity = 0; parity < 2; ++parity) {
-            cosines[parity].resize(orders / 2 * quarter);
-            sines[parity].resize(orders / 2 * quarter);
-        }
-        for (std::size_t m = 0; m < orders; ++m) {
-            look();
-            for (std::size_t i = 0; i < quarter; ++i) {
-                cosines[m % 2][i * (orders / 2) + m / 2] = std::cos(angle(m, i));
-                sines[m % 2][i * (orders / 2) + m / 2] = std::sin(angle(m, i));
-            }
+        for (std::size_t i = 0; i < 2 * fft.n; ++i) {
+            const double angle = 3.14159265358979323846 / static_cast<double>(fft.n) * static_cast<double>(i);
+            cosines.push_back(std::cos(angle));
+            sines.push_back(std::sin(angle));
         }
     }
 
-    // m theta at angle i, modulo a turn, exactly.
-    double angle(std::size_t m, std::size_t i) const {
-        return 3.14159265358979323846 / static_cast<double>(4 * quarter) * static_cast<double>(m * (2 * i + 1) % (8 * quarter));
-    }
+    // Where cos(m theta) and sin(m theta) are, at angle j.
+    std::size_t turned(std::size_t m, std::size_t j) const { return m * (2 * j + 1) % (2 * fft.n); }
 
-    bool is(std::size_t exact, std::size_t order_count) const { return degree == exact && orders >= order_count; }
-    std::size_t bytes() const { return sizeof(double) * (2 * orders * quarter + 3 * rings); }
+    // Bound on the rounding of a Fourier coefficient, in units of roundoff and of the mean modulus: the transform, half an angle
+    // more, and a cosine of two.
+    double rounding() const { return fft.rounding() + 25.0; }
+
+    bool is(std::size_t exact) const { return degree == exact; }
+    std::size_t bytes() const { return sizeof(double) * (8 * fft.n + 3 * rings); }
 
     static constexpr std::size_t most_bytes = std::size_t{64} << 20;
-    // With the degree rounded up, so that a little more aberration does not mean new tables.
-    static std::shared_ptr<const DiskRule> get(std::size_t exact, std::size_t order_count) {
-        return cache<DiskRule>.get((exact + 31) / 32 * 32, order_count);
-    }
+    // With the degree rounded up to what eight more rings allow, so that a little more aberration does not mean new tables.
+    static std::shared_ptr<const DiskRule> get(std::size_t exact) { return cache<DiskRule>.get((exact + 35) / 32 * 32 - 4); }
 };
 
 // Coefficients of all degrees n < degrees of the azimuthal orders m < orders, those of one order together: n = m, m + 2, ...
@@ -140,30 +133,21 @@ class ZernikeAnalysis {
     LOMMEL_INLINE void run(I isa, const DiskRule& rule, const ZernikePhase& phase, std::size_t degrees, std::size_t orders,
                            ZernikeSeries& series) {
         series.resize(degrees, orders);
-        evaluate(isa, rule, phase);
-        transform(isa, rule, orders);
+        prepare(isa, rule, phase);
+        transform(isa, rule, phase.amplitude, orders);
         project(isa, rule, series);
     }
 
    private:
-    // The pupil function folded over the four quadrants: [ring][cos even, sin even, cos odd, sin odd][re, im][angle], times
-    // the ring's weight.
+    // What the terms of each azimuthal order add up to at each ring: [order][cosine, sine][ring].
     template <class I>
-    LOMMEL_INLINE void evaluate(I isa, const DiskRule& rule, const ZernikePhase& phase) {
+    LOMMEL_INLINE void prepare(I isa, const DiskRule& rule, const ZernikePhase& phase) {
         using V = typename I::pack;
-        const std::size_t q = rule.quarter, rings = rule.rings;
-        folded_.resize(rings * 8 * q);
+        const std::size_t rings = rule.rings;
         orders_.clear();
         for (const TermPairs::Pair& pair : phase.list.pairs) {
             if (std::find(orders_.begin(), orders_.end(), pair.m) == orders_.end()) {
                 orders_.push_back(pair.m);
-            }
-        }
-        turns_.resize(2 * orders_.size() * q);
-        for (std::size_t g = 0; g < orders_.size(); ++g) {
-            for (std::size_t i = 0; i < q; ++i) {
-                turns_[2 * g * q + i] = std::cos(rule.angle(orders_[g], i));
-                turns_[(2 * g + 1) * q + i] = std::sin(rule.angle(orders_[g], i));
             }
         }
         radial_.assign(2 * orders_.size() * rings, 0.0);
@@ -182,78 +166,88 @@ class ZernikeAnalysis {
                 store(to + k, load<V>(to + k) + c * here);
             }
         }
-        for (std::size_t k = 0; k < rings; ++k) {
+    }
+
+    // Azimuthal Fourier coefficients of every ring, times its weight, [m][cos re, cos im, sin re, sin im][ring]; eight rings
+    // together.
+    template <class I>
+    LOMMEL_INLINE void transform(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t orders) {
+        using V = typename I::pack;
+        const std::size_t n = rule.fft.n, rings = rule.rings;
+        rings_.resize(orders * 4 * rings);
+        for (Doubles& numbers : spectrum_) {
+            numbers.resize(n * fft_element);
+        }
+        for (std::size_t first = 0; first < rings; first += fft_rows) {
             look();
-            double* out = &folded_[k * 8 * q];
-            // Each angle stands for four, and the mean over all is wanted.
-            const double size = phase.amplitude.at(rule.t[k]) * rule.weights[k] * 0.25 / static_cast<double>(q);
-            for (std::size_t i = 0; i < q; i += I::lanes) {
-                V even_cos = splat<V>(0.0), odd_cos = even_cos, even_sin = even_cos, odd_sin = even_cos;
-                for (std::size_t g = 0; g < orders_.size(); ++g) {
-                    const V c = load<V>(&turns_[2 * g * q + i]) * splat<V>(radial_[2 * g * rings + k]);
-                    const V s = load<V>(&turns_[(2 * g + 1) * q + i]) * splat<V>(radial_[(2 * g + 1) * rings + k]);
-                    if (orders_[g] % 2 == 0) {
-                        even_cos = even_cos + c;
-                        even_sin = even_sin + s;
-                    } else {
-                        odd_cos = odd_cos + c;
-                        odd_sin = odd_sin + s;
+            for (std::size_t k = 0; k < fft_rows; k += I::lanes) {
+                evaluate(isa, rule, amplitude, first + k, spectrum_[0].data() + k);
+            }
+            double* y = rule.fft.run<false>(isa, spectrum_[0].data(), spectrum_[1].data());
+            double* x = spectrum_[y == spectrum_[0].data() ? 1 : 0].data();
+            for (std::size_t k = 0; k < fft_rows; k += I::lanes) {
+                for (std::size_t q = 0; q < n / 4; ++q) {
+                    ComplexPack<V> found[4];
+                    rule.fft.last(y + q * fft_element + k, found);
+                    for (std::size_t j = 0; j < 4; ++j) {
+                        double* to = x + (q + j * (n / 4)) * fft_element + k;
+                        store(to, found[j].re);
+                        store(to + fft_rows, found[j].im);
                     }
                 }
-                // theta, -theta, pi - theta, pi + theta
-                const V angle[4] = {even_cos + odd_cos + even_sin + odd_sin, even_cos + odd_cos - even_sin - odd_sin,
-                                    even_cos - odd_cos - even_sin + odd_sin, even_cos - odd_cos + even_sin - odd_sin};
-                V part[2][4];
-                for (std::size_t j = 0; j < 4; ++j) {
-                    sincos(isa, angle[j], part[1][j], part[0][j]);
-                }
-                for (std::size_t c = 0; c < 2; ++c) {
-                    const V *p = part[c], s = splat<V>(size);
-                    const V near = p[0] + p[1], far = p[2] + p[3], near_odd = p[0] - p[1], far_odd = p[3] - p[2];
-                    store(out + (0 + c) * q + i, (near + far) * s);
-                    store(out + (2 + c) * q + i, (near_odd + far_odd) * s);
-                    store(out + (4 + c) * q + i, (near - far) * s);
-                    store(out + (6 + c) * q + i, (near_odd - far_odd) * s);
+                for (std::size_t m = 0; m < orders; ++m) {
+                    // Of exp(-i m theta) and exp(i m theta), the first angle being half a step.
+                    const auto at = [&](std::size_t l, double turn) LOMMEL_INLINE_LAMBDA {
+                        const double* here = x + l * fft_element + k;
+                        const ComplexPack<V> found = {load<V>(here), load<V>(here + fft_rows)};
+                        return found.times(splat<V>(rule.cosines[m]), splat<V>(turn * rule.sines[m]));
+                    };
+                    const ComplexPack<V> there = at(m, 1.0), back = at(m == 0 ? 0 : n - m, -1.0);
+                    const V share = splat<V>(m == 0 ? 0.5 : 1.0);
+                    const ComplexPack<V> cosine = there + back, sine = (back - there).times_i();
+                    double* to = &rings_[m * 4 * rings + first + k];
+                    store(to, share * cosine.re);
+                    store(to + rings, share * cosine.im);
+                    store(to + 2 * rings, share * sine.re);
+                    store(to + 3 * rings, share * sine.im);
                 }
             }
         }
     }
 
-    // Azimuthal Fourier coefficients of every ring, [m][cos re, cos im, sin re, sin im][ring]. Four rings and a vector of orders
-    // at a time: sixteen chains of multiply-adds, bound by these.
+    // The pupil function at all angles of a vector of rings, times their weights over the angles.
     template <class I>
-    LOMMEL_INLINE void transform(I, const DiskRule& rule, std::size_t orders) {
+    LOMMEL_INLINE void evaluate(I isa, const DiskRule& rule, const Amplitude& amplitude, std::size_t k, double* out) const {
         using V = typename I::pack;
-        constexpr std::size_t together = 4;
-        const std::size_t q = rule.quarter, rings = rule.rings, stride = rule.orders / 2;
-        rings_.resize((orders + 2 * I::lanes) * 4 * rings);
-        for (std::size_t parity = 0; parity < 2; ++parity) {
-            for (std::size_t k = 0; k < rings; k += together) {
-                look();
-                const double* in = &folded_[k * 8 * q + parity * 4 * q];
-                for (std::size_t first = 0; 2 * first + parity < orders; first += I::lanes) {
-                    const double *c = &rule.cosines[parity][first], *s = &rule.sines[parity][first];
-                    V sums[together][4] = {};
-                    for (std::size_t i = 0; i < q; ++i) {
-                        const V a = load<V>(c + i * stride), b = load<V>(s + i * stride);
-                        for (std::size_t r = 0; r < together; ++r) {
-                            const double* from = in + r * 8 * q + i;
-                            sums[r][0] = sums[r][0] + a * splat<V>(from[0]);
-                            sums[r][1] = sums[r][1] + a * splat<V>(from[q]);
-                            sums[r][2] = sums[r][2] + b * splat<V>(from[2 * q]);
-                            sums[r][3] = sums[r][3] + b * splat<V>(from[3 * q]);
-                        }
-                    }
-                    for (std::size_t lane = 0; lane < I::lanes; ++lane) {
-                        const std::size_t m = 2 * (first + lane) + parity;
-                        const double twice = m == 0 ? 1.0 : 2.0;
-                        for (std::size_t r = 0; r < together; ++r) {
-                            for (std::size_t j = 0; j < 4; ++j) {
-                                rings_[(m * 4 + j) * rings + k + r] = twice * sums[r][j][lane];
-                            }
-                        }
-                    }
+        const std::size_t n = rule.fft.n, rings = rule.rings;
+        alignas(64) double sizes[I::lanes];
+        for (std::size_t i = 0; i < I::lanes; ++i) {
+            sizes[i] = amplitude.at(rule.t[k + i]) * rule.weights[k + i] / static_cast<double>(n);
+        }
+        const V size = load<V>(sizes);
+        for (std::size_t i = 0; i < n / 4; ++i) {
+            V even_cos = splat<V>(0.0), odd_cos = even_cos, even_sin = even_cos, odd_sin = even_cos;
+            for (std::size_t g = 0; g < orders_.size(); ++g) {
+                const std::size_t turned = rule.turned(orders_[g], i);
+                const V c = splat<V>(rule.cosines[turned]) * load<V>(&radial_[2 * g * rings + k]);
+                const V s = splat<V>(rule.sines[turned]) * load<V>(&radial_[(2 * g + 1) * rings + k]);
+                if (orders_[g] % 2 == 0) {
+                    even_cos = even_cos + c;
+                    even_sin = even_sin + s;
+                } else {
+                    odd_cos = odd_cos + c;
+                    odd_sin = odd_sin + s;
                 }
+            }
+            // theta, -theta, pi - theta, pi + theta
+            const V angle[4] = {even_cos + odd_cos + even_sin + odd_sin, even_cos + odd_cos - even_sin - odd_sin,
+                                even_cos - odd_cos - even_sin + odd_sin, even_cos - odd_cos + even_sin - odd_sin};
+            const std::size_t places[4] = {i, n - 1 - i, n / 2 - 1 - i, n / 2 + i};
+            for (std::size_t j = 0; j < 4; ++j) {
+                V sine, cosine;
+                sincos(isa, angle[j], sine, cosine);
+                store(out + places[j] * fft_element, size * cosine);
+                store(out + places[j] * fft_element + fft_rows, size * sine);
             }
         }
     }
@@ -318,7 +312,7 @@ class ZernikeAnalysis {
         return result;
     }
 
-    Doubles folded_, radial_, turns_, rings_;
+    Doubles spectrum_[2], radial_, rings_;
     std::vector<std::size_t> orders_;
 };
 

@@ -10,6 +10,7 @@
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/zernike/disk.hpp"
+#include "lommel/zernike/growth.hpp"
 
 namespace lommel {
 
@@ -49,31 +50,68 @@ struct DiskExpansion {
     std::size_t degrees, orders;
     std::shared_ptr<const DiskRule> rule;
     double truncation, quadrature;
+    std::size_t curve;
+    double saved = 0.0;  // by samples, of the logarithm that bounds the pupil function on that curve
 
-    DiskExpansion(const DiskBounds& bounds, double reach, double error) {
+    DiskExpansion(const ZernikePhase& phase, double reach, double error) {
         check_reach(reach);
-        const std::size_t by_phase = bounds.degrees(ZernikeBudget::degrees * error);
-        const std::size_t by_window = disk_window_degrees(reach, ZernikeBudget::degrees * error);
-        degrees = std::max<std::size_t>(2, std::min(by_phase, by_window));
-        const std::size_t exact = std::max(bounds.degree(ZernikeBudget::quadrature * error), degrees) + degrees;
+        DiskBounds bounds = phase.bounds();
+        std::size_t exact = count(bounds, reach, error);
+        // Samples cost little beside what they save of large expansions.
+        curve = bounds.likely(error, usual_share);
+        if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
+            saved = less_by_samples(phase);
+            bounds.lower(curve, saved);
+            exact = count(bounds, reach, error);
+        }
         if (degrees > max_degrees || exact > 4 * max_degrees) {
             throw PhaseTooLarge("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
                                 " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
                                 std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
         }
-        orders = std::min(degrees, bounds.orders(ZernikeBudget::orders * error));
-        rule = DiskRule::get(exact, orders);
-        const double tail = by_phase <= by_window ? bounds.tail(degrees) : disk_window_tail(degrees, reach);
-        truncation = orders < degrees ? ZernikeBudget::fourier * tail + bounds.orders_tail(orders) : tail;
+        rule = DiskRule::get(exact);
         quadrature = 2.0 * bounds.distance(rule->degree - degrees);
     }
 
     // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
     // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
     double error(const ZernikePhase& phase) const {
-        const double sums = static_cast<double>(rule->quarter + rule->rings + 4 * degrees);
+        const double sums = rule->rounding() + static_cast<double>(rule->rings + 4 * degrees);
         const double rounding = phase.sensitivity() + 8.0 + 0.71 * static_cast<double>(degrees) * sums;
         return truncation + quadrature + unit_roundoff * rounding;
+    }
+
+   private:
+    // What the mean of a pupil function on a curve usually is of the most that its terms may be, as logarithms.
+    static constexpr double usual_share = 0.6;
+
+    double less_by_samples(const ZernikePhase& phase) const {
+        const auto table = cache<GrowthTable>.get(phase.list, curve);
+        double most = 0.0;
+        phase.amplitudes(
+            [&](double amplitude, std::size_t n, std::size_t) { most += amplitude * chord_curves.growth[n][curve]; });
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            const SampledGrowth found = sampled_growth(isa, *table, phase.list, phase.coefficients);
+            most -= found.mean + found.margin;
+        });
+        return std::max(0.0, most);
+    }
+
+    // Degrees, orders and what leaving out the others does; returns the degree that the quadrature must be exact for.
+    std::size_t count(const DiskBounds& bounds, double reach, double error) {
+        const std::size_t by_phase = bounds.degrees(ZernikeBudget::degrees * error);
+        const std::size_t by_window = disk_window_degrees(reach, ZernikeBudget::degrees * error);
+        degrees = std::max<std::size_t>(2, std::min(by_phase, by_window));
+        orders = std::min(degrees, bounds.orders(ZernikeBudget::orders * error));
+        const double tail = by_phase <= by_window ? bounds.tail(degrees) : disk_window_tail(degrees, reach);
+        truncation = orders < degrees ? ZernikeBudget::fourier * tail + bounds.orders_tail(orders) : tail;
+        return std::max(bounds.degree(ZernikeBudget::quadrature * error), degrees) + degrees;
+    }
+
+    // Vector operations of the expansion, roughly.
+    double work(std::size_t exact) const {
+        const double rings = 0.25 * static_cast<double>(exact), n = static_cast<double>(degrees);
+        return 0.5 * rings * rings * static_cast<double>(orders) + 0.2 * n * n * rings;
     }
 };
 

@@ -222,7 +222,7 @@ class ZernikeField {
 
     double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
         check_phase(phase.size());
-        const DiskExpansion plan(phase.bounds(), reach, error);
+        const DiskExpansion plan(phase, reach, error);
         dispatch([&](auto isa)
                      LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
         return plan.error(phase);

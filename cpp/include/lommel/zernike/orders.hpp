@@ -24,7 +24,9 @@ struct PiecePlan {
 // What an order can add to U: |2 (n+1) J_{n+1}(v) / v| <= 1, and |J_n(v)| < 0.7858 v^(-1/3) (Landau 2000).
 struct OrderSize {
     double near = 0.0, far = 0.0;
-    double at(double v) const { return v > 0.0 ? std::min(near, far * 1.572 / (v * std::cbrt(v))) : near; }
+    static double fall(double v) { return v > 0.0 ? 1.572 / (v * std::cbrt(v)) : 1e200; }
+    double fallen(double by) const { return std::min(near, far * by); }
+    double at(double v) const { return fallen(fall(v)); }
 };
 
 // Adds to sizes[2 m + sine] what the cosines and the sines of each order can add on a disk of a radius that is `shrunk`, its

@@ -216,18 +216,19 @@ class PolarRows {
             errors[i].sum = sum[i / I::lanes][i % I::lanes];
         }
         for (std::size_t half = 0; half < PolarTable::block; half += fft_rows) {
-            const Fft* from = circle.fft(Fft()).run(isa, spectra.spectrum[half / fft_rows].data(), spectra.other.data());
-            scatter(isa, from, circle.points(), &values_[(first + half) * stride()], errors + half);
+            const RowFft<Fft>& fft = circle.fft(Fft());
+            const Fft* from = fft.run(isa, spectra.spectrum[half / fft_rows].data(), spectra.other.data());
+            scatter(isa, fft, from, &values_[(first + half) * stride()], errors + half);
         }
     }
 
    private:
     // The last pass of the transform, and its numbers to where the directions want them.
     template <class I, class Fft>
-    LOMMEL_INLINE void scatter(I, const Fft* from, std::size_t n, Real* to, PolarRowError* errors) const {
+    LOMMEL_INLINE void scatter(I, const RowFft<Fft>& fft, const Fft* from, Real* to, PolarRowError* errors) const {
         using V = typename RowPack<I, Fft>::type;
         constexpr std::size_t lanes = sizeof(V) / sizeof(Fft);
-        const std::size_t quarter = n / 4, eighth = n / 8;
+        const std::size_t quarter = fft.n / 4, eighth = fft.n / 8;
         V largest[fft_rows / lanes];
         for (V& most : largest) {
             most = splat<V>(Fft(0));
@@ -236,13 +237,8 @@ class PolarRows {
         const auto place = [&](std::size_t q, bool low, bool high) LOMMEL_INLINE_LAMBDA {
             alignas(64) Real turned[8][fft_rows];
             for (std::size_t part = 0; part < fft_rows; part += lanes) {
-                const auto at = [&](std::size_t k) LOMMEL_INLINE_LAMBDA {
-                    const Fft* here = from + (q + quarter * k) * fft_element + part;
-                    return ComplexPack<V>{load<V>(here), load<V>(here + fft_rows)};
-                };
-                const auto a = at(0), b = at(1), d = at(2), e = at(3);
-                const auto even = a + d, odd = b + e, other = a - d, third = (b - e).times_i();
-                const ComplexPack<V> x[4] = {even + odd, other + third, even - odd, other - third};
+                ComplexPack<V> x[4];
+                fft.last(from + q * fft_element + part, x);
                 V& most = largest[part / lanes];
                 for (std::size_t k = 0; k < 4; ++k) {
                     convert<lanes>(x[k].re, turned[k] + part);

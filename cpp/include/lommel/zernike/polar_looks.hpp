@@ -40,7 +40,7 @@ class PolarLooks : public Looks {
                                 [&](std::size_t m, std::size_t p, V size)
                                     LOMMEL_INLINE_LAMBDA { store(&sizes_[(b * orders + m) * block + p * I::lanes], size); });
                 for (std::size_t half = 0; half < 2; ++half) {
-                    last_pass(isa, fft.run(isa, spectra.spectrum[half].data(), spectra.other.data()), fft.n,
+                    last_pass(isa, fft, fft.run(isa, spectra.spectrum[half].data(), spectra.other.data()),
                               &bright[b * block + half * fft_rows]);
                 }
             });
@@ -78,18 +78,15 @@ class PolarLooks : public Looks {
    private:
     // The last pass of a transform, at two of four quadrants' ends.
     template <class I>
-    static LOMMEL_INLINE void last_pass(I, const float* from, std::size_t n, double* out) {
+    static LOMMEL_INLINE void last_pass(I, const RowFft<float>& fft, const float* from, double* out) {
         using V = typename RowPack<I, float>::type;
         constexpr std::size_t lanes = sizeof(V) / sizeof(float);
-        const std::size_t quarter = n / 4 * fft_element;
         for (std::size_t part = 0; part < fft_rows; part += lanes) {
             V most = splat<V>(0.0f);
-            for (const float* here = from + part; here < from + quarter; here += fft_element) {
-                const auto at = [&](std::size_t k) LOMMEL_INLINE_LAMBDA {
-                    return ComplexPack<V>{load<V>(here + k * quarter), load<V>(here + k * quarter + fft_rows)};
-                };
-                const auto even = at(0) + at(2), odd = at(1) + at(3), other = at(0) - at(2), third = (at(1) - at(3)).times_i();
-                for (const auto x : {even + odd, even - odd, other + third, other - third}) {
+            for (std::size_t q = 0; q < fft.n / 4; ++q) {
+                ComplexPack<V> found[4];
+                fft.last(from + q * fft_element + part, found);
+                for (const ComplexPack<V>& x : found) {
                     most = larger(most, x.re * x.re + x.im * x.im);
                 }
             }
@@ -119,19 +116,23 @@ class PolarOrders {
 
     // At v and beyond, whose aliases between circles are `aliases` of what there is.
     double left(std::size_t orders, double v, double aliases) const {
-        const OrderSize& tail = tails_[orders];
-        return std::min(tail.near, tail.at(v) + aliases * tail.near);
+        return left_of(tails_[orders], OrderSize::fall(v), aliases);
     }
     // The fewest that leave no more than `error`.
     std::size_t least(double error, double v, double aliases) const {
+        const double fall = OrderSize::fall(v);
         std::size_t m = tails_.size() - 1;
-        while (m > 1 && left(m - 1, v, aliases) <= error) {
+        while (m > 1 && left_of(tails_[m - 1], fall, aliases) <= error) {
             --m;
         }
         return m;
     }
 
    private:
+    static double left_of(const OrderSize& tail, double fall, double aliases) {
+        return std::min(tail.near, tail.fallen(fall) + aliases * tail.near);
+    }
+
     std::vector<OrderSize> tails_;
 };
 

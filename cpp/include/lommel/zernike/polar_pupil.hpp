@@ -25,9 +25,9 @@ struct PolarStyle {
 };
 // From the most exact one to that which costs least.
 inline constexpr std::array<PolarStyle, 8> polar_styles = {{{3.0, 10, 10, true, true},
+                                                            {2.0, 10, 10, true, true},
                                                             {2.0, 10, 8, true, true},
-                                                            {4.0, 8, 8, false, true},
-                                                            {2.0, 8, 8, false, true},
+                                                            {3.0, 8, 8, false, true},
                                                             {2.0, 8, 8, false, false},
                                                             {2.0, 8, 6, false, false},
                                                             {1.5, 8, 6, false, false},

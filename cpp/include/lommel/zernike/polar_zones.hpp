@@ -71,11 +71,11 @@ class PolarZones {
                 continue;
             }
             PolarZone& zone = zones_[count_++];
-            const double ring = polar_styles[s].step() * PolarTable::block, most = allowed(looks.brightest(from, to));
+            const double most = allowed(looks.brightest(from, to));
             zone.style = &polar_styles[s];
             zone.kernels = kernels[s];
-            zone.first = static_cast<std::size_t>(from / ring);
-            zone.last = static_cast<std::size_t>(to / ring) + 3;
+            zone.first = block_at(polar_styles[s], from, -1.0);
+            zone.last = block_at(polar_styles[s], to, 1.0) + 1;
             zone.low = count_ == 1 ? nearest : zones_[count_ - 2].high;
             zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
             zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
@@ -109,6 +109,12 @@ class PolarZones {
     const PolarZone& operator[](std::size_t i) const { return zones_[i]; }
 
    private:
+    // The block with the first or the last circle, by the sign of `side`, that pixels at v take; one more, lest roundings matter.
+    static std::size_t block_at(const PolarStyle& style, double v, double side) {
+        const double taken = side * (0.5 * static_cast<double>(style.between) + 1.0);
+        return static_cast<std::size_t>(v / style.step() + static_cast<double>(PolarTable::before) + taken) / PolarTable::block;
+    }
+
     static std::shared_ptr<const PolarCircle> circle(std::size_t orders, std::size_t taps) {
         return cache<PolarCircle>.get(RowFft<float>::length(std::max(PolarCircle::least_points, 4 * orders)), taps);
     }

@@ -23,6 +23,27 @@ struct Scene {
     std::size_t height, width;
 };
 
+// Whether all are finite: what is not stays so times 0.
+inline bool all_finite(const double* values, std::size_t size) {
+    double total = 0.0;
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        using V = typename decltype(isa)::pack;
+        constexpr std::size_t lanes = decltype(isa)::lanes;
+        V sum[4] = {};
+        std::size_t i = 0;
+        for (; i + 4 * lanes <= size; i += 4 * lanes) {
+            for (std::size_t j = 0; j < 4; ++j) {
+                sum[j] = sum[j] + load<V>(values + i + j * lanes) * V{};
+            }
+        }
+        total = lane_sum((sum[0] + sum[1]) + (sum[2] + sum[3]));
+        for (; i < size; ++i) {
+            total += values[i] * 0.0;
+        }
+    });
+    return total == 0.0;
+}
+
 // Points that hide others: of what one of layer l spreads, a pixel sees the share `seen - l`, from 0 to 1. That is all of the
 // layers before `seen`, a part of the one that it lies in, and nothing of those behind.
 template <class T>

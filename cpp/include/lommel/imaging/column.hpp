@@ -35,10 +35,7 @@ struct Rows {
             windows_at[j] = bank.windows + (first + j) * bank.room() + from;
         }
         for (std::size_t p = 0; p < Points; ++p) {
-            T weights[5] = {};
-            for (std::size_t j = 0; j < 4; ++j) {
-                weights[pixels[p].first - first + j] = pixels[p].weights[j];
-            }
+            const T* const weights = pixels[p].weights + 1 - (pixels[p].first - first);
             layer[p] = splat<V>(pixels[p].layer);
             const V share = splat<V>(pixels[p].rim), cut = within + rim * share;
             last[p] = within * share + rim;

@@ -380,10 +380,10 @@ def _depth(depth: ArrayLike) -> NDArray[np.float64]:
         raise TypeError(f"depth must hold metres, got {distances.dtype}")
     if distances.ndim != 2 or 0 in distances.shape:
         raise ValueError(f"depth must have the shape (height, width), got {distances.shape}")
-    metres = distances.astype(np.float64)
-    if np.isnan(metres).any():
-        count = int(np.isnan(metres).sum())
-        raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
+    metres = distances.astype(np.float64, copy=False)
     if not np.all(metres > 0.0):
+        if (unknown := np.isnan(metres)).any():
+            count = int(unknown.sum())
+            raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres

@@ -5,6 +5,7 @@
 
 #include <nanobind/stl/optional.h>
 
+#include "lommel/imaging/levels.hpp"
 #include "lommel/imaging/product.hpp"
 #include "lommel/imaging/spread.hpp"
 
@@ -25,6 +26,19 @@ Out<double, 2> product(In<double, 2> rows, In<double, 2> matrix, int threads) {
     return out;
 }
 
+std::size_t levels(In<float, 1> light, In<float, 1> edges, float low, float high, int threads, Out<std::uint8_t, 1> out) {
+    const float* const edge = edges.data();
+    require(edges.size() >= 1 && edges.size() <= 255 && edge[0] > 0.0f && std::isfinite(edge[edges.size() - 1]) && threads >= 0,
+            "edges must be 1 to 255, above 0 and finite");
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        require(edge[i] > edge[i - 1], "edges must rise");
+    }
+    require(out.size() == light.size(), "out must match the light");
+    std::size_t beyond = 0;
+    released([&] { beyond = lommel::levels(light.data(), light.size(), edge, edges.size(), low, high, threads, out.data()); });
+    return beyond;
+}
+
 template <class T>
 lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halves, const In<double, 2>& energies) {
     const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2), widest = rows - 1;
@@ -39,9 +53,7 @@ lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halv
 }
 
 lommel::Scene scene_of(const In<double, 2>& positions, const In<std::int64_t, 1>& rows, const In<std::int64_t, 1>& columns) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        require(std::isfinite(positions.data()[i]), "positions must be finite");
-    }
+    require(lommel::all_finite(positions.data(), positions.size()), "positions must be finite");
     const auto inside = [](const In<std::int64_t, 1>& indices, std::size_t count) {
         return std::all_of(indices.data(), indices.data() + indices.size(),
                            [&](std::int64_t i) { return i >= 0 && i < static_cast<std::int64_t>(count); });
@@ -105,6 +117,8 @@ void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<
 
 void bindings::define_imaging(nb::module_& m) {
     m.def("product", &product, "rows"_a, "matrix"_a, "threads"_a, "The product of two matrices.");
+    m.def("levels", &levels, "light"_a.noconvert(), "edges"_a, "low"_a, "high"_a, "threads"_a, "out"_a.noconvert(),
+          "Writes how many edges each value reaches; returns how many are below `low` or above `high`.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);
         m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,

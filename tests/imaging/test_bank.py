@@ -153,3 +153,10 @@ def test_banks_that_would_be_too_large_are_refused_with_what_to_do(monkeypatch):
     monkeypatch.setattr("lommel.imaging.bank._MAX_WINDOWS", 200)
     with pytest.raises(ValueError, match=r"exceeds the limits of 200 windows .* ask for a larger tol than 1e-07"):
         build_bank(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL, (0.0, 20.0), tol=1e-7, energy=0.9, largest=60)
+
+
+@pytest.mark.parametrize("tol", [1e-3, 1e-5])
+def test_windows_are_no_closer_than_the_error_asks_for(tol):
+    """Twice as far apart they would err by sixteen times as much, or about."""
+    made = build_bank(PUPILS["plain"], lm.Wavefront, GREEN, PIXEL, (-30.0, 36.0), tol=tol, energy=0.9, largest=60)
+    assert tol / 20.0 <= made.error <= tol

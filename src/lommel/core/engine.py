@@ -27,6 +27,7 @@ gauss_error = _core.gauss_error
 gauss_legendre = _core.gauss_legendre
 huygens_sum = _core.huygens_sum
 legendre_transforms = _core.legendre_transforms
+levels = _core.levels
 product = _core.product
 scatter = _core.scatter
 spread = _core.spread

@@ -19,6 +19,7 @@ from lommel.optics.wavefront import Wavefront
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
+_GAPS = 12  # between the windows that are tried first, or twice as many and so on: a radian apart at most
 _METHOD = of_profiles(1e-7)
 
 
@@ -223,42 +224,36 @@ def build_bank(
     channel = _Channel(pupil, phase, spectrum, pixel, threads)
     half, parabola = channel.enough(defocus, energy, largest)
     # A window beyond either end, so that every pixel is in the middle of four.
-    spacing = max((high - low) / 6.0, 0.05)
-    start = low - spacing
-    gaps = math.ceil((high - start) / spacing) + 2
+    spacing = max((high - low) / _GAPS, 0.05)
+    spacing *= 0.5 ** max(0, math.ceil(math.log2(spacing)))
     assert pupil.wavelength is not None
     shortest = min(wavelength for wavelength, _ in spectrum)
     per_radian = pupil.wavelength / shortest
     at = DefocusNodes.of(
         lambda nodes: channel.shares(nodes, half),
-        start,
-        start + gaps * spacing,
+        low - spacing,
+        high + 2.0 * spacing,
         parabola,
         rate=lambda reach: per_radian * rate(reach),
         bound=math.pi * (pixel * per_radian / pupil.scale) ** 2 / 4.0,
         threads=threads,
     )
-    exact, _ = at(start + spacing * np.arange(gaps + 1.0))
     while True:
-        middle, truncated = at(start + spacing * (np.arange(len(exact) - 1.0) + 0.5))
-        error = _interpolation_error(exact, middle) + truncated
-        if error <= tol:
-            break
-        # Those half-way are windows of the next bank; the error falls sixteenfold.
-        count, side = 2 * len(exact) - 1, 2 * half + 1
+        count, side = max(1, math.ceil((high - low) / spacing)) + 3, 2 * half + 1
         if count > _MAX_WINDOWS or count * side * side > _MAX_VALUES:
             raise ValueError(
                 f"a bank of {count} windows of {side} x {side} pixels, for C_d from {low:.4g} to {high:.4g} rad, "
                 f"exceeds the limits of {_MAX_WINDOWS} windows and {_MAX_VALUES} values; ask for a larger tol "
                 f"than {tol:g}"
             )
-        finer = np.empty((count, exact.shape[1]))
-        finer[::2], finer[1::2] = exact, middle
-        exact, spacing = finer, 0.5 * spacing
-    first = max(0, math.floor((low - start) / spacing) - 1)
-    last = min(len(exact), math.ceil((high - start) / spacing) + 3)
-    first = max(0, min(first, last - 4))
-    exact = exact[first:last]
+        start = low - spacing
+        together, truncated = at(start + 0.5 * spacing * np.arange(2.0 * count - 1.0))
+        exact = together[::2]
+        error = _interpolation_error(exact, together[1::2]) + truncated
+        if error <= tol:
+            break
+        # The error falls sixteenfold where windows are twice as close, more slowly where they are far apart.
+        spacing *= 0.5 ** max(1, math.ceil(math.log(error / tol, 16.0)))
     # The windows are cut to what holds `energy`, and leave the compiled core the room it needs.
     sums = sums_of_windows(exact, half)
     enough = np.pad(_enough_of(sums, energy + 1e-12), 1, mode="edge")  # rounding is not to leave less
@@ -271,7 +266,7 @@ def build_bank(
     # Half-way between windows the sums and the half widths are what the core makes of them.
     between = (9.0 * (kept[1:-2] + kept[2:-1]) - kept[:-3] - kept[3:]) / 16.0
     held = min(_held(kept, halves), _held(between, 0.5 * (halves[1:-2] + halves[2:-1])))
-    return Bank(start + first * spacing, spacing, windows, halves, kept, 1.0 - held, error)
+    return Bank(start, spacing, windows, halves, kept, 1.0 - held, error)
 
 
 def _held(sums: NDArray[np.float64], halves: NDArray[np.float64]) -> float:

@@ -13,6 +13,7 @@ from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
+from lommel.imaging.borders import folded, gathered
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
@@ -278,12 +279,16 @@ class DepthBlur:
         -------
         ndarray, shape (height, width)
         """
-        rows, columns, room, inside = self._room(channel)
-        shown = self._shown(channel, seen)
+        rows, columns, around = self._room(channel)
+        room = np.zeros([side + sum(more) for side, more in zip(self.shape, around, strict=True)], dtype=self.dtype)
+        shown = self._shown(seen, around)
         for plane, points in sources:
             where = points.positions, rows, columns
             engine.spread(*self._bank(channel), *where, plane, self.threads, room, points.layers, shown)
-        return inside
+        if self.border == "reflect":  # The mirrored image sends in what leaves this one.
+            return folded(folded(room, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
+        (top, _), (left, _) = around
+        return room[top:, left:][: self.shape[0], : self.shape[1]]
 
     def collect(
         self, channel: int, plane: NDArray[Any], sources: Sequence[Points], seen: NDArray[Any] | None = None
@@ -303,41 +308,32 @@ class DepthBlur:
         ------
         ndarray, shape (height, width)
         """
-        rows, columns, room, inside = self._room(channel)
-        shown = self._shown(channel, seen)
-        inside[:] = plane
+        rows, columns, around = self._room(channel)
+        room = np.pad(plane, around, mode="symmetric" if self.border == "reflect" else "constant")
+        shown = self._shown(seen, around)
         for points in sources:
             taken = np.empty((rows.size, columns.size), dtype=self.dtype)
             where = points.positions, rows, columns
             engine.collect(*self._bank(channel), *where, room, self.threads, taken, points.layers, shown)
             # What points beyond the edges took goes to those that they are copies of.
-            yield _folded(_folded(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
+            yield gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
 
     def _bank(self, channel: int) -> tuple[NDArray[Any], Array, Array]:
         bank = self.banks[channel]
         return bank.windows, bank.halves, bank.energies
 
-    def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[Any], NDArray[Any]]:
-        """Return rows and columns of the image with its border, what their windows spread over, the image in that."""
+    def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
+        """Return rows and columns of the image with copies of its edges, and what their windows need around it."""
         bank = self.banks[channel]
-        mode: Any = "symmetric" if self.border == "reflect" else "edge"
-        margin = 0 if self.border == "zero" else bank.half
-        rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode=mode) for side in self.shape)
-        down, right = bank.beyond
-        room = np.zeros((rows.size + 2 * down, columns.size + 2 * right), dtype=self.dtype)
-        return rows, columns, room, room[margin + down :, margin + right :][: self.shape[0], : self.shape[1]]
+        margin = bank.half if self.border == "extend" else 0
+        rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in self.shape)
+        return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
 
-    def _shown(self, channel: int, seen: NDArray[Any] | None) -> NDArray[Any] | None:
+    def _shown(self, seen: NDArray[Any] | None, around: list[tuple[int, int]]) -> NDArray[Any] | None:
         """Return what pixels see, with the room around them."""
-        if seen is None:
-            return None
-        rows, columns, *_ = self._room(channel)
-        down, right = self.banks[channel].beyond
-        around = [
-            ((n - m) // 2 + w,) * 2
-            for n, m, w in zip((rows.size, columns.size), self.shape, (down, right), strict=True)
-        ]
-        return np.pad(seen, around, mode="edge")
+        return (
+            None if seen is None else np.pad(seen, around, mode="symmetric" if self.border == "reflect" else "edge")
+        )
 
     def positions(self, channel: int) -> NDArray[np.float64]:
         """Return where each point is in the bank of a channel.
@@ -353,10 +349,11 @@ class DepthBlur:
         """
         placed = self._placed
         if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
-            known = {id(bank): bank.positions(self.defocus) for bank in self.banks}
+            known = {(bank.start, bank.spacing): bank.positions(self.defocus) for bank in self.banks}
             for positions in known.values():
                 np.maximum(positions, 0.0, out=positions)
-            self._placed = placed = self.defocus, self.banks, tuple(known[id(bank)] for bank in self.banks)
+            each = tuple(known[bank.start, bank.spacing] for bank in self.banks)
+            self._placed = placed = self.defocus, self.banks, each
         return placed[2][channel]
 
     def _positions(self, channel: int, weight: NDArray[Any] | None) -> NDArray[np.float64]:
@@ -371,14 +368,6 @@ class DepthBlur:
         return np.where(weight, positions, -1.0)
 
 
-def _folded(taken: NDArray[Any], places: NDArray[np.int64], count: int) -> NDArray[Any]:
-    """Return the sum of all rows that have the same place."""
-    folded = np.zeros((count, taken.shape[1]), dtype=taken.dtype)
-    for place, row in zip(places, np.ascontiguousarray(taken), strict=True):
-        folded[place] += row
-    return folded
-
-
 def require_lens(lens: Any, order: str) -> None:
     """Raise TypeError unless `lens` is one, saying in which `order` arguments are given."""
     if not isinstance(lens, Lens):
@@ -391,10 +380,10 @@ def _depth(depth: ArrayLike) -> NDArray[np.float64]:
         raise TypeError(f"depth must hold metres, got {distances.dtype}")
     if distances.ndim != 2 or 0 in distances.shape:
         raise ValueError(f"depth must have the shape (height, width), got {distances.shape}")
-    metres = distances.astype(np.float64)
-    if np.isnan(metres).any():
-        count = int(np.isnan(metres).sum())
-        raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
+    metres = distances.astype(np.float64, copy=False)
     if not np.all(metres > 0.0):
+        if (unknown := np.isnan(metres)).any():
+            count = int(unknown.sum())
+            raise ValueError(f"depth is NaN at {count} of {metres.size} points; say what is there by `missing`")
         raise ValueError(f"depth must be > 0 metres, got {metres[~(metres > 0.0)].flat[0]}")
     return metres

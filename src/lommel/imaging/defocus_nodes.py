@@ -110,8 +110,21 @@ class DefocusNodes:
     def __call__(self, defocus: Array) -> tuple[Array, float]:
         """Return the windows at each defocus of the range, and a bound on their errors over their peaks."""
         angle = np.arccos(np.clip((2.0 * defocus - self.low - self.high) / (self.high - self.low), -1.0, 1.0))
-        parabola, basis = self.parabola(defocus), np.outer(angle, np.arange(len(self.coefficients)))
-        np.cos(basis, out=basis)
-        basis /= parabola[:, None]
-        made = engine.product(basis, self.coefficients, self.threads)
+        parabola = self.parabola(defocus)
+        basis = _cosines(angle, len(self.coefficients))
+        basis /= parabola
+        made = engine.product(np.ascontiguousarray(basis.T), self.coefficients, self.threads)
         return made, _ERROR / float((parabola * made.max(axis=1)).min())
+
+
+def _cosines(angle: Array, count: int) -> Array:
+    """Return the cosines of 0, 1, 2, ... times each angle, shape (count, n), from powers, which lose an ulp each."""
+    powers = np.empty((count, angle.size), dtype=np.complex128)
+    powers[0], known = 1.0, 1
+    if count > 1:
+        powers[1], known = np.exp(1j * angle), 2
+    while known < count:
+        more = min(known - 1, count - known)
+        np.multiply(powers[1 : more + 1], powers[known - 1], out=powers[known : known + more])
+        known += more
+    return np.ascontiguousarray(powers.real)

@@ -29,6 +29,7 @@ class PixelRule(NamedTuple):
     matrix: NDArray[np.float64]
 
 
+@lru_cache(maxsize=16)
 def octant(half: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Return column and row, 0 <= row <= column, of the pixels of an octant; those of a smaller window come first.
 
@@ -42,7 +43,9 @@ def octant(half: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     column, row : ndarray of int, shape (cells,)
         From the middle pixel.
     """
-    return np.tril_indices(half + 1)
+    column, row = np.tril_indices(half + 1)
+    column.flags.writeable = row.flags.writeable = False
+    return column, row
 
 
 def sums_of_windows(means: NDArray[np.float64], half: int) -> NDArray[np.float64]:

@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.encoding import clipped_share, from_light, to_light
+from lommel.base.encoding import to_light
 from lommel.base.options import shares
 from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.layers import Occlusion
+from lommel.imaging.levels import stored
 from lommel.imaging.scene import Photograph, fill_missing, photograph
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
@@ -170,8 +171,8 @@ class FocusPlan:
             self._check(out)
         occlusion = self._at(focus_distance, f_number)
         seen = (occlusion if self.settings.occlusion else occlusion.blur).forward(self._light)
-        values = from_light(seen, self._encoding, self.dtype)
-        made = photograph(values, occlusion.blur, clipped_share(seen, self.dtype))
+        values, clipped = stored(seen, self._encoding, self.dtype, self.settings.threads or 0)
+        made = photograph(values, occlusion.blur, clipped)
         if out is None:
             return made
         np.copyto(out, made.values)

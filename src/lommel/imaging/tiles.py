@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.base.encoding import clipped_share, from_light, to_light
+from lommel.base.encoding import to_light
 from lommel.base.options import shares
 from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.layers import Occlusion, reach_behind
+from lommel.imaging.levels import stored
 from lommel.imaging.scene import Photograph, fill_missing, photograph
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
@@ -69,7 +70,7 @@ class TileBlur:
 
     def __call__(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
         """Return the photograph of a part, stored as the image is; see :meth:`light`."""
-        return from_light(self.light(image, depth), self.encoding, image.dtype)
+        return stored(self.light(image, depth), self.encoding, image.dtype, self._whole.threads)[0]
 
     def light(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
         """Return the light of a part; within `overlap` of a side where the image goes on it is not complete.
@@ -169,8 +170,8 @@ def depth_of_field_by_tiles(
     clipped = 0.0
     for done, (inside, around, within) in enumerate(tiles, 1):
         seen = blur.light(image[around], np.asarray(depth[around]))[within]
-        out[inside] = from_light(seen, encoding, image.dtype)
-        clipped += clipped_share(seen, image.dtype) * seen.size / out.size
+        out[inside], share = stored(seen, encoding, image.dtype, settings.threads or 0)
+        clipped += share * seen.size / out.size
         if progress is not None:
             progress(done, len(tiles))
     return blur.photograph(out, clipped)

@@ -31,7 +31,8 @@ struct WindowBank {
 template <class T>
 struct Mixture {
     std::uint32_t first, half;
-    T rim, layer, weights[4];
+    T rim, layer;
+    T weights[6];  // between zeros: those of the windows before and after
     bool any;     // else nothing is spread
     bool hidden;  // in part
 };
@@ -67,7 +68,7 @@ class Mixer {
         const V weights = load<V>(powers[0]) + t * (load<V>(powers[1]) + t * (load<V>(powers[2]) + t * load<V>(powers[3])));
         const T* energy = energies_.data() + half * (last_ + 1) + first;
         const V held = weights * (splat<V>(m.rim) * load<V>(energy + last_ + 1) + splat<V>(T(1) - m.rim) * load<V>(energy));
-        store(m.weights, weights * splat<V>(value / ((held[0] + held[1]) + (held[2] + held[3]))));
+        store(m.weights + 1, weights * splat<V>(value / ((held[0] + held[1]) + (held[2] + held[3]))));
     }
 
    private:

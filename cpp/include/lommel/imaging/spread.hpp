@@ -9,6 +9,7 @@
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/imaging/column.hpp"
 #include "lommel/imaging/mixture.hpp"
 
 namespace lommel {
@@ -21,6 +22,27 @@ struct Scene {
     const std::int64_t *rows, *columns;
     std::size_t height, width;
 };
+
+// Whether all are finite: what is not stays so times 0.
+inline bool all_finite(const double* values, std::size_t size) {
+    double total = 0.0;
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        using V = typename decltype(isa)::pack;
+        constexpr std::size_t lanes = decltype(isa)::lanes;
+        V sum[4] = {};
+        std::size_t i = 0;
+        for (; i + 4 * lanes <= size; i += 4 * lanes) {
+            for (std::size_t j = 0; j < 4; ++j) {
+                sum[j] = sum[j] + load<V>(values + i + j * lanes) * V{};
+            }
+        }
+        total = lane_sum((sum[0] + sum[1]) + (sum[2] + sum[3]));
+        for (; i < size; ++i) {
+            total += values[i] * 0.0;
+        }
+    });
+    return total == 0.0;
+}
 
 // Points that hide others: of what one of layer l spreads, a pixel sees the share `seen - l`, from 0 to 1. That is all of the
 // layers before `seen`, a part of the one that it lies in, and nothing of those behind.
@@ -72,8 +94,8 @@ class Spreader {
     }
 
    private:
-    // Small enough for what a tile writes to to stay in the first cache, next to its windows.
-    static constexpr std::size_t least_rows = 16, least_columns = 64;
+    // High enough for what the points of a column spread to be put together before it goes to where it belongs.
+    static constexpr std::size_t least_rows = 64, least_columns = 64, most_rows = 128;
     // Points that are looked at together: few beside the pixels that they reach.
     static constexpr std::size_t near = 8;
 
@@ -81,44 +103,30 @@ class Spreader {
     void spread_tile(std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const Value& value,
                      T* out) const {
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            pixels(isa, top, bottom, left, right, value,
-                   [&](const auto& rows, std::size_t y, std::size_t x) LOMMEL_INLINE_LAMBDA {
-                       const std::ptrdiff_t step = width_ + 2 * margin_, middle = at(y, x);
-                       rows.each([&](std::ptrdiff_t row, const auto* mixed)
-                                     LOMMEL_INLINE_LAMBDA { rows.add(out, screen_.seen, middle + row * step, mixed); });
-                   });
+            pixels(isa, top, bottom, left, right, value, Giving<decltype(isa), T>{out, screen_.seen});
         });
     }
 
     void collect_strip(std::size_t top, std::size_t bottom, const T* image, T* out) const {
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            pixels(
-                isa, top, bottom, 0, width_, [](std::size_t, std::size_t) { return T(1); },
-                [&](const auto& rows, std::size_t y, std::size_t x) LOMMEL_INLINE_LAMBDA {
-                    using Here = std::decay_t<decltype(rows)>;
-                    typename Here::V total[Here::points] = {};
-                    const std::ptrdiff_t step = width_ + 2 * margin_, middle = at(y, x);
-                    rows.each([&](std::ptrdiff_t row, const auto* mixed)
-                                  LOMMEL_INLINE_LAMBDA { rows.take(image, screen_.seen, middle + row * step, mixed, total); });
-                    rows.sum(total, out + y * width_ + x, width_);
-                });
+            const auto one = [](std::size_t, std::size_t) { return T(1); };
+            pixels(isa, top, bottom, 0, width_, one, Taking<decltype(isa), T>{out, screen_.seen, image, width_});
         });
     }
 
-    // Where a pixel of the scene is in an image that windows reach beyond.
-    std::ptrdiff_t at(std::size_t y, std::size_t x) const {
-        return static_cast<std::ptrdiff_t>((y + bank_.widest) * (width_ + 2 * margin_) + margin_ + x);
-    }
+    // Values of a row of an image that windows reach beyond.
+    std::size_t across() const { return width_ + 2 * margin_; }
 
-    // Calls visit(rows, y, x) for all blocks of columns of all pixels of a part of the image, of two below each other at once
-    // where their windows are as wide and share three of four or more. Down, not across: a sum that has just been stored is
-    // loaded again from the same address, which a processor does at once, whereas it waits for one that was stored across.
-    // Mixtures are made across, some beforehand: so their loads and divisions need not wait for one another.
-    template <class I, class Value, class Visit>
+    // Gives or takes for all pixels of a part of the image, of two below each other at once where their windows are as wide
+    // and share three of four or more. Mixtures are made across, some beforehand: so their loads and divisions need not wait
+    // for one another.
+    template <class I, class Value, class Side>
     LOMMEL_INLINE void pixels(I isa, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right,
-                              const Value& value, const Visit& visit) const {
-        constexpr std::size_t tall = 32, broad = 64;
-        std::vector<Mixture<T>> mixtures(broad * (tall + 1));  // more than the stack of a thread need hold
+                              const Value& value, const Side& side) const {
+        constexpr std::size_t broad = 64;
+        const std::size_t tall = std::min(most_rows, bottom - top), below = tall + 1;
+        std::vector<Mixture<T>> mixtures(broad * below);  // more than the stack of a thread need hold
+        Sheets<I, T> sheets(bank_, tall, across(), screen_.layers != nullptr);
         Glance glance;
         for (std::size_t y = top; y < bottom; y += tall) {
             for (std::size_t x = left; x < right; x += broad) {
@@ -128,7 +136,7 @@ class Spreader {
                     const std::size_t row = static_cast<std::size_t>(scene_.rows[y + i]) * scene_.across;
                     for (std::size_t j = 0; j < width; ++j) {
                         const std::size_t from = row + static_cast<std::size_t>(scene_.columns[x + j]);
-                        Mixture<T>& made = mixtures[j * (tall + 1) + i];
+                        Mixture<T>& made = mixtures[j * below + i];
                         mixture_(scene_.positions[from], value(y + i, x + j), made);
                         made.layer = screen_.layers ? screen_.layers[from] : T(0);
                         made.hidden = false;
@@ -136,37 +144,62 @@ class Spreader {
                 }
                 for (std::size_t j = 0; screen_.layers && j < width; j += near) {
                     for (std::size_t i = 0; i < height; i += near) {
-                        look(isa, mixtures.data() + j * (tall + 1) + i, tall + 1, y + i, std::min(near, height - i), x + j,
+                        look(isa, mixtures.data() + j * below + i, below, y + i, std::min(near, height - i), x + j,
                              std::min(near, width - j));
                     }
                 }
                 for (std::size_t j = 0; j < width; ++j) {
-                    Mixture<T>* const column = mixtures.data() + j * (tall + 1);
-                    column[height].any = false;
-                    for (std::size_t i = 0; i < height; ++i) {
-                        const Mixture<T>*const one = column + i, *const next = one + 1;
-                        if (one->any && next->any && one->half == next->half && one->first <= next->first + 1 &&
-                            next->first <= one->first + 1) {
-                            blocks<I, 2>(one, [&](const auto& rows) LOMMEL_INLINE_LAMBDA { visit(rows, y + i, x + j); });
-                            ++i;
-                        } else if (one->any) {
-                            blocks<I, 1>(one, [&](const auto& rows) LOMMEL_INLINE_LAMBDA { visit(rows, y + i, x + j); });
-                        }
-                    }
+                    mixtures[j * below + height].any = false;
+                    one_column(isa, mixtures.data() + j * below, height, y, x + j, sheets, side);
                 }
             }
         }
     }
 
-    template <class I>
-    using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
+    template <class I, class Side>
+    LOMMEL_INLINE void one_column(I, const Mixture<T>* points, std::size_t height, std::size_t y, std::size_t x,
+                                  Sheets<I, T>& sheets, const Side& side) const {
+        Column column{static_cast<std::ptrdiff_t>((y + bank_.widest) * across() + margin_ + x), height, 0, false};
+        bool any = false;
+        for (std::size_t i = 0; i < height; ++i) {
+            any = any || points[i].any;
+            column.hidden = column.hidden || (points[i].any && points[i].hidden);
+            column.half = std::max<std::size_t>(column.half, points[i].any ? points[i].half : 0);
+        }
+        if (!any) {
+            return;
+        }
+        side.open(sheets, column);
+        const auto add = [&](auto count, std::size_t i) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t together = decltype(count)::value;
+            const std::size_t to = (y + i) * width_ + x;
+            each_block<I, together>(bank_, points + i, [&](const auto& rows) LOMMEL_INLINE_LAMBDA {
+                if (points[i].hidden || points[i + together - 1].hidden) {
+                    side.template add<true>(sheets, i, rows, to);
+                } else {
+                    side.template add<false>(sheets, i, rows, to);
+                }
+            });
+        };
+        for (std::size_t i = 0; i < height; ++i) {
+            const Mixture<T>*const one = points + i, *const next = one + 1;
+            if (one->any && next->any && one->half == next->half && one->first <= next->first + 1 &&
+                next->first <= one->first + 1) {
+                add(std::integral_constant<std::size_t, 2>{}, i);
+                ++i;
+            } else if (one->any) {
+                add(std::integral_constant<std::size_t, 1>{}, i);
+            }
+        }
+        side.close(sheets, column);
+    }
 
     // Of points next to each other, [column][row], leaves out those that no pixel sees which one of them reaches, and finds
     // those that not all pixels see: most of a scene is neither, and costs no more than where nothing is hidden.
     template <class I>
     LOMMEL_INLINE void look(I, Mixture<T>* points, std::size_t stride, std::size_t y, std::size_t height, std::size_t x,
                             std::size_t width) const {
-        using V = Packed<I>;
+        using V = Packed<I, T>;
         constexpr std::size_t lanes = sizeof(V) / sizeof(T);
         std::size_t half = 0;
         bool any = false;
@@ -201,184 +234,6 @@ class Spreader {
             }
         }
     }
-
-    template <class I, std::size_t Points, class Visit>
-    LOMMEL_INLINE void blocks(const Mixture<T>* points, const Visit& visit) const {
-        using V = Packed<I>;
-        constexpr std::size_t lanes = sizeof(V) / sizeof(T);
-        const auto visited = [&](auto hiding) LOMMEL_INLINE_LAMBDA {
-            constexpr bool Hiding = decltype(hiding)::value;
-            if (points->half < lanes / 2) {
-                return visit(Rows<V, Points, Whole, Hiding>(bank_, points, 0));
-            }
-            visit(Rows<V, Points, Beside, Hiding>(bank_, points, 0));
-            for (std::size_t from = lanes; from <= points->half; from += lanes) {
-                visit(Rows<V, Points, Beyond, Hiding>(bank_, points, from));
-            }
-        };
-        points[0].hidden || points[Points - 1].hidden ? visited(std::true_type{}) : visited(std::false_type{});
-    }
-
-    // Which column of a window, counted from the middle one on, is where in a vector: in one across the middle, in the one to
-    // the left of it, and farther to the left.
-    struct Whole {
-        static constexpr std::size_t at(std::size_t i, std::size_t lanes) {
-            return i < lanes / 2 ? lanes / 2 - i : i - lanes / 2;
-        }
-    };
-    struct Beside {
-        static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return (lanes - i) % lanes; }
-    };
-    struct Beyond {
-        static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
-    };
-
-    // Rows of the windows of one pixel, or of two below each other, a vector of columns on either side of the middle: all of
-    // what the rows above and below, left and right share is loaded and mixed once. Bound by loads and stores.
-    template <class Vec, std::size_t Points, class Left, bool Hiding>
-    struct Rows {
-        using V = Vec;
-        static constexpr bool whole = std::is_same_v<Left, Whole>;
-        static constexpr std::size_t points = Points, lanes = sizeof(V) / sizeof(T), windows = Points + 3;
-        static_assert(lanes <= reach, "room for a vector");
-        const T* windows_at[windows];
-        std::size_t stride, half;
-        std::ptrdiff_t right, left;  // from the pixel to where the vectors begin
-        V weight[Points][windows], last[Points], beside, layer[Points], all;
-        bool apart;  // in two layers
-
-        LOMMEL_INLINE Rows(const WindowBank<T>& bank, const Mixture<T>* pixels, std::size_t from)
-            : stride(bank.stride), half(pixels->half), right(static_cast<std::ptrdiff_t>(from)),
-              left(-right - static_cast<std::ptrdiff_t>(whole ? lanes / 2 : lanes - (from > 0 ? 1 : 0))) {
-            const std::size_t inner = std::min(half - from, lanes), used = std::min(half + 1 - from, lanes);
-            const V within = load<V>(mask(inner)), rim = load<V>(mask(used)) - within;
-            const std::size_t first = std::min(pixels[0].first, pixels[Points - 1].first);
-            for (std::size_t j = 0; j < windows; ++j) {
-                windows_at[j] = bank.windows + (first + j) * bank.room() + from;
-            }
-            for (std::size_t p = 0; p < Points; ++p) {
-                T weights[5] = {};
-                for (std::size_t j = 0; j < 4; ++j) {
-                    weights[pixels[p].first - first + j] = pixels[p].weights[j];
-                }
-                layer[p] = splat<V>(pixels[p].layer);
-                const V share = splat<V>(pixels[p].rim), cut = within + rim * share;
-                last[p] = within * share + rim;
-                for (std::size_t j = 0; j < windows; ++j) {
-                    weight[p][j] = splat<V>(weights[j]) * cut;
-                }
-            }
-            apart = Hiding && pixels[0].layer != pixels[Points - 1].layer;
-            all = splat<V>(T(1));
-            // The column in the middle is not on both sides.
-            beside = load<V>(mask(lanes)) - load<V>(mask(from > 0 ? 0 : 1));
-        }
-
-        // Calls f(row, mixed) with what the pixels give to each row, from the first pixel's on.
-        template <class F>
-        LOMMEL_INLINE void each(const F& f) const {
-            V above[Points], below[Points], both[Points];
-            mix(0, above);
-            if (Points == 1) {
-                f(0, above);
-                for (std::size_t row = 1; row <= half; ++row) {
-                    mix(row, above);
-                    const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(row);
-                    f(away, above), f(-away, above);
-                }
-                return;
-            }
-            // Row r of the first is r - 1 below the second, r + 1 above it.
-            constexpr std::size_t second = Points - 1;
-            for (std::size_t row = 0; row <= half; ++row) {
-                const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(row);
-                if (row < half) {
-                    mix(row + 1, below);
-                } else {
-                    for (V& v : below) {
-                        v = splat<V>(T(0));
-                    }
-                }
-                both[0] = below[0], both[second] = above[second];
-                f(away + 1, both);
-                both[0] = above[0], both[second] = below[second];
-                f(-away, both);
-                for (std::size_t p = 0; p < Points; ++p) {
-                    above[p] = below[p];
-                }
-            }
-        }
-
-        LOMMEL_INLINE void mix(std::size_t row, V* mixed) const {
-            V odd[Points];
-            for (std::size_t j = 0; j < windows; ++j) {
-                const V value = load<V>(windows_at[j] + row * stride);
-                for (std::size_t p = 0; p < Points; ++p) {
-                    V& sum = j % 2 ? odd[p] : mixed[p];
-                    sum = j < 2 ? weight[p][j] * value : sum + weight[p][j] * value;
-                }
-            }
-            for (std::size_t p = 0; p < Points; ++p) {
-                mixed[p] = mixed[p] + odd[p];
-                if (row == half) {
-                    mixed[p] = mixed[p] * last[p];
-                }
-                if (whole) {
-                    mixed[p] = permuted<Left, T>(mixed[p]);
-                }
-            }
-        }
-
-        LOMMEL_INLINE void add(T* out, const T* seen, std::ptrdiff_t at, const V* mixed) const {
-            const V both = Points == 2 && !apart ? mixed[0] + mixed[Points - 1] : mixed[0];
-            V there = hidden(whole ? both : permuted<Left, T>(both) * beside, seen, at + left, 0);
-            V here = whole ? both : hidden(both, seen, at + right, 0);
-            if (apart) {
-                const V other = mixed[Points - 1];
-                there = there + hidden(whole ? other : permuted<Left, T>(other) * beside, seen, at + left, Points - 1);
-                here = whole ? other : here + hidden(other, seen, at + right, Points - 1);
-            }
-            store(out + (at + left), load<V>(out + (at + left)) + there);
-            if (!whole) {
-                store(out + (at + right), load<V>(out + (at + right)) + here);
-            }
-        }
-
-        LOMMEL_INLINE void take(const T* image, const T* seen, std::ptrdiff_t at, const V* mixed, V* total) const {
-            V both;
-            for (std::size_t p = 0; p < Points; ++p) {
-                if (p == 0 || apart) {
-                    both = hidden(load<V>(image + (at + left)), seen, at + left, p);
-                    if (!whole) {
-                        both = hidden(load<V>(image + (at + right)), seen, at + right, p) + permuted<Left, T>(both) * beside;
-                    }
-                }
-                total[p] = total[p] + mixed[p] * both;
-            }
-        }
-
-        // What pixels see of what a point spreads.
-        LOMMEL_INLINE V hidden(V light, const T* seen, std::ptrdiff_t at, std::size_t p) const {
-            if constexpr (Hiding) {
-                return light * smaller(larger(load<V>(seen + at) - layer[p], V{}), all);
-            }
-            return light;
-        }
-
-        LOMMEL_INLINE void sum(const V* total, T* out, std::size_t width) const {
-            for (std::size_t p = 0; p < Points; ++p) {
-                for (std::size_t i = 0; i < lanes; ++i) {
-                    out[p * width] += total[p][i];
-                }
-            }
-        }
-
-        // So many ones, then zeros.
-        static const T* mask(std::size_t ones) {
-            static const T masks[2 * reach] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-            return masks + reach - ones;
-        }
-    };
 
     WindowBank<T> bank_;
     Scene scene_;

@@ -1,0 +1,87 @@
+// Light as the levels of an integer type, by how many rising edges between levels it has reached.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+
+namespace lommel {
+
+// The first bits of a positive number of 32 bits, its exponent and some of its fraction, are those of an interval that holds
+// one edge at most: what lies below it is counted beforehand.
+class Levels {
+   public:
+    // Edges must rise, from above 0, and be 255 at most.
+    Levels(const float* edges, std::size_t count) : least_(0.0f), most_(edges[count - 1]) {
+        while (!apart(edges, count)) {
+            --shift_;
+        }
+        first_ = (bits(edges[0]) - 1) >> shift_;  // an edge may be where an interval begins
+        const std::uint32_t start = first_ << shift_;
+        std::memcpy(&least_, &start, sizeof least_);
+        const std::size_t size = (bits(most_) >> shift_) - first_ + 1;
+        edge_.assign(size, std::numeric_limits<float>::infinity());
+        below_.resize(size);
+        for (std::size_t i = 0; i < count; ++i) {
+            edge_[(bits(edges[i]) >> shift_) - first_] = edges[i];
+        }
+        std::uint8_t reached = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            below_[i] = reached;
+            reached = static_cast<std::uint8_t>(reached + (edge_[i] <= most_ ? 1 : 0));
+        }
+    }
+
+    std::uint8_t operator()(float light) const {
+        const float inside = light > least_ ? std::min(light, most_) : least_;  // what is no number, too
+        const std::uint32_t at = (bits(inside) >> shift_) - first_;
+        return static_cast<std::uint8_t>(below_[at] + (inside >= edge_[at] ? 1 : 0));
+    }
+
+   private:
+    static std::uint32_t bits(float x) {
+        std::uint32_t b;
+        std::memcpy(&b, &x, sizeof b);
+        return b;
+    }
+    bool apart(const float* edges, std::size_t count) const {
+        for (std::size_t i = 1; i < count; ++i) {
+            if (bits(edges[i - 1]) >> shift_ == bits(edges[i]) >> shift_) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    int shift_ = 23;
+    std::uint32_t first_;
+    float least_, most_;
+    std::vector<float> edge_;  // in each interval, or infinity
+    std::vector<std::uint8_t> below_;
+};
+
+// Writes the level of each value and returns how many are below `low` or above `high`.
+inline std::size_t levels(const float* light, std::size_t size, const float* edges, std::size_t count, float low, float high,
+                          int threads, std::uint8_t* out) {
+    constexpr std::size_t part = 1 << 16;
+    const Levels level(edges, count);
+    std::atomic<std::size_t> beyond{0};
+    parallel_for((size + part - 1) / part, threads, [&](std::size_t, std::size_t task) {
+        const std::size_t last = std::min(size, (task + 1) * part);
+        std::size_t here = 0;
+        for (std::size_t i = task * part; i < last; ++i) {
+            out[i] = level(light[i]);
+            here += static_cast<std::size_t>(light[i] < low) + static_cast<std::size_t>(light[i] > high);
+        }
+        beyond += here;
+    });
+    return beyond;
+}
+
+}  // namespace lommel

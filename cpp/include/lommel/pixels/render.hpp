@@ -18,11 +18,10 @@ namespace lommel {
 // sorting, and small enough for the first cache, where a rank for each number is not.
 class SquaredRadii {
    public:
-    SquaredRadii(std::size_t rows, std::size_t cols)
-        : rows_(rows), cols_(cols), end_(rows * rows + cols * cols + 1), words_(end_ / 64 + 1) {
+    SquaredRadii(std::size_t rows, std::size_t cols) : rows_(rows), cols_(cols), words_((rows * rows + cols * cols) / 64 + 1) {
         for (std::size_t y = 0; y <= rows; ++y) {
             look();
-            for (std::size_t x = 0; x <= cols; ++x) {
+            for (std::size_t x = y <= std::min(rows, cols) ? y : 0; x <= cols; ++x) {  // (x, y) for (y, x) where both are there
                 const std::size_t s = y * y + x * x;
                 words_[s / 64].bits |= std::uint64_t{1} << s % 64;
             }
@@ -39,9 +38,12 @@ class SquaredRadii {
     template <class Take>
     void each(const Take& take) const {
         std::size_t rank = 0;
-        for (std::size_t s = 0; s < end_; ++s) {
-            take(rank, s);  // replaced by the next unless there is such a radius: no branch, which nobody could foresee
-            rank += words_[s / 64].bits >> s % 64 & 1;
+        for (std::size_t word = 0; word < words_.size(); ++word) {
+            std::uint64_t bits = words_[word].bits;
+            for (std::size_t s = 64 * word; s < 64 * (word + 1); ++s, bits >>= 1) {
+                take(rank, s);  // replaced by the next unless there is such a radius: no branch, which nobody could foresee
+                rank += bits & 1;
+            }
         }
     }
 
@@ -65,7 +67,7 @@ class SquaredRadii {
     };
     static LOMMEL_INLINE std::size_t set(std::uint64_t bits) { return std::bitset<64>(bits).count(); }
 
-    std::size_t rows_, cols_, end_, count_ = 0;
+    std::size_t rows_, cols_, count_ = 0;
     std::vector<Word> words_;
 };
 

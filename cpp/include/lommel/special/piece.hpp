@@ -128,20 +128,16 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     using V = typename I::pack;
     constexpr std::size_t packs = degree_count / I::lanes;  // together they hide the latency of the recurrence
     const std::size_t count = 2 * terms + parity;
-    // 2 / v in two words: its rounding, the same in every step, would add up to another v.
-    alignas(64) double rests[degree_count];
-    for (std::size_t j = 0; j < degree_count; ++j) {
-        rests[j] = std::fma(-(2.0 / points[j]), points[j], 2.0) / points[j];
-    }
-    V turn[packs], rest[packs], before[packs], here[packs];
+    V at[packs], turn[packs], before[packs], here[packs];
     for (std::size_t p = 0; p < packs; ++p) {
-        turn[p] = splat<V>(2.0) / load<V>(points + p * I::lanes);
-        rest[p] = load<V>(rests + p * I::lanes);
+        at[p] = load<V>(points + p * I::lanes);
+        turn[p] = splat<V>(2.0) / at[p];
     }
     const auto step = [&](std::size_t order) LOMMEL_INLINE_LAMBDA {
-        const V k = splat<V>(static_cast<double>(order));
+        const V twice = splat<V>(2.0 * static_cast<double>(order));
         for (std::size_t p = 0; p < packs; ++p) {
-            const V next = (k * turn[p] + k * rest[p]) * here[p] - before[p];
+            // Divided in every step: a product with 1 / v, rounded once for all of them, would be that of another v.
+            const V next = twice / at[p] * here[p] - before[p];
             before[p] = here[p];
             here[p] = next;
         }
@@ -189,8 +185,8 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
     for (std::size_t p = 0; p < packs; ++p) {
         const V unit = splat<V>(1.0) / (here[p] + splat<V>(2.0) * sum[p]);
         for (std::size_t n = 0; n < terms; ++n) {
-            double* at = values + n * degree_count + p * I::lanes;
-            store(at, load<V>(at) * unit);
+            double* value = values + n * degree_count + p * I::lanes;
+            store(value, load<V>(value) * unit);
         }
     }
 }

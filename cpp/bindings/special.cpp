@@ -46,9 +46,10 @@ std::pair<Out<double, 1>, Out<double, 1>> gauss_legendre(std::size_t n) {
 Out<complex, 1> fresnel_auxiliary(In<double, 1> s) {
     auto out = new_array<complex, 1>({s.shape(0)});
     released([&] {
+        const auto fresnel = lommel::FresnelAuxiliary::get();
         for (std::size_t i = 0; i < s.shape(0); ++i) {
             require(s.data()[i] >= 0.0, "s must be at least 0");
-            out.data()[i] = lommel::FresnelAuxiliary::at(s.data()[i]);
+            out.data()[i] = fresnel->at(s.data()[i]);
         }
     });
     return out;

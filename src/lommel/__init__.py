@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import ast
+import os
+import re
+from functools import cache
 from importlib import import_module
-from pathlib import Path
 from typing import Any
 
-# Imported at once, because the function must win over the module of the same name.
-from lommel.psf import psf as psf
 
-# Where each name lives, as the stub has it.
-_HOME = {
-    name.name: node.module
-    for node in ast.parse(Path(__file__).with_suffix(".pyi").read_text(encoding="utf-8")).body
-    if isinstance(node, ast.ImportFrom) and node.module
-    for name in node.names
-}
-
-__all__ = sorted(name for name, module in _HOME.items() if module != "lommel")  # noqa: PLE0605 (a list it is)
+@cache
+def _homes() -> dict[str, str]:
+    """Return where each name lives, as the stub has it."""
+    # pathlib takes longer to import than this takes to read.
+    with open(f"{os.path.splitext(__file__)[0]}.pyi", encoding="utf-8") as stub:  # noqa: PTH122, PTH123
+        found = re.findall(r"^from (\S+) import (\([^)]*\)|.*)$", stub.read(), re.MULTILINE)
+    return {name: home for home, names in found for name in re.findall(r"(\w+) as \1", names)}
 
 
 def __getattr__(name: str) -> Any:
@@ -26,13 +23,20 @@ def __getattr__(name: str) -> Any:
         from lommel.base.version import version
 
         return version()
-    if name not in _HOME:
+    homes = _homes()
+    if name == "__all__":
+        return sorted(public for public, home in homes.items() if home != "lommel")
+    if name not in homes:
         raise AttributeError(f"module 'lommel' has no attribute {name!r}")
-    if _HOME[name] == "lommel":
+    if homes[name] == "lommel":
         return import_module(f"lommel.{name}")
-    value = globals()[name] = getattr(import_module(_HOME[name]), name)
+    value = globals()[name] = getattr(import_module(homes[name]), name)
     return value
 
 
 def __dir__() -> list[str]:
-    return sorted({*_HOME, "__version__", *(name for name in globals() if name.startswith("__"))})
+    return sorted({*_homes(), "__all__", "__version__", *(name for name in globals() if name.startswith("__"))})
+
+
+# Imported at once, because the function must win over the module of the same name.
+from lommel.psf import psf as psf  # noqa: E402

@@ -10,17 +10,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from lommel import measures, show
 from lommel.base import validation
 from lommel.base.arrays import Numbers, largest
 from lommel.base.trusted import made as made_of
-from lommel.measures import energy, image_transfer, spot
 from lommel.measures.answer import Answer
 from lommel.methods import wanted
 from lommel.methods.asked import Asked, asked_about
 from lommel.methods.method import Method
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
-from lommel.show import plot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -278,27 +277,27 @@ class PSF(Answer):
     @property
     def energy(self) -> Numbers:
         """Fraction of all light that falls inside the window, to the edges of its outer pixels."""
-        return energy.window_energy(self)
+        return measures.energy.window_energy(self)
 
     @property
     def strehl(self) -> Numbers:
         """Intensity on the axis over that without aberration; :func:`lommel.strehl` is that of a pupil."""
-        return spot.axis_strehl(self)
+        return measures.spot.axis_strehl(self)
 
     @property
     def peak_strehl(self) -> Numbers:
         """Largest value in the window over the peak of the same aperture without aberration, wherever it is."""
-        return spot.peak_strehl(self)
+        return measures.spot.peak_strehl(self)
 
     @property
     def peak_position(self) -> NDArray[np.float64]:
         """Place (x, y) of the largest value, from the axis; see :func:`lommel.measures.spot.peak_position`."""
-        return spot.peak_position(self)
+        return measures.spot.peak_position(self)
 
     @property
     def centroid(self) -> NDArray[np.float64]:
         """Centroid (x, y) of the values, from the axis; :func:`lommel.centroid` has that of all light."""
-        return energy.window_centroid(self)
+        return measures.energy.window_centroid(self)
 
     def encircled_energy(self, radius: ArrayLike, *, about: str = "axis") -> Numbers:
         """Return the fraction of all light within `radius` (in :attr:`unit`) of the axis or the centroid.
@@ -307,32 +306,32 @@ class PSF(Answer):
         the pixels, and limited to the window. Shape ``pupil.shape + radius.shape``. See
         :func:`lommel.measures.energy.encircled_energy`.
         """
-        return energy.encircled_energy(self, radius, about=about)
+        return measures.energy.encircled_energy(self, radius, about=about)
 
     def ensquared_energy(self, half_width: ArrayLike, *, about: str = "axis") -> Numbers:
         """Return the fraction of all light within a square; see :func:`lommel.measures.energy.ensquared_energy`."""
-        return energy.ensquared_energy(self, half_width, about=about)
+        return measures.energy.ensquared_energy(self, half_width, about=about)
 
     def energy_diameter(self, fraction: float, *, about: str = "axis") -> Numbers:
         """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
 
         See :func:`lommel.measures.spot.energy_diameter`.
         """
-        return spot.energy_diameter(self, fraction, about=about)
+        return measures.spot.energy_diameter(self, fraction, about=about)
 
     def fwhm(self, along: str = "mean") -> Numbers:
         """Return the full width at half of the largest value, in :attr:`unit`.
 
         See :func:`lommel.measures.spot.fwhm`.
         """
-        return spot.fwhm(self, along)
+        return measures.spot.fwhm(self, along)
 
     def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> NDArray[np.complex128] | np.complex128:
         """Return the transfer function of what the window holds; :func:`lommel.otf` is that of all light.
 
         See :func:`lommel.measures.image_transfer.image_otf`.
         """
-        return image_transfer.image_otf(self, fx, fy)
+        return measures.image_transfer.image_otf(self, fx, fy)
 
     def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> Numbers:
         """Return the modulus of :meth:`otf` at `fx`, `fy`; its value at frequency 0 is the light in the window."""
@@ -344,7 +343,7 @@ class PSF(Answer):
         See :func:`lommel.show.plot.plot`.
         """
         validation.axes("ax", ax)
-        return plot.plot(self, ax, stretch=stretch)
+        return show.plot.plot(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write ``.tif`` (OME), ``.npy``, ``.npz`` or ``.png``; see :func:`lommel.io.psf_files.save`."""

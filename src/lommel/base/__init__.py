@@ -1,1 +1,8 @@
 """The ground that all rooms stand on: checks, units, encodings, files read and written with care."""
+
+from typing import TYPE_CHECKING
+
+from lommel.base import lazy
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = lazy.parts(__name__)

@@ -8,13 +8,15 @@ import operator
 import os
 import reprlib
 from collections.abc import Iterable
-from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base.arrays import Array
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 MAX_SIDE = 16384
 """Largest image side, in pixels."""
@@ -70,6 +72,8 @@ def optional(name: str, value: Any, *kinds: type[Any]) -> None:
 
 def path(name: str, value: Any) -> Path:
     """Return `value` as a path; TypeError or ValueError if it is none."""
+    from pathlib import Path  # with all that it needs, for files only
+
     if not isinstance(value, str | os.PathLike) or isinstance(os.fspath(value), bytes):
         raise TypeError(f"{name} must be a path, got {shown(value)}")
     if "\0" in os.fspath(value):

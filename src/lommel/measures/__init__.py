@@ -1,1 +1,12 @@
 """What is drawn from a wavefront or from its image: where the light is, how much, how sharp, how wrong."""
+
+from typing import TYPE_CHECKING
+
+from lommel.base import lazy
+
+if TYPE_CHECKING:
+    from lommel.measures import energy as energy
+    from lommel.measures import image_transfer as image_transfer
+    from lommel.measures import spot as spot
+else:
+    __getattr__, __dir__ = lazy.parts(__name__)

@@ -9,11 +9,8 @@ from importlib.util import find_spec
 from typing import Any, NamedTuple, TypeVar
 
 from lommel.core.answers import ToleranceError
-from lommel.methods.averaging import samples_across
-from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
 
@@ -22,19 +19,39 @@ _Answer = TypeVar("_Answer")
 
 
 class Rule(NamedTuple):
-    """What answers for some pupils and windows, in words and in code; methods as they are tried, one by one."""
+    """What answers for some pupils and windows, in words and in code."""
 
     pupils: str
     applies: Callable[[Pupil, Grid], bool]
-    methods: tuple[type[Any], ...]
+    imported: Callable[[], tuple[type[Any], ...]]
     costs: str
+
+    @property
+    def methods(self) -> tuple[type[Any], ...]:
+        """As they are tried, one by one."""
+        return self.imported()
+
+
+def _chords_first() -> tuple[type[Any], ...]:
+    from lommel.methods.chordal_gauss import ChordalGauss  # here and below: where radial pupils are all, for nothing
+
+    return ChordalGauss, NijboerZernike
+
+
+def _any_aperture() -> tuple[type[Any], ...]:
+    from lommel.methods.nonuniform_fft import NonuniformFFT
+
+    return (NonuniformFFT,)
 
 
 def _small(pupil: Pupil, grid: Grid) -> bool:
     if not pupil.circular:
         return False
-    # Averages are made of finer samples.
-    side = max(grid.shape) * (samples_across(grid.step(pupil)) if grid.integrate else 1)
+    side = max(grid.shape)
+    if grid.integrate:  # averages are made of finer samples
+        from lommel.methods.averaging import samples_across
+
+        side *= samples_across(grid.step(pupil))
     return side <= _SMALL or (side <= _SMALL_OF_STACK and math.prod(pupil.shape) >= _STACK)
 
 
@@ -42,25 +59,25 @@ RULES = (
     Rule(
         "radially symmetric",
         lambda pupil, _: pupil.radial,
-        (NijboerZernike,),
+        lambda: (NijboerZernike,),
         "about what writing the image does",
     ),
     Rule(
         f"round, any wavefront, windows up to {_SMALL} samples a side ({_SMALL_OF_STACK} of {_STACK} pupils or more)",
         _small,
-        (ChordalGauss, NijboerZernike),
+        _chords_first,
         "two matrix products; grows with the square of the number of chords",
     ),
     Rule(
         "round, any wavefront, larger windows",
         lambda pupil, _: pupil.circular,
-        (NijboerZernike,),
+        lambda: (NijboerZernike,),
         "a sum over azimuthal orders at every eighth of the pixels",
     ),
     Rule(
         "any other aperture",
         lambda *_: True,
-        (NonuniformFFT,),
+        _any_aperture,
         "nodes over the clear aperture and one transform; no proven bound",
     ),
 )
@@ -95,18 +112,18 @@ def candidates(pupil: Pupil, grid: Grid, tol: float = Method.tol) -> tuple[Metho
         If the pupil is none, if it needs finufft, which is not installed, or if no method for it takes the tolerance.
     """
     checked(pupil)
-    methods = next(rule.methods for rule in RULES if rule.applies(pupil, grid))
-    if NonuniformFFT in methods and find_spec("finufft") is None:
+    rule = next(rule for rule in RULES if rule.applies(pupil, grid))
+    if rule.imported is _any_aperture and find_spec("finufft") is None:
         raise ValueError(
             "method must be named for a pupil with a spider, vignetting or a mask where finufft is missing: "
             "pip install finufft, or pass method=MatrixFourier(...)"
         )
-    return _made(methods, tol)
+    return _made(rule, tol)
 
 
 @lru_cache(maxsize=64)
-def _made(methods: tuple[type[Any], ...], tol: float) -> tuple[Method, ...]:
-    return tuple(method(tol) for method in methods)
+def _made(rule: Rule, tol: float) -> tuple[Method, ...]:
+    return tuple(method(tol) for method in rule.methods)
 
 
 def first_proven(ways: tuple[Method, ...], ask: Callable[[Method], _Answer]) -> tuple[Method, _Answer]:
@@ -171,4 +188,8 @@ def reference(pupil: Pupil) -> Method:
         from lommel.methods.hankel import Hankel  # for reports, which are rare
 
         return Hankel()
-    return NijboerZernike(tol=1e-9) if pupil.circular else NonuniformFFT(tol=NonuniformFFT.least_tol)
+    if pupil.circular:
+        return NijboerZernike(tol=1e-9)
+    from lommel.methods.nonuniform_fft import NonuniformFFT
+
+    return NonuniformFFT(tol=NonuniformFFT.least_tol)

@@ -5,19 +5,20 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import fields, replace
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.core.answers import FieldValues, Images, Intensities, ToleranceError, Wanted, not_met
-from lommel.methods.subpixel import subpixel_intensity
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
-from lommel.optics.spectrum import Component
 from lommel.optics.wavefront import MAX_HIGHER
 from lommel.special.bessel import _radii
+
+if TYPE_CHECKING:
+    from lommel.optics.spectrum import Component
 
 Shortcut = Callable[[Pupil, NDArray[Any]], tuple[NDArray[np.float64], float] | None]
 """From a pupil and an array for its values to what these were multiplied by, and the largest bound; or None."""
@@ -125,6 +126,8 @@ class Method(ABC):
         -------
         list of Component
         """
+        from lommel.optics.spectrum import Component
+
         return [Component(1.0, 1.0, pupil)]
 
     def along_radius(self, pupil: Pupil) -> RadialMethod | None:
@@ -228,6 +231,8 @@ class RadialMethod(Method):
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if not grid.symmetric:
+            from lommel.methods.subpixel import subpixel_intensity
+
             return subpixel_intensity(self, pupil, grid, threads)
         return self.profile(pupil, grid.v(pupil))
 
@@ -235,6 +240,8 @@ class RadialMethod(Method):
         """Return the images of the flattened stack; see ``Method.images``."""
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
+        from lommel.methods.subpixel import subpixel_intensity
+
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.
         aim = 0.48 * (self.tol - 1.1 * storing(wanted.dtype))
         made = subpixel_intensity(self, pupil, grid, wanted.threads, tol=aim, window=True)

@@ -8,7 +8,6 @@ import numpy as np
 
 from lommel.core.answers import Images, Wanted
 from lommel.core.engine import DiskStack, RadialStack, Window
-from lommel.methods.averaging import averaged_images
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
@@ -42,4 +41,8 @@ def disk_images(
     def sampled(some: Pupil, pixels: Grid, tol: float, wanted: Wanted) -> Images:
         return sample(disk_stack(some), window_of(some, pixels), tol, wanted)
 
-    return averaged_images(sampled, pupil, grid, tol, wanted) if grid.integrate else sampled(pupil, grid, tol, wanted)
+    if not grid.integrate:
+        return sampled(pupil, grid, tol, wanted)
+    from lommel.methods.averaging import averaged_images
+
+    return averaged_images(sampled, pupil, grid, tol, wanted)

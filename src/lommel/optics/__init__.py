@@ -1,1 +1,8 @@
 """Lenses: aperture, wavefront, pupil."""
+
+from typing import TYPE_CHECKING
+
+from lommel.base import lazy
+
+if not TYPE_CHECKING:
+    __getattr__, __dir__ = lazy.parts(__name__)

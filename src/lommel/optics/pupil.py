@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,12 +13,14 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.cached import cached_property
 from lommel.base.trusted import changed
-from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider, cell_centers, vignetting_from_dict
 from lommel.optics.apodization import Apodization, illumination
-from lommel.optics.geometry import Geometry
-from lommel.optics.opening import Opening, Rule, degree_needed
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
+
+if TYPE_CHECKING:  # most pupils are round, and need none of these
+    from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
+    from lommel.optics.geometry import Geometry
+    from lommel.optics.opening import Opening, Rule
 
 
 @dataclass(frozen=True)
@@ -84,10 +86,13 @@ class Pupil:
 
     def __post_init__(self) -> None:
         validation.instance("wavefront", self.wavefront, Wavefront)
-        if self.geometry is not None and not isinstance(self.geometry, Geometry):
-            raise TypeError(
-                f"geometry must be a Geometry, as Lens.pupil makes, got {validation.shown(self.geometry)}"
-            )
+        if self.geometry is not None:
+            from lommel.optics.geometry import Geometry
+
+            if not isinstance(self.geometry, Geometry):
+                raise TypeError(
+                    f"geometry must be a Geometry, as Lens.pupil makes, got {validation.shown(self.geometry)}"
+                )
         eps = validation.real("obscuration", self.obscuration, least=0.0, below=1.0)
         light = illumination(self.apodization)
         kept = light if isinstance(self.apodization, Apodization) else light.slope
@@ -107,6 +112,8 @@ class Pupil:
             self._check_aperture()
 
     def _check_aperture(self) -> None:
+        from lommel.optics.aperture import Mask
+
         validation.optional("mask", self.mask, Mask)  # the opening checks the others
         if self.area < 1e-12:
             parts = {name: part for name in _SHAPES if (part := getattr(self, name)) is not None}
@@ -162,6 +169,8 @@ class Pupil:
     @property
     def opening(self) -> Opening:
         """The region where light passes, without regard to a mask."""
+        from lommel.optics.opening import Opening
+
         return Opening(self.obscuration, self.spider, self.vignetting)
 
     def rule(self, degree: int) -> Rule:
@@ -322,9 +331,12 @@ class Pupil:
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> Pupil:
         """Rebuild a pupil from a `description` by :meth:`to_dict`."""
+        from lommel.optics.aperture import Mask, Spider, vignetting_from_dict
+        from lommel.optics.geometry import Geometry
+
         parts = dict(description)
         geometry = parts.pop("geometry")
-        for name, build in _SHAPES.items():
+        for name, build in zip(_SHAPES, (Spider.from_dict, vignetting_from_dict, Mask.from_dict), strict=True):
             if name in parts:
                 parts[name] = build(parts[name])
         if isinstance(parts.get("apodization"), dict):
@@ -336,16 +348,15 @@ class Pupil:
         )
 
 
-_SHAPES: dict[str, Any] = {
-    "spider": Spider.from_dict,
-    "vignetting": vignetting_from_dict,
-    "mask": Mask.from_dict,
-}
+_SHAPES = ("spider", "vignetting", "mask")
 
 
 @lru_cache(maxsize=8)
 def _samples(opening: Opening, mask: Mask) -> Rule:
     """Return the cells of a mask that the aperture covers; weights are amplitude times covered area over pi."""
+    from lommel.optics.aperture import cell_centers
+    from lommel.optics.opening import Rule
+
     at = cell_centers(mask.side)
     part = opening.coverage(at[None, :], at[:, None], 1.0 / mask.side)
     weight = mask.values * np.where(part > 1e-9, part, 0.0)  # less is rounding
@@ -357,6 +368,8 @@ def _samples(opening: Opening, mask: Mask) -> Rule:
 def _moment(opening: Opening, mask: Mask | None, light: Apodization, power: float) -> float:
     """Return ``(1/pi) int (T A)^power dx dy``, amplitudes T of a mask and A of the light; at power 0 that of T."""
     if mask is None:
+        from lommel.optics.opening import degree_needed
+
         x, y, weight = opening.rule(degree_needed([], 0.0, light, 1e-14, power=power))
     else:
         x, y, weight = _samples(opening, mask)

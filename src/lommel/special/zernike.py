@@ -8,7 +8,6 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from lommel.base import validation
@@ -224,11 +223,13 @@ def legendre_sum(coefficients: Array, x: Array) -> Array:
     With ``x = 2 rho^2 - 1`` the P_j are the radially symmetric terms R_2j^0.
     """
     series = _series(coefficients)
-    return np.asarray(legendre.legval(x, series) - legendre.legval(np.full((1,) * x.ndim, -1.0), series))
+    legval = np.polynomial.legendre.legval  # which NumPy imports when it is asked for
+    return np.asarray(legval(x, series) - legval(np.full((1,) * x.ndim, -1.0), series))
 
 
 def legendre_slope(coefficients: Array, x: Array) -> Array:
     """Return the derivative by x of :func:`legendre_sum`."""
+    legendre = np.polynomial.legendre
     return np.asarray(legendre.legval(x, legendre.legder(_series(coefficients))))
 
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "lommel/base/watch.hpp"
@@ -191,7 +192,7 @@ class ClosedFormField {
         for (int j = 0; j < 2; ++j) {
             const double angle = (a * r[j] + b) * r[j];
             end[j] = std::complex<double>(std::cos(angle), std::sin(angle));
-            part[j] = (s[j] < 0.0 ? -1.0 : 1.0) * end[j] * FresnelAuxiliary::at(std::abs(s[j]));
+            part[j] = (s[j] < 0.0 ? -1.0 : 1.0) * end[j] * fresnel_->at(std::abs(s[j]));
         }
         std::complex<double> zeroth = part[0] - part[1];
         if (s[0] < 0.0 && s[1] >= 0.0) {
@@ -208,6 +209,7 @@ class ClosedFormField {
 
     PhasePieces phase_;
     const HankelPieces& hankel_;
+    std::shared_ptr<const FresnelAuxiliary> fresnel_ = FresnelAuxiliary::get();
     std::vector<double> nodes_, weights_;
 };
 

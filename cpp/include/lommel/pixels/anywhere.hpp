@@ -15,6 +15,7 @@
 #include "lommel/pixels/table.hpp"
 #include "lommel/pixels/weights.hpp"
 #include "lommel/pixels/window.hpp"
+#include "lommel/special/chebyshev.hpp"
 
 namespace lommel {
 

@@ -1,6 +1,7 @@
 // Where the pixels are: the distinct radii of a centred grid, and which one each pixel has.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,12 +25,13 @@ struct Layout : Radii {  // distinct radii in pixels
     std::vector<std::int32_t> index;  // quadrant, (height / 2 + 1) x (width / 2 + 1): rank of each pixel's radius
 
     Layout(std::size_t h, std::size_t w) : height(h), width(w), index((h / 2 + 1) * (w / 2 + 1)) {
-        const std::vector<std::int64_t> squares = distinct_radii(h / 2, w / 2, index.data());
-        count = squares.size();
-        for (const std::int64_t s : squares) {
-            radii.push_back(std::sqrt(static_cast<double>(s)));
-        }
-        radii.resize(count + padding, radii.back());
+        const SquaredRadii squares(h / 2, w / 2);
+        squares.ranks(index.data());
+        count = squares.count();
+        radii.resize(count + padding);
+        squares.each([&](std::size_t rank, std::size_t s) { radii[rank] = static_cast<double>(s); });
+        std::transform(radii.begin(), radii.begin() + count, radii.begin(), [](double s) { return std::sqrt(s); });
+        std::fill(radii.begin() + count, radii.end(), radii[count - 1]);
     }
 
     static constexpr std::size_t padding = widest_step;

@@ -11,6 +11,7 @@
 #include "lommel/bounds/settle.hpp"
 #include "lommel/pixels/kernels.hpp"
 #include "lommel/special/bessel_table.hpp"
+#include "lommel/special/chebyshev.hpp"
 #include "lommel/special/legendre.hpp"
 
 namespace lommel {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -12,31 +13,71 @@
 
 namespace lommel {
 
-// The centred grid has few distinct radii: all pixels (dy, dx) with the same dy^2 + dx^2 share one value.
-// `index` (quadrant, (rows+1) x (cols+1)) receives the rank of each squared radius; returns the squared
-// radii in rising order. Marks and ranks instead of sorting: linear in the largest squared radius.
+// The distinct radii of a centred quadrant of (rows + 1) x (cols + 1) pixels, squared: all pixels (dy, dx) with the same
+// dy^2 + dx^2 share one value. A bit for each number up to the largest square, and how many are set before: linear in that, without
+// sorting, and small enough for the first cache, where a rank for each number is not.
+class SquaredRadii {
+   public:
+    SquaredRadii(std::size_t rows, std::size_t cols) : rows_(rows), cols_(cols), words_((rows * rows + cols * cols) / 64 + 1) {
+        for (std::size_t y = 0; y <= rows; ++y) {
+            look();
+            for (std::size_t x = y <= std::min(rows, cols) ? y : 0; x <= cols; ++x) {  // (x, y) for (y, x) where both are there
+                const std::size_t s = y * y + x * x;
+                words_[s / 64].bits |= std::uint64_t{1} << s % 64;
+            }
+        }
+        for (Word& word : words_) {
+            word.before = static_cast<std::uint64_t>(count_);
+            count_ += set(word.bits);
+        }
+    }
+
+    std::size_t count() const { return count_; }
+
+    // The squares, rising, to take(rank, square), which must bear to be told the last rank and one more several times.
+    template <class Take>
+    void each(const Take& take) const {
+        std::size_t rank = 0;
+        for (std::size_t word = 0; word < words_.size(); ++word) {
+            std::uint64_t bits = words_[word].bits;
+            for (std::size_t s = 64 * word; s < 64 * (word + 1); ++s, bits >>= 1) {
+                take(rank, s);  // replaced by the next unless there is such a radius: no branch, which nobody could foresee
+                rank += bits & 1;
+            }
+        }
+    }
+
+    // The rank of each pixel's radius.
+    void ranks(std::int32_t* index) const {
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {  // counting bits is one instruction where there are vectors
+            for (std::size_t y = 0; y <= rows_; ++y) {
+                look();
+                for (std::size_t x = 0; x <= cols_; ++x) {
+                    const std::size_t s = y * y + x * x;
+                    const Word word = words_[s / 64];
+                    *index++ = static_cast<std::int32_t>(word.before + set(word.bits & ((std::uint64_t{1} << s % 64) - 1)));
+                }
+            }
+        });
+    }
+
+   private:
+    struct Word {
+        std::uint64_t bits = 0, before = 0;
+    };
+    static LOMMEL_INLINE std::size_t set(std::uint64_t bits) { return std::bitset<64>(bits).count(); }
+
+    std::size_t rows_, cols_, count_ = 0;
+    std::vector<Word> words_;
+};
+
+// The squared radii in rising order; `index` receives the rank of each pixel's.
 inline std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
-    const std::size_t largest = rows * rows + cols * cols;
-    std::vector<std::int32_t> rank(largest + 1, 0);
-    for (std::size_t y = 0; y <= rows; ++y) {
-        look();
-        for (std::size_t x = 0; x <= cols; ++x) {
-            rank[y * y + x * x] = 1;
-        }
-    }
-    std::vector<std::int64_t> squares;
-    for (std::size_t s = 0; s <= largest; ++s) {
-        if (rank[s] != 0) {
-            rank[s] = static_cast<std::int32_t>(squares.size());
-            squares.push_back(static_cast<std::int64_t>(s));
-        }
-    }
-    for (std::size_t y = 0; y <= rows; ++y) {
-        look();
-        for (std::size_t x = 0; x <= cols; ++x) {
-            index[y * (cols + 1) + x] = rank[y * y + x * x];
-        }
-    }
+    const SquaredRadii found(rows, cols);
+    found.ranks(index);
+    std::vector<std::int64_t> squares(found.count() + 1);
+    found.each([&](std::size_t rank, std::size_t s) { squares[rank] = static_cast<std::int64_t>(s); });
+    squares.pop_back();
     return squares;
 }
 

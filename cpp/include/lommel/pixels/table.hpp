@@ -22,6 +22,7 @@
 #include "lommel/pixels/nodes.hpp"
 #include "lommel/pixels/weights.hpp"
 #include "lommel/pixels/window.hpp"
+#include "lommel/special/chebyshev.hpp"
 
 namespace lommel {
 

@@ -6,25 +6,42 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/base/simd.hpp"
+
 namespace lommel {
 
-// J_0(v) and J_1(v) for v >= 100, by Hankel's expansion (DLMF 10.17.3), whose terms fall below 1e-17.
-inline void first_bessel(double v, double& zeroth, double& first) {
-    double parts[2][2];  // P and Q of both orders
+// J_0(v) and J_1(v) for a vector of v >= 100, by Hankel's expansion (DLMF 10.17.3), whose terms fall below 1e-17; with their
+// cosines, sines and square roots.
+template <class V>
+LOMMEL_INLINE void first_bessel(V v, V cosine, V sine, V root, V& zeroth, V& first) {
+    V parts[2][2];  // P and Q of both orders
+    const V turn = splat<V>(0.125) / v;
     for (int order = 0; order < 2; ++order) {
         const double mu = 4.0 * order;
-        double term = 1.0, sum[2] = {1.0, 0.0};
+        V term = splat<V>(1.0);
+        parts[order][0] = term;
+        parts[order][1] = splat<V>(0.0);
         for (int k = 1; k < 12; ++k) {
             const double odd = 2.0 * k - 1.0;
-            term *= (mu - odd * odd) / (8.0 * k * v);
-            sum[k % 2] += k % 4 < 2 ? term : -term;
+            term = term * (splat<V>((mu - odd * odd) / k) * turn);
+            V& sum = parts[order][k % 2];
+            sum = k % 4 < 2 ? sum + term : sum - term;
         }
-        parts[order][0] = sum[0];
-        parts[order][1] = sum[1];
     }
-    const double c = std::cos(v), s = std::sin(v), scale = 1.0 / std::sqrt(3.14159265358979323846 * v);
-    zeroth = scale * (parts[0][0] * (c + s) - parts[0][1] * (s - c));
-    first = scale * (parts[1][0] * (s - c) + parts[1][1] * (s + c));
+    const V scale = splat<V>(0.56418958354775628695) / root;  // 1 / sqrt(pi)
+    zeroth = scale * (parts[0][0] * (cosine + sine) - parts[0][1] * (sine - cosine));
+    first = scale * (parts[1][0] * (sine - cosine) + parts[1][1] * (sine + cosine));
+}
+
+// Whether orders below `count` follow from the first two by the recurrence upwards, which is stable where they are well below v.
+inline bool rises(double v, std::size_t count) { return v >= 100.0 && static_cast<double>(count) <= 0.5 * v; }
+
+// Where the recurrence backwards begins: beyond v + O(v^(1/3)) the orders decay faster than any power, so the arbitrary start
+// is forgotten.
+inline std::size_t bessel_start(double v, std::size_t count) {
+    const double reach = std::max(v, static_cast<double>(count));
+    const std::size_t start = static_cast<std::size_t>(reach + 12.0 * std::cbrt(reach + 1.0) + 40.0);
+    return start + start % 2;
 }
 
 // J_0(v) .. J_{count-1}(v) for v >= 0. Absolute error a few units of 2^-53.
@@ -35,9 +52,11 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
     if (count == 0) {
         return;
     }
-    if (v >= 100.0 && static_cast<double>(count) <= 0.5 * v) {
-        double before, here;
-        first_bessel(v, before, here);
+    if (rises(v, count)) {
+        using V = Portable::pack;
+        V first, second;
+        first_bessel(splat<V>(v), splat<V>(std::cos(v)), splat<V>(std::sin(v)), splat<V>(std::sqrt(v)), first, second);
+        double before = first[0], here = second[0];
         out[0] = before;
         const double turn = 2.0 / v;
         for (std::size_t k = 1; k < count; ++k) {
@@ -59,11 +78,7 @@ inline void bessel_sequence(double v, std::size_t count, double* out) {
         }
         return;
     }
-    // Beyond v + O(v^(1/3)) the orders decay faster than any power, so the arbitrary start is forgotten.
-    const double reach = std::max(v, static_cast<double>(count));
-    std::size_t start = static_cast<std::size_t>(reach + 12.0 * std::cbrt(reach + 1.0) + 40.0);
-    start += start % 2;
-
+    const std::size_t start = bessel_start(v, count);
     constexpr double tiny = 1e-280, huge = 1e250;
     double above = 0.0, here = tiny, sum = 0.0;
     for (std::size_t k = start; k > 0; --k) {

@@ -13,12 +13,9 @@
 #include "lommel/base/cache.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/ellipse.hpp"
-#include "lommel/special/bessel.hpp"
-#include "lommel/special/chebyshev.hpp"
+#include "lommel/special/piece.hpp"
 
 namespace lommel {
-
-constexpr std::size_t degree_count = 16;  // coefficients of a piece
 
 // Widths to choose from: the error of interpolation, relative to sup|U|, and the size of the coefficients, which
 // magnifies rounding, both rise with the width.
@@ -27,13 +24,6 @@ constexpr std::array<double, 7> widths = {12.0, 9.6, 8.0, 6.4, 5.2, 4.2, 3.2};
 // Bound on the error of a piece relative to sup|U|: U is of exponential type 1, so |U^(16)| <= sup|U| (Bernstein), and
 // interpolation at Chebyshev points errs by 2 (H/4)^16 / 16! of that.
 inline double piece_error(double width) { return 2.0 * std::pow(0.25 * width, 16) / 20922789888000.0; }
-
-// One piece: rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ... Orders that vanish here have no row.
-struct Piece {
-    Doubles rows;
-    double magnitude = 0.0, azimuthal = 0.0;
-    std::size_t terms() const { return rows.size() / degree_count; }
-};
 
 struct PieceTable {
     double width = 0.0;
@@ -120,11 +110,10 @@ class PieceTables final : Shared {
                 table->pieces[s] = old->pieces[s];
             }
         }
-        std::vector<double> scratch;
         const auto need = [&](std::size_t s) {
             if (!table->pieces[s]) {
                 look();
-                table->pieces[s] = made(width, s, rows(s), scratch);
+                table->pieces[s] = std::make_shared<const Piece>(made_piece(parity_, width, s, rows(s)));
             }
         };
         for (std::size_t s = 0; s < wanted.leading; ++s) {
@@ -143,33 +132,6 @@ class PieceTables final : Shared {
             }
         }
         return table;
-    }
-
-    std::shared_ptr<const Piece> made(double width, std::size_t s, std::size_t terms, std::vector<double>& scratch) const {
-        constexpr std::size_t m = degree_count;
-        auto piece = std::make_shared<Piece>();
-        piece->rows.resize(terms * m);
-        std::vector<double> values(m * terms);
-        for (std::size_t j = 0; j < m; ++j) {
-            const double x = chebyshev_point(j, m);
-            const double v = width * (static_cast<double>(s) + 0.5 * (1.0 + x));
-            zernike_transforms(parity_, v, terms, &values[j * terms], scratch);
-        }
-        for (std::size_t n = 0; n < terms; ++n) {
-            chebyshev_to_monomials<m>(&values[n], terms, &piece->rows[n * m]);
-        }
-        for (std::size_t k = 0; k < m; ++k) {
-            double sum = 0.0, all = 0.0;
-            for (std::size_t n = 0; n < terms; ++n) {
-                const double square = piece->rows[n * m + k] * piece->rows[n * m + k];
-                const double orders = static_cast<double>(2 * n + parity_ + 1);
-                sum += (2.0 * static_cast<double>(n) + 1.0) * square;
-                all += orders * orders * square;
-            }
-            piece->magnitude += std::sqrt(sum);
-            piece->azimuthal += std::sqrt(all);
-        }
-        return piece;
     }
 
     std::size_t parity_;

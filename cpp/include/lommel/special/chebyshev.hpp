@@ -56,7 +56,5 @@ class ChebyshevToMonomials {
    private:
     std::array<std::array<Real, Count>, Count> cosines_{}, monomials_{};
 };
-template <std::size_t Count>
-inline const ChebyshevToMonomials<Count> chebyshev_to_monomials;
 
 }  // namespace lommel

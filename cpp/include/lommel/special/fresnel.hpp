@@ -5,7 +5,9 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <memory>
 
+#include "lommel/base/cache.hpp"
 #include "lommel/base/wide.hpp"
 #include "lommel/special/chebyshev.hpp"
 
@@ -17,12 +19,18 @@ class FresnelAuxiliary {
    public:
     static constexpr std::size_t terms = 26;
 
-    static std::complex<double> at(double s) {
+    // Made when it is first asked for, which takes milliseconds.
+    static std::shared_ptr<const FresnelAuxiliary> get() { return cache<FresnelAuxiliary>.get(); }
+    static bool is() { return true; }
+    static std::size_t bytes() { return sizeof(FresnelAuxiliary); }
+    static constexpr std::size_t most_bytes = 1024;
+
+    std::complex<double> at(double s) const {
         const double y = (s - center) / (s + center);
-        double re = kernel.re_[terms - 1], im = kernel.im_[terms - 1];
+        double re = re_[terms - 1], im = im_[terms - 1];
         for (std::size_t k = terms - 1; k-- > 0;) {
-            re = re * y + kernel.re_[k];
-            im = im * y + kernel.im_[k];
+            re = re * y + re_[k];
+            im = im * y + im_[k];
         }
         const double scale = 1.0 / (s + 2.0);
         return {re * scale, im * scale};
@@ -33,10 +41,6 @@ class FresnelAuxiliary {
         constexpr double root = 0.62665706865775012560;  // sqrt(pi / 8)
         return {root, root};
     }
-
-   private:
-    static const FresnelAuxiliary kernel;
-    static constexpr double center = 2.1;
 
     // Interpolates at Chebyshev points; the conversion to monomials is done where possible in wider numbers.
     FresnelAuxiliary() {
@@ -51,6 +55,9 @@ class FresnelAuxiliary {
         convert(re.data(), 1, re_.data());
         convert(im.data(), 1, im_.data());
     }
+
+   private:
+    static constexpr double center = 2.1;
 
     // On the turned path tau = s + e^{i pi/4} x the integrand is exp(-x^2 - (1 - i) sqrt(2) s x): the trapezoidal rule in
     // x = e^{w - e^{-w}} (double exponential, for a half line) converges to the last digit.
@@ -70,6 +77,5 @@ class FresnelAuxiliary {
 
     std::array<double, terms> re_{}, im_{};
 };
-inline const FresnelAuxiliary FresnelAuxiliary::kernel;
 
 }  // namespace lommel

@@ -8,6 +8,7 @@
 
 #include "lommel/base/simd.hpp"
 #include "lommel/special/bessel_table.hpp"
+#include "lommel/special/chebyshev.hpp"
 
 namespace lommel {
 

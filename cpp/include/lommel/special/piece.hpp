@@ -1,0 +1,260 @@
+// One piece of the universal table: from Bessel functions at Chebyshev points to polynomials, for as many orders at once as a
+// vector has lanes. Made in double and as good as in wider numbers: the sums run in two words, the first of which is exact.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/simd.hpp"
+#include "lommel/special/bessel.hpp"
+#include "lommel/special/sincos.hpp"
+
+namespace lommel {
+
+constexpr std::size_t degree_count = 16;  // coefficients of a piece
+
+// Rows of 16 coefficients in x from -1 to 1, for n = 0, 1, ... Orders that vanish here have no row.
+struct Piece {
+    Doubles rows;
+    double magnitude = 0.0, azimuthal = 0.0;
+    std::size_t terms() const { return rows.size() / degree_count; }
+};
+
+// cos(k pi / 32) for k = 0 .. 16: a multiple of 2^-24, and the rest.
+constexpr double cosines[17][2] = {{0x1p+0, 0.0},
+                                   {0x1.fd88dap-1, 0x1.e89292cf04139p-28},
+                                   {0x1.f6297cp-1, 0x1.feeb96055885dp-26},
+                                   {0x1.e9f416p-1, -0x1.273a44b44fa71p-26},
+                                   {0x1.d906bcp-1, 0x1.e651a8c515f98p-26},
+                                   {0x1.c38b3p-1, -0x1.cfe849e5b82c6p-26},
+                                   {0x1.a9b662p-1, 0x1.21d4346067d8cp-26},
+                                   {0x1.8bc806p-1, 0x1.62a2e8169d0f7p-26},
+                                   {0x1.6a09e6p-1, 0x1.9fcef32422cbfp-27},
+                                   {0x1.44cf32p-1, 0x1.4247758601da9p-27},
+                                   {0x1.1c73b4p-1, -0x1.9465cde4da22ep-27},
+                                   {0x1.e2b5d4p-2, -0x1.fe4271387c9dcp-28},
+                                   {0x1.87de2cp-2, -0x1.951569d2e59dcp-26},
+                                   {0x1.294064p-2, -0x1.12a60fa574a37p-26},
+                                   {0x1.8f8b8p-3, 0x1.e34d3055b25cdp-26},
+                                   {0x1.917a7p-4, -0x1.0f592f50789c6p-26},
+                                   {0.0, 0.0}};
+
+// What turns values at the points into coefficients of T_0, T_1, ..., times 8, by the sums and differences of mirrored points;
+// and what turns these, exactly, into those of 1, x, x^2, ...
+class PieceRule {
+   public:
+    constexpr PieceRule() {
+        monomials_[0][0] = monomials_[1][1] = 1.0;
+        for (std::size_t i = 2; i < degree_count; ++i) {
+            for (std::size_t k = 0; k < degree_count; ++k) {
+                monomials_[i][k] = (k > 0 ? 2.0 * monomials_[i - 1][k - 1] : 0.0) - monomials_[i - 2][k];
+            }
+        }
+        for (std::size_t i = 0; i < degree_count; ++i) {
+            for (std::size_t j = 0; j < half; ++j) {
+                const std::size_t turn = i * (2 * j + 1) % 64, k = std::min(turn, 64 - turn);
+                for (std::size_t word = 0; word < 2; ++word) {
+                    const double cosine = k <= 16 ? cosines[k][word] : -cosines[32 - k][word];
+                    words_[word][i][j] = i == 0 ? 0.5 * cosine : cosine;
+                }
+            }
+        }
+    }
+
+    // Point j, from the last to the first, rounded.
+    static constexpr double point(std::size_t j) {
+        const std::size_t k = 2 * j + 1;
+        return k <= 16 ? cosines[k][0] + cosines[k][1] : -(cosines[32 - k][0] + cosines[32 - k][1]);
+    }
+
+    // From `values` at the points, each a vector of orders, to the coefficients. With |values| <= 1 every coefficient is rounded
+    // once, and the polynomial else off by less than 2^-66: multiples of 2^-25 times those of 2^-24 (2^-25 for i = 0), and integers below
+    // 2^17 times multiples of 2^-32, sum to less than 2^53 of their units.
+    template <class V>
+    LOMMEL_INLINE void operator()(const V* values, V* out) const {
+        V high[2][half], low[2][half], both[2][half];
+        for (std::size_t j = 0; j < half; ++j) {
+            const V a = values[j], b = values[degree_count - 1 - j], ah = on_grid(a, 0x1.8p27), bh = on_grid(b, 0x1.8p27);
+            high[0][j] = ah + bh;
+            high[1][j] = ah - bh;
+            low[0][j] = (a - ah) + (b - bh);
+            low[1][j] = (a - ah) - (b - bh);
+            both[0][j] = a + b;
+            both[1][j] = a - b;
+        }
+        V first[degree_count], second[degree_count];
+        for (std::size_t i = 0; i < degree_count; ++i) {
+            V exact = splat<V>(0.0), rest = splat<V>(0.0);
+            for (std::size_t j = 0; j < half; ++j) {
+                const V c = splat<V>(words_[0][i][j]);
+                exact = exact + c * high[i % 2][j];
+                rest = rest + c * low[i % 2][j];
+                rest = rest + splat<V>(words_[1][i][j]) * both[i % 2][j];
+            }
+            first[i] = on_grid(exact + rest, 0x1.8p20);
+            second[i] = (exact - first[i]) + rest;
+        }
+        for (std::size_t k = 0; k < degree_count; ++k) {
+            V exact = splat<V>(0.0), rest = splat<V>(0.0);
+            for (std::size_t i = k; i < degree_count; i += 2) {
+                const V m = splat<V>(monomials_[i][k]);
+                exact = exact + m * first[i];
+                rest = rest + m * second[i];
+            }
+            out[k] = splat<V>(0.125) * (exact + rest);
+        }
+    }
+
+   private:
+    static constexpr std::size_t half = degree_count / 2;
+
+    template <class V>
+    static LOMMEL_INLINE V on_grid(V x, double magic) {
+        return (x + splat<V>(magic)) - splat<V>(magic);
+    }
+
+    double words_[2][degree_count][half] = {}, monomials_[degree_count][degree_count] = {};
+};
+inline constexpr PieceRule piece_rule;
+
+// 2 (-1)^n J_{2n+1+parity}(v) / v at the 16 points of a piece, as zernike_transforms() has it, to values[16 n + point]. The
+// last point, the nearest, must be no less than half as far out as the first: what the recurrence backwards grows by is then within the
+// range of numbers for orders that do not vanish at all of them.
+template <class I>
+LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points, std::size_t terms, double* values) {
+    using V = typename I::pack;
+    constexpr std::size_t packs = degree_count / I::lanes;  // together they hide the latency of the recurrence
+    const std::size_t count = 2 * terms + parity;
+    V at[packs], turn[packs], before[packs], here[packs];
+    for (std::size_t p = 0; p < packs; ++p) {
+        at[p] = load<V>(points + p * I::lanes);
+        turn[p] = splat<V>(2.0) / at[p];
+    }
+    const auto step = [&](std::size_t order) LOMMEL_INLINE_LAMBDA {
+        const V twice = splat<V>(2.0 * static_cast<double>(order));
+        for (std::size_t p = 0; p < packs; ++p) {
+            // Divided in every step: a product with 1 / v, rounded once for all of them, would be that of another v.
+            const V next = twice / at[p] * here[p] - before[p];
+            before[p] = here[p];
+            here[p] = next;
+        }
+    };
+    // Of those below `count` every second order is wanted.
+    const auto keep = [&](std::size_t order) LOMMEL_INLINE_LAMBDA {
+        if (order % 2 != parity && order > parity) {
+            const std::size_t n = (order - 1 - parity) / 2;
+            for (std::size_t p = 0; p < packs; ++p) {
+                store(values + n * degree_count + p * I::lanes, (n % 2 == 0 ? turn[p] : splat<V>(0.0) - turn[p]) * here[p]);
+            }
+        }
+    };
+    if (rises(points[degree_count - 1], count)) {
+        for (std::size_t p = 0; p < packs; ++p) {
+            const V v = load<V>(points + p * I::lanes);
+            V sine, cosine;
+            sincos(isa, v, sine, cosine);
+            double roots[I::lanes];
+            for (std::size_t i = 0; i < I::lanes; ++i) {
+                roots[i] = std::sqrt(points[p * I::lanes + i]);
+            }
+            first_bessel(v, cosine, sine, load<V>(roots), before[p], here[p]);
+        }
+        for (std::size_t k = 1; k < count; ++k) {
+            keep(k);
+            step(k);
+        }
+        return;
+    }
+    V sum[packs];
+    for (std::size_t p = 0; p < packs; ++p) {
+        before[p] = sum[p] = splat<V>(0.0);
+        here[p] = splat<V>(1e-280);
+    }
+    for (std::size_t k = bessel_start(points[0], count); k > 0; --k) {
+        if (k < count) {
+            keep(k);
+        }
+        for (std::size_t p = 0; p < packs; ++p) {
+            sum[p] = k % 2 == 0 ? sum[p] + here[p] : sum[p];
+        }
+        step(k);
+    }
+    for (std::size_t p = 0; p < packs; ++p) {
+        const V unit = splat<V>(1.0) / (here[p] + splat<V>(2.0) * sum[p]);
+        for (std::size_t n = 0; n < terms; ++n) {
+            double* value = values + n * degree_count + p * I::lanes;
+            store(value, load<V>(value) * unit);
+        }
+    }
+}
+
+// The first rows of piece s.
+inline Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {
+    constexpr std::size_t m = degree_count;
+    thread_local Doubles values;
+    thread_local std::vector<double> scratch;
+    Piece piece;
+    piece.rows.resize(terms * m);
+    values.assign((terms + row_lanes) * m, 0.0);  // orders that fill the last vector up are zero
+    double points[m];
+    for (std::size_t j = 0; j < m; ++j) {
+        points[j] = width * (static_cast<double>(s) + 0.5 * (1.0 + piece_rule.point(j)));
+    }
+    for (std::size_t j = 0; s == 0 && j < m; ++j) {  // near the axis, where the recurrence grows beyond all numbers
+        std::vector<double> one(terms);
+        zernike_transforms(parity, points[j], terms, one.data(), scratch);
+        for (std::size_t n = 0; n < terms; ++n) {
+            values[n * m + j] = one[n];
+        }
+    }
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        using I = decltype(isa);
+        using V = typename I::pack;
+        if (s > 0) {
+            piece_values(isa, parity, points, terms, values.data());
+        }
+        V sums[m], all[m];
+        for (std::size_t k = 0; k < m; ++k) {
+            sums[k] = all[k] = splat<V>(0.0);
+        }
+        for (std::size_t n = 0; n < terms; n += I::lanes) {
+            alignas(64) double block[m][I::lanes];
+            alignas(64) double weights[2][I::lanes];
+            V in[m], out[m];
+            for (std::size_t i = 0; i < I::lanes; ++i) {
+                const double order = static_cast<double>(n + i);
+                weights[0][i] = 2.0 * order + 1.0;
+                weights[1][i] = 2.0 * order + static_cast<double>(parity) + 1.0;
+                for (std::size_t j = 0; j < m; ++j) {
+                    block[j][i] = values[(n + i) * m + j];
+                }
+            }
+            for (std::size_t j = 0; j < m; ++j) {
+                in[j] = load<V>(block[j]);
+            }
+            piece_rule(in, out);
+            const V orders = load<V>(weights[1]);
+            for (std::size_t k = 0; k < m; ++k) {
+                const V square = out[k] * out[k];
+                sums[k] = sums[k] + load<V>(weights[0]) * square;
+                all[k] = all[k] + orders * orders * square;
+                store(block[k], out[k]);
+            }
+            for (std::size_t i = 0; i < std::min(I::lanes, terms - n); ++i) {
+                for (std::size_t k = 0; k < m; ++k) {
+                    piece.rows[(n + i) * m + k] = block[k][i];
+                }
+            }
+        }
+        for (std::size_t k = 0; k < m; ++k) {
+            piece.magnitude += std::sqrt(lane_sum(sums[k]));
+            piece.azimuthal += std::sqrt(lane_sum(all[k]));
+        }
+    });
+    return piece;
+}
+
+}  // namespace lommel

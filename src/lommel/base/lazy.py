@@ -1,0 +1,34 @@
+"""Packages whose parts are imported when they are first asked for (PEP 562)."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
+
+
+def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+    """Return what a `package` takes as its ``__getattr__`` and ``__dir__``: its files by their names.
+
+    And the names in ``__all__`` of the one that `exports` them for it.
+    """
+
+    def attribute(name: str) -> Any:
+        if not name.startswith("_") and find_spec(f"{package}.{name}"):
+            return import_module(f"{package}.{name}")
+        if exports is not None:
+            source = import_module(f"{package}.{exports}")
+            if name in ("__all__", *getattr(source, "__all__", ())):  # none while it imports
+                return getattr(source, name)
+        raise AttributeError(f"module {package!r} has no attribute {name!r}")
+
+    def names() -> list[str]:
+        from pkgutil import iter_modules
+
+        room = sys.modules[package]
+        exported = () if exports is None else import_module(f"{package}.{exports}").__all__
+        return sorted({*vars(room), *exported, *(file.name for file in iter_modules(room.__path__))})
+
+    return attribute, names

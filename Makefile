@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf photo test fuzz lowest mutants sanitize bench peers docs lint types format lock wheel clean FORCE
+.PHONY: help env build psf photo test fuzz lowest mutants sanitize bench peers docs page lint types format lock wheel clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -102,7 +102,7 @@ env: .venv/env.stamp ## make .venv and install what requirements.lock pins
 	"$$uv" pip sync --python .venv/bin/python --require-hashes requirements.lock
 	mv .venv/env.stamp.new $@
 
-cpp_formatted := $(wildcard cpp/bindings/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
+cpp_formatted := $(wildcard cpp/bindings/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
 
 # Python files are read from src, so only C++ ones lead to a rebuild when they change. But one of any
 # kind that was there at the last build and is gone also does, for the editable install has it on its
@@ -198,6 +198,19 @@ docs: build .venv/docs.stamp ## write the documentation to docs/_build/html, run
 	MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
 	echo "docs/_build/html/index.html"
 
+# A compiler for browsers, as one archive that needs no root: 100 MB, and the first time it compiles its own library of C++.
+.tools/zig.stamp: .venv/env.stamp web/requirements.lock
+	@$(find_uv)
+	rm -rf .tools/zig
+	echo "Fetching a compiler for WebAssembly into .tools"
+	"$$uv" pip install --quiet --python .venv/bin/python --target .tools/zig --no-deps --require-hashes \
+		--requirement web/requirements.lock
+	mkdir -p .tools
+	touch $@
+
+page: build .tools/zig.stamp ## make the live page's module, src/lommel/page/lommel-live.js
+	@.venv/bin/python web/build.py --zig .tools/zig/ziglang/zig --output src/lommel/page/lommel-live.js
+
 lint: env ## check the style and the format
 	@.venv/bin/ruff check
 	.venv/bin/ruff format --check
@@ -232,19 +245,20 @@ lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 		shift
 		if [ -f "$$file" ]; then cp "$$file" "$$file.new"; fi
 		"$$uv" pip compile --quiet --universal --python-version 3.11 --generate-hashes \
-			--no-annotate --custom-compile-command "make lock" --all-extras "$$@" $(LOCKFLAGS) \
-			--output-file "$$file.new" pyproject.toml
+			--no-annotate --custom-compile-command "make lock" $(LOCKFLAGS) --output-file "$$file.new" "$$@"
 		if cmp -s "$$file.new" "$$file"; then rm "$$file.new"; else mv "$$file.new" "$$file"; fi
 	}
-	compile requirements.lock --group dev
-	compile docs/requirements.lock --group docs --constraints requirements.lock
+	compile requirements.lock --all-extras --group dev pyproject.toml
+	compile docs/requirements.lock --all-extras --group docs --constraints requirements.lock pyproject.toml
+	compile web/requirements.lock --group page
 
 wheel: env ## build a wheel in dist
 	@$(find_uv)
 	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --wheel --no-build-isolation --python .venv/bin/python --out-dir dist
 
 clean: ## remove all that make made
-	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new
+	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new web/requirements.lock.new
+	rm -f src/lommel/page/lommel-live.js
 	rm -rf docs/_build docs/_generated docs/api docs/gallery docs/sg_execution_times.rst
 	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png

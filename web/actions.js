@@ -34,6 +34,12 @@ export function actions(view) {
       view.tell(`This cannot be saved: ${error.message}`);
     }
   };
+  const hold = () => {
+    const { shown, state, field } = view;
+    if (!shown?.psf || !shown.measures) return;
+    view.compare.hold({ ...shown, state, field, sentence: psfSaid(state, shown.psf, shown.measures) });
+    view.draw();
+  };
   return {
     pick(change) {
       if (change.picture !== "own" || view.own) return view.set(change);
@@ -71,15 +77,10 @@ export function actions(view) {
       view.page.preset.value = "";
       view.page.source.hidden = true;
     },
-    hold() {
-      const { shown, state, field } = view;
-      if (!shown?.psf || !shown.measures) return;
-      view.compare.hold({ ...shown, state, field, sentence: psfSaid(state, shown.psf, shown.measures) });
-      view.draw();
-    },
+    hold,
     exchange() {
       const { held } = view.compare;
-      this.hold();
+      hold();
       view.set(held.state);
     },
     release() {

@@ -36,7 +36,7 @@ export class Compare {
     clearInterval(this.timer);
     page.compare.hidden = !held;
     page.hold.hidden = Boolean(held);
-    page.stage.dataset.mode = held ? this.mode : "one";
+    page.node.dataset.compare = page.stage.dataset.mode = held ? this.mode : "one";
     page.stage.dataset.turn = "b";
     for (const tag of page.stage.querySelectorAll(".tag")) tag.hidden = !held;
     page.held.parentNode.hidden = !held;

@@ -66,7 +66,7 @@ export function layout({ state, set, controls, presets, actions, shows }) {
 
   const plot = (key, title, legend) => {
     const made = (page.plots[key] = new Plot(title));
-    const keys = legend.map(([kind, text]) => el("span", { class: `key ${kind}` }, text));
+    const keys = [["held", "A"], ...legend].map(([kind, text]) => el("span", { class: `key ${kind}` }, text));
     return el("figure", { class: "curve" }, el("figcaption", {}, el("h3", {}, title), el("span", { class: "legend" }, ...keys)), made.node, made.readout);
   };
   const plots = el(

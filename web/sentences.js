@@ -38,6 +38,7 @@ export function numbersSaid(state, psf, measures) {
 export function differenceSaid(now, held) {
   if (!Number.isFinite(now) || !Number.isFinite(held)) return "";
   const by = now - held;
+  if (by === 0) return "as A";
   return `${by < 0 ? "−" : "+"}${plain(Math.abs(by))} from A`;
 }
 

@@ -4,7 +4,7 @@ const real = (initial, low, high) => ({ initial, low, high });
 const word = (...choices) => ({ initial: choices[0], choices });
 
 export const FIELDS = {
-  defocus: real(0.6, -25, 25),
+  defocus: real(0.6, -50, 50),
   spherical: real(0, -25, 25),
   coma: real(0, 0, 10),
   coma_angle: real(0, -180, 180),

@@ -208,7 +208,7 @@ export class View {
     const end = (table, factor) => (table.r ?? table.f).at(-1) * factor;
     const radius = { unit: unit.name, label: `radius (${unit.name})` };
     const log = state.stretch === "log";
-    const top = niceTop(profile.mean.reduce((most, value) => Math.max(most, value), 0));
+    const top = niceTop(Math.max(...[profile, held?.profile].map((table) => table?.mean.reduce((most, value) => Math.max(most, value), 0) ?? 0)));
     page.plots.profile.draw({
       x: { ...radius, top: end(profile, unit.factor) },
       y: log ? { log, bottom: 1e-5, top: 1 } : { top },

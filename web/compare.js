@@ -2,7 +2,7 @@
 
 import { drawAtScale, colour } from "./draw.js";
 
-const TURN = 800; // ms, slower than what may harm anybody
+const ALTERNATE = 800; // ms, slower than what may harm anybody
 
 export class Compare {
   constructor(page) {
@@ -41,7 +41,7 @@ export class Compare {
     for (const tag of page.stage.querySelectorAll(".tag")) tag.hidden = !held;
     page.held.parentNode.hidden = !held;
     if (held && this.mode === "flicker" && !this.still.matches) {
-      this.timer = setInterval(() => (page.stage.dataset.turn = page.stage.dataset.turn === "a" ? "b" : "a"), TURN);
+      this.timer = setInterval(() => (page.stage.dataset.turn = page.stage.dataset.turn === "a" ? "b" : "a"), ALTERNATE);
     }
   }
 

@@ -14,8 +14,8 @@ export function el(name, attributes = {}, ...children) {
   return node;
 }
 
-let made = 0;
-export const unique = (name) => `lommel-${name}-${++made}`;
+let given = 0;
+export const unique = (name) => `lommel-${name}-${++given}`;
 
 export function menu(label, choices, value, onpick, attributes = {}) {
   const options = Object.entries(choices).map(([key, text]) => el("option", { value: key }, text));

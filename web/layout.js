@@ -5,7 +5,7 @@ import { PICTURES } from "./pictures.js";
 import { Plot } from "./plots.js";
 
 const VIEWS = { fine: "finely sampled", sampled: "at the pixels’ centres", averaged: "averaged by pixels" };
-const STRETCHES = { linear: "linear", sqrt: "square root", log: "logarithm" };
+const STRETCH_NAMES = { linear: "linear", sqrt: "square root", log: "logarithm" };
 const MAPS = { inferno: "inferno", viridis: "viridis", cividis: "cividis", gray: "grey" };
 
 const NUMBERS = {
@@ -41,7 +41,7 @@ export function layout({ state, set, controls, presets, actions, shows }) {
   const psf = el(
     "figure",
     { class: "psf" },
-    el("figcaption", {}, el("h3", {}, "Point spread function"), el("span", { class: "menus" }, pick("view", "Sampling", VIEWS), pick("stretch", "Stretch", STRETCHES), pick("map", "Colours", MAPS))),
+    el("figcaption", {}, el("h3", {}, "Point spread function"), el("span", { class: "menus" }, pick("view", "Sampling", VIEWS), pick("stretch", "Stretch", STRETCH_NAMES), pick("map", "Colours", MAPS))),
     page.stage,
     el("div", { class: "scale" }, page.bar, page.ticks),
   );

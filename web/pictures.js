@@ -11,14 +11,14 @@ export const PICTURES = {
   own: "Own picture …",
 };
 
-const made = new Map();
+const drawn = new Map();
 
 export function testPicture(name) {
-  if (!made.has(name)) {
+  if (!drawn.has(name)) {
     const draw = { star, bars, text, points }[name] ?? star;
-    made.set(name, { planes: draw(), width: WIDTH, height: HEIGHT, count: 1 });
+    drawn.set(name, { planes: draw(), width: WIDTH, height: HEIGHT, count: 1 });
   }
-  return made.get(name);
+  return drawn.get(name);
 }
 
 // The mean over the area of each pixel, by its middle third; at(x, y) is the light at a point.

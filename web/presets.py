@@ -31,7 +31,8 @@ def preset(path: Path) -> dict[str, Any]:
         along, across = waves.pop((n, m), 0.0), waves.pop((n, -m), 0.0)
         state[name] = math.hypot(along, across)
         state[f"{name}_angle"] = math.degrees(math.atan2(across, along)) / m
-    if any([waves.pop(term, 0.0) for term in TILT]):
+    tilts = [waves.pop(term, 0.0) for term in TILT]
+    if any(tilts):
         left_out.append("tilt, which moves the image")
     if rest := math.sqrt(sum(c * c for c in waves.values())):
         left_out.append(f"terms of higher order, {rest:.1g} waves")

@@ -107,7 +107,8 @@ cpp_formatted := $(wildcard cpp/bindings/* cpp/wasm/* cpp/include/lommel/*.hpp c
 # Python files are read from src, so only C++ ones lead to a rebuild when they change. But one of any
 # kind that was there at the last build and is gone also does, for the editable install has it on its
 # list. A stamp takes its time from the start of the work, so that no edit made meanwhile is missed.
-cpp_files := $(sort $(shell find cpp -type f 2>/dev/null))
+# What is in cpp/wasm is for browsers.
+cpp_files := $(sort $(shell find cpp -path cpp/wasm -prune -o -type f -print 2>/dev/null))
 all_files := $(sort $(cpp_files) $(shell find src -type f -name '*.py' 2>/dev/null))
 gone_files := $(filter-out $(all_files),$(shell cat .venv/build.stamp 2>/dev/null))
 
@@ -208,8 +209,11 @@ docs: build .venv/docs.stamp ## write the documentation to docs/_build/html, run
 	mkdir -p .tools
 	touch $@
 
-page: build .tools/zig.stamp ## make the live page's module, src/lommel/page/lommel-live.js
-	@.venv/bin/python web/build.py --zig .tools/zig/ziglang/zig --output src/lommel/page/lommel-live.js
+page_module := src/lommel/page/lommel-live.js
+page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js
+
+$(page_module): build .tools/zig.stamp $(wildcard web/* cpp/wasm/* examples/lenses/*)
+	@.venv/bin/python web/build.py --zig .tools/zig/ziglang/zig --output $@
 
 lint: env ## check the style and the format
 	@.venv/bin/ruff check
@@ -258,7 +262,7 @@ wheel: env ## build a wheel in dist
 
 clean: ## remove all that make made
 	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new web/requirements.lock.new
-	rm -f src/lommel/page/lommel-live.js
+	rm -f $(page_module)
 	rm -rf docs/_build docs/_generated docs/api docs/gallery docs/sg_execution_times.rst
 	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png

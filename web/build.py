@@ -16,6 +16,8 @@ import tempfile
 import zlib
 from pathlib import Path
 
+from presets import presets  # beside this file
+
 HERE = Path(__file__).resolve().parent
 # Fixed here and nowhere else: another set of them has the compiler build its library of C++ anew. Exceptions are said to
 # the host (cpp/wasm/live.cpp); contracted products would differ from the other builds of the core.
@@ -67,7 +69,7 @@ def joined(entry: str, made: dict[str, str], *, exports: bool) -> str:
                 raise ValueError(f"{name} renames what it imports from {other}, which joined files cannot")
         text = IMPORT.sub("", text)
         if re.search(r"^import\b", text, re.MULTILINE):
-            raise ValueError(f"{name} has an import of another form than `import {{ a }} from \"./b.js\";`")
+            raise ValueError(f'{name} has an import of another form than `import {{ a }} from "./b.js";`')
         if not (exports and name == entry):
             text = EXPORT.sub("", text)
         for found in re.findall(r"^(?:export )?(?:async )?(?:function\*?|class|const|let) (\w+)", text, re.MULTILINE):
@@ -82,26 +84,14 @@ def constants(**values: object) -> str:
     return "".join(f"export const {name} = {json.dumps(value)};\n" for name, value in values.items())
 
 
-def presets() -> list[object]:
-    """Return what the shipped lens files say, as states of the page."""
-    source = HERE / "presets.py"
-    if not source.exists():
-        return []
-    scope: dict[str, object] = {"__file__": str(source), "__name__": "presets"}
-    exec(compile(source.read_text(encoding="utf-8"), str(source), "exec"), scope)
-    return scope["presets"]()  # type: ignore[operator]
-
-
-def module(zig: str) -> str:
+def module(zig: str, entry: str) -> str:
     """Return the text of the module."""
     made = {"packed.js": constants(wasmText=packed(compiled(zig)))}
-    style = HERE / "live.css"
-    made["style.js"] = constants(styleText=style.read_text(encoding="utf-8") if style.exists() else "")
+    made["style.js"] = constants(styleText=(HERE / "live.css").read_text(encoding="utf-8"))
     made["shipped.js"] = constants(SHIPPED=presets())
     # The worker gets its own text, and the compiled core from the page.
     worker = joined("worker.js", {**made, "packed.js": constants(wasmText="")}, exports=False)
     made["workertext.js"] = constants(workerText=packed(worker.encode()))
-    entry = "live.js" if (HERE / "live.js").exists() else "client.js"
     return joined(entry, made, exports=True)
 
 
@@ -109,8 +99,11 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--zig", required=True)
     parser.add_argument("--output", required=True, type=Path)
+    parser.add_argument("--entry", default="live.js", help="the file whose exports the module has")
     given = parser.parse_args()
-    text = module(given.zig)
+    text = module(given.zig, given.entry)
     given.output.parent.mkdir(parents=True, exist_ok=True)
     given.output.write_text(text, encoding="utf-8", newline="\n")
-    print(f"{given.output}: {len(text.encode()) / 1e3:.0f} kB, {len(zlib.compress(text.encode(), 9)) / 1e3:.0f} kB deflated")
+    print(
+        f"{given.output}: {len(text.encode()) / 1e3:.0f} kB, {len(zlib.compress(text.encode(), 9)) / 1e3:.0f} kB deflated"
+    )

@@ -15,6 +15,15 @@ export function stepOf(state, length) {
   return (Math.PI * length) / unitOfLength(state);
 }
 
+export function lengthOf(state, v) {
+  return (v * unitOfLength(state)) / Math.PI;
+}
+
+// Frequency from which no contrast passes, cycles per millimetre.
+export function cutoff(state) {
+  return 1e3 / unitOfLength(state);
+}
+
 // Each line as [reference over its own wavelength, share of the light].
 export function linesOf(state) {
   return state.light === "white" ? WHITE.map((w) => [state.wavelength / w, 1 / WHITE.length]) : [[1, 1]];
@@ -83,8 +92,17 @@ export function rayReach(state) {
 
 // Half the width of a window that holds what is to be seen, in steps of sqrt(2) so that it does not breathe.
 export function fineReach(state) {
-  const wanted = stepOf(state, 1) ** -1 * (1.15 * rayReach(state) + 14);
+  const wanted = lengthOf(state, 1.15 * rayReach(state) + 14);
   return 2 ** (Math.ceil(2 * Math.log2(wanted)) / 2);
+}
+
+// How many of the sensor's pixels on each side a spread is known for, and divided by what light it has there, in a picture of such
+// a size; 0 where one pixel takes it all but for a hundredth.
+export function spreadReach(state, size) {
+  const wanted = (lengthOf(state, 1.15 * rayReach(state) + 30) - 0.5 * state.pixel) / state.pixel;
+  const largest = stepOf(state, state.pixel) * (state.light === "white" ? state.wavelength / WHITE[0] : 1);
+  if (largest > 500) return 0;
+  return Math.max(1, Math.min(Math.ceil(wanted), 128, size));
 }
 
 // The pixel of a view of so many pixels a side.

@@ -4,7 +4,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
+
+#include "lommel/imaging/convolution.hpp"
+#include "lommel/measures/overlap.hpp"
 
 #include "light.hpp"
 
@@ -27,6 +33,8 @@ void __cxa_throw(void* exception, void*, void (*)(void*)) {
 namespace {
 
 live::Light light;
+live::Circles circles;
+std::unique_ptr<lommel::Convolution> convolution;
 
 constexpr std::size_t blocks = 8;
 struct Block {
@@ -62,6 +70,10 @@ void set_light(const std::int32_t* terms, const double* edge, std::size_t count,
         light.terms.push_back({terms[2 * j], terms[2 * j + 1]});
     }
     light.edge.assign(edge, edge + count);
+    if (count == 0) {
+        light.terms.push_back({2, 0});
+        light.edge.push_back(0.0);
+    }
     light.obscuration = obscuration;
     light.lines.clear();
     for (std::size_t k = 0; k < line_count; ++k) {
@@ -86,5 +98,76 @@ EXPORT(psf) void psf(std::size_t side, double step, bool integrate, double tol, 
     numbers[0] = proof.bound;
     numbers[1] = top;
     numbers[2] = sum;
+}
+
+// What is to be asked of circles, up to `reach` in v.
+EXPORT(set_circles) void set_circles(double reach, double error) { circles = live::Circles(light, reach, error); }
+
+// At radii in v, with aberrations and without: means over the peak without aberration, or shares of all light within.
+EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool energy, double* out, double* flat) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] =
+            energy ? circles.energy(&live::Circles::Part::profile, v[i]) : circles.mean(&live::Circles::Part::profile, v[i]);
+        flat[i] = energy ? circles.energy(&live::Circles::Part::flat, v[i]) : circles.mean(&live::Circles::Part::flat, v[i]);
+    }
+}
+
+// The radius in v of the circle with a share of all light, or -1 where it is more than `reach`.
+EXPORT(radius_of) double radius_of(double share, double reach) {
+    double low = 0.0, high = reach;
+    const auto within = [](double v) { return circles.energy(&live::Circles::Part::profile, v); };
+    if (within(high) < share) {
+        return -1.0;
+    }
+    for (int i = 0; i < 48; ++i) {
+        const double middle = 0.5 * (low + high);
+        (within(middle) < share ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+// Contrast at frequencies over the cutoff of the reference: along columns, along rows, and without aberration.
+EXPORT(contrast) void contrast(const double* f, std::size_t count, std::size_t more, double* x, double* y, double* limit) {
+    std::vector<std::complex<double>> sums(2 * count);
+    std::fill_n(limit, count, 0.0);
+    for (const live::Line& line : light.lines) {
+        lommel::Overlap overlap(light.terms, light.stretched(line.stretch).data(), light.obscuration);
+        for (std::size_t axis = 0; axis < (light.radial() ? 1 : 2); ++axis) {
+            overlap.face(axis == 0 ? 0.0 : 1.5707963267948966);
+            for (std::size_t i = 0; i < count; ++i) {
+                sums[axis * count + i] += line.share * overlap.at(f[i] / line.stretch, more);
+            }
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            limit[i] += line.share * lommel::flat_overlap(f[i] / line.stretch, light.obscuration);
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        x[i] = std::abs(sums[i]);
+        y[i] = std::abs(sums[light.radial() ? i : count + i]);
+    }
+}
+
+// Planes of a picture as pixels of this spread record them, with all light in it; side is odd.
+EXPORT(blur)
+void blur(const float* spread, std::size_t side, const float* planes, std::size_t count, std::size_t height, std::size_t width,
+          float* out) {
+    // Of a few sizes, so that little changes from one spread to the next.
+    std::size_t reach = 8;
+    while (reach < side / 2) {
+        reach += (reach + 8) / 16 * 8;
+    }
+    if (!convolution || !convolution->is(height, width, reach)) {
+        convolution = std::make_unique<lommel::Convolution>(height, width, reach);
+    }
+    double sum = 0.0;
+    for (std::size_t i = 0; i < side * side; ++i) {
+        sum += static_cast<double>(spread[i]);
+    }
+    convolution->set_spread(spread, side, static_cast<float>(1.0 / sum));
+    for (std::size_t i = 0; i < count; ++i) {
+        convolution->set_plane(i, planes + i * height * width);
+        convolution->make(i, out + i * height * width);
+    }
 }
 }

@@ -94,11 +94,27 @@ class RowFft {
     // All passes but the last: afterwards X_{q + k n/4} is sum_j y_{q + j n/4} i^{jk}. Of x, only the first and the last quarter
     // are read: the others are taken to be 0. Returns where y is, x or `other`.
     template <class I>
-    LOMMEL_INLINE Real* run(I, Real* x, Real* other) const {
+    LOMMEL_INLINE Real* run(I isa, Real* x, Real* other) const {
+        return passes<true>(isa, x, other);
+    }
+
+    // All passes, of any x. Returns where X is, x or `other`.
+    template <class I>
+    LOMMEL_INLINE Real* whole(I isa, Real* x, Real* other) const {
+        static constexpr Real none[] = {1, 0, 1, 0, 1, 0};
+        Real* const before = passes<false>(isa, x, other);
+        Real* const to = before == x ? other : x;
+        pass<4, false, typename RowPack<I, Real>::type>(before, to, 4, n / 4, none);
+        return to;
+    }
+
+   private:
+    template <bool Sparse, class I>
+    LOMMEL_INLINE Real* passes(I, Real* x, Real* other) const {
         using V = typename RowPack<I, Real>::type;
         std::size_t size = n, stride = 1;
         const Real* turns = turns_.data();
-        bool first = true;
+        bool first = Sparse;
         for (const std::size_t radix : radices_) {
             if (first) {
                 pass<4, true, V>(x, other, size, stride, turns);
@@ -118,7 +134,6 @@ class RowFft {
         return x;
     }
 
-   private:
     template <std::size_t Radix, bool Sparse, class V>
     static LOMMEL_INLINE void pass(const Real* from, Real* to, std::size_t size, std::size_t stride, const Real* turns) {
         constexpr std::size_t lanes = sizeof(V) / sizeof(Real);

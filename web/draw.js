@@ -154,18 +154,18 @@ export function statistics(wavefront) {
 
 const encoded = (light) => (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
 const SRGB = Uint8ClampedArray.from({ length: 4096 }, (_, i) => 255 * encoded(i / 4095));
+const GREYS = Uint32Array.from(SRGB, (level) => pack([level, level, level]));
+const level = (light) => (light >= 1 ? 4095 : light > 0 ? (light * 4095 + 0.5) | 0 : 0);
 
 export function drawPicture(canvas, { planes, width, height, count }) {
-  const { context, image } = pixels(canvas, width, height);
-  const { data } = image;
+  const { context, image, out } = pixels(canvas, width, height);
   const size = width * height;
-  for (let i = 0; i < size; i++) {
-    for (let channel = 0; channel < 3; channel++) {
-      const light = planes[(count === 3 ? channel * size : 0) + i];
-      data[4 * i + channel] = SRGB[light >= 1 ? 4095 : light > 0 ? (light * 4095 + 0.5) | 0 : 0];
+  if (count === 1) for (let i = 0; i < size; i++) out[i] = GREYS[level(planes[i])];
+  else
+    for (let i = 0; i < size; i++) {
+      const [r, g, b] = [planes[i], planes[size + i], planes[2 * size + i]];
+      out[i] = (255 << 24) | (SRGB[level(b)] << 16) | (SRGB[level(g)] << 8) | SRGB[level(r)];
     }
-    data[4 * i + 3] = 255;
-  }
   context.putImageData(image, 0, 0);
 }
 

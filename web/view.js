@@ -113,6 +113,9 @@ export class View {
     if (this.wanted || this.asking || this.settling || this.gone) return;
     delete this.host.dataset.busy;
     this.say();
+    // The first wavefront without symmetry makes tables, which take longest: before anybody waits for them.
+    if (!this.warm) this.telling = setTimeout(() => this.client.call("psf", { ...this.state, coma: 0.1, astigmatism: 0.1 }, "drag").catch(() => {}), 400);
+    this.warm = true;
   }
 
   // Everything anew for the state as it is now; what changes meanwhile is asked next.
@@ -130,7 +133,7 @@ export class View {
     }
     const picture = (state.picture === "own" && this.own) || testPicture(state.picture);
     const { planes, width, height } = picture;
-    jobs.push(client.call("blur", state, planes, width, height).then((recorded) => this.got({ recorded: { ...picture, planes: recorded }, picture })));
+    jobs.push(client.call("blur", state, planes, width, height, quality === "drag" ? "drag" : "settled").then((recorded) => this.got({ recorded: { ...picture, planes: recorded }, picture })));
     const ends = await Promise.allSettled(jobs);
     if (this.gone) return;
     this.asking = false;
@@ -151,7 +154,8 @@ export class View {
   draw(part = this.shown ?? {}) {
     this.redraw = false;
     const { page, state } = this;
-    if (part.psf) this.drawPsf();
+    // How much of a sensor is worth a look is known by the measures, which come after.
+    if (state.view === "fine" ? part.psf : part.measures) this.drawPsf();
     if (part.measures) this.drawPlots();
     if (part.wavefront) {
       this.seen = drawWavefront(page.wavefront, part.wavefront, MAP_SIDE);

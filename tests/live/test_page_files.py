@@ -66,7 +66,7 @@ def test_the_png_is_what_is_seen_with_the_state_in_it(visit: Callable[..., Any])
 
 
 def test_copies_a_link_and_the_call_in_python(visit: Callable[..., Any]) -> None:
-    page = visit("/mounted#side=64&defocus=0.25", permissions=["clipboard-read", "clipboard-write"])
+    page = visit("/mounted#defocus=0.25&side=64", permissions=["clipboard-read", "clipboard-write"])
     page.locator('[data-action="link"]').click()
     page.wait_for_timeout(50)
     assert page.evaluate("navigator.clipboard.readText()") == page.url

@@ -56,7 +56,7 @@ export function layout({ state, set, controls, presets, actions, shows }) {
   );
 
   const small = (name, title) => {
-    page[`${name}Said`] = el("p", { class: "note" });
+    page[`${name}Said`] = el("p", { class: "note", title: name === "wavefront" ? "From peak to valley, and root mean square about the mean" : undefined });
     return el("figure", { class: "small" }, el("figcaption", {}, el("h3", {}, title)), canvas(name, title), page[`${name}Said`]);
   };
   const pupil = el("div", { class: "pupils" }, small("wavefront", "Wavefront"), small("fringes", "Pupil, a fringe a wave"));

@@ -86,7 +86,7 @@ function points() {
   const plane = new Float32Array(WIDTH * HEIGHT).fill(0.0015);
   let seed = 20;
   const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
-  for (let k = 1; k <= 90; k++) plane[Math.floor(random() * HEIGHT) * WIDTH + Math.floor(random() * WIDTH)] += 400 / k ** 1.2;
+  for (let k = 1; k <= 90; k++) plane[Math.floor(random() * HEIGHT) * WIDTH + Math.floor(random() * WIDTH)] += 120 / k ** 1.2;
   return plane;
 }
 

@@ -51,7 +51,7 @@ export function psfSaid(state, psf, measures) {
 
 export function wavefrontSaid(state, seen) {
   const { factor, name } = wavesUnit(state);
-  return `${short((seen.high - seen.low) * factor, 3)} ${name} peak to valley, ${short(seen.rms * factor, 3)} rms`;
+  return `${short((seen.high - seen.low) * factor, 3)} ${name} P–V, ${short(seen.rms * factor, 3)} rms`;
 }
 
 export function plotSaid(title, x, curves) {

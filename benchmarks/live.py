@@ -2,9 +2,9 @@
 
     python benchmarks/live.py [src/lommel/page/lommel-live.js]
 
-Prints, for each slider, the work of the page in a frame (median, worst; ms), the share of frames that came within 20 ms of
-the one before, and the tasks that took longer than 50 ms. The engine works beside the page, so its time is not in there
-but where a frame waits for it: the frames that showed a new point spread function are counted too.
+Prints, for each slider, the work of the page in a frame (median, worst; ms), the share of frames that came within 20 ms
+of the one before, and the tasks that took longer than 50 ms. The engine works beside the page, so its time shows only
+in how many point spread functions were drawn a second.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import statistics
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 from playwright.sync_api import sync_playwright
 
@@ -48,6 +49,7 @@ PAGE = """<!doctype html><title>bench</title><link rel="icon" href="data:,"><bod
 
 
 def main(module: Path) -> None:
+    """Measure a module."""
     with sync_playwright() as play:
         path = shutil.which("chromium") or shutil.which("google-chrome")
         browser = play.chromium.launch(executable_path=path, args=["--no-sandbox"])
@@ -66,14 +68,16 @@ def main(module: Path) -> None:
         browser.close()
 
 
-def serve(route: object, module: Path, state: str) -> None:
+def serve(route: Any, module: Path, state: str) -> None:
+    """Answer a request of the page."""
     if route.request.url.endswith(".js"):
         route.fulfill(path=module, content_type="text/javascript")
     else:
         route.fulfill(body=PAGE.replace("STATE", state), content_type="text/html")
 
 
-def drag(page: object, key: str, seconds: float = 2.0) -> str:
+def drag(page: Any, key: str, seconds: float = 2.0) -> str:
+    """Drag a slider, and return a line of numbers."""
     place = page.locator(f'input[type=range][data-key="{key}"]').bounding_box()
     y = place["y"] + place["height"] / 2
     page.wait_for_timeout(1000)
@@ -91,7 +95,8 @@ def drag(page: object, key: str, seconds: float = 2.0) -> str:
     work = seen["work"][1:-1]
     waits = [b - a for a, b in zip(seen["begins"], seen["begins"][1:], strict=False)]
     smooth = sum(wait <= 20 for wait in waits) / len(waits)
-    return f"{statistics.median(work):5.1f} / {max(work):5.1f}   {smooth:5.0%}   {seen['long']}   {seen['drawn'] / seconds:.0f}"
+    rate = seen["drawn"] / seconds
+    return f"{statistics.median(work):5.1f} / {max(work):5.1f}   {smooth:5.0%}   {seen['long']}   {rate:.0f}"
 
 
 if __name__ == "__main__":

@@ -82,7 +82,7 @@ def site(module: Path) -> Iterator[str]:
 
 @pytest.fixture
 def visit(browser: Any, site: str) -> Iterator[Callable[..., Any]]:
-    """Open a page and wait until it rests; whatever a browser complains of, and any foreign request, fails the test."""
+    """Open a page and wait until it rests; what the browser complains of, or a foreign request, fails the test."""
     contexts, complaints = [], []
 
     def opened(path: str = "/mounted", *, wait: str = IDLE, **options: Any) -> Any:

@@ -187,6 +187,7 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	done
 	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
 	sanitized address,undefined tables -DLOMMEL_WIDE=double
+	sanitized address,undefined measures
 
 # What Sphinx needs comes on top of what is in .venv, and only when the pages are asked for.
 .venv/docs.stamp: .venv/env.stamp docs/requirements.lock

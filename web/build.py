@@ -19,12 +19,13 @@ from pathlib import Path
 from presets import presets  # beside this file
 
 HERE = Path(__file__).resolve().parent
-# Fixed here and nowhere else: another set of them has the compiler build its library of C++ anew. Exceptions are said to
-# the host (cpp/wasm/live.cpp); contracted products would differ from the other builds of the core.
-FLAGS = """
--target wasm32-wasi -std=c++17 -O3 -msimd128 -ffp-contract=off -fno-math-errno -fignore-exceptions -mexec-model=reactor
--Wall -Wextra -Wno-psabi -Wl,--strip-all
-""".split()
+# Fixed here and nowhere else: another set of them has the compiler build its library of C++ anew. Exceptions are said
+# to the host (cpp/wasm/live.cpp); contracted products would differ from the other builds of the core.
+FLAGS = [
+    *("-target", "wasm32-wasi", "-mexec-model=reactor", "-Wl,--strip-all"),
+    *("-std=c++17", "-O3", "-msimd128", "-ffp-contract=off", "-fno-math-errno", "-fignore-exceptions"),
+    *("-Wall", "-Wextra", "-Wno-psabi"),
+]
 IMPORT = re.compile(r'^import\s*\{([^}]*)\}\s*from\s*"\./([\w-]+\.js)";\n', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const|let)\b)", re.MULTILINE)
 
@@ -72,6 +73,8 @@ def joined(entry: str, made: dict[str, str], *, exports: bool) -> str:
             raise ValueError(f'{name} has an import of another form than `import {{ a }} from "./b.js";`')
         if not (exports and name == entry):
             text = EXPORT.sub("", text)
+            if re.search(r"^export\b", text, re.MULTILINE):
+                raise ValueError(f"{name} has an export of another form than that of a declaration")
         for found in re.findall(r"^(?:export )?(?:async )?(?:function\*?|class|const|let) (\w+)", text, re.MULTILINE):
             if owner.setdefault(found, name) != name:
                 raise ValueError(f"{found} is declared both in {owner[found]} and in {name}")
@@ -104,6 +107,5 @@ if __name__ == "__main__":
     text = module(given.zig, given.entry)
     given.output.parent.mkdir(parents=True, exist_ok=True)
     given.output.write_text(text, encoding="utf-8", newline="\n")
-    print(
-        f"{given.output}: {len(text.encode()) / 1e3:.0f} kB, {len(zlib.compress(text.encode(), 9)) / 1e3:.0f} kB deflated"
-    )
+    sizes = [len(text.encode()), len(zlib.compress(text.encode(), 9))]
+    print(f"{given.output}: {sizes[0] / 1e3:.0f} kB, {sizes[1] / 1e3:.0f} kB deflated")

@@ -18,8 +18,9 @@ self.onmessage = ({ data: { id, method, arguments: given } }) => {
   }
 };
 
-// What can be handed over without a copy.
-function buffersOf(result) {
-  const parts = [result, ...Object.values(result)].flatMap((part) => [part, ...(part?.constructor === Object ? Object.values(part) : [])]);
-  return [...new Set(parts.filter(ArrayBuffer.isView).map((view) => view.buffer))];
+// What can be handed over without a copy: arrays, alone or in objects.
+function buffersOf(result, found = new Set()) {
+  if (ArrayBuffer.isView(result)) found.add(result.buffer);
+  else if (result?.constructor === Object) for (const part of Object.values(result)) buffersOf(part, found);
+  return [...found];
 }

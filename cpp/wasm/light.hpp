@@ -150,8 +150,7 @@ struct Averages {
     }
 };
 
-template <class T>
-Proof image_of_line(const Light& light, const Line& line, const View& view, double tol, double scale, T* out) {
+inline Proof image_of_line(const Light& light, const Line& line, const View& view, double tol, double scale, float* out) {
     using namespace lommel;
     const std::vector<double> edge = light.stretched(line.stretch);
     const double step = view.step * line.stretch, middle = static_cast<double>(view.side / 2);
@@ -165,17 +164,18 @@ Proof image_of_line(const Light& light, const Line& line, const View& view, doub
         }
         double numbers[3] = {scale, 0.0, 0.0};
         const Stack stack{powers.data(), 1, powers.size(), light.obscuration};
-        const Answer<T> answer{out, numbers, numbers + 1, numbers + 2, nullptr, 0, nullptr, nullptr};
+        const Answer<float> answer{out, numbers, numbers + 1, numbers + 2, nullptr, 0, nullptr, nullptr};
         if (view.integrate) {
-            PixelRenderer<T>(stack, PixelWindow{view.side, view.side, middle, middle, step, true}, tol, 1, answer).run();
+            PixelRenderer<float>(stack, PixelWindow{view.side, view.side, middle, middle, step, true}, tol, 1, answer).run();
         } else {
-            Renderer<T>(stack, view.side, view.side, step, tol, 1, answer).run();
+            Renderer<float>(stack, view.side, view.side, step, tol, 1, answer).run();
         }
         proof = {numbers[1], numbers[2]};
     } else if (view.integrate) {
         Averages averages{light, edge, view.side, step, {}};
-        proof = averages.run(tol, storing<T>(false));
-        std::transform(averages.total.begin(), averages.total.end(), out, [&](double x) { return static_cast<T>(scale * x); });
+        proof = averages.run(tol, storing<float>(false));
+        std::transform(averages.total.begin(), averages.total.end(), out,
+                       [&](double x) { return static_cast<float>(scale * x); });
     } else {
         proof = sampled(light, edge, DiskWindow{view.side, view.side, middle, middle, step}, tol, scale, out);
     }
@@ -190,43 +190,30 @@ inline Proof image_of(const Light& light, const View& view, double tol, float* o
     if (light.lines.size() == 1) {
         return image_of_line(light, light.lines[0], view, tol, scale * light.lines[0].weight(), out);
     }
-    // Single precision takes its part of the tolerance of each line.
-    constexpr double least_of_floats = 3e-7, least = 1e-10;
-    static std::vector<float> floats;
-    static std::vector<double> part, total;
-    for (double asked = tol;;) {
+    // What single precision allows of each line. Where all together have more than was asked, the bound says so.
+    constexpr double least = 2.5e-7;
+    static std::vector<float> part;
+    static std::vector<double> total;
+    part.resize(pixels);
+    for (double asked = std::max(tol, least);;) {
         total.assign(pixels, 0.0);
         double off = 0.0, peak = 0.0;
         for (const Line& line : light.lines) {
-            const double weight = scale * line.weight();
-            Proof proof;
-            if (asked >= least_of_floats) {
-                floats.resize(pixels);
-                proof = image_of_line(light, line, view, asked, weight, floats.data());
-                std::transform(floats.begin(), floats.end(), total.begin(), total.begin(),
-                               [](float a, double b) { return static_cast<double>(a) + b; });
-            } else {
-                part.resize(pixels);
-                proof = image_of_line(light, line, view, asked, weight, part.data());
-                std::transform(part.begin(), part.end(), total.begin(), total.begin(),
-                               [](double a, double b) { return a + b; });
-            }
+            const Proof proof = image_of_line(light, line, view, asked, scale * line.weight(), part.data());
+            std::transform(part.begin(), part.end(), total.begin(), total.begin(),
+                           [](float a, double b) { return static_cast<double>(a) + b; });
             off += proof.bound * proof.peak;
             // Nothing is negative, so the sum is at least as bright as any part of it.
             peak = std::max(peak, proof.peak * (1.0 - proof.bound));
         }
         const double highest = *std::max_element(total.begin(), total.end());
         off += static_cast<double>(light.lines.size() + 8) * lommel::unit_roundoff * highest;
-        peak = std::max(peak, highest - off);
-        const double bound = lommel::stored(off / peak, lommel::storing<float>(false));
-        if (bound <= tol) {
+        const double bound = lommel::stored(off / std::max(peak, highest - off), lommel::storing<float>(false));
+        if (bound <= tol || asked == least) {
             std::transform(total.begin(), total.end(), out, [](double x) { return static_cast<float>(x); });
             return {bound, highest};
         }
-        if (asked <= least) {
-            throw lommel::ToleranceNotMet(bound);
-        }
-        asked = std::max(least, asked * std::max(1e-3, std::min(0.5, 0.5 * tol / bound)));
+        asked = std::max(least, 0.5 * asked * std::min(1.0, tol / bound));
     }
 }
 

@@ -231,7 +231,8 @@ def test_a_point_becomes_the_average_over_pixels(engine, state):
     picture[0, 20, 30] = picture[1, 33, 12] = 1.0
     made = blurred(engine, state, picture)
     exact = lm.psf(pupil_of(state), 99, 2e-6, method=white(state), tol=1e-8, dtype=np.float64).values
-    # All light is within the picture, or comes back by reflection: that of another point, where the spread is not even.
+    # All light is within the picture, or comes back by reflection: as that of another point, where the spread is
+    # not even.
     assert made.sum(axis=(1, 2)) == pytest.approx([1.0, 1.0], abs=2e-2 if "coma" in state else 1e-4)
     for plane, (y, x) in zip(made, ((20, 30), (33, 12)), strict=True):
         window = exact[49 - 8 : 49 + 9, 49 - 8 : 49 + 9]
@@ -259,8 +260,11 @@ def test_a_failure_is_a_sentence_and_the_next_call_works(engine):
     assert "pixels of 130 lambda*N take" in failed["error"]
     # Of the core itself.
     failed = engine.page.evaluate(
-        "() => { try { engine.image({...{defocus: 1e9, spherical: 0, coma: 0, astigmatism: 0, trefoil: 0, obscuration: 0,"
-        "wavelength: 550, f_number: 4, light: 'mono'}}, 32, 1, false, 1e-6) } catch (e) { return e.message } }"
+        """() => {
+            const state = { defocus: 1e9, spherical: 0, coma: 0, astigmatism: 0, trefoil: 0, obscuration: 0 };
+            try { engine.image({ ...state, wavelength: 550, f_number: 4, light: "mono" }, 32, 1, false, 1e-6) }
+            catch (error) { return error.message }
+        }"""
     )
     assert "exceed the limit of 1000000 rad" in failed
     assert engine.psf({"coma": 0.4, "side": 32})["values"] == before["values"]

@@ -5,7 +5,7 @@ import { Engine } from "./engine.js";
 import { changed, DEFAULTS, FIELDS, fromText } from "./state.js";
 import { View } from "./view.js";
 
-export { createCore, DEFAULTS };
+export { createCore, DEFAULTS, Engine };
 
 // The answer of the engine to a state, which need say no more than what differs from the defaults.
 export function psf(core, state = {}, quality = "settled") {

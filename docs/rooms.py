@@ -28,7 +28,7 @@ ORDER = [
     {"field", "imaging"},
     {"lensfiles"},
     {"reports"},
-    {"adapters", "paper"},
+    {"adapters", "page", "paper"},
     {"cli"},
     {"the package"},
 ]

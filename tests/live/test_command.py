@@ -10,6 +10,8 @@ import urllib.request
 
 import pytest
 
+from live_page import PIXELS
+
 
 @pytest.fixture
 def running(module, lenses):
@@ -54,11 +56,7 @@ def test_a_saved_page_opens_from_its_file_and_draws_the_same(running, run_lommel
         page = browser.new_page()
         page.goto(address)
         page.wait_for_selector(".lommel-live-host:not([data-busy])", state="attached")
-        pixels.append(
-            page.evaluate(
-                "document.querySelector('.lommel-live-host').shadowRoot.querySelector('.now canvas').toDataURL()"
-            )
-        )
+        pixels.append(page.evaluate(PIXELS))
         page.close()
     assert pixels[0] == pixels[1]
     assert len(pixels[0]) > 1000

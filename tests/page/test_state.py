@@ -72,7 +72,7 @@ def test_a_link_says_what_differs_and_says_it_exactly():
     assert link({}) == ""
     state = {"defocus": 0.1 + 0.2, "f_number": 2.0, "view": "sampled", "focal_length": 1e6}
     assert link(state) == "defocus=0.30000000000000004&f_number=2&view=sampled&focal_length=1000000"
-    assert {k: v for k, v in parse_qsl(link(state))}.keys() == state.keys()
+    assert dict(parse_qsl(link(state))).keys() == state.keys()
 
 
 @pytest.mark.parametrize("view", ["fine", "sampled", "averaged"])

@@ -38,7 +38,8 @@ def live(lens: Path | None, port: int, no_browser: bool, saved: Path | None) -> 
     from lommel.page.server import PageServer
     from lommel.page.state import state_of
 
-    state, title = {}, "lommel"
+    state: dict[str, float] = {}
+    title = "lommel"
     if lens is not None:
         instrument = load_instrument(lens)
         state, left_out = state_of(instrument)

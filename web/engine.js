@@ -1,6 +1,6 @@
 // From a state of the page to its answers. Runs in a Worker, or where there is none on the page itself.
 import { changed, DEFAULTS } from "./state.js";
-import { cutoff, fineReach, lengthOf, linesOf, pixelOf, pythonOf, spreadReach, stepOf, termsOf, waves } from "./optics.js";
+import { coarse, cutoff, fineReach, lengthOf, linesOf, pixelOf, pythonOf, spreadReach, stepOf, termsOf, waves } from "./optics.js";
 
 // While something is dragged, what takes long is asked for less exactly. Tolerances are over the peak.
 const QUALITY = {
@@ -72,12 +72,13 @@ export class Engine {
     const size = width * height;
     const count = Math.floor(picture.length / size);
     const side = 2 * spreadReach(state, Math.min(width, height)) + 1;
-    if (side === 1) return Float32Array.from(picture);
     const { core } = this;
-    this.image(state, side, state.pixel, true, QUALITY[quality].tol);
+    if (coarse(state)) core.put("values", this.binned(state, side));
+    else this.image(state, side, state.pixel, true, QUALITY[quality].tol);
+    const spread = core.room("values", Float32Array, side * side);
     const planes = core.put("planes", picture);
     const out = core.room("blurred", Float32Array, size * count);
-    core.call("blur", core.room("values", Float32Array, side * side), side, planes, count, height, width, out);
+    core.call("blur", spread, side, planes, count, height, width, out);
     return core.view(out, Float32Array, size * count).slice();
   }
 
@@ -91,6 +92,26 @@ export class Engine {
     core.call("psf", side, stepOf(state, pixel), integrate ? 1 : 0, tol, out, numbers);
     copy?.set(core.view(out, Float32Array, side * side));
     return core.view(numbers, Float64Array, 3).slice();
+  }
+
+  // Averages over pixels that are much larger than a fine view's: each of its pixels is within one of them, or two in a row.
+  binned(state, side) {
+    const pitch = pixelOf({ ...state, view: "fine" }, 256);
+    const values = new Float32Array(256 * 256);
+    this.image(state, 256, pitch, false, QUALITY.drag.tol, values);
+    const parts = Array.from({ length: 256 }, (_, i) => {
+      const low = ((i - 128.5) * pitch) / state.pixel + 0.5 * side;
+      const [first, last] = [Math.floor(low), Math.floor(low + pitch / state.pixel)];
+      const share = first === last ? 1 : ((last - low) * state.pixel) / pitch;
+      return [[first, share], [last, 1 - share]].filter(([at]) => at >= 0 && at < side);
+    });
+    const out = new Float32Array(side * side);
+    parts.forEach((rows, y) =>
+      parts.forEach((columns, x) => {
+        for (const [row, down] of rows) for (const [column, across] of columns) out[row * side + column] += down * across * values[256 * y + x];
+      }),
+    );
+    return out;
   }
 
   // At radii in v, with aberrations and without.

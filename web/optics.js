@@ -97,12 +97,15 @@ export function fineReach(state) {
 }
 
 // How many of the sensor's pixels on each side a spread is known for, and divided by what light it has there, in a picture of such
-// a size; 0 where one pixel takes it all but for a hundredth.
+// a size.
 export function spreadReach(state, size) {
   const wanted = (lengthOf(state, 1.15 * rayReach(state) + 30) - 0.5 * state.pixel) / state.pixel;
-  const largest = stepOf(state, state.pixel) * (state.light === "white" ? state.wavelength / WHITE[0] : 1);
-  if (largest > 500) return 0;
   return Math.max(1, Math.min(Math.ceil(wanted), 128, size));
+}
+
+// Whether averages over the sensor's pixels take more samples across each than is worth while.
+export function coarse(state) {
+  return directed(state).length > 0 && stepOf(state, state.pixel) * Math.max(...linesOf(state).map(([stretch]) => stretch)) > 200;
 }
 
 // The pixel of a view of so many pixels a side.

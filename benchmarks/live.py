@@ -2,9 +2,9 @@
 
     python benchmarks/live.py [src/lommel/page/lommel-live.js]
 
-Prints, for each slider, the work of the page in a frame (median, worst; ms), the share of frames that came within 20 ms
-of the one before, and the tasks that took longer than 50 ms. The engine works beside the page, so its time shows only
-in how many point spread functions were drawn a second.
+Prints, for each slider, the work of the page in a frame (median, worst; ms), the share of frames that came within
+20 ms of the one before, and the tasks that took longer than 50 ms. The engine works beside the page, so its time
+shows only in how many point spread functions were drawn a second.
 """
 
 from __future__ import annotations

@@ -2,7 +2,6 @@
 
 import { saveCsv, savePng, saveTiff } from "./downloads.js";
 import { ownPicture } from "./pictures.js";
-import { drawPicture } from "./draw.js";
 import { PRESETS } from "./presets.js";
 import { changed, DEFAULTS, toText } from "./state.js";
 import { psfSaid } from "./sentences.js";
@@ -61,15 +60,14 @@ export function actions(view) {
       }
       view.page.file.value = "";
     },
-    before() {
-      if (view.shown?.recorded) drawPicture(view.page.recorded, view.page.before.checked ? view.shown.picture : view.shown.recorded);
-    },
+    before: () => view.draw({ recorded: view.shown?.recorded }),
     preset(index) {
       const preset = PRESETS[Number(index)];
       if (index === "" || !preset) return;
       const kept = Object.fromEntries(KEPT.map((key) => [key, view.state[key]]));
       view.set({ ...DEFAULTS, ...preset.state, ...kept });
-      view.page.source.textContent = [preset.left_out && `Left out here: ${preset.left_out}.`, preset.source].filter(Boolean).join(" ");
+      const said = [preset.left_out && `Left out here: ${preset.left_out}.`, preset.source];
+      view.page.source.textContent = said.filter(Boolean).join(" ");
       view.page.source.hidden = false;
     },
     reset() {

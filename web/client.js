@@ -37,6 +37,7 @@ export class Client {
     try {
       this.worker = await startedWorker(core);
       this.worker.onmessage = ({ data }) => this.answer(data);
+      this.worker.onerror = (event) => this.renew(event);
       if (this.gone) this.destroy();
     } catch (error) {
       if (!told) console.info(`lommel: no Worker here (${error.message}), so the page computes by itself.`);
@@ -53,6 +54,14 @@ export class Client {
       this.waiting.set(id, { resolve, reject });
       this.worker?.postMessage({ id, method, arguments: given });
     });
+  }
+
+  // After what no answer can come from: all that waits is told, and the next questions go to a new Worker.
+  renew(event) {
+    event.preventDefault?.();
+    this.worker?.terminate();
+    this.ready = this.start();
+    for (const id of [...this.waiting.keys()]) this.answer({ id, error: event.message || "the computation stopped" });
   }
 
   answer({ id, result, error }) {

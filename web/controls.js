@@ -24,7 +24,10 @@ const ROWS = {
 };
 
 const GROUPS = [
-  ["Wavefront", ["defocus", "spherical", ["coma", "coma_angle"], ["astigmatism", "astigmatism_angle"], ["trefoil", "trefoil_angle"]]],
+  [
+    "Wavefront",
+    ["defocus", "spherical", ["coma", "coma_angle"], ["astigmatism", "astigmatism_angle"], ["trefoil", "trefoil_angle"]],
+  ],
   ["Lens and light", ["f_number", "obscuration", "wavelength"]],
   ["Sensor", ["pixel", "side", "focal_length"]],
 ];
@@ -41,9 +44,11 @@ export class Controls {
       const rows = entries.map((entry) => this.entry(entry, state, shows)).filter(Boolean);
       const extra = this.extra(title, state, shows);
       if (!rows.length && !extra.length) return null;
-      return el("div", { class: "section", role: "group", "aria-label": title }, el("div", { class: "head" }, el("h3", {}, title), ...extra), ...rows);
+      const head = el("div", { class: "head" }, el("h3", {}, title), ...extra);
+      return el("div", { class: "section", role: "group", "aria-label": title }, head, ...rows);
     });
-    this.node = el("form", { class: "controls", "aria-label": "Settings", onsubmit: (event) => event.preventDefault() }, ...groups);
+    const onsubmit = (event) => event.preventDefault();
+    this.node = el("form", { class: "controls", "aria-label": "Settings", onsubmit }, ...groups);
     this.update(state);
   }
 
@@ -80,8 +85,12 @@ export class Controls {
     const row = { key, spec, slider, box, unit, name, dragging: false };
     const reset = () => this.set({ [key]: FIELDS[key].initial });
     slider.addEventListener("pointerdown", () => (row.dragging = true));
-    for (const end of ["pointerup", "pointercancel", "blur", "lostpointercapture"]) slider.addEventListener(end, () => (row.dragging = false));
-    slider.addEventListener("input", () => this.set({ [key]: spec.log ? Number((10 ** slider.valueAsNumber).toPrecision(3)) : slider.valueAsNumber }, true));
+    for (const end of ["pointerup", "pointercancel", "blur", "lostpointercapture"])
+      slider.addEventListener(end, () => (row.dragging = false));
+    slider.addEventListener("input", () => {
+      const at = slider.valueAsNumber;
+      this.set({ [key]: spec.log ? Number((10 ** at).toPrecision(3)) : at }, true);
+    });
     slider.addEventListener("dblclick", reset);
     slider.addEventListener("keydown", (event) => {
       if (event.key === "Delete" || event.key === "Backspace") reset();
@@ -104,7 +113,8 @@ export class Controls {
     this.state = state;
     const waves = wavesUnit(state);
     for (const row of this.rows.values()) this.show(row, state, row.spec.waves ? waves : { factor: 1, name: row.spec.unit });
-    for (const [node, key] of [[this.waves, "waves_unit"], [this.light, "light"], [this.length, "length_unit"]]) if (node) node.value = state[key];
+    const menus = { waves_unit: this.waves, light: this.light, length_unit: this.length };
+    for (const [key, node] of Object.entries(menus)) if (node) node.value = state[key];
     const focal = this.rows.get("focal_length");
     if (focal) focal.box.closest("[data-row]").hidden = state.length_unit !== "arcsec";
   }

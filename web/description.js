@@ -18,7 +18,8 @@ export function pythonJson(value, sorted) {
 class Float {
   constructor(value) {
     const [digits, power] = value.toExponential().split("e").map((part, index) => (index ? Number(part) : part));
-    if (value !== 0 && (power < -4 || power >= 16)) this.text = `${digits}e${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
+    const sign = power < 0 ? "-" : "+";
+    if (value !== 0 && (power < -4 || power >= 16)) this.text = `${digits}e${sign}${String(Math.abs(power)).padStart(2, "0")}`;
     else this.text = Number.isInteger(value) ? `${value}.0` : decimal(value, power);
   }
 }
@@ -64,5 +65,6 @@ export function describedPsf(state, psf) {
 function methodOf(state, float) {
   if (state.light !== "white") return { name: "NijboerZernike", tol: float(1e-6) };
   const wavelengths = WHITE.map((line) => float(line * 1e-9));
-  return { name: "Polychromatic", wavelengths, weights: linesOf(state).map(([, share]) => float(share)), method: null, tol: float(1e-6) };
+  const weights = linesOf(state).map(([, share]) => float(share));
+  return { name: "Polychromatic", wavelengths, weights, method: null, tol: float(1e-6) };
 }

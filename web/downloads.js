@@ -81,8 +81,9 @@ export function tiffBytes(state, psf) {
   const text = ascii(
     `<?xml version="1.0" encoding="UTF-8"?><OME xmlns="${space}" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" ` +
       `xsi:schemaLocation="${space} ${space}/ome.xsd" Creator="lommel live"><Image ID="Image:0" Name="point spread function">` +
-      `<Description>${escaped(describedPsf(state, psf))}</Description><Pixels ID="Pixels:0" DimensionOrder="XYCZT" Type="float" ` +
-      `SizeX="${side}" SizeY="${side}" SizeC="1" SizeZ="1" SizeT="1" ${size}><Channel ID="Channel:0:0" SamplesPerPixel="1">` +
+      `<Description>${escaped(describedPsf(state, psf))}</Description>` +
+      `<Pixels ID="Pixels:0" DimensionOrder="XYCZT" Type="float" SizeX="${side}" SizeY="${side}" ` +
+      `SizeC="1" SizeZ="1" SizeT="1" ${size}><Channel ID="Channel:0:0" SamplesPerPixel="1">` +
       `<LightPath/></Channel><TiffData IFD="0" PlaneCount="1"/></Pixels></Image></OME>\0`,
   );
   const SHORT = 3;

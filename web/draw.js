@@ -55,7 +55,10 @@ const images = new WeakMap();
 function pixels(canvas, width, height) {
   const context = fit(canvas, width, height);
   let image = images.get(canvas);
-  if (!image || image.width !== width || image.height !== height) images.set(canvas, (image = context.createImageData(width, height)));
+  if (!image || image.width !== width || image.height !== height) {
+    image = context.createImageData(width, height);
+    images.set(canvas, image);
+  }
   return { context, image, out: new Uint32Array(image.data.buffer) };
 }
 
@@ -79,29 +82,16 @@ export function drawPsf(canvas, psf, { map, stretch, crop = psf.side }) {
   return top;
 }
 
-// Three planes of linear light, each stretched alike over the brightest of all.
-export function drawColour(canvas, planes, side, stretch) {
-  const { context, image } = pixels(canvas, side, side);
-  const size = side * side;
-  let top = 1e-30;
-  for (let i = 0; i < planes.length; i++) if (planes[i] > top) top = planes[i];
-  const display = STRETCHES[stretch];
-  for (let i = 0; i < size; i++) {
-    for (let plane = 0; plane < 3; plane++) image.data[4 * i + plane] = 255 * encoded(Math.max(0, display(Math.max(0, planes[plane * size + i]) / top)));
-    image.data[4 * i + 3] = 255;
-  }
-  context.putImageData(image, 0, 0);
-}
-
 export function drawBar(canvas, { map, stretch }) {
   const { context, image, out } = pixels(canvas, 256, 1);
   for (let x = 0; x < 256; x++) out[x] = pack(colour(map, x / 255));
   context.putImageData(image, 0, 0);
-  if (stretch === "log") return [0, 0.2, 0.4, 0.6, 0.8, 1].map((at) => [at, at === 1 ? "1" : `10${superscript(Math.round((at - 1) * DECADES))}`]);
+  if (stretch === "log") return [0, 0.2, 0.4, 0.6, 0.8, 1].map((at) => [at, powerOfTen(Math.round((at - 1) * DECADES))]);
   return [0, 0.25, 0.5, 0.75, 1].map((at) => [at, String(stretch === "sqrt" ? Number((at * at).toFixed(2)) : at)]);
 }
 
-export const superscript = (number) => [...String(number)].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c])).join("");
+const raised = (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]);
+export const powerOfTen = (power) => (power === 0 ? "1" : `10${[...String(power)].map(raised).join("")}`);
 
 const ramps = new Map();
 function ramp(map) {

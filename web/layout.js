@@ -24,7 +24,12 @@ export function layout({ state, set, controls, presets, actions, shows }) {
     return shows(key) ? page.selects[key] : null;
   };
   const canvas = (name, label) => (page[name] = el("canvas", { role: "img", "aria-label": label, width: 16, height: 16 }));
-  const button = (name, text, title, run) => (page[name] = el("button", { type: "button", title, onclick: run, "data-action": name }, text));
+  const button = (name, text, title, onclick) =>
+    (page[name] = el("button", { type: "button", title, onclick, "data-action": name }, text));
+  const figure = (name, title, menus, ...children) => {
+    const caption = el("figcaption", {}, el("h3", {}, title), el("span", { class: "menus" }, ...menus));
+    return el("figure", { class: name }, caption, ...children);
+  };
 
   const notice = (page.notice = el("p", { class: "notice", role: "alert", hidden: true }));
   page.said = el("p", { class: "unseen", role: "status" });
@@ -36,38 +41,56 @@ export function layout({ state, set, controls, presets, actions, shows }) {
     "div",
     { class: "stage" },
     el("div", { class: "frame held", hidden: true }, canvas("held", "The held setting A"), el("b", { class: "tag" }, "A")),
-    el("div", { class: "frame now" }, canvas("psf", "Point spread function"), el("b", { class: "tag", hidden: true }, "B"), page.ruler),
+    el(
+      "div",
+      { class: "frame now" },
+      canvas("psf", "Point spread function"),
+      el("b", { class: "tag", hidden: true }, "B"),
+      page.ruler,
+    ),
   );
-  const psf = el(
-    "figure",
-    { class: "psf" },
-    el("figcaption", {}, el("h3", {}, "Point spread function"), el("span", { class: "menus" }, pick("view", "Sampling", VIEWS), pick("stretch", "Stretch", STRETCH_NAMES), pick("map", "Colours", MAPS))),
+  const psf = figure(
+    "psf",
+    "Point spread function",
+    [pick("view", "Sampling", VIEWS), pick("stretch", "Stretch", STRETCH_NAMES), pick("map", "Colours", MAPS)],
     page.stage,
     el("div", { class: "scale" }, page.bar, page.ticks),
   );
 
-  page.file = el("input", { type: "file", accept: "image/*", class: "unseen", tabindex: -1, "aria-label": "Own picture", onchange: () => actions.own(page.file.files) });
+  const onchange = () => actions.own(page.file.files);
+  const file = { type: "file", accept: "image/*", class: "unseen", tabindex: -1, "aria-label": "Own picture", onchange };
+  page.file = el("input", file);
   page.before = el("input", { type: "checkbox", onchange: () => actions.before(page.before.checked) });
-  const picture = el(
-    "figure",
-    { class: "picture" },
-    el("figcaption", {}, el("h3", {}, "On the sensor"), el("span", { class: "menus" }, pick("picture", "Picture", PICTURES), button("choose", "Open …", "A picture of your own; it stays in this browser. Or drop one here", () => page.file.click()), el("label", { class: "tick" }, page.before, "without lens"), page.file)),
+  const hint = "A picture of your own; it stays in this browser. Or drop one here";
+  const picture = figure(
+    "picture",
+    "On the sensor",
+    [
+      pick("picture", "Picture", PICTURES),
+      button("choose", "Open …", hint, () => page.file.click()),
+      el("label", { class: "tick" }, page.before, "without lens"),
+      page.file,
+    ],
     el("div", { class: "stage" }, canvas("recorded", "Test picture")),
   );
 
   const small = (name, title) => {
-    page[`${name}Said`] = el("p", { class: "note", title: name === "wavefront" ? "From peak to valley, and root mean square about the mean" : undefined });
-    return el("figure", { class: "small" }, el("figcaption", {}, el("h3", {}, title)), canvas(name, title), page[`${name}Said`]);
+    const note = (page[`${name}Said`] = el("p", { class: "note" }));
+    return el("figure", { class: "small" }, el("figcaption", {}, el("h3", {}, title)), canvas(name, title), note);
   };
   const pupil = el("div", { class: "pupils" }, small("wavefront", "Wavefront"), small("fringes", "Pupil, a fringe a wave"));
 
-  for (const [key, [name, title]] of Object.entries(NUMBERS)) page.numbers[key] = el("dd", { "data-number": key, title }, "–");
-  const numbers = el("dl", { class: "numbers" }, ...Object.entries(NUMBERS).map(([key, [name, title]]) => el("div", {}, el("dt", { title }, name), page.numbers[key])));
+  const number = ([key, [name, title]]) => {
+    page.numbers[key] = el("dd", { "data-number": key, title }, "–");
+    return el("div", {}, el("dt", { title }, name), page.numbers[key]);
+  };
+  const numbers = el("dl", { class: "numbers" }, ...Object.entries(NUMBERS).map(number));
 
   const plot = (key, title, legend) => {
     const made = (page.plots[key] = new Plot(title));
     const keys = [["held", "A"], ...legend].map(([kind, text]) => el("span", { class: `key ${kind}` }, text));
-    return el("figure", { class: "curve" }, el("figcaption", {}, el("h3", {}, title), el("span", { class: "legend" }, ...keys)), made.node, made.readout);
+    const caption = el("figcaption", {}, el("h3", {}, title), el("span", { class: "legend" }, ...keys));
+    return el("figure", { class: "curve" }, caption, made.node, made.readout);
   };
   const plots = el(
     "div",
@@ -78,14 +101,21 @@ export function layout({ state, set, controls, presets, actions, shows }) {
   );
 
   page.preset = el("select", { "aria-label": "Preset", "data-key": "preset", onchange: () => actions.preset(page.preset.value) });
-  page.preset.append(el("option", { value: "" }, "Presets: real lenses …"), ...presets.map((preset, index) => el("option", { value: String(index) }, preset.name)));
+  const names = presets.map((preset, index) => el("option", { value: String(index) }, preset.name));
+  page.preset.append(el("option", { value: "" }, "Presets: real lenses …"), ...names);
   page.source = el("p", { class: "note source", hidden: true });
 
   const compare = el(
     "span",
     { class: "group", role: "group", "aria-label": "Compare" },
     button("hold", "Hold as A", "Keep this setting to compare others with", actions.hold),
-    (page.compare = el("span", { class: "group", hidden: true }, (page.mode = menu("How to compare", { beside: "side by side", flicker: "flicker" }, "beside", actions.mode)), button("exchange", "Exchange", "Go back to A, and hold what is here now", actions.exchange), button("release", "Let go", "Forget A", actions.release))),
+    (page.compare = el(
+      "span",
+      { class: "group", hidden: true },
+      menu("How to compare", { beside: "side by side", flicker: "flicker" }, "beside", actions.mode),
+      button("exchange", "Exchange", "Go back to A, and hold what is here now", actions.exchange),
+      button("release", "Let go", "Forget A", actions.release),
+    )),
   );
   const files = el(
     "span",

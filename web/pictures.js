@@ -66,16 +66,23 @@ function bars() {
 }
 
 function text() {
-  const lines = ["light is never", "a point: it spreads", "by lambda times N, and by", "what the wavefront lacks to be a", "sphere. 0123456789 αβγ", "the smallest letters are five pixels high"];
+  const lines = [
+    [46, "light is never"],
+    [36, "a point: it spreads"],
+    [26, "by lambda times N, and by"],
+    [20, "what the wavefront lacks to be a"],
+    [15, "sphere. 0123456789 αβγ"],
+    [10, "the smallest letters are five pixels high"],
+  ];
   const context = scratch(WIDTH, HEIGHT);
   context.fillStyle = "#f4f4f4";
   context.fillRect(0, 0, WIDTH, HEIGHT);
   context.fillStyle = "#111";
   context.textBaseline = "top";
   let y = 16;
-  for (const [index, size] of [46, 36, 26, 20, 15, 10].entries()) {
+  for (const [size, line] of lines) {
     context.font = `${size}px Georgia, "Times New Roman", serif`;
-    context.fillText(lines[index], 16, y);
+    context.fillText(line, 16, y);
     y += size * 1.3 + 9;
   }
   return linear(context.getImageData(0, 0, WIDTH, HEIGHT).data, 1);
@@ -103,7 +110,8 @@ const LINEAR = Float32Array.from({ length: 256 }, (_, i) => (i <= 10 ? i / 255 /
 function linear(data, count) {
   const size = data.length / 4;
   const planes = new Float32Array(size * count);
-  for (let plane = 0; plane < count; plane++) for (let i = 0; i < size; i++) planes[plane * size + i] = LINEAR[data[4 * i + plane]];
+  for (let plane = 0; plane < count; plane++)
+    for (let i = 0; i < size; i++) planes[plane * size + i] = LINEAR[data[4 * i + plane]];
   return planes;
 }
 

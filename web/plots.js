@@ -1,6 +1,6 @@
 // Curves over two axes, as SVG that the style of the page colours. One frame changes paths; axes only when their ranges do.
 
-import { superscript } from "./draw.js";
+import { powerOfTen } from "./draw.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const MARGIN = { left: 40, right: 10, top: 8, bottom: 34 };
@@ -34,7 +34,9 @@ export class Plot {
     this.window = svg("rect", { x: MARGIN.left, y: MARGIN.top - 2 });
     this.curves = svg("g", { "clip-path": `url(#${this.clip})` });
     this.cursor = svg("line", { class: "cursor", visibility: "hidden" });
-    this.node = svg("svg", { class: "plot", role: "img", "aria-label": title }, svg("clipPath", { id: this.clip }, this.window), this.axes, this.curves, this.cursor);
+    const inside = svg("clipPath", { id: this.clip }, this.window);
+    const said = { class: "plot", role: "img", "aria-label": title };
+    this.node = svg("svg", said, inside, this.axes, this.curves, this.cursor);
     this.readout = document.createElement("output");
     this.readout.className = "readout";
     this.readout.setAttribute("aria-hidden", "true");
@@ -92,10 +94,12 @@ export class Plot {
       lines.push(svg("line", { x1: across(k * step), x2: across(k * step), y1: top, y2: bottom }));
       words.push(svg("text", { x: across(k * step), y: bottom + 14, "text-anchor": "middle" }, short(k * step)));
     }
-    const marks = y.log ? Array.from({ length: Math.round(Math.log10(y.top / y.bottom)) + 1 }, (_, k) => y.bottom * 10 ** k) : Array.from({ length: 5 }, (_, k) => (y.top * k) / 4);
-    for (const mark of marks) {
+    const count = y.log ? Math.round(Math.log10(y.top / y.bottom)) : 4;
+    for (let k = 0; k <= count; k++) {
+      const mark = y.log ? y.bottom * 10 ** k : (y.top * k) / count;
+      const word = y.log ? powerOfTen(Math.round(Math.log10(mark))) : short(mark, 3);
       lines.push(svg("line", { x1: left, x2: right, y1: up(mark), y2: up(mark) }));
-      words.push(svg("text", { x: left - 6, y: up(mark) + 4, "text-anchor": "end" }, y.log && mark < 1 ? `10${superscript(Math.round(Math.log10(mark)))}` : short(mark, 3)));
+      words.push(svg("text", { x: left - 6, y: up(mark) + 4, "text-anchor": "end" }, word));
     }
     words.push(svg("text", { x: (left + right) / 2, y: this.height - 4, "text-anchor": "middle", class: "name" }, x.label));
     this.axes.replaceChildren(...lines, ...words);
@@ -108,7 +112,8 @@ export class Plot {
     const { x, curves } = this.shown;
     const at = ((event.clientX - box.left - MARGIN.left) / (box.width - MARGIN.left - MARGIN.right)) * x.top;
     if (at < 0 || at > x.top) return this.leave();
-    for (const [name, value] of [["x1", this.across(at)], ["x2", this.across(at)], ["visibility", "visible"]]) this.cursor.setAttribute(name, value);
+    for (const name of ["x1", "x2"]) this.cursor.setAttribute(name, this.across(at));
+    this.cursor.setAttribute("visibility", "visible");
     const said = curves.filter((curve) => curve.name).map((curve) => `${curve.name} ${short(read(curve, at), 3)}`);
     this.readout.textContent = `${short(at, 3)} ${x.unit}: ${said.join(", ")}`;
   }

@@ -1,6 +1,6 @@
 // What is said in words: numbers in the line below the pictures, and sentences for those who do not see these.
 
-import { superscript } from "./draw.js";
+import { powerOfTen } from "./draw.js";
 import { short } from "./plots.js";
 import { lengthUnit, wavesUnit } from "./units.js";
 
@@ -8,7 +8,7 @@ export function plain(value, digits = 3) {
   if (!Number.isFinite(value)) return "–";
   if (value !== 0 && Math.abs(value) < 1e-4) {
     const [mantissa, power] = value.toExponential(1).split("e");
-    return `${mantissa} · 10${superscript(Number(power))}`;
+    return `${mantissa} · ${powerOfTen(Number(power))}`;
   }
   return short(value, digits);
 }
@@ -45,8 +45,10 @@ export function differenceSaid(now, held) {
 export function psfSaid(state, psf, measures) {
   const unit = lengthUnit(state);
   const field = short(psf.side * psf.pixel * unit.factor, 3);
-  const spot = measures.d80 === null ? "a spot wider than the window" : `80 % of the light within ${short(measures.d80 * unit.factor, 3)} ${unit.said} across`;
-  return `Point spread function over ${field} ${unit.said}: ${spot}; Strehl on the axis ${fixed(measures.strehl)}, brightest point ${fixed(measures.peak_strehl)}.`;
+  const wide = measures.d80 === null ? "" : short(measures.d80 * unit.factor, 3);
+  const spot = wide ? `80 % of the light within ${wide} ${unit.said} across` : "a spot wider than the window";
+  const bright = `Strehl on the axis ${fixed(measures.strehl)}, brightest point ${fixed(measures.peak_strehl)}`;
+  return `Point spread function over ${field} ${unit.said}: ${spot}; ${bright}.`;
 }
 
 export function wavefrontSaid(state, seen) {

@@ -22,6 +22,5 @@ function themeAround() {
   if (lab === "true" || lab === "false") return lab === "true" ? "light" : "dark";
   const code = body.dataset.vscodeThemeKind;
   if (code) return /light/.test(code) ? "light" : "dark";
-  for (const { dataset } of [documentElement, body]) if (dataset.theme === "light" || dataset.theme === "dark") return dataset.theme;
-  return null;
+  return [documentElement, body].map((node) => node.dataset.theme).find((theme) => theme === "light" || theme === "dark");
 }

@@ -6,7 +6,11 @@ export const WAVES_UNITS = { waves: "waves", rad: "radians", nm: "nanometres" };
 export const LENGTH_UNITS = { um: "micrometres", arcsec: "arcseconds", lambdaN: "λN" };
 
 export function wavesUnit({ waves_unit, wavelength }) {
-  return { waves: { factor: 1, name: "waves" }, rad: { factor: 2 * Math.PI, name: "rad" }, nm: { factor: wavelength, name: "nm" } }[waves_unit];
+  return {
+    waves: { factor: 1, name: "waves" },
+    rad: { factor: 2 * Math.PI, name: "rad" },
+    nm: { factor: wavelength, name: "nm" },
+  }[waves_unit];
 }
 
 // From micrometres on the sensor.

@@ -21,7 +21,8 @@ const LINK = 250;
 const MAP_SIDE = 160;
 // Keys that change how answers are shown, not the answers.
 const LOOKS = new Set(["stretch", "map", "waves_unit", "length_unit", "focal_length", "picture"]);
-const PUPIL = ["defocus", "spherical", "coma", "coma_angle", "astigmatism", "astigmatism_angle", "trefoil", "trefoil_angle", "obscuration"];
+// Those that no wavefront depends on.
+const BESIDE_PUPIL = new Set([...LOOKS, "f_number", "wavelength", "light", "pixel", "view", "side"]);
 
 export class View {
   constructor(element, { state, onchange, url = false, controls = [], theme = "auto" } = {}) {
@@ -56,7 +57,7 @@ export class View {
   destroy() {
     this.gone = true;
     cancelAnimationFrame(this.raf);
-    for (const timer of [this.settling, this.linking, this.telling]) clearTimeout(timer);
+    for (const timer of [this.settling, this.linking, this.telling, this.warming]) clearTimeout(timer);
     removeEventListener("hashchange", this.fromLink);
     this.unfollow();
     this.compare.destroy();
@@ -99,14 +100,23 @@ export class View {
     this.controls.update(this.state);
     for (const [key, select] of Object.entries(this.page.selects)) select.value = this.state[key];
     if (this.told !== this.state) {
-      const preset = PRESETS[Number(this.page.preset.value)];
-      if (this.page.preset.value !== "" && Object.keys(preset.state).some((key) => preset.state[key] !== this.state[key])) this.page.preset.value = "";
+      const preset = PRESETS[this.page.preset.value]?.state ?? {};
+      if (Object.keys(preset).some((key) => preset[key] !== this.state[key])) this.page.preset.value = "";
       this.told = this.state;
       this.onchange?.({ ...this.state });
     }
-    if (this.redraw) this.draw();
+    if (this.redraw) this.attempt(() => this.draw());
     if (this.wanted && !this.asking) this.ask();
     this.idle();
+  }
+
+  // What fails is told on the page, which lives on.
+  attempt(run) {
+    try {
+      run();
+    } catch (error) {
+      this.tell(`This cannot be drawn: ${error.message}`);
+    }
   }
 
   idle() {
@@ -114,8 +124,8 @@ export class View {
     delete this.host.dataset.busy;
     this.say();
     // The first wavefront without symmetry makes tables, which take longest: before anybody waits for them.
-    if (!this.warm) this.telling = setTimeout(() => this.client.call("psf", { ...this.state, coma: 0.1, astigmatism: 0.1 }, "drag").catch(() => {}), 400);
-    this.warm = true;
+    const other = { ...this.state, coma: 0.1, astigmatism: 0.1 };
+    this.warming ??= setTimeout(() => this.client.call("psf", other, "drag").catch(() => {}), 400);
   }
 
   // Everything anew for the state as it is now; what changes meanwhile is asked next.
@@ -128,12 +138,14 @@ export class View {
     if (quality !== "picture") {
       jobs.push(client.call("psf", state, quality).then((psf) => this.got({ psf })));
       jobs.push(client.call("measures", state, quality).then((measures) => this.got({ measures })));
-      const pupil = PUPIL.map((key) => state[key]).join();
-      if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => this.got({ wavefront }), this.pupil = pupil));
+      const pupil = Object.keys(state).map((key) => !BESIDE_PUPIL.has(key) && state[key]).join();
+      if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => this.got({ wavefront })));
+      this.pupil = pupil;
     }
     const picture = (state.picture === "own" && this.own) || testPicture(state.picture);
     const { planes, width, height } = picture;
-    jobs.push(client.call("blur", state, planes, width, height, quality === "drag" ? "drag" : "settled").then((recorded) => this.got({ recorded: { ...picture, planes: recorded }, picture })));
+    const blur = client.call("blur", state, planes, width, height, quality === "drag" ? "drag" : "settled");
+    jobs.push(blur.then((recorded) => this.got({ recorded: { ...picture, planes: recorded }, picture })));
     const ends = await Promise.allSettled(jobs);
     if (this.gone) return;
     this.asking = false;
@@ -161,7 +173,8 @@ export class View {
       this.seen = drawWavefront(page.wavefront, part.wavefront, MAP_SIDE);
       drawFringes(page.fringes, part.wavefront, MAP_SIDE);
       page.wavefrontSaid.textContent = wavefrontSaid(state, this.seen);
-      page.fringesSaid.textContent = state.obscuration ? `the middle ${short(state.obscuration, 3)} of the radius obscured` : "clear to the middle";
+      const dark = short(state.obscuration, 3);
+      page.fringesSaid.textContent = state.obscuration ? `the inner ${dark} of the radius obscured` : "clear to the middle";
     }
     if (part.recorded) drawPicture(page.recorded, page.before.checked ? this.shown.picture : this.shown.recorded);
     if (part.psf || part.measures) this.drawNumbers();
@@ -212,7 +225,7 @@ export class View {
     const end = (table, factor) => (table.r ?? table.f).at(-1) * factor;
     const radius = { unit: unit.name, label: `radius (${unit.name})` };
     const log = state.stretch === "log";
-    const top = niceTop(Math.max(...[profile, held?.profile].map((table) => table?.mean.reduce((most, value) => Math.max(most, value), 0) ?? 0)));
+    const top = niceTop(Math.max(...profile.mean, ...(held?.profile.mean ?? [])));
     page.plots.profile.draw({
       x: { ...radius, top: end(profile, unit.factor) },
       y: log ? { log, bottom: 1e-5, top: 1 } : { top },
@@ -249,9 +262,12 @@ export class View {
     page.code.textContent = shown.psf.python;
     page.psf.setAttribute("aria-label", said);
     if (this.seen) page.wavefront.setAttribute("aria-label", `Wavefront over the pupil: ${wavefrontSaid(state, this.seen)}.`);
-    page.recorded.setAttribute("aria-label", `${page.selects.picture.selectedOptions[0]?.text ?? "Picture"}, blurred as a sensor with pixels of ${short(state.pixel)} micrometres records it.`);
+    const name = page.selects.picture.selectedOptions[0]?.text ?? "Picture";
+    const pitch = `a sensor with pixels of ${short(state.pixel)} micrometres`;
+    page.recorded.setAttribute("aria-label", `${name}, blurred as ${pitch} records it.`);
     const titles = { profile: "Profile", energy: "Encircled energy", mtf: "MTF" };
-    for (const [key, plot] of Object.entries(page.plots)) if (plot.shown) plot.node.setAttribute("aria-label", plotSaid(titles[key], plot.shown.x, plot.shown.curves));
+    for (const [key, { node, shown: curves }] of Object.entries(page.plots))
+      if (curves) node.setAttribute("aria-label", plotSaid(titles[key], curves.x, curves.curves));
     clearTimeout(this.telling);
     this.telling = setTimeout(() => (page.said.textContent = said), 700);
   }

@@ -85,10 +85,11 @@ def visit(browser: Any, site: str) -> Iterator[Callable[..., Any]]:
     """Open a page and wait until it rests; what the browser complains of, or a foreign request, fails the test."""
     contexts, complaints = [], []
 
-    def opened(path: str = "/mounted", *, wait: str = IDLE, **options: Any) -> Any:
+    def opened(path: str = "/mounted", *, wait: str = IDLE, before: str = "", **options: Any) -> Any:
         context = browser.new_context(**{"viewport": {"width": 1280, "height": 900}} | options)
         contexts.append(context)
         page = context.new_page()
+        page.add_init_script(before)
         page.on("console", lambda said: complaints.append(said.text) if said.type != "info" else None)
         page.on("pageerror", lambda error: complaints.append(str(error)))
         page.on("requestfailed", lambda request: complaints.append(f"failed: {request.url[:200]}"))

@@ -25,6 +25,7 @@ def test_a_script_in_a_page_is_enough(visit: Callable[..., Any]) -> None:
 
 def test_dragging_any_slider_moves_its_value_its_box_and_the_picture(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=128&coma=0.3&astigmatism=0.3&trefoil=0.3")
+    defaults = default_state(page)
     for key in SLIDERS:
         before, picture = state(page)[key], page.evaluate(PIXELS)
         slider(page, key).scroll_into_view_if_needed()
@@ -48,17 +49,14 @@ def test_dragging_any_slider_moves_its_value_its_box_and_the_picture(visit: Call
         assert page.evaluate("live.result().state")[key] == after, key
         slider(page, key).dblclick()
         rest(page)
-        assert state(page)[key] == default(page, key), key
+        assert state(page)[key] == defaults[key], key
         page.evaluate("([key, value]) => live.set({ [key]: value })", [key, before])
         rest(page)
 
 
-def default(page: Any, key: str) -> Any:
-    return default_state(page)[key]
-
-
 def test_arrow_keys_move_every_slider_and_no_page_around_sees_them(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64&length_unit=arcsec")
+    defaults = default_state(page)
     page.evaluate("window.heard = 0; addEventListener('keydown', () => window.heard++)")
     for key in REALS:
         before = state(page)[key]
@@ -71,7 +69,7 @@ def test_arrow_keys_move_every_slider_and_no_page_around_sees_them(visit: Callab
         assert slider(page, key).get_attribute("aria-valuetext") != said, key
         page.keyboard.press("Delete")
         rest(page)
-        assert state(page)[key] == default(page, key)
+        assert state(page)[key] == defaults[key]
     assert page.evaluate("heard") == 0
 
 
@@ -174,7 +172,46 @@ def test_a_picture_of_ones_own_is_blurred_here_and_stays_here(visit: Callable[..
     page.wait_for_function("live.state.picture === 'own'")
     rest(page)
     assert page.locator(".picture canvas").evaluate("node => [node.width, node.height]") == [60, 40]
+    page.evaluate("live.set({ picture: 'bars' })")
+    page.locator(".picture").evaluate(
+        """async (node) => { const canvas = new OffscreenCanvas(30, 20); canvas.getContext("2d").fillRect(0, 0, 9, 9);
+        const dropped = new DataTransfer();
+        dropped.items.add(new File([await canvas.convertToBlob()], "dropped.png", { type: "image/png" }));
+        node.dispatchEvent(new DragEvent("drop", { dataTransfer: dropped, bubbles: true, cancelable: true })); }"""
+    )
+    page.wait_for_function("live.state.picture === 'own'")
+    rest(page)
+    assert page.locator(".picture canvas").evaluate("node => [node.width, node.height]") == [30, 20]
     page.locator("input[type=file]").set_input_files(
         {"name": "no.png", "mimeType": "image/png", "buffer": b"no picture"}
     )
     page.locator(".notice", has_text="no.png is not a picture").wait_for()
+
+
+REFUSING = """const { postMessage } = Worker.prototype;
+Worker.prototype.postMessage = function (message) {
+  const refused = message.arguments[0].defocus === 13;
+  postMessage.call(this, refused ? { ...message, method: "refuse" } : message);
+};"""
+COUNTING = """window.made = []; const Plain = Worker;
+Worker = class extends Plain { constructor(...given) { super(...given); made.push(this); } };"""
+
+
+def test_an_error_of_the_core_is_a_sentence_and_the_page_lives_on(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=REFUSING)
+    page.evaluate("live.set({ defocus: 13 })")
+    rest(page)
+    assert "cannot be computed" in page.locator(".notice").inner_text()
+    page.evaluate("live.set({ defocus: 1 })")
+    rest(page)
+    assert page.locator(".notice").is_hidden()
+    assert page.evaluate("live.result().state.defocus") == 1
+
+
+def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=COUNTING)
+    page.evaluate("made[0].dispatchEvent(new ErrorEvent('error', { message: 'it died', cancelable: true }))")
+    page.evaluate("live.set({ defocus: 1 })")
+    rest(page)
+    assert page.evaluate("live.result().state.defocus") == 1
+    assert page.evaluate("made.length") == 2

@@ -59,9 +59,7 @@ def main(module: Path) -> None:
             page.route("http://page/*", lambda route, _, state=state: serve(route, module, state))
             page.goto("http://page/")
             page.wait_for_selector(".lommel-live-host:not([data-busy])", state="attached")
-            print(
-                f"{state or 'defaults'}:  work median / worst (ms), intervals <= 20 ms, long tasks, PSFs drawn a second"
-            )
+            print(f"{state or 'defaults'}:  work median / worst (ms), intervals <= 20 ms, long tasks, PSFs / s")
             for key in SLIDERS:
                 print(f"  {key:<12}", drag(page, key))
             page.close()

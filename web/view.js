@@ -18,6 +18,8 @@ import { frequencyUnit, lengthUnit } from "./units.js";
 
 const SETTLE = 150; // ms after the last change
 const LINK = 250;
+const PATIENCE = 3000; // ms that an answer may keep a newer question waiting
+const LATE = "a newer setting was asked for";
 const MAP_SIDE = 160;
 // Keys that change how answers are shown, not the answers.
 const LOOKS = new Set(["stretch", "map", "waves_unit", "length_unit", "focal_length", "picture"]);
@@ -146,12 +148,14 @@ export class View {
     const { planes, width, height } = picture;
     const blur = client.call("blur", state, planes, width, height, quality === "drag" ? "drag" : "settled");
     jobs.push(blur.then((recorded) => this.got({ recorded: { ...picture, planes: recorded }, picture })));
+    const patience = setInterval(() => this.wanted && client.worker && client.renew({ message: LATE }), PATIENCE);
     const ends = await Promise.allSettled(jobs);
+    clearInterval(patience);
     if (this.gone) return;
     this.asking = false;
-    const fault = ends.find((end) => end.status === "rejected");
+    const fault = ends.find((end) => end.status === "rejected" && end.reason.message !== LATE);
     this.tell(fault ? `This setting cannot be computed: ${fault.reason.message}` : "");
-    if (fault) this.pupil = "";
+    if (ends.some((end) => end.status === "rejected")) this.pupil = "";
     else if (quality === "settled") this.settled = { state, psf: this.shown.psf, measures: this.shown.measures };
     if (this.wanted) this.schedule();
     else this.idle();

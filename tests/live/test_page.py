@@ -208,6 +208,25 @@ def test_an_error_of_the_core_is_a_sentence_and_the_page_lives_on(visit: Callabl
     assert page.evaluate("live.result().state.defocus") == 1
 
 
+def test_a_newer_setting_does_not_wait_for_one_that_takes_long(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=COUNTING)
+    slow = {
+        "coma": 10,
+        "astigmatism": 10,
+        "trefoil": 10,
+        "defocus": 50,
+        "spherical": 25,
+        "light": "white",
+        "side": 1024,
+    }
+    page.evaluate("slow => live.set(slow)", slow)
+    page.wait_for_timeout(200)
+    page.evaluate("import('./lommel-live.js').then(({ DEFAULTS }) => live.set({ ...DEFAULTS, side: 64 }))")
+    rest(page)
+    assert page.evaluate("live.result().state.side") == 64
+    assert page.locator(".notice").is_hidden()
+
+
 def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
     page = visit("/mounted#side=64", before=COUNTING)
     page.evaluate("made[0].dispatchEvent(new ErrorEvent('error', { message: 'it died', cancelable: true }))")

@@ -195,26 +195,23 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	"$$uv" pip install --quiet --python .venv/bin/python --require-hashes --requirement docs/requirements.lock
 	touch $@
 
-docs: build .venv/docs.stamp ## write the documentation to docs/_build/html, running the gallery
+docs: build page .venv/docs.stamp ## write the documentation to docs/_build/html, running the gallery
 	@rm -rf docs/api # may hold pages of names that are gone
 	MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
 	echo "docs/_build/html/index.html"
 
-# A compiler for browsers, as one archive that needs no root: 100 MB, and the first time it compiles its own library of C++.
-.tools/zig.stamp: .venv/env.stamp web/requirements.lock
+# A compiler for browsers, which needs no root, and what its tests drive browsers with: 200 MB on top of what is in .venv. The
+# first time the compiler makes its own library of C++.
+.venv/page.stamp: .venv/env.stamp web/requirements.lock
 	@$(find_uv)
-	rm -rf .tools/zig
-	echo "Fetching a compiler for WebAssembly into .tools"
-	"$$uv" pip install --quiet --python .venv/bin/python --target .tools/zig --no-deps --require-hashes \
-		--requirement web/requirements.lock
-	mkdir -p .tools
+	"$$uv" pip install --quiet --python .venv/bin/python --require-hashes --requirement web/requirements.lock
 	touch $@
 
 page_module := src/lommel/page/lommel-live.js
 page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js
 
-$(page_module): build .tools/zig.stamp $(wildcard web/* cpp/wasm/* examples/lenses/*)
-	@.venv/bin/python web/build.py --zig .tools/zig/ziglang/zig --output $@
+$(page_module): .venv/build.stamp .venv/page.stamp $(wildcard web/*) src/lommel/page/state.py $(wildcard examples/lenses/*)
+	@.venv/bin/python web/build.py --output $@
 
 lint: env ## check the style and the format
 	@.venv/bin/ruff check
@@ -255,9 +252,9 @@ lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 	}
 	compile requirements.lock --all-extras --group dev pyproject.toml
 	compile docs/requirements.lock --all-extras --group docs --constraints requirements.lock pyproject.toml
-	compile web/requirements.lock --group page
+	compile web/requirements.lock --all-extras --group page --constraints requirements.lock pyproject.toml
 
-wheel: env ## build a wheel in dist
+wheel: page ## build a wheel in dist
 	@$(find_uv)
 	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --wheel --no-build-isolation --python .venv/bin/python --out-dir dist
 

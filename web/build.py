@@ -1,6 +1,6 @@
 """Make the live page's module: the core compiled for browsers, and the files of this folder, in one ES module.
 
-    python web/build.py --zig .tools/zig/ziglang/zig --output src/lommel/page/lommel-live.js
+    python web/build.py --output src/lommel/page/lommel-live.js
 
 The same bytes come out of the same files, wherever they lie.
 """
@@ -12,6 +12,7 @@ import base64
 import json
 import re
 import subprocess
+import sys
 import tempfile
 import zlib
 from pathlib import Path
@@ -30,11 +31,12 @@ IMPORT = re.compile(r'^import\s*\{([^}]*)\}\s*from\s*"\./([\w-]+\.js)";\n', re.M
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const|let)\b)", re.MULTILINE)
 
 
-def compiled(zig: str) -> bytes:
+def compiled() -> bytes:
     """Return the core as WebAssembly."""
     with tempfile.TemporaryDirectory() as folder:
         # From its own folder and by relative paths, so that no path is in the result.
-        command = [zig, "c++", *FLAGS, "-Icpp/include", "cpp/wasm/live.cpp", "-o", f"{folder}/live.wasm"]
+        zig = [sys.executable, "-m", "ziglang"]
+        command = [*zig, "c++", *FLAGS, "-Icpp/include", "cpp/wasm/live.cpp", "-o", f"{folder}/live.wasm"]
         subprocess.run(command, cwd=HERE.parent, check=True)
         return Path(folder, "live.wasm").read_bytes()
 
@@ -87,9 +89,9 @@ def constants(**values: object) -> str:
     return "".join(f"export const {name} = {json.dumps(value)};\n" for name, value in values.items())
 
 
-def module(zig: str, entry: str) -> str:
+def module(entry: str) -> str:
     """Return the text of the module."""
-    made = {"packed.js": constants(wasmText=packed(compiled(zig)))}
+    made = {"packed.js": constants(wasmText=packed(compiled()))}
     made["style.js"] = constants(styleText=(HERE / "live.css").read_text(encoding="utf-8"))
     made["shipped.js"] = constants(SHIPPED=presets())
     # The worker gets its own text, and the compiled core from the page.
@@ -100,11 +102,10 @@ def module(zig: str, entry: str) -> str:
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--zig", required=True)
     parser.add_argument("--output", required=True, type=Path)
     parser.add_argument("--entry", default="live.js", help="the file whose exports the module has")
     given = parser.parse_args()
-    text = module(given.zig, given.entry)
+    text = module(given.entry)
     given.output.parent.mkdir(parents=True, exist_ok=True)
     given.output.write_text(text, encoding="utf-8", newline="\n")
     sizes = [len(text.encode()), len(zlib.compress(text.encode(), 9))]

@@ -67,8 +67,8 @@ export function layout({ state, set, controls, presets, actions, shows }) {
     "On the sensor",
     [
       pick("picture", "Picture", PICTURES),
-      button("choose", "Open …", hint, () => page.file.click()),
-      el("label", { class: "tick" }, page.before, "without lens"),
+      shows("picture") ? button("choose", "Open …", hint, () => page.file.click()) : null,
+      shows("picture") ? el("label", { class: "tick" }, page.before, "without lens") : null,
       page.file,
     ],
     el("div", { class: "stage" }, canvas("recorded", "Test picture")),

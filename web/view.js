@@ -21,6 +21,7 @@ const LINK = 250;
 const PATIENCE = 3000; // ms that an answer may keep a newer question waiting
 const LATE = "a newer setting was asked for";
 const MAP_SIDE = 160;
+const SEEN = 128;
 // Keys that change how answers are shown, not the answers.
 const LOOKS = new Set(["stretch", "map", "waves_unit", "length_unit", "focal_length", "picture"]);
 // Those that no wavefront depends on.
@@ -138,8 +139,10 @@ export class View {
     this.asking = true;
     const jobs = [];
     if (quality !== "picture") {
-      jobs.push(client.call("psf", state, quality).then((psf) => this.got({ psf })));
-      jobs.push(client.call("measures", state, quality).then((measures) => this.got({ measures })));
+      // Of the sensor's pixels no more than are seen, while something moves.
+      const side = quality === "drag" && state.view !== "fine" ? Math.min(state.side, SEEN) : state.side;
+      jobs.push(client.call("psf", { ...state, side }, quality).then((psf) => this.got({ psf })));
+      jobs.push(client.call("measures", { ...state, side }, quality).then((measures) => this.got({ measures })));
       const pupil = Object.keys(state).map((key) => !BESIDE_PUPIL.has(key) && state[key]).join();
       if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => this.got({ wavefront })));
       this.pupil = pupil;

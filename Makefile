@@ -210,7 +210,7 @@ docs: build page .venv/docs.stamp ## write the documentation to docs/_build/html
 page_module := src/lommel/page/lommel-live.js
 page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js
 
-$(page_module): .venv/build.stamp .venv/page.stamp $(wildcard web/*) src/lommel/page/state.py $(wildcard examples/lenses/*)
+$(page_module): .venv/build.stamp .venv/page.stamp $(wildcard web/* cpp/wasm/*) src/lommel/page/state.py $(wildcard examples/lenses/*)
 	@.venv/bin/python web/build.py --output $@
 
 lint: env ## check the style and the format

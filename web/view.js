@@ -50,7 +50,10 @@ export class View {
     acceptDrops(this.page.recorded.closest("figure"), does.own);
     element.append(this.host);
     this.unfollow = followTheme(this.page.node, theme);
-    this.fromLink = () => this.set({ ...this.start, ...fromText(location.hash) });
+    this.fromLink = () => {
+      const change = fromText(location.hash);
+      if (Object.keys(change).length) this.set({ ...this.start, ...change }); // else it leads to a heading of the page
+    };
     if (url) addEventListener("hashchange", this.fromLink);
     this.wanted = "settled";
     this.redraw = true;

@@ -103,3 +103,6 @@ def test_a_link_followed_on_the_same_page_is_taken(visit: Callable[..., Any]) ->
     rest(page)
     assert state(page)["coma"] == 0.5
     assert state(page)["defocus"] == 0.6
+    page.evaluate("location.hash = '#a-heading-of-the-page'")
+    rest(page)
+    assert state(page)["coma"] == 0.5

@@ -17,7 +17,8 @@ const NUMBERS = {
   time: ["Time", "That the last point spread function took"],
 };
 
-export function layout({ state, set, controls, presets, actions, shows }) {
+export function layout({ state, set, controls, presets, actions, only }) {
+  const shows = (key) => !only.length || only.includes(key);
   const page = { selects: {}, numbers: {}, plots: {} };
   const pick = (key, label, choices) => {
     page.selects[key] = menu(label, choices, state[key], (value) => (actions.pick ?? set)({ [key]: value }), { "data-key": key });
@@ -138,13 +139,18 @@ export function layout({ state, set, controls, presets, actions, shows }) {
   page.code = el("pre", { tabindex: 0, "aria-label": "The call of lommel that makes the same array" });
   const code = el("details", { class: "code", open: true }, el("summary", {}, "As Python"), page.code);
 
+  // Where some of these are named among what to show, the others are not shown.
+  page.panels = { sensor: picture, pupil, numbers, curves: plots, code };
+  const named = Object.keys(page.panels).some((name) => only.includes(name));
+  for (const [name, node] of Object.entries(page.panels)) node.hidden = named && !only.includes(name);
+
   page.node = el(
     "div",
     { class: "lommel-live", role: "region", "aria-label": "Point spread functions, live" },
     el("div", { class: "top" }, tools, shows("files") ? files : null, page.source, notice),
     psf,
     controls,
-    el("div", { class: "beside" }, picture, pupil),
+    el("div", { class: "beside", hidden: picture.hidden && pupil.hidden }, picture, pupil),
     numbers,
     plots,
     code,

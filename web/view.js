@@ -35,12 +35,11 @@ export class View {
     this.state = url ? changed(this.start, fromText(location.hash)) : this.start;
     this.told = this.state;
     const only = typeof controls === "string" ? controls.split(",").filter(Boolean) : controls ?? [];
-    const shows = (key) => !only.length || only.includes(key);
     this.client = new Client();
     const set = (change, moving) => this.set(change, moving);
     this.controls = new Controls({ state: this.state, set, only });
     const does = actions(this);
-    this.page = layout({ state: this.state, set, controls: this.controls.node, presets: PRESETS, actions: does, shows });
+    this.page = layout({ state: this.state, set, controls: this.controls.node, presets: PRESETS, actions: does, only });
     this.compare = new Compare(this.page);
     this.host = el("div", { class: "lommel-live-host", "data-lm-suppress-shortcuts": "true", "data-busy": true });
     const root = this.host.attachShadow({ mode: "open" });
@@ -150,10 +149,7 @@ export class View {
       if (pupil !== this.pupil) jobs.push(client.call("maps", state, MAP_SIDE).then(({ wavefront }) => this.got({ wavefront })));
       this.pupil = pupil;
     }
-    const picture = (state.picture === "own" && this.own) || testPicture(state.picture);
-    const { planes, width, height } = picture;
-    const blur = client.call("blur", state, planes, width, height, quality === "drag" ? "drag" : "settled");
-    jobs.push(blur.then((recorded) => this.got({ recorded: { ...picture, planes: recorded }, picture })));
+    if (!this.page.panels.sensor.hidden) jobs.push(this.record(state, quality));
     const patience = setInterval(() => this.wanted && client.worker && client.renew({ message: LATE }), PATIENCE);
     const ends = await Promise.allSettled(jobs);
     clearInterval(patience);
@@ -165,6 +161,14 @@ export class View {
     else if (quality === "settled") this.settled = { state, psf: this.shown.psf, measures: this.shown.measures };
     if (this.wanted) this.schedule();
     else this.idle();
+  }
+
+  async record(state, quality) {
+    const picture = (state.picture === "own" && this.own) || testPicture(state.picture);
+    const { planes, width, height } = picture;
+    const fast = quality === "drag" ? "drag" : "settled";
+    const recorded = await this.client.call("blur", state, planes, width, height, fast);
+    this.got({ recorded: { ...picture, planes: recorded }, picture });
   }
 
   got(part) {

@@ -128,6 +128,11 @@ def test_teachers_choose_what_is_shown(visit: Callable[..., Any]) -> None:
     shown = page.locator("input[type=range]").evaluate_all("all => all.map(node => node.dataset.key)")
     assert shown == ["defocus", "coma", "coma_angle"]
     assert page.locator("select").count() == 0
+    assert page.locator(".numbers").is_visible()
+    page = visit("/mounted?controls=coma,curves")
+    assert page.locator(".plots").is_visible()
+    assert page.locator(".numbers").is_hidden()
+    assert page.locator(".picture").is_hidden()
 
 
 def test_presets_are_the_lens_files(visit: Callable[..., Any], lenses: dict[str, Path]) -> None:

@@ -1,10 +1,10 @@
 // From a state of the page to its answers. Runs in a Worker, or where there is none on the page itself.
 import { changed, DEFAULTS } from "./state.js";
-import { coarse, cutoff, fineReach, lengthOf, linesOf, pixelOf, pythonOf, spreadReach, stepOf, termsOf, waves } from "./optics.js";
+import { cutoff, fineReach, largestStep, lengthOf, linesOf, pixelOf, pythonOf, spreadReach, stepOf, termsOf, waves } from "./optics.js";
 
 // While something is dragged, what takes long is asked for less exactly. Tolerances are over the peak.
 const QUALITY = {
-  drag: { tol: 1e-4, side: 256, error: 1e-7, radii: 97, frequencies: 33, nodes: 4 },
+  drag: { tol: 1e-4, side: 256, error: 1e-6, radii: 97, frequencies: 33, nodes: 2 },
   settled: { tol: 1e-6, side: Infinity, error: 1e-10, radii: 193, frequencies: 65, nodes: 10 },
 };
 
@@ -35,8 +35,10 @@ export class Engine {
     this.core.call("set_circles", reach, error);
     const v = evenly(radii, reach);
     const [mean, reference] = this.circles(v, false);
-    const [share, within] = this.circles(v, true);
+    const [share, flat] = this.circles(v, true);
     const radius = this.core.call("radius_of", 0.8, reach);
+    // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
+    const [[within]] = this.circles(Float64Array.of(Math.min(reach, stepOf(state, 0.5 * side * pixel))), true);
     const r = v.map((at) => lengthOf(state, at));
     const step = stepOf(state, pixel);
     // Of the reference, and of all lines.
@@ -46,9 +48,9 @@ export class Engine {
       strehl: mean[0],
       peak_strehl: peak / (unaberrated * bright),
       d80: radius < 0 ? null : 2 * lengthOf(state, radius),
-      inside: sum,
+      inside: state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2 ? sum : within,
       profile: { r, mean, reference },
-      energy: { r, share, reference: within },
+      energy: { r, share, reference: flat },
       mtf: this.contrast(state, frequencies, nodes),
     };
   }
@@ -73,7 +75,8 @@ export class Engine {
     const count = Math.floor(picture.length / size);
     const side = 2 * spreadReach(state, Math.min(width, height)) + 1;
     const { core } = this;
-    if (coarse(state)) core.put("values", this.binned(state, side));
+    // Averages would take hundreds of samples across each pixel.
+    if (largestStep(state, state.pixel) > 200) core.put("values", this.binned(state, side));
     else this.image(state, side, state.pixel, true, QUALITY[quality].tol);
     const spread = core.room("values", Float32Array, side * side);
     const planes = core.put("planes", picture);

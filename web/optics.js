@@ -103,9 +103,9 @@ export function spreadReach(state, size) {
   return Math.max(1, Math.min(Math.ceil(wanted), 128, size));
 }
 
-// Whether averages over the sensor's pixels take more samples across each than is worth while.
-export function coarse(state) {
-  return directed(state).length > 0 && stepOf(state, state.pixel) * Math.max(...linesOf(state).map(([stretch]) => stretch)) > 200;
+// The step of pixels in v of the line where it is largest.
+export function largestStep(state, pixel) {
+  return stepOf(state, pixel) * Math.max(...linesOf(state).map(([stretch]) => stretch));
 }
 
 // The pixel of a view of so many pixels a side.

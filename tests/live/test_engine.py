@@ -194,6 +194,11 @@ def test_mean_and_light_in_a_window_are_those_of_its_pixels(engine):
         assert values[ring].mean() / flat == pytest.approx(found["profile"]["mean"][i], rel=0.05)
 
 
+def test_few_pixels_have_no_more_light_than_there_is(engine):
+    many, few = (engine.measures({"coma": 1.0, "side": side})["inside"] for side in (512, 16))
+    assert many - 0.02 <= few <= many
+
+
 def test_the_wavefront_is_that_of_the_pupil(engine):
     state = {**random_states(2, 4)[1], "obscuration": 0.35}
     side = 40
@@ -256,6 +261,7 @@ def test_pixels_much_larger_than_the_spread_take_it_whole(engine):
     even = blurred(engine, {"defocus": 20, "pixel": 40, "f_number": 0.7}, picture)[0]
     nearly = blurred(engine, {"defocus": 20, "astigmatism": 1e-3, "pixel": 40, "f_number": 0.7}, picture)[0]
     assert even[4, 4] < 0.7
+    assert even.sum() == pytest.approx(1.0, abs=1e-3)
     assert nearly == pytest.approx(even, abs=5e-3)
 
 

@@ -2,7 +2,7 @@
 
 import { el, menu, unique } from "./dom.js";
 import { short } from "./plots.js";
-import { FIELDS } from "./state.js";
+import { FIELDS } from "./fields.js";
 import { LENGTH_UNITS, WAVES_UNITS, wavesUnit } from "./units.js";
 
 // reach: of the slider; a value beyond it, typed or of a preset, widens it to all that the state takes.

@@ -2,7 +2,8 @@
 
 import { crc32 } from "./checksum.js";
 import { describedPsf } from "./description.js";
-import { DEFAULTS, FIELDS, toText } from "./state.js";
+import { FIELDS } from "./fields.js";
+import { DEFAULTS, toText } from "./state.js";
 
 function saveBlob(blob, name) {
   const link = document.createElement("a");

@@ -2,7 +2,8 @@
 
 import { createCore } from "./core.js";
 import { Engine } from "./engine.js";
-import { changed, DEFAULTS, FIELDS, fromText } from "./state.js";
+import { FIELDS } from "./fields.js";
+import { changed, DEFAULTS, fromText } from "./state.js";
 import { View } from "./view.js";
 
 export { createCore, DEFAULTS, Engine };

@@ -1,31 +1,7 @@
-// The state of a page: one flat object of numbers and short words. What differs from the defaults goes into links.
+// The state of a page: one flat object of numbers and short words. What differs from the defaults goes into links. What there is,
+// {initial, low, high} or {initial, choices}, lommel.page.state lists.
 
-const real = (initial, low, high) => ({ initial, low, high });
-const word = (...choices) => ({ initial: choices[0], choices });
-
-export const FIELDS = {
-  defocus: real(0.6, -50, 50),
-  spherical: real(0, -25, 25),
-  coma: real(0, 0, 10),
-  coma_angle: real(0, -180, 180),
-  astigmatism: real(0, 0, 10),
-  astigmatism_angle: real(0, -90, 90),
-  trefoil: real(0, 0, 10),
-  trefoil_angle: real(0, -60, 60),
-  f_number: real(4, 0.7, 100),
-  obscuration: real(0, 0, 0.9),
-  wavelength: real(550, 200, 2000),
-  light: word("mono", "white"),
-  pixel: real(2, 0.05, 50),
-  view: word("fine", "sampled", "averaged"),
-  side: real(512, 16, 1024),
-  focal_length: real(50, 0.1, 1e6),
-  stretch: word("sqrt", "linear", "log"),
-  map: word("inferno", "viridis", "cividis", "gray"),
-  waves_unit: word("waves", "rad", "nm"),
-  length_unit: word("um", "arcsec", "lambdaN"),
-  picture: word("star", "bars", "text", "points", "own"),
-};
+import { FIELDS } from "./fields.js";
 
 export const DEFAULTS = Object.freeze(Object.fromEntries(Object.entries(FIELDS).map(([key, field]) => [key, field.initial])));
 

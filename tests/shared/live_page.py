@@ -4,32 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from lommel.page.state import FIELDS, Real, Word
+
 IDLE = ".lommel-live-host:not([data-busy])"
-REALS = {
-    "defocus": (-50, 50),
-    "spherical": (-25, 25),
-    "coma": (0, 10),
-    "coma_angle": (-180, 180),
-    "astigmatism": (0, 10),
-    "astigmatism_angle": (-90, 90),
-    "trefoil": (0, 10),
-    "trefoil_angle": (-60, 60),
-    "f_number": (0.7, 100),
-    "obscuration": (0, 0.9),
-    "wavelength": (200, 2000),
-    "pixel": (0.05, 50),
-    "side": (16, 1024),
-    "focal_length": (0.1, 1e6),
-}
-WORDS = {
-    "light": ("mono", "white"),
-    "view": ("fine", "sampled", "averaged"),
-    "stretch": ("sqrt", "linear", "log"),
-    "map": ("inferno", "viridis", "cividis", "gray"),
-    "waves_unit": ("waves", "rad", "nm"),
-    "length_unit": ("um", "arcsec", "lambdaN"),
-    "picture": ("star", "bars", "text", "points", "own"),
-}
+REALS = {name: (field.low, field.high) for name, field in FIELDS.items() if isinstance(field, Real)}
+WORDS = {name: tuple(field) for name, field in FIELDS.items() if isinstance(field, Word)}
 SLIDERS = [key for key in REALS if key != "focal_length"]
 PIXELS = """() => document.querySelector(".lommel-live-host").shadowRoot.querySelector(".now canvas").toDataURL()"""
 

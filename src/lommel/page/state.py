@@ -32,6 +32,11 @@ class Real(NamedTuple):
         return number
 
 
+    def told(self) -> dict[str, float]:
+        """Return what the page is told of it."""
+        return self._asdict()
+
+
 class Whole(Real):
     """One of whole numbers."""
 
@@ -49,6 +54,10 @@ class Word(tuple[str, ...]):
     def initial(self) -> str:
         """The default."""
         return self[0]
+
+    def told(self) -> dict[str, Any]:
+        """Return what the page is told of it."""
+        return {"initial": self.initial, "choices": list(self)}
 
     def accepted(self, name: str, value: Any) -> str:
         """Return the choice, one of those that there are."""

@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf photo test fuzz lowest mutants sanitize bench peers docs lint types format lock wheel clean FORCE
+.PHONY: help env build psf photo test fuzz lowest mutants sanitize bench peers docs page lint types format lock wheel clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -102,12 +102,13 @@ env: .venv/env.stamp ## make .venv and install what requirements.lock pins
 	"$$uv" pip sync --python .venv/bin/python --require-hashes requirements.lock
 	mv .venv/env.stamp.new $@
 
-cpp_formatted := $(wildcard cpp/bindings/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
+cpp_formatted := $(wildcard cpp/bindings/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
 
 # Python files are read from src, so only C++ ones lead to a rebuild when they change. But one of any
 # kind that was there at the last build and is gone also does, for the editable install has it on its
 # list. A stamp takes its time from the start of the work, so that no edit made meanwhile is missed.
-cpp_files := $(sort $(shell find cpp -type f 2>/dev/null))
+# What is in cpp/wasm is for browsers.
+cpp_files := $(sort $(shell find cpp -path cpp/wasm -prune -o -type f -print 2>/dev/null))
 all_files := $(sort $(cpp_files) $(shell find src -type f -name '*.py' 2>/dev/null))
 gone_files := $(filter-out $(all_files),$(shell cat .venv/build.stamp 2>/dev/null))
 
@@ -186,6 +187,7 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	done
 	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
 	sanitized address,undefined tables -DLOMMEL_WIDE=double
+	sanitized address,undefined measures
 
 # What Sphinx needs comes on top of what is in .venv, and only when the pages are asked for.
 .venv/docs.stamp: .venv/env.stamp docs/requirements.lock
@@ -193,10 +195,23 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	"$$uv" pip install --quiet --python .venv/bin/python --require-hashes --requirement docs/requirements.lock
 	touch $@
 
-docs: build .venv/docs.stamp ## write the documentation to docs/_build/html, running the gallery
+docs: build page .venv/docs.stamp ## write the documentation to docs/_build/html, running the gallery
 	@rm -rf docs/api # may hold pages of names that are gone
 	MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
 	echo "docs/_build/html/index.html"
+
+# A compiler for browsers, which needs no root, and what its tests drive browsers with: 200 MB on top of what is in .venv. The
+# first time the compiler makes its own library of C++.
+.venv/page.stamp: .venv/env.stamp web/requirements.lock
+	@$(find_uv)
+	"$$uv" pip install --quiet --python .venv/bin/python --require-hashes --requirement web/requirements.lock
+	touch $@
+
+page_module := src/lommel/page/lommel-live.js
+page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js
+
+$(page_module): .venv/build.stamp .venv/page.stamp $(wildcard web/* cpp/wasm/*) src/lommel/page/state.py $(wildcard examples/lenses/*)
+	@.venv/bin/python web/build.py --output $@
 
 lint: env ## check the style and the format
 	@.venv/bin/ruff check
@@ -232,19 +247,20 @@ lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 		shift
 		if [ -f "$$file" ]; then cp "$$file" "$$file.new"; fi
 		"$$uv" pip compile --quiet --universal --python-version 3.11 --generate-hashes \
-			--no-annotate --custom-compile-command "make lock" --all-extras "$$@" $(LOCKFLAGS) \
-			--output-file "$$file.new" pyproject.toml
+			--no-annotate --custom-compile-command "make lock" $(LOCKFLAGS) --output-file "$$file.new" "$$@"
 		if cmp -s "$$file.new" "$$file"; then rm "$$file.new"; else mv "$$file.new" "$$file"; fi
 	}
-	compile requirements.lock --group dev
-	compile docs/requirements.lock --group docs --constraints requirements.lock
+	compile requirements.lock --all-extras --group dev pyproject.toml
+	compile docs/requirements.lock --all-extras --group docs --constraints requirements.lock pyproject.toml
+	compile web/requirements.lock --all-extras --group page --constraints requirements.lock pyproject.toml
 
-wheel: env ## build a wheel in dist
+wheel: page ## build a wheel in dist
 	@$(find_uv)
 	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --wheel --no-build-isolation --python .venv/bin/python --out-dir dist
 
 clean: ## remove all that make made
-	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new
+	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new web/requirements.lock.new
+	rm -f $(page_module)
 	rm -rf docs/_build docs/_generated docs/api docs/gallery docs/sg_execution_times.rst
 	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png

@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import re
+import shutil
 import sys
 import warnings
 from pathlib import Path
 from typing import Any
 
 import lommel
+from lommel.page import module
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 import rooms  # noqa: E402
 
-# The pictures of how the code is organised.
+# The pictures of how the code is organised, and the live page, which `make page` made.
 rooms.write(HERE / "_generated")
+(HERE / "_generated" / "live").mkdir(exist_ok=True)
+shutil.copy(module.path(), HERE / "_generated" / "live")
 
 project = "lommel"
 author = "the lommel authors"
@@ -69,11 +73,11 @@ sphinx_gallery_conf = {
 
 html_theme = "pydata_sphinx_theme"
 html_title = f"lommel {release}"
-html_static_path = ["_static"]
+html_static_path = ["_static", "_generated/live"]
 html_css_files = ["lommel.css"]
 html_show_sourcelink = False
 # Pages that belong to no section need no list of those beside them.
-html_sidebars: dict[str, list[str]] = {page: [] for page in ("index", "start", "versions")}
+html_sidebars: dict[str, list[str]] = {page: [] for page in ("index", "live", "start", "versions")}
 copybutton_exclude = ".linenos, .gp, .go"
 html_copy_source = False
 html_theme_options = {

@@ -28,7 +28,7 @@ ORDER = [
     {"field", "imaging"},
     {"lensfiles"},
     {"reports"},
-    {"adapters", "paper"},
+    {"adapters", "page", "paper"},
     {"cli"},
     {"the package"},
 ]
@@ -42,7 +42,7 @@ CORE_ORDER = [
     {"radial"},
     {"zernike"},
     {"chordal"},
-    {"paper", "imaging"},
+    {"paper", "imaging", "measures"},
 ]
 # Files that stand in no folder of their room's name.
 ALONE = {"_core": "core", "__main__": "cli", "__init__": "the package"}

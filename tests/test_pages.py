@@ -23,6 +23,7 @@ from PIL import Image
 import lommel as lm
 from lommel.cli.main import main
 from lommel.methods import METHODS
+from lommel.page import module
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -74,7 +75,16 @@ def folder(tmp_path, monkeypatch) -> Path:
     np.save("opd.npy", 1e-7 * (u * u + v * v))
     np.save("measured.npy", u * u + v * v < 0.9)
     lm.save_zernike("table.csv", lm.Wavefront(defocus=1.0, nonradial={(3, 1): 0.4}))
+    # The live page, which need not be made, is served until Ctrl-C.
+    (tmp_path / module.NAME).write_text("export default {};\n", encoding="utf-8")
+    monkeypatch.setattr(module, "path", lambda: tmp_path / module.NAME)
+    monkeypatch.setattr("webbrowser.open", lambda url: url.startswith("http://127.0.0.1:") or pytest.fail(url))
+    monkeypatch.setattr("lommel.page.server.PageServer.serve_forever", interrupted)
     return tmp_path
+
+
+def interrupted(_: object) -> None:
+    raise KeyboardInterrupt
 
 
 @pytest.mark.parametrize("path", [path for path in PAGES if blocks(path, "python")], ids=lambda path: path.stem)
@@ -105,7 +115,7 @@ def test_a_command_of_the_pages_or_of_help_runs_and_writes_what_it_names(line, f
     result = call_lommel(*words[1:], folder=folder)
     assert result.returncode == 0, result.stderr
     for option, name in pairwise(words):
-        if option in ("-o", "--plot", "--figure"):
+        if option in ("-o", "--plot", "--figure", "--save"):
             assert (folder / name.replace("%03d", "001")).exists(), name
 
 

@@ -10,6 +10,7 @@ from lommel import (
     measures as measures,
     methods as methods,
     optics as optics,
+    page as page,
     reports as reports,
     show as show,
     special as special,
@@ -56,6 +57,7 @@ from lommel.optics.grid import Grid as Grid
 from lommel.optics.lens import Lens as Lens
 from lommel.optics.pupil import Pupil as Pupil
 from lommel.optics.wavefront import Wavefront as Wavefront
+from lommel.page.widget import live as live
 from lommel.psf import PSF as PSF, Plan as Plan, psf as psf
 from lommel.special.erf import AbramowitzErf as AbramowitzErf, FresnelErf as FresnelErf, TableErf as TableErf
 

@@ -1,4 +1,4 @@
-"""The command line: ``lommel psf``, ``lommel info``, ``lommel compare``, ``lommel paper``; more in photo_commands."""
+"""The command line: ``lommel psf``, ``lommel info``, ``lommel compare``, ``lommel paper``; more beside."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from lommel.methods import METHODS, ClosedForm
 try:
     import click
 
+    from lommel.cli.live_command import live
     from lommel.cli.methods import build_method, methods
     from lommel.cli.parts import Length, Shape, one_line_errors, print_json, progress
     from lommel.cli.photo_commands import blur, focus_pull
@@ -70,10 +71,11 @@ def main() -> None:
       lommel methods                                    # what they are, and their options
       lommel paper   out                                # every figure and number of the paper
       lommel blur    photo.jpg depth.tif lens.toml --focus "2 m" -o out.jpg    # a photograph
+      lommel live    lens.toml                          # the PSF in the browser, with every slider
     """  # noqa: D301 (\b is meant)
 
 
-for command in (blur, focus_pull, methods):
+for command in (blur, focus_pull, live, methods):
     main.add_command(command)
 
 

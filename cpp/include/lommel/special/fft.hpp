@@ -133,6 +133,16 @@ class RowFft {
         x[3] = other - third;
     }
 
+    // All passes, of any x. Returns where X is, x or `other`.
+    template <class I>
+    LOMMEL_INLINE Real* whole(I isa, Real* x, Real* other) const {
+        static constexpr Real none[] = {1, 0, 1, 0, 1, 0};
+        Real* const before = run<false>(isa, x, other);
+        Real* const to = before == x ? other : x;
+        pass<4, false, typename RowPack<I, Real>::type>(before, to, 4, n / 4, none);
+        return to;
+    }
+
    private:
     template <std::size_t Radix, bool Sparse, class V>
     static LOMMEL_INLINE void pass(const Real* from, Real* to, std::size_t size, std::size_t stride, const Real* turns) {

@@ -56,15 +56,19 @@ class ZernikeField {
         base_ += trim(outer_, 1.0, ZernikeBudget::small * error) + trim(inner_, area, ZernikeBudget::small * error);
     }
 
+    // The mean of I over all directions at the distance v: orders are orthogonal.
+    double mean(double v) const {
+        const std::vector<double>& orders = all_orders(v);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < orders.size(); ++i) {
+            sum += (i < 4 ? 1.0 : 0.5) * orders[i] * orders[i];
+        }
+        return sum;
+    }
+
     // The largest I at some directions at the distance v, by the Bessel functions themselves.
     double look(double v) const {
-        // Of A_m and B_m, re A, im A, re B, im B for each order.
-        thread_local std::vector<double> orders;
-        orders.assign(4 * std::max(outer_.orders, inner_.orders), 0.0);
-        add_orders(outer_, v, 1.0, orders.data());
-        if (obscured()) {
-            add_orders(inner_, obscuration_ * v, -obscuration_ * obscuration_, orders.data());
-        }
+        const std::vector<double>& orders = all_orders(v);
         const double *const begin = orders.data(), *const end = begin + orders.size();
         double top = 0.0;
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
@@ -226,6 +230,17 @@ class ZernikeField {
         dispatch([&](auto isa)
                      LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
         return plan.error(phase);
+    }
+
+    // A_m(v) and B_m(v), re A, im A, re B, im B for each order.
+    const std::vector<double>& all_orders(double v) const {
+        thread_local std::vector<double> orders;
+        orders.assign(4 * std::max(outer_.orders, inner_.orders), 0.0);
+        add_orders(outer_, v, 1.0, orders.data());
+        if (obscured()) {
+            add_orders(inner_, obscuration_ * v, -obscuration_ * obscuration_, orders.data());
+        }
+        return orders;
     }
 
     // Adds weight times A_m(v) and B_m(v).

@@ -1,0 +1,110 @@
+// Light within circles about the axis, and its mean on them, of any round pupil: from the field itself, without pixels.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/bounds/pixels.hpp"
+#include "lommel/bounds/settle.hpp"
+#include "lommel/special/chebyshev.hpp"
+
+namespace lommel {
+
+// The mean of an intensity over circles, as polynomials on panels of the radius.
+//
+// Along any line the intensity is of exponential type 2 and between 0 and its peak, hence so is the mean over all directions, as
+// an even function of v: interpolation at Chebyshev's points is off by interpolation_error() times half of the peak, and the
+// energy within v by that times v^2 / 2. What the given values are off by is magnified by lebesgue().
+class MeanProfile {
+   public:
+    // From at(v), the mean at the distance v, up to `reach`; interpolation is off by `allowed` over half of the peak.
+    template <class At>
+    MeanProfile(double reach, double allowed, const At& at) {
+        const std::size_t panels = static_cast<std::size_t>(std::ceil(reach / widest)) + 1;
+        half_ = 0.5 * reach / static_cast<double>(panels);
+        points_ = fewest(2, [&](std::size_t n) { return interpolation_error(half_, n) <= allowed; });
+        const double turn = 3.14159265358979323846 / static_cast<double>(2 * points_);
+        std::vector<double> cosines(4 * points_), values(points_);
+        for (std::size_t i = 0; i < cosines.size(); ++i) {
+            cosines[i] = std::cos(turn * static_cast<double>(i));
+        }
+        means_.assign(panels * points_, 0.0);
+        energies_.assign(panels * (points_ + 2), 0.0);
+        double inside = 0.0;
+        for (std::size_t s = 0; s < panels; ++s) {
+            for (std::size_t j = 0; j < points_; ++j) {
+                values[j] = at(middle(s) + half_ * cosines[2 * j + 1]);
+            }
+            double* const mean = &means_[s * points_];
+            for (std::size_t k = 0; k < points_; ++k) {
+                double sum = 0.0;
+                for (std::size_t j = 0; j < points_; ++j) {
+                    sum += cosines[k * (2 * j + 1) % (4 * points_)] * values[j];
+                }
+                mean[k] = (k == 0 ? 1.0 : 2.0) * sum / static_cast<double>(points_);
+            }
+            inside = integrate(middle(s), mean, inside, &energies_[s * (points_ + 2)]);
+        }
+    }
+
+    // The mean at v.
+    double mean(double v) const {
+        const std::size_t s = panel(v);
+        return series(&means_[s * points_], points_, place(v, s));
+    }
+    // int_0^v I(s) s ds.
+    double energy(double v) const {
+        const std::size_t s = panel(v);
+        return series(&energies_[s * (points_ + 2)], points_ + 2, place(v, s));
+    }
+
+   private:
+    static constexpr double widest = 20.0;  // panel
+
+    double middle(std::size_t s) const { return half_ * static_cast<double>(2 * s + 1); }
+    std::size_t panel(double v) const {
+        return std::min(means_.size() / points_ - 1, static_cast<std::size_t>(std::max(0.0, 0.5 * v / half_)));
+    }
+    double place(double v, std::size_t s) const { return std::min(1.0, (v - middle(s)) / half_); }
+
+    // Chebyshev coefficients of the integral of (middle + half x) times a series, from -1 on where it is `before`. Returns it at 1.
+    double integrate(double middle, const double* mean, double before, double* out) const {
+        const std::size_t n = points_;
+        std::vector<double> moment(n + 3, 0.0);  // of v I
+        for (std::size_t k = 0; k < n; ++k) {
+            moment[k] += middle * mean[k];
+            moment[k + 1] += (k == 0 ? 1.0 : 0.5) * half_ * mean[k];
+            if (k > 0) {
+                moment[k - 1] += 0.5 * half_ * mean[k];
+            }
+        }
+        double start = 0.0, end = 0.0;
+        for (std::size_t k = 1; k < n + 2; ++k) {
+            const double behind = (k == 1 ? 2.0 : 1.0) * moment[k - 1];
+            out[k] = half_ * (behind - moment[k + 1]) / static_cast<double>(2 * k);
+            start += k % 2 == 0 ? out[k] : -out[k];
+            end += out[k];
+        }
+        out[0] = before - start;
+        return out[0] + end;
+    }
+
+    // By Clenshaw's recurrence.
+    static double series(const double* c, std::size_t count, double x) {
+        double after = 0.0, here = 0.0;
+        for (std::size_t k = count; --k > 0;) {
+            const double before = 2.0 * x * here - after + c[k];
+            after = here;
+            here = before;
+        }
+        return x * here - after + c[0];
+    }
+
+    double half_ = 1.0;
+    std::size_t points_ = 1;
+    std::vector<double> means_, energies_;  // [panel][coefficient of T_k]
+};
+
+}  // namespace lommel

@@ -1,0 +1,156 @@
+// Filters that average over pixels, designed for their pitch: what pixels/filter.hpp applies.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/question.hpp"
+
+namespace lommel {
+
+// Least squares by Householder's reflections, one unknown after the other; a term of its own keeps each small where nothing else
+// decides. Whatever the solution is off by, who calls sees from the residuals.
+class LeastSquares {
+   public:
+    // Of at most so many unknowns.
+    LeastSquares(const std::vector<double>& wanted, std::size_t most, double small)
+        : equations_(wanted.size()), rows_(equations_ + most), small_(small), rest_(wanted) {
+        rest_.resize(rows_, 0.0);
+    }
+
+    // Adds an unknown, with what it counts in each equation.
+    void add(const std::vector<double>& factors) {
+        const std::size_t k = columns_.size();
+        std::vector<double> column(factors);
+        column.resize(rows_, 0.0);
+        column[equations_ + k] = small_;
+        for (std::size_t j = 0; j < k; ++j) {
+            reflect(j, column);
+        }
+        double square = 0.0;
+        for (std::size_t i = k; i < rows_; ++i) {
+            square += column[i] * column[i];
+        }
+        const double diagonal = column[k] > 0.0 ? -std::sqrt(square) : std::sqrt(square);
+        scales_.push_back(square - column[k] * diagonal);  // half of the square of the reflected vector
+        diagonals_.push_back(diagonal);
+        column[k] -= diagonal;
+        columns_.push_back(std::move(column));
+        reflect(k, rest_);
+    }
+
+    std::vector<double> solution() const {
+        std::vector<double> x(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(columns_.size()));
+        for (std::size_t k = x.size(); k-- > 0;) {
+            x[k] /= diagonals_[k];
+            for (std::size_t i = 0; i < k; ++i) {
+                x[i] -= columns_[k][i] * x[k];
+            }
+        }
+        return x;
+    }
+
+   private:
+    void reflect(std::size_t k, std::vector<double>& of) const {
+        const std::vector<double>& by = columns_[k];
+        double sum = 0.0;
+        for (std::size_t i = k; i < rows_; ++i) {
+            sum += by[i] * of[i];
+        }
+        sum /= scales_[k];
+        for (std::size_t i = k; i < rows_; ++i) {
+            of[i] -= sum * by[i];
+        }
+    }
+
+    std::size_t equations_, rows_;
+    double small_;
+    std::vector<double> rest_, scales_, diagonals_;
+    std::vector<std::vector<double>>
+        columns_;  // above the diagonal what is left of them, from there on the vector to reflect at
+};
+
+// Taps c_k on samples h apart whose response C(w) = sum_k c_k cos(k h w) is that of a pixel, sinc(a w / 2), up to the end of the
+// band of an intensity, |w| = 2.
+//
+// Weights by least squares at Chebyshev points of the band. The error of the response is even and entire, of type k h; all but
+// 1e-17 of it is a polynomial in w of degree M = 2.36 k h + 48 (its Chebyshev series falls below e^-48 there). As a trigonometric
+// polynomial of the angle it falls from its largest value no faster than cos(M s) (Duffin and Schaeffer, Bull. Amer. Math. Soc. 44,
+// 236, 1938), and one of 2 M Chebyshev points is within pi / (4 M) of that: it is at most sqrt(2) times as large as at these points.
+struct PixelTaps {
+    std::size_t stride;           // samples a pixel
+    std::vector<double> weights;  // of an odd number of samples about the middle of the pixel
+    double error;                 // bound on |C(w) - sinc(a w / 2)| for |w| <= 2
+    double gain;                  // sum of the magnitudes of the weights: what errors of samples are multiplied by at most
+
+    std::size_t margin() const { return weights.size() / 2; }
+
+    // The shortest ones for pixels of pitch `step` in v, samples at most `widest` apart, off by `allowed`.
+    PixelTaps(double step, double allowed, double widest) : stride(across(step, widest)), error(0.0), gain(0.0) {
+        const double h = step / static_cast<double>(stride);
+        const std::size_t most = stride + 62;
+        const std::size_t degree = static_cast<std::size_t>(std::ceil(2.36 * static_cast<double>(most) * h)) + 48;
+        std::vector<double> w(degree), wanted(degree), factors(degree);
+        for (std::size_t i = 0; i < degree; ++i) {
+            w[i] = 2.0 * std::cos((static_cast<double>(i) + 0.5) * (1.5707963267948966 / static_cast<double>(degree)));
+            const double turn = 0.5 * step * w[i];
+            wanted[i] = turn == 0.0 ? 1.0 : std::sin(turn) / turn;
+        }
+        LeastSquares fit(wanted, most, 1e-12);
+        std::vector<std::vector<double>> basis;
+        for (std::size_t half = 0; half < most; ++half) {
+            for (std::size_t i = 0; i < degree; ++i) {
+                factors[i] = half == 0 ? 1.0 : 2.0 * std::cos(w[i] * (h * static_cast<double>(half)));
+            }
+            basis.push_back(factors);
+            fit.add(factors);
+            if (half >= stride / 2 + 2) {
+                judge(fit.solution(), basis, wanted);
+                // Few samples beyond the edge of a large pixel need large weights, which would magnify errors.
+                if (error <= allowed && gain <= 1.5) {
+                    break;
+                }
+            }
+        }
+    }
+
+    static std::size_t across(double step, double widest) {
+        return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(step / widest)));
+    }
+
+   private:
+    void judge(const std::vector<double>& c, const std::vector<std::vector<double>>& basis, const std::vector<double>& wanted) {
+        const std::size_t half = c.size() - 1;
+        std::vector<double> off(wanted);
+        gain = std::abs(c[0]);
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            gain += k == 0 ? 0.0 : 2.0 * std::abs(c[k]);
+            for (std::size_t i = 0; i < off.size(); ++i) {
+                off[i] -= basis[k][i] * c[k];
+            }
+        }
+        double worst = 0.0;
+        for (const double x : off) {
+            worst = std::max(worst, std::abs(x));
+        }
+        const double rounding = 2.0 * unit_roundoff * static_cast<double>(half + 4) * gain;
+        error = 1.4142135623730951 * (worst + rounding) + 1e-17;
+        weights.assign(2 * half + 1, 0.0);
+        for (std::size_t k = 0; k <= half; ++k) {
+            weights[half + k] = weights[half - k] = c[k];
+        }
+    }
+};
+
+// What the best placed pixel of pitch `step` in v averages at least, over the peak of I. f = 2 I - M, M the peak, is of exponential
+// type 2 along a line through it and within M, so f'^2 + 4 f^2 <= 4 M^2 (Duffin and Schaeffer): at a distance s below pi/2 from the
+// peak I >= M cos(s)^2. The pixel around the peak holds a disc of half its pitch.
+inline double least_average(double step) {
+    constexpr double quarter = 1.5707963267948966;
+    const double r = std::min(0.5 * step, quarter), sine = std::sin(r);
+    return quarter * (r * r + r * std::sin(2.0 * r) - sine * sine) / (step * step);
+}
+
+}  // namespace lommel

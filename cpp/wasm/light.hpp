@@ -1,0 +1,271 @@
+// What the page computes with: a pupil in light of one wavelength or several, and its image.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lommel/measures/encircled.hpp"
+#include "lommel/pixels/filter.hpp"
+#include "lommel/pixels/taps.hpp"
+#include "lommel/radial/average_images.hpp"
+#include "lommel/radial/images.hpp"
+#include "lommel/zernike/images.hpp"
+
+namespace live {
+
+// Paths of light are the same for all: phases and places on the sensor grow by `stretch`, the reference wavelength over its own.
+struct Line {
+    double stretch, share;
+    double weight() const { return share * stretch * stretch; }
+};
+
+struct Light {
+    std::vector<lommel::ZernikeTerm> terms;
+    std::vector<double> edge;  // of each term, radians in light of the reference
+    double obscuration = 0.0;
+    std::vector<Line> lines;
+
+    bool radial() const {
+        return std::all_of(terms.begin(), terms.end(), [](const lommel::ZernikeTerm& term) { return term.m == 0; });
+    }
+    double area() const { return 1.0 - obscuration * obscuration; }
+    std::vector<double> stretched(double stretch) const {
+        std::vector<double> out(edge);
+        std::for_each(out.begin(), out.end(), [&](double& c) { c *= stretch; });
+        return out;
+    }
+};
+
+struct View {
+    std::size_t side;
+    double step;  // in v of the reference
+    bool integrate;
+};
+
+// Bound on the error over the peak, and the largest known value.
+struct Proof {
+    double bound, peak;
+};
+
+// Samples of a pupil that is not radial, on part of a window.
+template <class T>
+Proof sampled(const Light& light, const std::vector<double>& edge, const lommel::DiskWindow& window, double tol, double scale,
+              T* out) {
+    using namespace lommel;
+    double numbers[3] = {scale, 0.0, 0.0};
+    DiskStack stack(light.terms, edge.data(), 1, light.obscuration, Amplitude{});
+    stack.move_axes(window);
+    stack.shrink();
+    ZernikeRenderer<T>(stack, window, tol, 1, {out, numbers, numbers + 1, numbers + 2}).run();
+    return {numbers[1], numbers[2]};
+}
+
+// Averages over pixels from finer samples: as methods/averaging.py has it, some rows of pixels at once. The bound is over what
+// the largest average anywhere is at least.
+struct Averages {
+    static constexpr double single = 2e-7;  // tolerance from which on samples are stored in single precision
+    static constexpr std::size_t at_once = std::size_t{1} << 23, most = std::size_t{1} << 26;  // samples
+
+    const Light& light;
+    const std::vector<double>& edge;
+    std::size_t side;
+    double step;
+    std::vector<double> total;
+    double given = 0.0, peak = 0.0;  // what the samples' errors come to, and the largest intensity, at least
+
+    template <class S>
+    void make(const lommel::PixelTaps& taps, double tol) {
+        const lommel::PixelFilter filter{taps.weights.data(), taps.weights.size(), taps.stride};
+        const std::size_t wide = filter.samples(side), rows = std::max<std::size_t>(1, at_once / (wide * taps.stride));
+        const double middle = static_cast<double>(taps.stride * (side / 2) + taps.margin());
+        std::vector<S> samples;
+        total.assign(side * side, 0.0);
+        given = peak = 0.0;
+        for (std::size_t y = 0; y < side; y += rows) {
+            const std::size_t here = std::min(rows, side - y), tall = filter.samples(here);
+            samples.resize(tall * wide);
+            const lommel::DiskWindow window{tall, wide, middle - static_cast<double>(taps.stride * y), middle,
+                                            step / static_cast<double>(taps.stride)};
+            const Proof proof = sampled(light, edge, window, tol, 1.0, samples.data());
+            given = std::max(given, taps.gain * taps.gain * proof.bound * proof.peak);
+            peak = std::max(peak, proof.peak * (1.0 - proof.bound));
+            filter.average(samples.data(), 1, here, side, &total[y * side], side * side, 1);
+        }
+    }
+
+    // At least so many samples are taken.
+    void require_few() const {
+        const std::size_t wide = side * lommel::PixelTaps::across(step, 1.05);
+        if (wide > most / wide) {
+            throw std::domain_error("averages over " + std::to_string(side) + " x " + std::to_string(side) + " pixels of " +
+                                    lommel::shortened(step / 3.14159265358979323846) + " lambda*N take " +
+                                    lommel::shortened(static_cast<double>(wide) * static_cast<double>(wide)) +
+                                    " samples, more than the page's limit of " + lommel::shortened(static_cast<double>(most)) +
+                                    ": take fewer or smaller pixels, or a larger f-number");
+        }
+    }
+
+    // Filters of fewer samples are longer, and may reach light that errors relate to where all pixels are dark.
+    Proof run(double tol, double storing) {
+        require_few();
+        for (const double widest : {1.05, 0.8}) {
+            const Proof proof = attempt(tol, storing, widest);
+            if (proof.bound <= tol) {
+                return proof;
+            }
+        }
+        throw lommel::ToleranceNotMet(tol);
+    }
+
+    Proof attempt(double tol, double storing, double widest) {
+        using namespace lommel;
+        const double ceiling = light.area() * light.area(), aim = tol - (1.0 + tol) * storing, lowest = least_average(step);
+        // As if the largest average were a few times the least it can be, and the peak not faint.
+        double finer = 0.5 * aim * std::min(4.0 * lowest, 1.0), response = 2e-3 * aim * lowest;
+        Proof proof{1e300, 0.0};
+        for (int again = 0; again < 5; ++again) {
+            const PixelTaps taps(step, response, widest);
+            const double asked = finer / (taps.gain * taps.gain);
+            asked >= single ? make<float>(taps, asked) : make<double>(taps, asked);
+            const double top = *std::max_element(total.begin(), total.end());
+            const double rounding =
+                static_cast<double>(2 * taps.weights.size() + 8) * unit_roundoff * taps.gain * taps.gain * peak;
+            const double own = (2.0 + taps.error) * taps.error * ceiling + rounding, found = std::max(top, lowest * peak);
+            if (!(found > 0.0)) {
+                break;
+            }
+            proof = {stored((given + own) / found, storing), found};
+            if (proof.bound <= tol) {
+                break;
+            }
+            finer = asked >= single ? 0.9 * single : finer * std::min(1.0, 0.5 * aim * found / given);
+            response *= std::min(1.0, 0.2 * aim * found / own);
+        }
+        return proof;
+    }
+};
+
+inline Proof image_of_line(const Light& light, const Line& line, const View& view, double tol, double scale, float* out) {
+    using namespace lommel;
+    const std::vector<double> edge = light.stretched(line.stretch);
+    const double step = view.step * line.stretch, middle = static_cast<double>(view.side / 2);
+    Proof proof;
+    if (light.radial()) {
+        std::vector<double> powers(1, 0.0);  // of R_2^0, R_4^0, ...
+        for (std::size_t j = 0; j < edge.size(); ++j) {
+            const std::size_t at = static_cast<std::size_t>(light.terms[j].n / 2 - 1);
+            powers.resize(std::max(powers.size(), at + 1));
+            powers[at] = edge[j];
+        }
+        double numbers[3] = {scale, 0.0, 0.0};
+        const Stack stack{powers.data(), 1, powers.size(), light.obscuration};
+        const Answer<float> answer{out, numbers, numbers + 1, numbers + 2, nullptr, 0, nullptr, nullptr};
+        if (view.integrate) {
+            PixelRenderer<float>(stack, PixelWindow{view.side, view.side, middle, middle, step, true}, tol, 1, answer).run();
+        } else {
+            Renderer<float>(stack, view.side, view.side, step, tol, 1, answer).run();
+        }
+        proof = {numbers[1], numbers[2]};
+    } else if (view.integrate) {
+        Averages averages{light, edge, view.side, step, {}};
+        proof = averages.run(tol, storing<float>(false));
+        std::transform(averages.total.begin(), averages.total.end(), out,
+                       [&](double x) { return static_cast<float>(scale * x); });
+    } else {
+        proof = sampled(light, edge, DiskWindow{view.side, view.side, middle, middle, step}, tol, scale, out);
+    }
+    return {proof.bound, proof.peak * scale};
+}
+
+// Fractions of all light per pixel.
+inline Proof image_of(const Light& light, const View& view, double tol, float* out) {
+    // That of I of the reference, 1 at the peak of a whole aperture without aberration.
+    const double scale = view.step * view.step / (12.566370614359172 * light.area());
+    const std::size_t pixels = view.side * view.side;
+    if (light.lines.size() == 1) {
+        return image_of_line(light, light.lines[0], view, tol, scale * light.lines[0].weight(), out);
+    }
+    // What single precision allows of each line. Where all together have more than was asked, the bound says so.
+    constexpr double least = 2.5e-7;
+    static std::vector<float> part;
+    static std::vector<double> total;
+    part.resize(pixels);
+    for (double asked = std::max(tol, least);;) {
+        total.assign(pixels, 0.0);
+        double off = 0.0, peak = 0.0;
+        for (const Line& line : light.lines) {
+            const Proof proof = image_of_line(light, line, view, asked, scale * line.weight(), part.data());
+            std::transform(part.begin(), part.end(), total.begin(), total.begin(),
+                           [](float a, double b) { return static_cast<double>(a) + b; });
+            off += proof.bound * proof.peak;
+            // Nothing is negative, so the sum is at least as bright as any part of it.
+            peak = std::max(peak, proof.peak * (1.0 - proof.bound));
+        }
+        const double highest = *std::max_element(total.begin(), total.end());
+        off += static_cast<double>(light.lines.size() + 8) * lommel::unit_roundoff * highest;
+        const double bound = lommel::stored(off / std::max(peak, highest - off), lommel::storing<float>(false));
+        if (bound <= tol || asked == least) {
+            std::transform(total.begin(), total.end(), out, [](double x) { return static_cast<float>(x); });
+            return {bound, highest};
+        }
+        asked = std::max(least, 0.5 * asked * std::min(1.0, tol / bound));
+    }
+}
+
+// The light of each line as the mean on circles about the axis; with aberrations, and without.
+struct Circles {
+    struct Part {
+        Line line;
+        lommel::MeanProfile profile, flat;
+    };
+    std::vector<Part> parts;
+    double brightest = 0.0, area = 1.0;
+
+    Circles() = default;
+    // Up to `reach` in v of the reference; errors of U and of the interpolation are below `error`.
+    Circles(const Light& light, double reach, double error) : area(light.area()) {
+        using namespace lommel;
+        for (const Line& line : light.lines) {
+            const std::vector<double> edge = light.stretched(line.stretch);
+            const double far = reach * line.stretch, eps = light.obscuration;
+            DiskStack stack(light.terms, edge.data(), 1, eps, Amplitude{});
+            stack.shrink();
+            const TermPairs pairs(stack.terms);
+            ZernikeField field;
+            field.expand({pairs, stack.outer.data(), Amplitude{}},
+                         {pairs, (eps > 0.0 ? stack.inner : stack.outer).data(), Amplitude{}}, eps, far, error, stack.lost[0]);
+            const auto airy = [](double v) { return v < 1e-4 ? 1.0 - 0.125 * v * v : 2.0 * j1(v) / v; };
+            parts.push_back(
+                {line, MeanProfile(far, error, [&](double v) { return field.mean(v); }), MeanProfile(far, error, [&](double v) {
+                     const double u = airy(v) - eps * eps * airy(eps * v);
+                     return u * u;
+                 })});
+            brightest += line.weight() * area * area;
+        }
+    }
+
+    using Kind = lommel::MeanProfile Part::*;
+    // Over the peak without aberration, at v of the reference.
+    double mean(Kind kind, double v) const {
+        double sum = 0.0;
+        for (const Part& part : parts) {
+            sum += part.line.weight() * (part.*kind).mean(v * part.line.stretch);
+        }
+        return sum / brightest;
+    }
+    // Of all light.
+    double energy(Kind kind, double v) const {
+        double sum = 0.0;
+        for (const Part& part : parts) {
+            sum += part.line.share * (part.*kind).energy(v * part.line.stretch);
+        }
+        return 0.5 * sum / area;
+    }
+};
+
+}  // namespace live

@@ -1,0 +1,185 @@
+// The core as a page calls it: numbers in named blocks of memory, one light at a time, one thread.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lommel/imaging/convolution.hpp"
+#include "lommel/measures/overlap.hpp"
+
+#include "light.hpp"
+
+#define EXPORT(name) __attribute__((export_name(#name)))
+
+// There are no exceptions in this library of C++. What is thrown goes to the host as a sentence; it leaves by an exception of
+// its own and makes a new instance, for nothing here is unwound. All that the core throws begins with a std::exception.
+extern "C" {
+__attribute__((import_module("lommel"), import_name("fail"))) void lommel_fail(const char* text, std::size_t length);
+void* __cxa_allocate_exception(std::size_t bytes) { return std::malloc(bytes); }
+void __cxa_free_exception(void* exception) { std::free(exception); }
+int __cxa_thread_atexit(void (*)(void*), void*, void*) { return 0; }
+void __cxa_throw(void* exception, void*, void (*)(void*)) {
+    const char* text = static_cast<std::exception*>(exception)->what();
+    lommel_fail(text, std::strlen(text));
+    __builtin_trap();
+}
+}
+
+namespace {
+
+live::Light light;
+live::Circles circles;
+std::unique_ptr<lommel::Convolution> convolution;
+
+constexpr std::size_t blocks = 8;
+struct Block {
+    void* data = nullptr;
+    std::size_t bytes = 0;
+} memory[blocks];
+
+}  // namespace
+
+extern "C" {
+
+// At least so many bytes; what was in the block is gone where it grows.
+EXPORT(room) void* room(std::size_t block, std::size_t bytes) {
+    Block& here = memory[block];
+    if (here.bytes < bytes) {
+        std::free(here.data);
+        here.data = std::malloc(bytes);
+        if (here.data == nullptr) {
+            throw std::runtime_error("there is not enough memory for " + std::to_string(bytes >> 20) + " MB");
+        }
+        here.bytes = bytes;
+    }
+    return here.data;
+}
+
+// The light that all below is about: terms (n, m) with radians at the edge, and lines of the spectrum with their stretch and
+// share. Shares sum to 1.
+EXPORT(set_light)
+void set_light(const std::int32_t* terms, const double* edge, std::size_t count, double obscuration, const double* lines,
+               std::size_t line_count) {
+    light.terms.clear();
+    for (std::size_t j = 0; j < count; ++j) {
+        light.terms.push_back({terms[2 * j], terms[2 * j + 1]});
+    }
+    light.edge.assign(edge, edge + count);
+    if (count == 0) {
+        light.terms.push_back({2, 0});
+        light.edge.push_back(0.0);
+    }
+    light.obscuration = obscuration;
+    light.lines.clear();
+    for (std::size_t k = 0; k < line_count; ++k) {
+        light.lines.push_back({lines[2 * k], lines[2 * k + 1]});
+    }
+}
+
+// Fractions of all light per pixel; numbers: the bound on their error over the peak, the largest value, the sum.
+EXPORT(psf) void psf(std::size_t side, double step, bool integrate, double tol, float* out, double* numbers) {
+    const live::View view{side, step, integrate};
+    const live::Proof proof = live::image_of(light, view, tol, out);
+    // In lanes, as the compiler may not by itself.
+    constexpr std::size_t lanes = 16;
+    const std::size_t pixels = side * side;
+    double sum = 0.0;
+    float tops[lanes] = {};
+    for (std::size_t first = 0; first < pixels; first += 1024) {
+        float sums[lanes] = {};
+        const std::size_t last = std::min(pixels, first + 1024), whole = last - (last - first) % lanes;
+        for (std::size_t i = first; i < whole; i += lanes) {
+            for (std::size_t k = 0; k < lanes; ++k) {
+                sums[k] += out[i + k];
+                tops[k] = std::max(tops[k], out[i + k]);
+            }
+        }
+        for (std::size_t i = whole; i < last; ++i) {
+            sums[0] += out[i];
+            tops[0] = std::max(tops[0], out[i]);
+        }
+        sum += static_cast<double>(std::accumulate(sums, sums + lanes, 0.0F));
+    }
+    numbers[0] = proof.bound;
+    numbers[1] = static_cast<double>(*std::max_element(tops, tops + lanes));
+    numbers[2] = sum;
+}
+
+// What is to be asked of circles, up to `reach` in v.
+EXPORT(set_circles) void set_circles(double reach, double error) { circles = live::Circles(light, reach, error); }
+
+// At radii in v, with aberrations and without: means over the peak without aberration, or shares of all light within.
+EXPORT(on_circles) void on_circles(const double* v, std::size_t count, bool energy, double* out, double* flat) {
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] =
+            energy ? circles.energy(&live::Circles::Part::profile, v[i]) : circles.mean(&live::Circles::Part::profile, v[i]);
+        flat[i] = energy ? circles.energy(&live::Circles::Part::flat, v[i]) : circles.mean(&live::Circles::Part::flat, v[i]);
+    }
+}
+
+// The radius in v of the circle with a share of all light, or -1 where it is more than `reach`.
+EXPORT(radius_of) double radius_of(double share, double reach) {
+    double low = 0.0, high = reach;
+    const auto within = [](double v) { return circles.energy(&live::Circles::Part::profile, v); };
+    if (within(high) < share) {
+        return -1.0;
+    }
+    for (int i = 0; i < 48; ++i) {
+        const double middle = 0.5 * (low + high);
+        (within(middle) < share ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+// Contrast at frequencies over the cutoff of the reference: along columns, along rows, and without aberration.
+EXPORT(contrast) void contrast(const double* f, std::size_t count, std::size_t more, double* x, double* y, double* limit) {
+    std::vector<std::complex<double>> sums(2 * count);
+    std::fill_n(limit, count, 0.0);
+    for (const live::Line& line : light.lines) {
+        lommel::Overlap overlap(light.terms, light.stretched(line.stretch).data(), light.obscuration);
+        for (std::size_t axis = 0; axis < (light.radial() ? 1 : 2); ++axis) {
+            overlap.face(axis == 0 ? 0.0 : 1.5707963267948966);
+            for (std::size_t i = 0; i < count; ++i) {
+                sums[axis * count + i] += line.share * overlap.at(f[i] / line.stretch, more);
+            }
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            limit[i] += line.share * lommel::flat_overlap(f[i] / line.stretch, light.obscuration);
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        x[i] = std::abs(sums[i]);
+        y[i] = std::abs(sums[light.radial() ? i : count + i]);
+    }
+}
+
+// Planes of a picture as pixels of this spread record them, with all light in it; side is odd.
+EXPORT(blur)
+void blur(const float* spread, std::size_t side, const float* planes, std::size_t count, std::size_t height, std::size_t width,
+          float* out) {
+    // Of a few sizes, so that little changes from one spread to the next.
+    std::size_t reach = 8;
+    while (reach < side / 2) {
+        reach += (reach + 8) / 16 * 8;
+    }
+    if (!convolution || !convolution->is(height, width, reach)) {
+        convolution = std::make_unique<lommel::Convolution>(height, width, reach);
+    }
+    double sum = 0.0;
+    for (std::size_t i = 0; i < side * side; ++i) {
+        sum += static_cast<double>(spread[i]);
+    }
+    convolution->set_spread(spread, side, static_cast<float>(1.0 / sum));
+    for (std::size_t i = 0; i < count; ++i) {
+        convolution->set_plane(i, planes + i * height * width);
+        convolution->make(i, out + i * height * width);
+    }
+}
+}

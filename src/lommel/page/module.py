@@ -1,0 +1,51 @@
+"""The live page's module, `lommel-live.js`, and pages of HTML around it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from lommel.page.state import link
+
+NAME = "lommel-live.js"
+_PAGE = """<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<link rel="icon" href="data:,">
+<title>{title}</title>
+<style>body {{ margin: 0; }}</style>
+<body>
+<script type="module" {source}data-lommel="{state}">{text}</script>
+</body>
+</html>
+"""
+
+
+def path() -> Path:
+    """Return where the module is.
+
+    Raises
+    ------
+    FileNotFoundError
+        If it was not made: the package was installed from its sources, without `make page`.
+    """
+    found = Path(__file__).with_name(NAME)
+    if not found.is_file():
+        raise FileNotFoundError(
+            f"the live page's module is not there ({found}): wheels bring it, and in a copy of the sources "
+            "`make page` makes it"
+        )
+    return found
+
+
+def html(state: Mapping[str, Any], title: str = "lommel", *, alone: bool = False) -> str:
+    """Return the text of a page that starts with a state, `alone` with the module inside, else with it beside."""
+    # Within a script only its end has a meaning; in strings of the module it may be written so too.
+    text = path().read_text(encoding="utf-8").replace("</script", "<\\/script") if alone else ""
+    source = "" if alone else f"src={json.dumps(NAME)} "
+    return _PAGE.format(title=escape(title), source=source, state=escape(link(state)), text=text)

@@ -1,0 +1,78 @@
+"""A server of the live page for the browser of this machine: three names on 127.0.0.1, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+
+from lommel.page import module
+
+# What a page may do: run its own module with the core in it, in its own workers, and draw. Nothing is sent.
+_POLICY = (
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
+    "img-src data: blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+
+
+class PageServer(ThreadingHTTPServer):
+    """Serves the page that starts with a state; a port of 0 is any that is free.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the module was not made.
+    OSError
+        If the port is taken.
+    """
+
+    daemon_threads = True
+
+    def __init__(self, state: Mapping[str, Any], title: str, port: int = 0) -> None:
+        page = module.html(state, title).encode()
+        self.served = {
+            "/": (page, "text/html"),
+            "/index.html": (page, "text/html"),
+            f"/{module.NAME}": (module.path().read_bytes(), "text/javascript"),
+        }
+        super().__init__(("127.0.0.1", port), _Handler)
+
+    @property
+    def url(self) -> str:
+        """Address of the page."""
+        return f"http://127.0.0.1:{self.server_port}/"
+
+
+class _Handler(BaseHTTPRequestHandler):
+    server: PageServer
+    server_version, sys_version = "lommel", ""
+    timeout = 10.0  # for who connects and says nothing
+
+    def do_GET(self) -> None:
+        self._answer(body=True)
+
+    def do_HEAD(self) -> None:
+        self._answer(body=False)
+
+    def _answer(self, *, body: bool) -> None:
+        # A page of elsewhere whose name is pointed here by its DNS is still called by that name.
+        port = self.server.server_port
+        if self.headers.get("Host") not in {f"127.0.0.1:{port}", f"localhost:{port}"}:
+            return self.send_error(403)
+        found = self.server.served.get(self.path.partition("?")[0])
+        if found is None:
+            return self.send_error(404)
+        content, kind = found
+        self.send_response(200)
+        self.send_header("Content-Type", f"{kind}; charset=utf-8")
+        self.send_header("Content-Length", str(len(content)))
+        self.send_header("Cache-Control", "no-store")
+        self.send_header("Content-Security-Policy", _POLICY)
+        self.send_header("X-Content-Type-Options", "nosniff")
+        self.end_headers()
+        if body:
+            self.wfile.write(content)
+        return None
+
+    def log_message(self, *_: Any) -> None:
+        """Write nothing: who has the page open knows."""

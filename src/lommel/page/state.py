@@ -1,0 +1,215 @@
+"""What the controls of the live page say: their names, ranges and defaults, and the PSF of a state of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+from urllib.parse import quote
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.lensfiles.instrument import Instrument
+from lommel.methods.polychromatic import Polychromatic
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
+from lommel.psf import PSF, psf
+
+
+class Real(NamedTuple):
+    """A control that takes numbers from a lowest to a highest."""
+
+    initial: float
+    low: float
+    high: float
+
+    def accepted(self, name: str, value: Any) -> float:
+        """Return the number, which is in the range."""
+        number = validation.real(name, value)
+        if not self.low <= number <= self.high:
+            raise ValueError(f"{name} must be from {self.low:g} to {self.high:g}, got {validation.shown(value)}")
+        return number
+
+
+    def told(self) -> dict[str, float]:
+        """Return what the page is told of it."""
+        return self._asdict()
+
+
+class Whole(Real):
+    """One of whole numbers."""
+
+    def accepted(self, name: str, value: Any) -> int:
+        """Return the number, which is in the range."""
+        return validation.integer(name, value, least=int(self.low), most=int(self.high))
+
+
+class Word(tuple[str, ...]):
+    """A choice, the default first."""
+
+    __slots__ = ()
+
+    @property
+    def initial(self) -> str:
+        """The default."""
+        return self[0]
+
+    def told(self) -> dict[str, Any]:
+        """Return what the page is told of it."""
+        return {"initial": self.initial, "choices": list(self)}
+
+    def accepted(self, name: str, value: Any) -> str:
+        """Return the choice, one of those that there are."""
+        return validation.choice(name, value, self)
+
+
+FIELDS: dict[str, Real | Word] = {
+    "defocus": Real(0.6, -50, 50),
+    "spherical": Real(0, -25, 25),
+    "coma": Real(0, 0, 10),
+    "coma_angle": Real(0, -180, 180),
+    "astigmatism": Real(0, 0, 10),
+    "astigmatism_angle": Real(0, -90, 90),
+    "trefoil": Real(0, 0, 10),
+    "trefoil_angle": Real(0, -60, 60),
+    "f_number": Real(4, 0.7, 100),
+    "obscuration": Real(0, 0, 0.9),
+    "wavelength": Real(550, 200, 2000),
+    "light": Word(("mono", "white")),
+    "pixel": Real(2, 0.05, 50),
+    "view": Word(("fine", "sampled", "averaged")),
+    "side": Whole(512, 16, 1024),
+    "focal_length": Real(50, 0.1, 1e6),
+    "stretch": Word(("sqrt", "linear", "log")),
+    "map": Word(("inferno", "viridis", "cividis", "gray")),
+    "waves_unit": Word(("waves", "rad", "nm")),
+    "length_unit": Word(("um", "arcsec", "lambdaN")),
+    "picture": Word(("star", "bars", "text", "points", "own")),
+}
+"""In waves at the edge (W020 and Seidel's W040; the others Zernike terms that are 1 there), degrees, nanometres,
+micrometres, pixels and, for the focal length, millimetres."""
+
+# White light on the page: lines of equal energy, nanometres.
+WHITE = np.linspace(450.0, 650.0, 7)
+DIRECTED = {"coma": (3, 1), "astigmatism": (2, 2), "trefoil": (3, 3)}
+
+
+def complete(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a whole state: what is given of it, and the defaults.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a name is none of :data:`FIELDS`, or a value is not of its kind or out of its range.
+    """
+    for name in given:
+        validation.choice("a name of the state", name, tuple(FIELDS))
+    return {name: field.accepted(name, given.get(name, field.initial)) for name, field in FIELDS.items()}
+
+
+def link(state: Mapping[str, Any]) -> str:
+    """Return the fragment of an address that opens the page on a state: what differs from the defaults."""
+    whole = complete(state)
+    return "&".join(
+        f"{name}={quote(str(value).removesuffix('.0'))}"
+        for name, field in FIELDS.items()
+        if (value := whole[name]) != field.initial
+    )
+
+
+def state_of(instrument: Instrument) -> tuple[dict[str, float], str]:
+    """Return the state that shows what a lens file describes, and words about what the controls cannot say of it.
+
+    Raises
+    ------
+    ValueError
+        If the controls have not the range for it.
+    """
+    pupil = instrument.pupil()
+    if pupil.wavelength is None or pupil.f_number is None or pupil.shape:
+        raise ValueError("the live page takes one pupil with a wavelength and an f-number")
+    waves = {term: float(c) / math.tau for term, c in pupil.wavefront.edge_terms().items()}
+    waves.pop((0, 0), 0.0)
+    # W020 and W040 of the Zernike terms of these powers, 2 rho^2 - 1 and 6 rho^4 - 6 rho^2 + 1.
+    spherical = 6.0 * waves.pop((4, 0), 0.0)
+    state = {"defocus": 2.0 * waves.pop((2, 0), 0.0) - spherical, "spherical": spherical}
+    for name, (n, m) in DIRECTED.items():
+        along, across = waves.pop((n, m), 0.0), waves.pop((n, -m), 0.0)
+        state[name] = math.hypot(along, across)
+        state[f"{name}_angle"] = math.degrees(math.atan2(across, along)) / m
+    state |= {
+        "f_number": float(pupil.f_number),
+        "obscuration": pupil.obscuration,
+        "wavelength": pupil.wavelength * 1e9,
+        "pixel": instrument.pixel * 1e6,
+        "focal_length": instrument.lens.focal_length * 1e3,
+    }
+    for name, value in state.items():
+        field = FIELDS[name]
+        if isinstance(field, Real) and not field.low <= value <= field.high:
+            raise ValueError(
+                f"{name} must be from {field.low:g} to {field.high:g} on the live page, got {value:.4g} of "
+                f"{instrument.name or 'the lens file'!r}"
+            )
+    state = {name: float(f"{value:.9g}") for name, value in state.items()}
+    return {n: v for n, v in state.items() if v != FIELDS[n].initial}, _left_out(instrument, pupil, waves)
+
+
+def _left_out(instrument: Instrument, pupil: Pupil, rest: dict[tuple[int, int], float]) -> str:
+    tilts = [rest.pop(term, 0.0) for term in ((1, 1), (1, -1))]
+    higher = math.sqrt(sum(c * c for c in rest.values()))
+    parts = {
+        "tilt, which moves the image": any(tilts),
+        f"terms of higher order, {higher:.1g} waves": higher > 0.0,
+        "the spider, vignetting or mask": not pupil.circular,
+        "the apodization": not pupil.illumination.uniform,
+        "what changes over the field": instrument.aberrations_of_field is not None,
+    }
+    return "; ".join(text for text, there in parts.items() if there)
+
+
+def pupil_of(state: Mapping[str, Any]) -> Pupil:
+    """Return the pupil of a state."""
+    whole = complete(state)
+    wavefront = Wavefront.from_seidel(W020=whole["defocus"], W040=whole["spherical"])
+    for name, (n, m) in DIRECTED.items():
+        if size := whole[name]:
+            turned = Wavefront.zernike({(n, m): size}, unit="waves", normalization="edge")
+            wavefront += turned.rotated(math.radians(whole[f"{name}_angle"]))
+    return Pupil(
+        wavefront,
+        obscuration=whole["obscuration"],
+        wavelength=whole["wavelength"] * 1e-9,
+        f_number=whole["f_number"],
+    )
+
+
+def psf_of(state: Mapping[str, Any], **options: Any) -> PSF:
+    """Return the PSF that the page shows of a state, with further options of :func:`lommel.psf`."""
+    whole = complete(state)
+    pupil = pupil_of(whole)
+    if whole["light"] == "white":
+        options.setdefault("method", Polychromatic(list(WHITE * 1e-9), [1.0] * len(WHITE)))
+    pixel = _fine_pixel(whole) if whole["view"] == "fine" else whole["pixel"] * 1e-6
+    return psf(pupil, whole["side"], pixel, integrate=whole["view"] == "averaged", **options)
+
+
+def _fine_pixel(state: Mapping[str, Any]) -> float:
+    """Return the pixel of the page's own window: as wide as rays reach and rings show, in steps of sqrt(2).
+
+    As fineReach() of the page has it, samples and all, lest a step fall elsewhere.
+    """
+    rho = state["obscuration"] + (1.0 - state["obscuration"]) * np.arange(25)[:, None] / 24.0
+    theta, t = math.tau * np.arange(48) / 48.0, rho * rho
+    outward = (2.0 * state["defocus"] + 4.0 * state["spherical"] * t) * rho + 0.0 * theta
+    around = np.zeros_like(outward)
+    radial = {"coma": (9.0 * t - 2.0, 3.0 * t - 2.0), "astigmatism": (2.0 * rho, rho), "trefoil": (3.0 * t, t)}
+    for name, (slope, over) in radial.items():
+        m = DIRECTED[name][1]
+        turned = m * (theta - math.radians(state[f"{name}_angle"]))
+        outward += state[name] * slope * np.cos(turned)
+        around -= state[name] * over * m * np.sin(turned)
+    v = 1.15 * math.tau * float(np.hypot(outward, around).max()) + 14.0
+    reach = v * state["wavelength"] * 1e-3 * state["f_number"] / math.pi
+    return float(2e-6 * 2.0 ** (math.ceil(2.0 * math.log2(reach)) / 2.0) / state["side"])

@@ -1,0 +1,113 @@
+"""The live page in a notebook, by anywidget: its state as traits, both ways."""
+
+from __future__ import annotations
+
+from functools import cache
+from os import PathLike
+from typing import Any
+
+from lommel.base import validation
+from lommel.base.optional import library
+from lommel.lensfiles.instrument import Instrument
+from lommel.lensfiles.lens_files import load_instrument
+from lommel.page import module
+from lommel.page.state import FIELDS, Real, complete, psf_of, state_of
+from lommel.psf import PSF
+
+
+def live(lens: Instrument | str | PathLike[str] | None = None, **state: Any) -> Any:
+    """Return the live page as a widget of a notebook: Jupyter, VS Code, marimo and what else takes anywidget.
+
+    Every control is a trait of the widget, both ways: ``w.coma = 0.5`` moves the slider, and a drag of it is seen by
+    ``w.observe(..., "coma")``. ``w.state`` is all of them as a dict, which may be set to some of them; ``w.psf()``
+    is the :class:`lommel.PSF` that the page shows, by this Python, with further arguments as those of
+    :func:`lommel.psf`.
+
+    Parameters
+    ----------
+    lens : Instrument, str or path, optional
+        What to start with: a lens file or what :func:`lommel.load_instrument` made of it.
+    **state
+        Controls that start elsewhere: `defocus`, `spherical` (waves at the edge, W020 and W040), `coma`,
+        `astigmatism`, `trefoil` (waves at the edge) and `coma_angle` and so on (degrees), `f_number`, `obscuration`,
+        `wavelength` (nm), `light` ("mono", "white"), `pixel` (um), `view` ("fine", "sampled", "averaged"), `side`
+        (pixels), `focal_length` (mm), `stretch`, `map`, `waves_unit`, `length_unit`, `picture`; and `controls`, a
+        list of those to show, and `theme`, "light" or "dark" where the notebook's is not to be followed.
+
+    Returns
+    -------
+    anywidget.AnyWidget
+
+    Raises
+    ------
+    ImportError
+        If anywidget is not installed: the extra "live" of this package brings it.
+    FileNotFoundError
+        If the page's module was not made.
+    TypeError, ValueError
+        If a control is none of these or its value not of its kind, or the lens is out of their range.
+
+    Examples
+    --------
+    >>> w = lm.live("examples/lenses/hubble-1990.toml")  # doctest: +SKIP
+    >>> w.psf().values.shape  # doctest: +SKIP
+    (512, 512)
+    """
+    kind = _kind()
+    look = {name: state.pop(name) for name in ("controls", "theme") if name in state}
+    start: dict[str, Any] = {}
+    if lens is not None:
+        if not isinstance(lens, Instrument):
+            if not isinstance(lens, (str, PathLike)):
+                raise TypeError(
+                    f"lens must be an Instrument or the path of a lens file, got {validation.shown(lens)}"
+                )
+            lens = load_instrument(lens)
+        start, _ = state_of(lens)
+    return kind(**complete(start | state), **look)
+
+
+@cache
+def _kind() -> type:
+    """Return the class of the widget, which is that of an optional library."""
+    anywidget: Any = library("anywidget", "lm.live() needs", "live")
+    traitlets: Any = library("traitlets", "lm.live() needs", "live")
+    kinds = {float: traitlets.CFloat, int: traitlets.CInt}
+
+    def trait(field: Any) -> Any:
+        if not isinstance(field, Real):
+            return traitlets.Enum(field, default_value=field.initial).tag(sync=True)
+        made = kinds[type(field.accepted("", field.initial))](field.initial, min=field.low, max=field.high)
+        return made.tag(sync=True)
+
+    class Live(anywidget.AnyWidget):  # type: ignore[misc]
+        """The live page; see :func:`lommel.live`."""
+
+        _esm = module.path()
+        controls = traitlets.List(traitlets.Unicode()).tag(sync=True)
+        theme = traitlets.Enum(("light", "dark"), default_value=None, allow_none=True).tag(sync=True)
+
+        @property
+        def state(self) -> dict[str, Any]:
+            """What the controls say."""
+            return {name: getattr(self, name) for name in FIELDS}
+
+        @state.setter
+        def state(self, change: dict[str, Any]) -> None:
+            whole = complete(self.state | change)
+            with self.hold_sync():
+                for name, value in whole.items():
+                    setattr(self, name, value)
+
+        def psf(self, **options: Any) -> PSF:
+            """Return the PSF that the page shows, by this Python."""
+            return psf_of(self.state, **options)
+
+        def __repr__(self) -> str:
+            said = ", ".join(
+                f"{name}={value!r}" for name, value in self.state.items() if value != FIELDS[name].initial
+            )
+            return f"Live({said})"
+
+    made: type = type("Live", (Live,), {name: trait(field) for name, field in FIELDS.items()})
+    return made

@@ -1,0 +1,319 @@
+"""The live page's engine in a real browser, against the package."""
+
+from __future__ import annotations
+
+import gzip
+import math
+import shutil
+import subprocess
+import sys
+from functools import partial
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.measures.encircled import encircled
+
+WHITE = [450e-9, 1450e-9 / 3, 1550e-9 / 3, 550e-9, 1750e-9 / 3, 1850e-9 / 3, 650e-9]
+ROOT = Path(__file__).resolve().parent.parent.parent
+
+# One engine a page, which all tests share. What it throws comes back as a sentence.
+START = """async (text) => {
+    const url = URL.createObjectURL(new Blob([text], {type: "text/javascript"}));
+    const { createCore, Engine } = await import(url);
+    globalThis.engine = new Engine(await createCore());
+    const plain = (x) => ArrayBuffer.isView(x) ? Array.from(x) :
+        x?.constructor === Object ? Object.fromEntries(Object.entries(x).map(([k, v]) => [k, plain(v)])) : x;
+    globalThis.ask = (method, ...given) => {
+        try {
+            return plain(globalThis.engine[method](...given));
+        } catch (error) {
+            return { error: error.message, kind: error.constructor.name };
+        }
+    };
+}"""
+
+
+@pytest.fixture(scope="module")
+def engine(module, browser):
+    page = browser.new_page()
+    page.evaluate(START, module.read_text(encoding="utf-8"))
+
+    def ask(method, state, quality="settled"):
+        return page.evaluate("(given) => ask(...given)", [method, state, quality])
+
+    yield SimpleNamespace(psf=partial(ask, "psf"), measures=partial(ask, "measures"), page=page)
+    page.close()
+
+
+def pupil_of(state):
+    """Build the pupil of a state, by the conventions of the package alone."""
+    terms = {}
+    for (n, m), name in {(3, 1): "coma", (2, 2): "astigmatism", (3, 3): "trefoil"}.items():
+        size, turn = 2 * math.pi * state.get(name, 0.0), math.radians(state.get(f"{name}_angle", 0.0))
+        terms[n, m], terms[n, -m] = size * math.cos(m * turn), size * math.sin(m * turn)
+    if not any(state.get(name) for name in ("coma", "astigmatism", "trefoil")):
+        terms = {}
+    wavefront = lm.Wavefront(
+        math.pi * state.get("defocus", 0.6), 2 * math.pi * state.get("spherical", 0.0), nonradial=terms
+    )
+    return lm.Pupil(
+        wavefront,
+        obscuration=state.get("obscuration", 0.0),
+        wavelength=state.get("wavelength", 550.0) * 1e-9,
+        f_number=state.get("f_number", 4.0),
+    )
+
+
+def white(state):
+    return lm.Polychromatic(WHITE, [1.0] * 7) if state.get("light") == "white" else None
+
+
+def parts_of(state):
+    """Return the share and the pupil of each line of light."""
+    spectrum = white(state)
+    if spectrum is None:
+        return [(1.0, pupil_of(state))]
+    return [(part.share, part.pupil) for part in spectrum.components(pupil_of(state))]
+
+
+def random_states(count, seed):
+    """Settings of all kinds: every view, both lights, obscured or not, radial or not."""
+    rng = np.random.default_rng(seed)
+    states = []
+    for i in range(count):
+        state = {
+            "defocus": rng.uniform(-2, 2),
+            "spherical": rng.uniform(-1, 1),
+            "f_number": float(rng.choice([1.8, 4.0, 16.0])),
+            "wavelength": rng.uniform(400, 900),
+            "view": ["fine", "sampled", "averaged"][i % 3],
+            "light": "white" if i % 5 == 4 else "mono",
+            "side": int(rng.integers(40, 160)),
+        }
+        state["pixel"] = state["wavelength"] * 1e-3 * state["f_number"] * rng.uniform(0.3, 2.0)
+        if i % 2:
+            for name, turn in (("coma", 180), ("astigmatism", 90), ("trefoil", 60)):
+                state[name], state[f"{name}_angle"] = rng.uniform(0, 0.8), rng.uniform(-turn, turn)
+        if i % 4 > 1:
+            state["obscuration"] = rng.uniform(0.1, 0.7)
+        states.append(state)
+    return states
+
+
+@pytest.mark.parametrize("state", random_states(30, 1), ids=lambda s: f"{s['view']}-{s['light']}-{s['side']}")
+@pytest.mark.parametrize("quality", ["settled", "drag"])
+def test_the_image_is_that_of_the_package_within_the_bound_it_shows(engine, state, quality):
+    made = engine.psf(state, quality)
+    assert "error" not in made, made
+    side = made["side"]
+    values = np.array(made["values"]).reshape(side, side)
+    exact = lm.psf(
+        pupil_of(state),
+        side,
+        made["pixel"] * 1e-6,
+        method=white(state),
+        tol=1e-9,  # near what averages over large pixels allow
+        dtype=np.float64,
+        integrate=state["view"] == "averaged",
+    ).values
+    if state["view"] != "fine":
+        assert made["pixel"] == state["pixel"]
+    error = np.abs(values - exact).max() / exact.max()
+    assert error <= made["bound"] + 1e-9
+    assert made["bound"] <= (1e-6 if quality == "settled" else 1e-4)
+    assert made["peak"] == values.max()
+
+
+@pytest.mark.parametrize("state", random_states(12, 2), ids=lambda s: f"{s['view']}-{s['light']}")
+def test_the_text_makes_the_array_of_the_page(engine, state):
+    made = engine.psf(state)
+    scope = {}
+    exec(made["python"], scope)
+    psf, values = scope["psf"], np.array(made["values"]).reshape(made["side"], -1)
+    assert psf.pixel == float(f"{made['pixel']!r}e-6")
+    assert np.abs(psf.values - values).max() <= 1e-6 * psf.values.max()
+
+
+@pytest.mark.parametrize("state", random_states(12, 3), ids=lambda s: f"{s['light']}-{s.get('coma', 0) > 0}")
+@pytest.mark.parametrize(("quality", "near"), [("settled", 1e-6), ("drag", 1e-4)])
+def test_measures_are_those_of_the_package(engine, state, quality, near):
+    state = {**state, "view": "fine", "side": 64}
+    found, parts = engine.measures(state, quality), parts_of(state)
+    assert "error" not in found, found
+    brightness = [share / part.wavelength**2 for share, part in parts]
+    strehl = np.average([lm.strehl(part) for _, part in parts], weights=brightness)
+    assert found["strehl"] == pytest.approx(float(strehl), abs=near)
+
+    def within(radii):
+        return sum(share * encircled(part, radii).fraction for share, part in parts)
+
+    which = slice(8, None, 16)
+    radii = np.array(found["energy"]["r"])[which] * 1e-6
+    assert np.array(found["energy"]["share"])[which] == pytest.approx(within(radii), abs=near)
+    if found["d80"] is None:
+        assert found["energy"]["share"][-1] < 0.8
+    else:
+        assert within([0.5e-6 * found["d80"]])[0] == pytest.approx(0.8, abs=near)
+
+    f = np.array(found["mtf"]["f"])[::4]
+    spectrum, pupil = white(state), pupil_of(state)
+    for name, (fx, fy) in {"x": (1e3 * f, 0.0), "y": (0.0, 1e3 * f)}.items():
+        exact = lm.mtf(pupil, fx, fy, spectrum=spectrum, tol=1e-8)
+        assert np.array(found["mtf"][name])[::4] == pytest.approx(exact, abs=near), name
+    limit = lm.mtf(pupil.unaberrated(), 1e3 * f, spectrum=spectrum, tol=1e-8)
+    assert np.array(found["mtf"]["limit"])[::4] == pytest.approx(limit, abs=1e-6)
+
+
+@pytest.mark.parametrize("light", ["mono", "white"])
+def test_profiles_are_relative_to_the_unaberrated_peak(engine, light):
+    state = {"defocus": 0.8, "spherical": -0.4, "obscuration": 0.3, "light": light, "side": 64}
+    found = engine.measures(state)["profile"]
+    radii, way = np.array(found["r"]) * 1e-6, white(state)
+    step = radii[1]
+    for name, pupil in {"mean": pupil_of(state), "reference": pupil_of(state).unaberrated()}.items():
+        row = lm.psf(pupil, (1, 129), step, method=way, normalize="strehl", center=(0, 0), integrate=False, tol=1e-8)
+        assert np.array(found[name])[:129] == pytest.approx(row.values[0], abs=1e-6), name
+
+
+def test_mean_and_light_in_a_window_are_those_of_its_pixels(engine):
+    state = {"coma": 0.6, "coma_angle": 40, "obscuration": 0.3, "side": 512}
+    made, found = engine.psf(state), engine.measures(state)
+    values = np.array(made["values"])
+    assert found["inside"] == pytest.approx(values.sum(), abs=1e-5)
+    flat = lm.psf(pupil_of(state).unaberrated(), 1, made["pixel"] * 1e-6, integrate=False).values[0, 0]
+    assert found["peak_strehl"] == pytest.approx(values.max() / flat, rel=1e-5)
+    place = (np.arange(512) - 256) * made["pixel"]
+    distance = np.hypot(place[:, None], place).ravel()
+    at = np.array(found["profile"]["r"])
+    for i in (20, 60):
+        ring = np.abs(distance - at[i]) < 0.5 * made["pixel"]
+        assert values[ring].mean() / flat == pytest.approx(found["profile"]["mean"][i], rel=0.05)
+
+
+def test_few_pixels_have_no_more_light_than_there_is(engine):
+    many, few = (engine.measures({"coma": 1.0, "side": side})["inside"] for side in (512, 16))
+    assert many - 0.02 <= few <= many
+
+
+def test_the_wavefront_is_that_of_the_pupil(engine):
+    state = {**random_states(2, 4)[1], "obscuration": 0.35}
+    side = 40
+    made = np.array(
+        engine.page.evaluate(
+            "([s, n]) => Array.from(engine.maps(s, n).wavefront, (w) => isNaN(w) ? -1e9 : w)", [state, side]
+        )
+    ).reshape(side, side)
+    at = (2 * np.arange(side) + 1) / side - 1
+    x, y = np.meshgrid(at, at)
+    rho, wavefront = np.hypot(x, y), pupil_of(state).wavefront
+    clear = (rho <= 1) & (rho >= 0.35)
+    assert np.array_equal(made > -1e8, clear)
+    exact = (wavefront.phase(rho, np.arctan2(y, x)) - wavefront.phase(0.0)) / (2 * math.pi)
+    assert made[clear] == pytest.approx(exact[clear], abs=1e-6)
+
+
+def blurred(engine, state, picture):
+    planes, height, width = picture.shape
+    made = engine.page.evaluate(
+        "([s, p, w, h]) => { const r = ask('blur', s, Float32Array.from(p), w, h, 'settled'); return r; }",
+        [state, picture.ravel().tolist(), width, height],
+    )
+    assert not isinstance(made, dict), made
+    return np.array(made).reshape(planes, height, width)
+
+
+@pytest.mark.parametrize(
+    "state",
+    [
+        {"defocus": 1.0},
+        {"coma": 0.7, "coma_angle": 25, "obscuration": 0.2},
+        {"defocus": 0.5, "astigmatism": 0.6, "light": "white"},
+    ],
+    ids=["radial", "coma", "white"],
+)
+def test_a_point_becomes_the_average_over_pixels(engine, state):
+    # So far from the edges, in the upper and in the lower half, that nothing is reflected.
+    places = (49, 49), (60, 40)
+    picture = np.zeros((2, 99, 101))
+    for plane, (y, x) in zip(picture, places, strict=True):
+        plane[y, x] = 1.0
+    made = blurred(engine, state, picture)
+    exact = lm.psf(pupil_of(state), 31, 2e-6, method=white(state), tol=1e-8, dtype=np.float64).values
+    assert made.sum(axis=(1, 2)) == pytest.approx([1.0, 1.0], abs=1e-5)
+    for plane, (y, x) in zip(made, places, strict=True):
+        part = plane[y - 15 : y + 16, x - 15 : x + 16]
+        # Divided by the light that the spread has.
+        scale = (part * exact).sum() / (exact**2).sum()
+        assert 1.0 <= scale <= 1.04
+        assert np.abs(part / scale - exact).max() <= 1e-5 * exact.max()
+
+
+def test_pixels_much_larger_than_the_spread_take_it_whole(engine):
+    picture = np.zeros((1, 9, 9))
+    picture[0, 4, 4] = 1.0
+    made = blurred(engine, {"coma": 0.5, "pixel": 40, "f_number": 0.7}, picture)[0]
+    assert made[4, 4] > 0.97
+    # One that is wider is as it is without the little that makes it uneven.
+    even = blurred(engine, {"defocus": 20, "pixel": 40, "f_number": 0.7}, picture)[0]
+    nearly = blurred(engine, {"defocus": 20, "astigmatism": 1e-3, "pixel": 40, "f_number": 0.7}, picture)[0]
+    assert even[4, 4] < 0.7
+    assert even.sum() == pytest.approx(1.0, abs=1e-3)
+    assert nearly == pytest.approx(even, abs=5e-3)
+
+
+def test_edges_reflect(engine):
+    rng = np.random.default_rng(5)
+    picture = rng.uniform(size=(1, 41, 30))
+    state = {"defocus": 2.0, "coma": 0.5}
+    whole = np.pad(picture, ((0, 0), (41, 41), (30, 30)), mode="symmetric")
+    wide = blurred(engine, state, whole)[:, 41:82, 30:60]
+    assert blurred(engine, state, picture) == pytest.approx(wide, abs=2e-3)
+    assert blurred(engine, state, np.ones((1, 20, 33))) == pytest.approx(np.ones((1, 20, 33)), abs=1e-5)
+
+
+def test_a_failure_is_a_sentence_and_the_next_call_works(engine):
+    before = engine.psf({"coma": 0.4, "side": 32})
+    failed = engine.psf({"coma": 0.4, "view": "averaged", "pixel": 50, "f_number": 0.7, "side": 1024})
+    assert failed["kind"] == "RangeError"
+    assert "pixels of 130 lambda*N take" in failed["error"]
+    # Of the core itself, which is then another instance: what was thrown left things undone.
+    failed, anew = engine.page.evaluate(
+        """() => {
+            const state = { defocus: 1e9, spherical: 0, coma: 0, astigmatism: 0, trefoil: 0, obscuration: 0 };
+            const before = engine.core.exports;
+            try { engine.image({ ...state, wavelength: 550, f_number: 4, light: "mono" }, 32, 1, false, 1e-6) }
+            catch (error) { return [error.message, engine.core.exports !== before] }
+        }"""
+    )
+    assert failed == "phases of 3.14e+09 rad exceed the limit of 1000000 rad"
+    assert anew
+    assert engine.psf({"coma": 0.4, "side": 32})["values"] == before["values"]
+
+
+def test_the_page_is_small(module):
+    assert len(gzip.compress(module.read_bytes(), 9)) <= 300_000
+
+
+def test_the_same_files_make_the_same_bytes_elsewhere(module, tmp_path):
+    pytest.importorskip("ziglang", reason="the compiler that `make page` fetches is not here")
+    folders = "cpp/include", "cpp/wasm", "web", "examples/lenses"
+    made, before = module.stat().st_mtime, module.read_bytes()
+    sources = [path for name in folders for path in (ROOT / name).rglob("*.*") if "__pycache__" not in path.parts]
+    if any(path.stat().st_mtime > made for path in (*sources, ROOT / "src" / "lommel" / "page" / "state.py")):
+        pytest.skip("the page is older than its files: make page")
+    for folder in folders:
+        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("__pycache__"))
+    again = tmp_path / "made" / "page.js"
+    command = [sys.executable, "-B", tmp_path / "web" / "build.py", "--output", again]
+    subprocess.run(command, check=True, cwd=tmp_path, capture_output=True)
+    assert again.read_bytes() == before
+
+
+def test_what_is_no_state_is_left_out(engine):
+    plain = engine.psf({"side": 32})
+    odd = engine.psf({"side": 32, "toString": 1, "defocus": "NaN", "f_number": None, "__proto__": {"coma": 3}})
+    assert odd["values"] == plain["values"]

@@ -1,0 +1,241 @@
+"""The controls of the live page in a browser."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from live_page import PIXELS, REALS, SLIDERS, box, default_state, rest, slider, state
+
+
+def test_a_script_in_a_page_is_enough(visit: Callable[..., Any]) -> None:
+    page = visit("/")
+    assert page.locator("canvas").count() >= 5
+    assert "Strehl" in page.locator(".now canvas").get_attribute("aria-label")
+    strehl = page.locator('dd[data-number="strehl"]').inner_text()
+    assert 0 < float(strehl) < 1
+
+
+def test_dragging_any_slider_moves_its_value_its_box_and_the_picture(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=128&coma=0.3&astigmatism=0.3&trefoil=0.3")
+    defaults = default_state(page)
+    for key in SLIDERS:
+        before, picture = state(page)[key], page.evaluate(PIXELS)
+        slider(page, key).scroll_into_view_if_needed()
+        place = slider(page, key).bounding_box()
+        y = place["y"] + place["height"] / 2
+        page.mouse.move(place["x"] + place["width"] * 0.3, y)
+        page.mouse.down()
+        seen = set()
+        for share in (0.4, 0.6, 0.7, 0.85):
+            page.mouse.move(place["x"] + place["width"] * share, y, steps=4)
+            page.wait_for_timeout(40)
+            seen.add(state(page)[key])
+        page.mouse.up()
+        rest(page)
+        assert len(seen) >= 3, key
+        after = state(page)[key]
+        assert after != before, key
+        assert float(box(page, key).input_value()) == pytest.approx(after, rel=1e-5), key
+        if key != "pixel":  # which the fine view does not show
+            assert page.evaluate(PIXELS) != picture, key
+        assert page.evaluate("live.result().state")[key] == after, key
+        slider(page, key).dblclick()
+        rest(page)
+        assert state(page)[key] == defaults[key], key
+        page.evaluate("([key, value]) => live.set({ [key]: value })", [key, before])
+        rest(page)
+
+
+def test_arrow_keys_move_every_slider_and_no_page_around_sees_them(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&length_unit=arcsec")
+    defaults = default_state(page)
+    page.evaluate("window.heard = 0; addEventListener('keydown', () => window.heard++)")
+    for key in REALS:
+        before = state(page)[key]
+        slider(page, key).focus()
+        said = slider(page, key).get_attribute("aria-valuetext")
+        page.keyboard.press("ArrowRight")
+        page.keyboard.press("ArrowRight")
+        rest(page)
+        assert state(page)[key] != before, key
+        assert slider(page, key).get_attribute("aria-valuetext") != said, key
+        page.keyboard.press("Delete")
+        rest(page)
+        assert state(page)[key] == defaults[key]
+    assert page.evaluate("heard") == 0
+
+
+def test_tab_reaches_every_control_and_each_has_a_name(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#length_unit=arcsec&side=64")
+    names = page.evaluate(
+        """() => [...document.querySelector(".lommel-live-host").shadowRoot.querySelectorAll("input, select, button")]
+        .map((node) => ({ shown: node.checkVisibility() && !node.classList.contains("unseen"),
+          lab: node.dataset.lmSuppressShortcuts,
+          name: node.getAttribute("aria-label") || node.labels?.[0]?.textContent || node.textContent }))"""
+    )
+    assert all(control["name"].strip() and control["lab"] for control in names)
+    reached = set()
+    page.keyboard.press("Tab")
+    focus = """() => { const node = document.querySelector(".lommel-live-host").shadowRoot.activeElement;
+        if (!node) return null; node.dataset.met ??= Math.random(); return node.tagName + node.dataset.met; }"""
+    while (met := page.evaluate(focus)) and met not in reached:
+        reached.add(met)
+        page.keyboard.press("Tab")
+    kinds = [tag for tag in reached if re.match("INPUT|SELECT|BUTTON", tag)]
+    assert len(kinds) == sum(control["shown"] for control in names)
+
+
+def test_what_is_typed_is_exact_and_out_of_range_is_clamped(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64")
+    for text, value in (("1.23456789", 1.23456789), ("-0.1", -0.1), ("1e9", 50), ("7", 7)):
+        box(page, "defocus").fill(text)
+        page.keyboard.press("Enter")
+        rest(page)
+        assert state(page)["defocus"] == value
+    assert box(page, "defocus").input_value() == "7"
+    assert float(slider(page, "defocus").get_attribute("max")) >= 7
+    box(page, "defocus").fill("")
+    page.keyboard.press("Tab")
+    assert box(page, "defocus").input_value() == "7"
+
+
+def test_units_change_what_is_shown_and_not_the_state(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&defocus=0.5&wavelength=600&f_number=5&focal_length=1000&length_unit=um")
+    before = state(page)
+    wide = float(page.locator('dd[data-number="d80"]').inner_text().split()[0])
+    for unit, text in (("rad", "3.14159"), ("nm", "300"), ("waves", "0.5")):
+        page.get_by_label("Unit of the wavefront").select_option(unit)
+        rest(page)
+        assert box(page, "defocus").input_value() == text
+    for unit, factor in (("arcsec", 0.206264806), ("lambdaN", 1 / 3.0), ("um", 1.0)):
+        page.get_by_label("Unit of lengths").select_option(unit)
+        rest(page)
+        shown = float(page.locator('dd[data-number="d80"]').inner_text().split()[0])
+        assert shown == pytest.approx(wide * factor, rel=2e-3)
+    assert state(page) == before
+
+
+def test_teachers_choose_what_is_shown(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted?controls=defocus,coma")
+    shown = page.locator("input[type=range]").evaluate_all("all => all.map(node => node.dataset.key)")
+    assert shown == ["defocus", "coma", "coma_angle"]
+    assert page.locator("select").count() == 0
+    assert page.locator(".numbers").is_visible()
+    page = visit("/mounted?controls=coma,curves")
+    assert page.locator(".plots").is_visible()
+    assert page.locator(".numbers").is_hidden()
+    assert page.locator(".picture").is_hidden()
+
+
+def test_presets_are_the_lens_files(visit: Callable[..., Any], lenses: dict[str, Path]) -> None:
+    page = visit("/mounted#side=64")
+    names = page.locator('select[data-key="preset"] option').all_inner_texts()
+    hubble = lm.load_instrument(lenses["hubble-1990"])
+    assert {lm.load_instrument(path).name for path in lenses.values()} <= set(names)
+    page.locator('select[data-key="preset"]').select_option(label=hubble.name)
+    rest(page)
+    told = state(page)
+    seen = lm.Wavefront.from_seidel(W020=told["defocus"], W040=told["spherical"])
+    assert seen.defocus == pytest.approx(hubble.pupil().wavefront.defocus, rel=1e-4)
+    assert seen.spherical == pytest.approx(hubble.pupil().wavefront.spherical, rel=1e-4)
+    assert told["obscuration"] == 0.33
+    assert "Burrows" in page.locator(".source").inner_text()
+
+
+def test_a_held_setting_is_compared_and_comes_back(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64&coma=0.3")
+    page.get_by_role("button", name="Hold as A").click()
+    box(page, "defocus").fill("1.5")
+    page.keyboard.press("Enter")
+    rest(page)
+    assert page.locator(".frame.held canvas").is_visible()
+    assert "from A" in page.locator('dd[data-number="strehl"]').inner_text()
+    page.get_by_role("button", name="Exchange").click()
+    rest(page)
+    assert (state(page)["defocus"], state(page)["coma"]) == (0.6, 0.3)
+    page.get_by_label("How to compare").select_option("flicker")
+    page.get_by_role("button", name="Let go").click()
+    assert page.locator(".frame.held canvas").is_hidden()
+
+
+def test_a_picture_of_ones_own_is_blurred_here_and_stays_here(visit: Callable[..., Any]) -> None:
+    image = pytest.importorskip("PIL.Image")
+    file = io.BytesIO()
+    image.fromarray(np.random.default_rng(1).integers(0, 255, (40, 60, 3), dtype=np.uint8)).save(file, "PNG")
+    page = visit("/mounted#side=64")
+    page.locator("input[type=file]").set_input_files(
+        {"name": "own.png", "mimeType": "image/png", "buffer": file.getvalue()}
+    )
+    page.wait_for_function("live.state.picture === 'own'")
+    rest(page)
+    assert page.locator(".picture canvas").evaluate("node => [node.width, node.height]") == [60, 40]
+    page.evaluate("live.set({ picture: 'bars' })")
+    page.locator(".picture").evaluate(
+        """async (node) => { const canvas = new OffscreenCanvas(30, 20); canvas.getContext("2d").fillRect(0, 0, 9, 9);
+        const dropped = new DataTransfer();
+        dropped.items.add(new File([await canvas.convertToBlob()], "dropped.png", { type: "image/png" }));
+        node.dispatchEvent(new DragEvent("drop", { dataTransfer: dropped, bubbles: true, cancelable: true })); }"""
+    )
+    page.wait_for_function("live.state.picture === 'own'")
+    rest(page)
+    assert page.locator(".picture canvas").evaluate("node => [node.width, node.height]") == [30, 20]
+    page.locator("input[type=file]").set_input_files(
+        {"name": "no.png", "mimeType": "image/png", "buffer": b"no picture"}
+    )
+    page.locator(".notice", has_text="no.png is not a picture").wait_for()
+
+
+REFUSING = """const { postMessage } = Worker.prototype;
+Worker.prototype.postMessage = function (message) {
+  const refused = message.arguments[0].defocus === 13;
+  postMessage.call(this, refused ? { ...message, method: "refuse" } : message);
+};"""
+COUNTING = """window.made = []; const Plain = Worker;
+Worker = class extends Plain { constructor(...given) { super(...given); made.push(this); } };"""
+
+
+def test_an_error_of_the_core_is_a_sentence_and_the_page_lives_on(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=REFUSING)
+    page.evaluate("live.set({ defocus: 13 })")
+    rest(page)
+    assert "cannot be computed" in page.locator(".notice").inner_text()
+    page.evaluate("live.set({ defocus: 1 })")
+    rest(page)
+    assert page.locator(".notice").is_hidden()
+    assert page.evaluate("live.result().state.defocus") == 1
+
+
+def test_a_newer_setting_does_not_wait_for_one_that_takes_long(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=COUNTING)
+    slow = {
+        "coma": 10,
+        "astigmatism": 10,
+        "trefoil": 10,
+        "defocus": 50,
+        "spherical": 25,
+        "light": "white",
+        "side": 1024,
+    }
+    page.evaluate("slow => live.set(slow)", slow)
+    page.wait_for_timeout(200)
+    page.evaluate("import('./lommel-live.js').then(({ DEFAULTS }) => live.set({ ...DEFAULTS, side: 64 }))")
+    rest(page)
+    assert page.evaluate("live.result().state.side") == 64
+    assert page.locator(".notice").is_hidden()
+
+
+def test_a_worker_that_dies_is_replaced(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", before=COUNTING)
+    page.evaluate("made[0].dispatchEvent(new ErrorEvent('error', { message: 'it died', cancelable: true }))")
+    page.evaluate("live.set({ defocus: 1 })")
+    rest(page)
+    assert page.evaluate("live.result().state.defocus") == 1
+    assert page.evaluate("made.length") == 2

@@ -1,0 +1,130 @@
+"""The live page at all widths, in all themes, several on a page, in notebooks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from live_page import IDLE, box, rest, slider
+
+
+@pytest.mark.parametrize("width", [320, 390, 768, 1440])
+def test_no_width_scrolls_sideways(visit: Callable[..., Any], width: int) -> None:
+    page = visit("/mounted#side=64&length_unit=arcsec", viewport={"width": width, "height": 844})
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    slider(page, "obscuration").scroll_into_view_if_needed()
+    picture, control = page.locator(".now canvas").bounding_box(), slider(page, "obscuration").bounding_box()
+    if width < 768:
+        assert picture["y"] >= 0
+        assert picture["y"] + picture["height"] <= 0.42 * 844
+    assert control["y"] >= (picture["y"] + picture["height"] if width < 768 else 0)
+
+
+CONTRAST = """() => {
+  const root = document.querySelector(".lommel-live-host").shadowRoot;
+  const numbers = (text) => (text.match(/[\\d.]+/g) ?? []).map(Number);
+  const light = ([r, g, b]) => [r, g, b].map((c) => (c /= 255) <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const behind = (node) => { for (; node; node = node.parentElement) {
+    const back = numbers(getComputedStyle(node).backgroundColor);
+    if (back.length === 3 || back[3] > 0.5) return back; } return [255, 255, 255]; };
+  const least = {};
+  for (const node of root.querySelectorAll("*")) {
+    const own = [...node.childNodes].some((child) => child.nodeType === 3 && child.textContent.trim());
+    if (!own || node.closest("option, style, .ruler, .tag, .unseen, [hidden]")) continue;
+    const style = getComputedStyle(node);
+    const [a, b] = [light(numbers(node instanceof SVGElement ? style.fill : style.color)), light(behind(node))];
+    least[node.tagName + "." + node.getAttribute("class")] = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+  }
+  return least; }"""
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_text_stands_out_in_both_themes(visit: Callable[..., Any], scheme: str) -> None:
+    page = visit("/mounted#side=64", color_scheme=scheme)
+    least = page.evaluate(CONTRAST)
+    assert len(least) > 8
+    assert {name: ratio for name, ratio in least.items() if ratio < 4.5} == {}
+
+
+def test_the_theme_is_that_of_the_page_around(visit: Callable[..., Any]) -> None:
+    page = visit("/mounted#side=64", color_scheme="light")
+    theme = "document.querySelector('.lommel-live-host').shadowRoot.querySelector('.lommel-live').dataset.theme"
+    for change, wanted in (
+        ("document.body.dataset.jpThemeLight = 'false'", "dark"),
+        ("delete document.body.dataset.jpThemeLight", "light"),
+        ("document.documentElement.dataset.theme = 'dark'", "dark"),
+        ("document.documentElement.dataset.theme = 'light'", "light"),
+    ):
+        page.evaluate(change)
+        page.wait_for_timeout(30)
+        assert page.evaluate(theme) == wanted, change
+
+
+def test_two_on_a_page_are_independent(visit: Callable[..., Any]) -> None:
+    page = visit("/empty", wait="")
+    page.wait_for_function("window.lommel")
+    page.evaluate(
+        """() => { window.told = [];
+        window.two = [0.25, 1.5].map((defocus, i) => lommel.mount(document.body,
+          { state: { defocus, side: 64 }, onchange: (state) => told.push([i, state.defocus]) })); }"""
+    )
+    page.wait_for_function("two.every((one) => one.result())")
+    page.evaluate("two[0].set({ defocus: 2 })")
+    page.wait_for_function("two[0].result().state.defocus === 2")
+    assert page.evaluate("two.map((one) => one.state.defocus)") == [2, 1.5]
+    assert page.evaluate("told") == [[0, 2]]
+    assert page.evaluate("location.hash") == ""
+
+
+def test_mounts_and_destroys_leave_nothing_behind(visit: Callable[..., Any]) -> None:
+    page = visit("/empty", wait="")
+    page.wait_for_function("window.lommel")
+    page.evaluate(
+        """async () => { for (let i = 0; i < 20; i++) {
+        const one = lommel.mount(document.body, { state: { side: 64 }, url: i % 2 });
+        if (i % 4) while (!one.result()) await new Promise((go) => setTimeout(go, 10));
+        one.destroy(); } }"""
+    )
+    page.wait_for_timeout(300)
+    assert page.evaluate("document.body.querySelectorAll('.lommel-live-host').length") == 0
+    assert len(page.workers) == 0
+
+
+def test_a_widget_of_a_notebook_has_its_traits_both_ways(visit: Callable[..., Any]) -> None:
+    page = visit("/empty", wait="")
+    page.wait_for_function("window.lommel")
+    page.evaluate(
+        """() => { const values = { defocus: 0.5, coma: 0.25, side: 64 }; const heard = {};
+        window.model = { saved: 0, values, get: (key) => values[key],
+          set: (key, value) => { values[key] = value; },
+          save_changes() { this.saved++; }, on: (name, run) => { heard[name] = run; },
+          off: (name) => { delete heard[name]; },
+          tell(key, value) { values[key] = value; heard[`change:${key}`](); }, heard };
+        window.end = lommel.default.render({ model, el: document.body }); }"""
+    )
+    page.wait_for_selector(IDLE, state="attached")
+    assert box(page, "coma").input_value() == "0.25"
+    slider(page, "coma").focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function("model.values.coma === 0.26 && model.saved > 0")
+    page.evaluate("model.tell('coma', 0.75)")
+    rest(page)
+    assert box(page, "coma").input_value() == "0.75"
+    page.evaluate("end()")
+    assert page.evaluate("Object.keys(model.heard).length") == 0
+
+
+def test_without_workers_the_page_computes_by_itself(browser: Any, site: str) -> None:
+    context = browser.new_context()
+    context.add_init_script("window.Worker = class { constructor() { throw new Error('refused'); } };")
+    page, said = context.new_page(), []
+    page.on("console", lambda message: said.append(message.text))
+    page.goto(f"{site}/mounted#side=64")
+    page.wait_for_selector(IDLE, state="attached")
+    assert page.evaluate("live.result().psf.side") == 64
+    assert [text for text in said if "Worker" in text] == said
+    assert len(said) == 1
+    context.close()

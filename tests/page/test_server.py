@@ -1,0 +1,92 @@
+"""The server of the live page, and pages around its module: three names for this machine, and nothing else."""
+
+from __future__ import annotations
+
+import http.client
+import socket
+import threading
+from collections.abc import Iterator
+
+import pytest
+
+from lommel.page import module
+from lommel.page.server import PageServer
+
+
+@pytest.fixture
+def made(tmp_path, monkeypatch):
+    """A module that was made."""
+    file = tmp_path / module.NAME
+    file.write_text('const end = "</script>"; // µ\n', encoding="utf-8")
+    monkeypatch.setattr(module, "path", lambda: file)
+    return file
+
+
+@pytest.fixture
+def server(made) -> Iterator[PageServer]:
+    with PageServer({"defocus": 1.5, "view": "sampled"}, "A <b> lens & more") as running:
+        threading.Thread(target=running.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
+        yield running
+        running.shutdown()
+
+
+def ask(server, path, *, host=None, method="GET"):
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
+    connection.putrequest(method, path, skip_host=True)
+    if host != "":
+        connection.putheader("Host", host or f"127.0.0.1:{server.server_port}")
+    connection.endheaders()
+    answer = connection.getresponse()
+    body = answer.read()
+    connection.close()
+    return answer, body
+
+
+def test_the_page_and_its_module_are_served(server, made):
+    for path in ("/", "/index.html", "/?controls=defocus"):
+        answer, body = ask(server, path)
+        assert (answer.status, answer.getheader("Content-Type")) == (200, "text/html; charset=utf-8")
+        assert b'data-lommel="defocus=1.5&amp;view=sampled"' in body
+        assert b"<title>A &lt;b&gt; lens &amp; more</title>" in body
+        assert "connect-src" not in answer.getheader("Content-Security-Policy")
+        assert "default-src 'none'" in answer.getheader("Content-Security-Policy")
+    answer, body = ask(server, f"/{module.NAME}")
+    assert (answer.status, answer.getheader("Content-Type")) == (200, "text/javascript; charset=utf-8")
+    assert body == made.read_bytes()
+    answer, body = ask(server, "/", method="HEAD")
+    assert (answer.status, body) == (200, b"")
+    assert int(answer.getheader("Content-Length")) > 100
+
+
+@pytest.mark.parametrize("path", ["/../etc/passwd", "/state.py", "/lommel-live.js/", "/%2e%2e/x", "*"])
+def test_other_names_are_not_there(server, path):
+    assert ask(server, path)[0].status == 404
+
+
+@pytest.mark.parametrize("host", ["example.org", "127.0.0.1", "localhost.example.org", "", "127.0.0.1:1"])
+def test_another_host_is_refused(server, host):
+    assert ask(server, "/", host=host)[0].status in (400, 403)
+    assert ask(server, "/", host=f"localhost:{server.server_port}")[0].status == 200
+
+
+def test_only_this_machine_is_listened_to(server):
+    assert server.server_address[0] == "127.0.0.1"
+    assert ask(server, "/", method="POST")[0].status == 501
+    with socket.create_connection(server.server_address, timeout=5) as raw:
+        raw.sendall(b"\x00\xff nonsense\r\n\r\n")
+        assert b"400" in raw.recv(1000)
+    assert ask(server, "/")[0].status == 200
+
+
+def test_a_page_alone_has_the_module_inside(made):
+    text = module.html({}, alone=True)
+    assert 'const end = "<\\/script>"' in text
+    assert text.count("</script") == 1
+    assert "src=" not in text
+    assert 'data-lommel=""' in text
+
+
+def test_what_was_not_made_is_told(tmp_path, monkeypatch):
+    monkeypatch.setattr(module, "__file__", str(tmp_path / "module.py"))
+    with pytest.raises(FileNotFoundError, match=r"live page's module is not there .*make page"):
+        module.path()

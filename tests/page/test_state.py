@@ -1,0 +1,101 @@
+"""The controls of the live page, the states that lens files are shown by, and the PSF of a state."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from urllib.parse import parse_qsl
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.page.state import FIELDS, complete, link, psf_of, pupil_of, state_of
+
+LENSES = sorted((Path(__file__).parents[2] / "examples" / "lenses").glob("*.toml"))
+ROUND = [path for path in LENSES if path.stem != "newtonian-off-axis"]
+
+
+@pytest.mark.parametrize("path", ROUND, ids=lambda path: path.stem)
+def test_a_lens_file_is_shown_by_a_state_of_the_same_wavefront(path):
+    instrument = lm.load_instrument(path)
+    state, left_out = state_of(instrument)
+    assert set(state) <= set(FIELDS)
+    found, given = pupil_of(state), instrument.pupil()
+    assert ("terms of higher order" in left_out) == (path.stem == "microscope-20x")
+    size = 2e-7 if path.stem != "microscope-20x" else 0.1
+    difference = (found.wavefront - given.wavefront).edge_terms()
+    assert max((abs(float(c)) for term, c in difference.items() if term != (0, 0)), default=0.0) <= size * (
+        1 + lm.rms(given)
+    )
+    for name in ("f_number", "obscuration", "wavelength"):
+        assert math.isclose(getattr(found, name), getattr(given, name), rel_tol=1e-8)
+    assert complete(state)["pixel"] == pytest.approx(1e6 * instrument.pixel, rel=1e-8)
+
+
+def test_what_depends_on_the_direction_and_what_is_left_out_are_said():
+    (path,) = (path for path in LENSES if path.stem == "newtonian-off-axis")
+    instrument = lm.load_instrument(path)
+    state, left_out = state_of(instrument)
+    assert left_out == "tilt, which moves the image; the spider, vignetting or mask"
+    terms = (pupil_of(state).wavefront - instrument.pupil().wavefront).edge_terms()
+    rest = {term: float(c) for term, c in terms.items() if abs(float(c)) > 1e-6}
+    assert set(rest) <= {(1, 1), (1, -1), (0, 0)}
+
+
+def test_a_lens_beyond_the_controls_is_refused_by_name():
+    lens = lm.Lens(focal_length=50e-3, f_number=1.4, focus_distance=2.0, wavelength=550e-9)
+    instrument = lm.Instrument("wide open", "", lens, 0.5, 3e-6, None, {})
+    with pytest.raises(ValueError, match=r"defocus must be from -50 to 50 on the live page, got .* of 'wide open'"):
+        state_of(instrument)
+
+
+def test_a_state_is_whole_and_checked():
+    assert complete({})["defocus"] == FIELDS["defocus"].initial
+    assert complete({"side": 64, "view": "averaged"}) | {} == {
+        name: {"side": 64, "view": "averaged"}.get(name, field.initial) for name, field in FIELDS.items()
+    }
+    with pytest.raises(ValueError, match=r"must be one of 'defocus', .* got 'focus'"):
+        complete({"focus": 1.0})
+    with pytest.raises(ValueError, match=r"coma must be from 0 to 10, got 11"):
+        complete({"coma": 11})
+    with pytest.raises(ValueError, match=r"map must be one of 'inferno'"):
+        complete({"map": "jet"})
+    with pytest.raises(ValueError, match=r"side must be .*got 2000"):
+        complete({"side": 2000})
+    for wrong in (math.nan, math.inf, "1"):
+        with pytest.raises((TypeError, ValueError), match="defocus"):
+            complete({"defocus": wrong})
+
+
+def test_a_link_says_what_differs_and_says_it_exactly():
+    assert link({}) == ""
+    state = {"defocus": 0.1 + 0.2, "f_number": 2.0, "view": "sampled", "focal_length": 1e6}
+    assert link(state) == "defocus=0.30000000000000004&f_number=2&view=sampled&focal_length=1000000"
+    assert dict(parse_qsl(link(state))).keys() == state.keys()
+
+
+@pytest.mark.parametrize("view", ["fine", "sampled", "averaged"])
+@pytest.mark.parametrize("light", ["mono", "white"])
+def test_the_psf_of_a_state_is_that_of_its_pupil(view, light):
+    state = {"defocus": 0.5, "coma": 0.3, "coma_angle": 30.0, "side": 32, "view": view, "light": light}
+    found = psf_of(state, dtype=np.float64)
+    wavefront = lm.Wavefront.from_seidel(W020=0.5) + lm.Wavefront.zernike(
+        {(3, 1): 0.3 * math.cos(math.pi / 6), (3, -1): 0.3 * math.sin(math.pi / 6)},
+        unit="waves",
+        normalization="edge",
+    )
+    pupil = lm.Pupil(wavefront, wavelength=550e-9, f_number=4)
+    white = lm.Polychromatic(np.linspace(450e-9, 650e-9, 7), [1] * 7)
+    method = white if light == "white" else lm.NijboerZernike()
+    pixel = found.pixel if view == "fine" else 2e-6
+    given = lm.psf(pupil, 32, pixel, method=method, integrate=view == "averaged", dtype=np.float64)
+    assert np.abs(found.values - given.values).max() <= 3e-6 * given.values.max()
+
+
+def test_a_fine_window_holds_the_light_in_steps():
+    pixels = [psf_of({"defocus": w, "side": 64}).pixel for w in (0.0, 1.0, 3.0, 9.0, 27.0)]
+    steps = np.log2(np.array(pixels) * 64 / 2e-6)
+    np.testing.assert_allclose(2 * steps, np.round(2 * steps), atol=1e-9)
+    assert np.all(np.diff(pixels) > 0)
+    assert psf_of({"defocus": 27.0, "side": 256}).values.sum() > 0.97

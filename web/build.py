@@ -1,0 +1,115 @@
+"""Make the live page's module: the core compiled for browsers, and the files of this folder, in one ES module.
+
+    python web/build.py --output src/lommel/page/lommel-live.js
+
+The same bytes come out of the same files, wherever they lie.
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import zlib
+from pathlib import Path
+
+from presets import presets  # beside this file
+
+from lommel.page.state import FIELDS
+
+HERE = Path(__file__).resolve().parent
+# Fixed here and nowhere else: another set of them has the compiler build its library of C++ anew. Exceptions are said
+# to the host (cpp/wasm/live.cpp); contracted products would differ from the other builds of the core.
+FLAGS = [
+    *("-target", "wasm32-wasi", "-mexec-model=reactor", "-Wl,--strip-all"),
+    *("-std=c++17", "-O3", "-msimd128", "-ffp-contract=off", "-fno-math-errno", "-fignore-exceptions"),
+    *("-Wall", "-Wextra", "-Wno-psabi"),
+]
+IMPORT = re.compile(r'^import\s*\{([^}]*)\}\s*from\s*"\./([\w-]+\.js)";\n', re.MULTILINE)
+EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const|let)\b)", re.MULTILINE)
+
+
+def compiled() -> bytes:
+    """Return the core as WebAssembly."""
+    with tempfile.TemporaryDirectory() as folder:
+        # From its own folder and by relative paths, so that no path is in the result.
+        zig = [sys.executable, "-m", "ziglang"]
+        command = [*zig, "c++", *FLAGS, "-Icpp/include", "cpp/wasm/live.cpp", "-o", f"{folder}/live.wasm"]
+        subprocess.run(command, cwd=HERE.parent, check=True)
+        return Path(folder, "live.wasm").read_bytes()
+
+
+def packed(data: bytes) -> str:
+    """Return data deflated, as base64."""
+    return base64.b64encode(zlib.compress(data, 9)).decode("ascii")
+
+
+def read(name: str, made: dict[str, str]) -> str:
+    """Return a file of the page, or one that is made."""
+    return made[name] if name in made else (HERE / name).read_text(encoding="utf-8")
+
+
+def joined(entry: str, made: dict[str, str], *, exports: bool) -> str:
+    """Return a module and all that it imports as one, with the exports of the first or with none."""
+    order: list[str] = []
+
+    def visit(name: str, on_the_way: tuple[str, ...] = ()) -> None:
+        if name in on_the_way:
+            raise ValueError(f"{' imports '.join((*on_the_way, name))}: a circle")
+        if name not in order:
+            for _, other in IMPORT.findall(read(name, made)):
+                visit(other, (*on_the_way, name))
+            order.append(name)
+
+    visit(entry)
+    texts, owner = [], {}
+    for name in order:
+        text = read(name, made)
+        for names, other in IMPORT.findall(text):
+            if " as " in names:
+                raise ValueError(f"{name} renames what it imports from {other}, which joined files cannot")
+        text = IMPORT.sub("", text)
+        if re.search(r"^import\b", text, re.MULTILINE):
+            raise ValueError(f'{name} has an import of another form than `import {{ a }} from "./b.js";`')
+        if not (exports and name == entry):
+            text = EXPORT.sub("", text)
+            if re.search(r"^export\b", text, re.MULTILINE):
+                raise ValueError(f"{name} has an export of another form than that of a declaration")
+        for found in re.findall(r"^(?:export )?(?:async )?(?:function\*?|class|const|let) (\w+)", text, re.MULTILINE):
+            if owner.setdefault(found, name) != name:
+                raise ValueError(f"{found} is declared both in {owner[found]} and in {name}")
+        texts.append(text)
+    return "\n".join(texts)
+
+
+def constants(**values: object) -> str:
+    """Return a module of constants."""
+    return "".join(f"export const {name} = {json.dumps(value)};\n" for name, value in values.items())
+
+
+def module(entry: str) -> str:
+    """Return the text of the module."""
+    made = {"packed.js": constants(wasmText=packed(compiled()))}
+    made["style.js"] = constants(styleText=(HERE / "live.css").read_text(encoding="utf-8"))
+    made["shipped.js"] = constants(SHIPPED=presets())
+    made["fields.js"] = constants(FIELDS={name: field.told() for name, field in FIELDS.items()})
+    # The worker gets its own text, and the compiled core from the page.
+    worker = joined("worker.js", {**made, "packed.js": constants(wasmText="")}, exports=False)
+    made["workertext.js"] = constants(workerText=packed(worker.encode()))
+    return joined(entry, made, exports=True)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--output", required=True, type=Path)
+    parser.add_argument("--entry", default="live.js", help="the file whose exports the module has")
+    given = parser.parse_args()
+    text = module(given.entry)
+    given.output.parent.mkdir(parents=True, exist_ok=True)
+    given.output.write_text(text, encoding="utf-8", newline="\n")
+    sizes = [len(text.encode()), len(zlib.compress(text.encode(), 9))]
+    print(f"{given.output}: {sizes[0] / 1e3:.0f} kB, {sizes[1] / 1e3:.0f} kB deflated")

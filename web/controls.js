@@ -1,0 +1,147 @@
+// The controls: each a label, a number box and a slider, all native inputs. What they hold is the state alone.
+
+import { el, menu, unique } from "./dom.js";
+import { short } from "./plots.js";
+import { FIELDS } from "./fields.js";
+import { LENGTH_UNITS, WAVES_UNITS, wavesUnit } from "./units.js";
+
+// reach: of the slider; a value beyond it, typed or of a preset, widens it to all that the state takes.
+const ROWS = {
+  defocus: { label: "Defocus", waves: true, reach: [-5, 5], step: 0.01 },
+  spherical: { label: "Spherical", waves: true, reach: [-5, 5], step: 0.01 },
+  coma: { label: "Coma", waves: true, reach: [0, 3], step: 0.01 },
+  coma_angle: { label: "angle", name: "Direction of coma", unit: "°", said: "degrees", reach: [-180, 180], step: 1 },
+  astigmatism: { label: "Astigmatism", waves: true, reach: [0, 3], step: 0.01 },
+  astigmatism_angle: { label: "angle", name: "Direction of astigmatism", unit: "°", said: "degrees", reach: [-90, 90], step: 1 },
+  trefoil: { label: "Trefoil", waves: true, reach: [0, 3], step: 0.01 },
+  trefoil_angle: { label: "angle", name: "Direction of trefoil", unit: "°", said: "degrees", reach: [-60, 60], step: 1 },
+  f_number: { label: "f-number", unit: "", said: "", reach: [1, 32], log: true },
+  obscuration: { label: "Obscuration", unit: "of the radius", said: "of the radius", reach: [0, 0.9], step: 0.01 },
+  wavelength: { label: "Wavelength", unit: "nm", said: "nanometres", reach: [380, 780], step: 1 },
+  pixel: { label: "Pixel of the sensor", unit: "µm", said: "micrometres", reach: [0.5, 20], log: true },
+  focal_length: { label: "Focal length", unit: "mm", said: "millimetres", reach: [1, 10000], log: true },
+  side: { label: "Window", unit: "pixels wide", said: "pixels wide", reach: [64, 1024], step: 16 },
+};
+
+const GROUPS = [
+  [
+    "Wavefront",
+    ["defocus", "spherical", ["coma", "coma_angle"], ["astigmatism", "astigmatism_angle"], ["trefoil", "trefoil_angle"]],
+  ],
+  ["Lens and light", ["f_number", "obscuration", "wavelength"]],
+  ["Sensor", ["pixel", "side", "focal_length"]],
+];
+
+const LIGHTS = { mono: "one wavelength", white: "white light" };
+
+export class Controls {
+  // set(change, moving) is told of every change; `only` lists the keys to show, or is empty for all.
+  constructor({ state, set, only = [] }) {
+    this.set = set;
+    this.rows = new Map();
+    const shows = (key) => !only.length || only.includes(key);
+    const groups = GROUPS.map(([title, entries]) => {
+      const rows = entries.map((entry) => this.entry(entry, state, shows)).filter(Boolean);
+      const extra = this.extra(title, state, shows);
+      if (!rows.length && !extra.length) return null;
+      const head = el("div", { class: "head" }, el("h3", {}, title), ...extra);
+      return el("div", { class: "section", role: "group", "aria-label": title }, head, ...rows);
+    });
+    const onsubmit = (event) => event.preventDefault();
+    this.node = el("form", { class: "controls", "aria-label": "Settings", onsubmit }, ...groups);
+    this.update(state);
+  }
+
+  entry(entry, state, shows) {
+    if (!Array.isArray(entry)) return shows(entry) ? this.row(entry, state) : null;
+    const [size, angle] = entry;
+    return shows(size) || shows(angle) ? el("div", { class: "pair" }, this.row(size, state), this.row(angle, state)) : null;
+  }
+
+  extra(title, state, shows) {
+    if (title === "Wavefront" && shows("waves_unit")) {
+      this.waves = menu("Unit of the wavefront", WAVES_UNITS, state.waves_unit, (waves_unit) => this.set({ waves_unit }));
+      return [el("div", { class: "inline" }, el("span", {}, "at the edge, in"), this.waves)];
+    }
+    if (title === "Lens and light" && shows("light")) {
+      this.light = menu("Light", LIGHTS, state.light, (light) => this.set({ light }));
+      return [el("div", { class: "inline" }, this.light)];
+    }
+    if (title === "Sensor" && shows("length_unit")) {
+      this.length = menu("Unit of lengths", LENGTH_UNITS, state.length_unit, (length_unit) => this.set({ length_unit }));
+      return [el("div", { class: "inline" }, el("span", {}, "lengths in"), this.length)];
+    }
+    return [];
+  }
+
+  row(key, state) {
+    const spec = ROWS[key];
+    const id = unique(key);
+    const name = spec.name ?? spec.label;
+    const hint = "Double click, or Delete, for the default";
+    const slider = el("input", { type: "range", "aria-label": name, "data-key": key, title: hint });
+    const box = el("input", { type: "number", id, "data-key": key, inputmode: "decimal", autocomplete: "off", step: "any" });
+    const unit = el("span", { class: "unit" }, spec.unit ?? "");
+    const row = { key, spec, slider, box, unit, name, dragging: false };
+    const reset = () => this.set({ [key]: FIELDS[key].initial });
+    slider.addEventListener("pointerdown", () => (row.dragging = true));
+    for (const end of ["pointerup", "pointercancel", "blur", "lostpointercapture"])
+      slider.addEventListener(end, () => (row.dragging = false));
+    slider.addEventListener("input", () => {
+      const at = slider.valueAsNumber;
+      this.set({ [key]: spec.log ? Number((10 ** at).toPrecision(3)) : at }, true);
+    });
+    slider.addEventListener("dblclick", reset);
+    slider.addEventListener("keydown", (event) => {
+      if (event.key === "Delete" || event.key === "Backspace") reset();
+    });
+    box.addEventListener("input", () => {
+      this.edited = box;
+      if (Number.isFinite(box.valueAsNumber)) this.set({ [key]: box.valueAsNumber / row.factor }, true);
+    });
+    const written = () => {
+      this.edited = row.shown = undefined;
+      this.update(this.state);
+    };
+    for (const end of ["change", "blur"]) box.addEventListener(end, written);
+    const label = el("label", { for: id, title: hint, ondblclick: reset }, spec.label);
+    this.rows.set(key, row);
+    return el("div", { class: "row", "data-row": key }, el("div", { class: "line" }, label, box, unit), slider);
+  }
+
+  update(state) {
+    this.state = state;
+    const waves = wavesUnit(state);
+    for (const row of this.rows.values()) this.show(row, state, row.spec.waves ? waves : { factor: 1, name: row.spec.unit });
+    const menus = { waves_unit: this.waves, light: this.light, length_unit: this.length };
+    for (const [key, node] of Object.entries(menus)) if (node) node.value = state[key];
+    const focal = this.rows.get("focal_length");
+    if (focal) focal.box.closest("[data-row]").hidden = state.length_unit !== "arcsec";
+  }
+
+  show(row, state, { factor, name }) {
+    const value = state[row.key];
+    const print = `${value} ${factor}`;
+    if (print === row.shown) return;
+    row.shown = print;
+    row.factor = factor;
+    const { slider, box, spec } = row;
+    if (!row.dragging) this.range(row, value);
+    slider.value = spec.log ? Math.log10(value) : value;
+    const text = short(value * factor, 6);
+    if (this.edited !== box) box.value = text; // else when the typing is over
+    row.unit.textContent = name;
+    slider.setAttribute("aria-valuetext", `${text} ${spec.waves ? name : spec.said}`.trim());
+    const said = spec.waves ? `${row.name}, ${name}` : [row.name, spec.said].filter(Boolean).join(", ");
+    if (box.getAttribute("aria-label") !== said) box.setAttribute("aria-label", said);
+  }
+
+  range({ slider, spec, key }, value) {
+    const { low, high } = FIELDS[key];
+    const [from, to] = value < spec.reach[0] || value > spec.reach[1] ? [low, high] : spec.reach;
+    const [least, most] = spec.log ? [Math.log10(from), Math.log10(to)] : [from, to];
+    const wanted = { min: least, max: most, step: spec.log ? (most - least) / 400 : spec.step };
+    // The step counts from the least: a value between two steps would be moved to one of them, on the screen only.
+    for (const [name, number] of Object.entries(wanted)) if (slider[name] !== String(number)) slider[name] = number;
+  }
+}

@@ -1,0 +1,169 @@
+// Numbers as pictures: colour tables, the PSF, maps over the pupil, and what the sensor records.
+
+// Every 24th part of inferno and viridis (S. van der Walt and N. Smith, CC0) and of cividis (J. R. Nunez, C. R. Anderton and
+// R. S. Renslow, PLoS ONE 13, e0199239 (2018)); straight lines between them stay within 6/255 of the tables of 256 colours.
+const ANCHORS = {
+  inferno: "000004050417110a30210c4a320a5e450a6957106e67166e781c6d8a226a9a2865ab2f5ebc3754ca404ad84c3ee45a31ed6925f57b17f98e09fca108fbb61af9cb35f4df53f2f27dfcffa4",
+  viridis: "440154471063481f70472d7b4439834046883b528b365d8d31688e2c728e287c8e24868e21918c1f9a8a20a48628ae8035b77948c16e5ec96275d05490d743addc30c8e020e5e419fde725",
+  cividis: "00224e002a5f0031701a386f2a3f6d38476c434e6c4d556c575d6d61656f6a6c717374757d7c78868379918b789b9476a59c74b0a571bcae6cc6b667d2c060dec958e9d34ef6dd3ffee838",
+  gray: "000000ffffff", // of sRGB, whose steps look even by themselves
+  // Blue over white to red, for what has a sign.
+  signed: "2a4a8c3f6fb36d9bd0a5c4e3dbe6f0f5f3efefd9ccdfa893ca7460a9443f7c2230",
+};
+
+export function colour(map, t) {
+  const text = ANCHORS[map];
+  const last = text.length / 6 - 1;
+  const place = Math.min(1, Math.max(0, t)) * last;
+  const low = Math.min(Math.floor(place), last - 1);
+  return [0, 2, 4].map((at) => {
+    const [a, b] = [low, low + 1].map((k) => parseInt(text.slice(6 * k + at, 6 * k + at + 2), 16));
+    return Math.round(a + (b - a) * (place - low));
+  });
+}
+
+export const DECADES = 5; // that the logarithmic stretch shows
+
+const STRETCHES = {
+  linear: (share) => share,
+  sqrt: Math.sqrt,
+  log: (share) => 1 + Math.log10(Math.max(share, 1e-30)) / DECADES,
+};
+
+const pack = ([r, g, b], alpha = 255) => ((alpha << 24) | (b << 16) | (g << 8) | r) >>> 0;
+
+// Colours by the fourth root of a value, so that one table of 4096 holds every stretch.
+const STEPS = 4095;
+const tables = new Map();
+function table(map, stretch) {
+  const name = `${map} ${stretch}`;
+  if (!tables.has(name)) {
+    const made = new Uint32Array(STEPS + 1);
+    for (let i = 0; i <= STEPS; i++) made[i] = pack(colour(map, STRETCHES[stretch]((i / STEPS) ** 4)));
+    tables.set(name, made);
+  }
+  return tables.get(name);
+}
+
+function fit(canvas, width, height) {
+  if (canvas.width !== width) canvas.width = width;
+  if (canvas.height !== height) canvas.height = height;
+  return canvas.getContext("2d");
+}
+
+const images = new WeakMap();
+function pixels(canvas, width, height) {
+  const context = fit(canvas, width, height);
+  let image = images.get(canvas);
+  if (!image || image.width !== width || image.height !== height) {
+    image = context.createImageData(width, height);
+    images.set(canvas, image);
+  }
+  return { context, image, out: new Uint32Array(image.data.buffer) };
+}
+
+// The middle `crop` pixels of a square of values, the brightest of them as the top of the stretch.
+export function drawPsf(canvas, psf, { map, stretch, crop = psf.side }) {
+  const { values, side } = psf;
+  const { context, image, out } = pixels(canvas, crop, crop);
+  const first = Math.floor(side / 2) - Math.floor(crop / 2);
+  let top = 0;
+  for (let i = 0; i < values.length; i++) if (values[i] > top) top = values[i];
+  const colours = table(map, stretch);
+  const scale = top > 0 ? 1 / top : 0;
+  for (let y = 0, i = 0; y < crop; y++) {
+    const row = (first + y) * side + first;
+    for (let x = 0; x < crop; x++, i++) {
+      const value = values[row + x];
+      out[i] = colours[value > 0 ? (Math.sqrt(Math.sqrt(value * scale)) * STEPS + 0.5) | 0 : 0];
+    }
+  }
+  context.putImageData(image, 0, 0);
+  return top;
+}
+
+export function drawBar(canvas, { map, stretch }) {
+  const { context, image, out } = pixels(canvas, 256, 1);
+  for (let x = 0; x < 256; x++) out[x] = pack(colour(map, x / 255));
+  context.putImageData(image, 0, 0);
+  if (stretch === "log") return [0, 0.2, 0.4, 0.6, 0.8, 1].map((at) => [at, powerOfTen(Math.round((at - 1) * DECADES))]);
+  return [0, 0.25, 0.5, 0.75, 1].map((at) => [at, String(stretch === "sqrt" ? Number((at * at).toFixed(2)) : at)]);
+}
+
+const raised = (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]);
+export const powerOfTen = (power) => (power === 0 ? "1" : `10${[...String(power)].map(raised).join("")}`);
+
+const ramps = new Map();
+function ramp(map) {
+  if (!ramps.has(map)) ramps.set(map, Uint32Array.from({ length: 512 }, (_, i) => pack(colour(map, i / 511))));
+  return ramps.get(map);
+}
+
+// The wavefront in signed colours, and the pupil as it looks in an interferometer: a fringe for each wave.
+export function drawWavefront(canvas, wavefront, side) {
+  const seen = statistics(wavefront);
+  const reach = Math.max(0.05, Math.abs(seen.low), Math.abs(seen.high));
+  const { context, image, out } = pixels(canvas, side, side);
+  const colours = ramp("signed");
+  for (let i = 0; i < out.length; i++) {
+    const waves = wavefront[i];
+    out[i] = waves === waves ? colours[Math.round(511 * (0.5 + (0.5 * waves) / reach))] : 0;
+  }
+  context.putImageData(image, 0, 0);
+  return seen;
+}
+
+export function drawFringes(canvas, wavefront, side) {
+  const { context, image, out } = pixels(canvas, side, side);
+  const colours = ramp("gray");
+  for (let i = 0; i < out.length; i++) {
+    const waves = wavefront[i];
+    out[i] = waves === waves ? colours[Math.round(275 + 225 * Math.cos(2 * Math.PI * waves))] : 0;
+  }
+  context.putImageData(image, 0, 0);
+}
+
+// About the mean over the clear part: piston is nobody's concern.
+export function statistics(wavefront) {
+  let count = 0;
+  let sum = 0;
+  let squares = 0;
+  let low = Infinity;
+  let high = -Infinity;
+  for (const waves of wavefront)
+    if (waves === waves) {
+      count++;
+      sum += waves;
+      squares += waves * waves;
+      if (waves < low) low = waves;
+      if (waves > high) high = waves;
+    }
+  if (!count) return { low: 0, high: 0, rms: 0 };
+  return { low, high, rms: Math.sqrt(Math.max(0, squares / count - (sum / count) ** 2)) };
+}
+
+const encoded = (light) => (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);
+const SRGB = Uint8ClampedArray.from({ length: 4096 }, (_, i) => 255 * encoded(i / 4095));
+const GREYS = Uint32Array.from(SRGB, (level) => pack([level, level, level]));
+const level = (light) => (light >= 1 ? 4095 : light > 0 ? (light * 4095 + 0.5) | 0 : 0);
+
+export function drawPicture(canvas, { planes, width, height, count }) {
+  const { context, image, out } = pixels(canvas, width, height);
+  const size = width * height;
+  if (count === 1) for (let i = 0; i < size; i++) out[i] = GREYS[level(planes[i])];
+  else
+    for (let i = 0; i < size; i++) {
+      const [r, g, b] = [planes[i], planes[size + i], planes[2 * size + i]];
+      out[i] = (255 << 24) | (SRGB[level(b)] << 16) | (SRGB[level(g)] << 8) | SRGB[level(r)];
+    }
+  context.putImageData(image, 0, 0);
+}
+
+// What is drawn of a field, redrawn over another field: the same number of micrometres in both.
+export function drawAtScale(canvas, source, ratio, side, background) {
+  const context = fit(canvas, side, side);
+  context.fillStyle = background;
+  context.fillRect(0, 0, side, side);
+  const size = side * ratio;
+  context.drawImage(source, (side - size) / 2, (side - size) / 2, size, size);
+}

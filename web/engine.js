@@ -1,0 +1,173 @@
+// From a state of the page to its answers. Runs in a Worker, or where there is none on the page itself.
+import { changed, DEFAULTS } from "./state.js";
+import { cutoff, fineReach, largestStep, lengthOf, linesOf, pixelOf, pythonOf, spreadReach, stepOf, termsOf, waves } from "./optics.js";
+
+// While something is dragged, what takes long is asked for less exactly. Tolerances are over the peak.
+const QUALITY = {
+  drag: { tol: 1e-4, side: 256, error: 1e-6, radii: 97, frequencies: 33, nodes: 2 },
+  settled: { tol: 1e-6, side: Infinity, error: 1e-10, radii: 193, frequencies: 65, nodes: 10 },
+};
+
+export class Engine {
+  constructor(core) {
+    this.core = core;
+    this.seen = null; // of the last PSF: its question, and sums that measures take
+  }
+
+  psf(given, quality = "settled") {
+    const begin = performance.now();
+    const state = changed(DEFAULTS, given);
+    const { side, pixel, tol } = asked(state, quality);
+    const values = new Float32Array(side * side);
+    const [bound, peak, sum] = this.image(state, side, pixel, state.view === "averaged", tol, values);
+    this.seen = { key: keyOf(state, side, pixel, tol), bound, peak, sum };
+    return { values, side, pixel, bound, peak, python: pythonOf(state, side, pixel), ms: performance.now() - begin };
+  }
+
+  measures(given, quality = "settled") {
+    const state = changed(DEFAULTS, given);
+    const { side, pixel, tol } = asked(state, quality);
+    if (this.seen?.key !== keyOf(state, side, pixel, tol)) this.psf(state, quality);
+    const { peak, sum } = this.seen;
+    const { error, radii, frequencies, nodes } = QUALITY[quality];
+    this.light(state);
+    const reach = stepOf(state, fineReach(state));
+    this.core.call("set_circles", reach, error);
+    const v = evenly(radii, reach);
+    const [mean, reference] = this.circles(v, false);
+    const [share, flat] = this.circles(v, true);
+    const radius = this.core.call("radius_of", 0.8, reach);
+    // Samples farther apart than the light's band asks for have another sum; then the circle that touches the window has less.
+    const [[within]] = this.circles(Float64Array.of(Math.min(reach, stepOf(state, 0.5 * side * pixel))), true);
+    const r = v.map((at) => lengthOf(state, at));
+    const step = stepOf(state, pixel);
+    // Of the reference, and of all lines.
+    const unaberrated = ((1 - state.obscuration ** 2) * step ** 2) / (4 * Math.PI);
+    const bright = linesOf(state).reduce((all, [stretch, part]) => all + part * stretch ** 2, 0);
+    return {
+      strehl: mean[0],
+      peak_strehl: peak / (unaberrated * bright),
+      d80: radius < 0 ? null : 2 * lengthOf(state, radius),
+      inside: state.view === "averaged" || largestStep(state, pixel) <= Math.PI / 2 ? sum : within,
+      profile: { r, mean, reference },
+      energy: { r, share, reference: flat },
+      mtf: this.contrast(state, frequencies, nodes),
+    };
+  }
+
+  maps(given, side) {
+    const wave = waves(changed(DEFAULTS, given));
+    const { obscuration } = changed(DEFAULTS, given);
+    const wavefront = new Float32Array(side * side).fill(NaN);
+    for (let i = 0; i < wavefront.length; i++) {
+      const x = (2 * (i % side) + 1) / side - 1;
+      const y = (2 * Math.floor(i / side) + 1) / side - 1;
+      const rho = Math.hypot(x, y);
+      if (rho <= 1 && rho >= obscuration) wavefront[i] = wave(rho, Math.atan2(y, x));
+    }
+    return { wavefront };
+  }
+
+  // Planes of linear light, one after the other, as the sensor's pixels record them.
+  blur(given, picture, width, height, quality = "drag") {
+    const state = changed(DEFAULTS, given);
+    const size = width * height;
+    const count = Math.floor(picture.length / size);
+    const side = 2 * spreadReach(state, Math.min(width, height)) + 1;
+    const { core } = this;
+    // Averages would take hundreds of samples across each pixel.
+    if (largestStep(state, state.pixel) > 200) core.put("values", this.binned(state, side));
+    else this.image(state, side, state.pixel, true, QUALITY[quality].tol);
+    const spread = core.room("values", Float32Array, side * side);
+    const planes = core.put("planes", picture);
+    const out = core.room("blurred", Float32Array, size * count);
+    core.call("blur", spread, side, planes, count, height, width, out);
+    return core.view(out, Float32Array, size * count).slice();
+  }
+
+  // Fractions of all light per pixel, left in the block of values, and copied where one wants them; the bound on their error over
+  // the peak, the largest, and the sum.
+  image(state, side, pixel, integrate, tol, copy = null) {
+    const { core } = this;
+    this.light(state);
+    const out = core.room("values", Float32Array, side * side);
+    const numbers = core.room("numbers", Float64Array, 3);
+    core.call("psf", side, stepOf(state, pixel), integrate ? 1 : 0, tol, out, numbers);
+    copy?.set(core.view(out, Float32Array, side * side));
+    return core.view(numbers, Float64Array, 3).slice();
+  }
+
+  // Averages over pixels that are much larger than a fine view's: each of its pixels is within one of them, or two in a row.
+  binned(state, side) {
+    const pitch = pixelOf({ ...state, view: "fine" }, 256);
+    const values = new Float32Array(256 * 256);
+    this.image(state, 256, pitch, false, QUALITY.drag.tol, values);
+    const parts = Array.from({ length: 256 }, (_, i) => {
+      const low = ((i - 128.5) * pitch) / state.pixel + 0.5 * side;
+      const [first, last] = [Math.floor(low), Math.floor(low + pitch / state.pixel)];
+      const share = first === last ? 1 : ((last - low) * state.pixel) / pitch;
+      return [[first, share], [last, 1 - share]].filter(([at]) => at >= 0 && at < side);
+    });
+    const out = new Float32Array(side * side);
+    parts.forEach((rows, y) =>
+      parts.forEach((columns, x) => {
+        for (const [row, down] of rows) for (const [column, across] of columns) out[row * side + column] += down * across * values[256 * y + x];
+      }),
+    );
+    return out;
+  }
+
+  // At radii in v, with aberrations and without.
+  circles(v, energy) {
+    const { core } = this;
+    const at = core.put("points", v);
+    const out = core.room("numbers", Float64Array, 2 * v.length);
+    core.call("on_circles", at, v.length, energy ? 1 : 0, out, out + 8 * v.length);
+    const both = core.view(out, Float64Array, 2 * v.length);
+    return [both.slice(0, v.length), both.slice(v.length)];
+  }
+
+  contrast(state, count, nodes) {
+    const { core } = this;
+    const ends = linesOf(state).map(([stretch]) => stretch);
+    const f = evenly(count, Math.max(...ends));
+    const at = core.put("points", f);
+    const out = core.room("numbers", Float64Array, 3 * count);
+    core.call("contrast", at, count, nodes, out, out + 8 * count, out + 16 * count);
+    const [x, y, limit] = [0, 1, 2].map((k) => core.view(out + 8 * count * k, Float64Array, count).slice());
+    return { f: f.map((over) => over * cutoff(state)), x, y, limit };
+  }
+
+  light(state) {
+    const terms = termsOf(state);
+    const lines = linesOf(state);
+    const { core } = this;
+    core.call(
+      "set_light",
+      core.put("terms", Int32Array.from(terms.flatMap(([n, m]) => [n, m]))),
+      core.put("edge", Float64Array.from(terms, ([, , c]) => c)),
+      terms.length,
+      state.obscuration,
+      core.put("lines", Float64Array.from(lines.flat())),
+      lines.length,
+    );
+  }
+}
+
+// A fine view has fewer pixels of the same field while something is dragged; where the pupil is radial and the light of one
+// wavelength nothing is won by it.
+function asked(state, quality) {
+  const slow = state.light === "white" || termsOf(state).some(([, m]) => m !== 0);
+  const { tol, side: most } = QUALITY[slow ? quality : "settled"];
+  const side = state.view === "fine" ? Math.min(most, state.side) : state.side;
+  return { side, pixel: pixelOf(state, side), tol };
+}
+
+function keyOf(state, side, pixel, tol) {
+  return JSON.stringify([termsOf(state), linesOf(state), state.obscuration, state.view === "averaged", stepOf(state, pixel), side, tol]);
+}
+
+// From 0 to the last.
+function evenly(count, last) {
+  return Float64Array.from({ length: count }, (_, i) => (last * i) / (count - 1));
+}

@@ -1,0 +1,160 @@
+// The skeleton of the page: what is where. What it shows is drawn by view.js.
+
+import { el, menu } from "./dom.js";
+import { PICTURES } from "./pictures.js";
+import { Plot } from "./plots.js";
+
+const VIEWS = { fine: "finely sampled", sampled: "at the pixels’ centres", averaged: "averaged by pixels" };
+const STRETCH_NAMES = { linear: "linear", sqrt: "square root", log: "logarithm" };
+const MAPS = { inferno: "inferno", viridis: "viridis", cividis: "cividis", gray: "grey" };
+
+const NUMBERS = {
+  strehl: ["Strehl on the axis", "The intensity on the axis, of that without aberration"],
+  largest: ["Largest value", "The brightest point of the window, of the peak without aberration"],
+  d80: ["80 % diameter", "Of the circle around the axis that holds 80 % of the light"],
+  inside: ["Light in the window", "Of all light that passes the pupil"],
+  bound: ["Proven error", "No value is further from the exact one, over the peak without aberration"],
+  time: ["Time", "That the last point spread function took"],
+};
+
+export function layout({ state, set, controls, presets, actions, only }) {
+  const shows = (key) => !only.length || only.includes(key);
+  const page = { selects: {}, numbers: {}, plots: {} };
+  const pick = (key, label, choices) => {
+    page.selects[key] = menu(label, choices, state[key], (value) => (actions.pick ?? set)({ [key]: value }), { "data-key": key });
+    return shows(key) ? page.selects[key] : null;
+  };
+  const canvas = (name, label) => (page[name] = el("canvas", { role: "img", "aria-label": label, width: 16, height: 16 }));
+  const button = (name, text, title, onclick) =>
+    (page[name] = el("button", { type: "button", title, onclick, "data-action": name }, text));
+  const figure = (name, title, menus, ...children) => {
+    const caption = el("figcaption", {}, el("h3", {}, title), el("span", { class: "menus" }, ...menus));
+    return el("figure", { class: name }, caption, ...children);
+  };
+
+  const notice = (page.notice = el("p", { class: "notice", role: "alert", hidden: true }));
+  page.said = el("p", { class: "unseen", role: "status" });
+
+  page.bar = canvas("bar", "Colours from nothing to the brightest value");
+  page.ticks = el("div", { class: "ticks", "aria-hidden": "true" });
+  page.ruler = el("div", { class: "ruler", "aria-hidden": "true" }, el("span"), el("i"));
+  page.stage = el(
+    "div",
+    { class: "stage" },
+    el("div", { class: "frame held", hidden: true }, canvas("held", "The held setting A"), el("b", { class: "tag" }, "A")),
+    el(
+      "div",
+      { class: "frame now" },
+      canvas("psf", "Point spread function"),
+      el("b", { class: "tag", hidden: true }, "B"),
+      page.ruler,
+    ),
+  );
+  const psf = figure(
+    "psf",
+    "Point spread function",
+    [pick("view", "Sampling", VIEWS), pick("stretch", "Stretch", STRETCH_NAMES), pick("map", "Colours", MAPS)],
+    page.stage,
+    el("div", { class: "scale" }, page.bar, page.ticks),
+  );
+
+  const onchange = () => actions.own(page.file.files);
+  const file = { type: "file", accept: "image/*", class: "unseen", tabindex: -1, "aria-label": "Own picture", onchange };
+  page.file = el("input", file);
+  page.before = el("input", { type: "checkbox", onchange: () => actions.before(page.before.checked) });
+  const hint = "A picture of your own; it stays in this browser. Or drop one here";
+  const picture = figure(
+    "picture",
+    "On the sensor",
+    [
+      pick("picture", "Picture", PICTURES),
+      shows("picture") ? button("choose", "Open …", hint, () => page.file.click()) : null,
+      shows("picture") ? el("label", { class: "tick" }, page.before, "without lens") : null,
+      page.file,
+    ],
+    el("div", { class: "stage" }, canvas("recorded", "Test picture")),
+  );
+
+  const small = (name, title) => {
+    const note = (page[`${name}Said`] = el("p", { class: "note" }));
+    return el("figure", { class: "small" }, el("figcaption", {}, el("h3", {}, title)), canvas(name, title), note);
+  };
+  const pupil = el("div", { class: "pupils" }, small("wavefront", "Wavefront"), small("fringes", "Pupil, a fringe a wave"));
+
+  const number = ([key, [name, title]]) => {
+    page.numbers[key] = el("dd", { "data-number": key, title }, "–");
+    return el("div", {}, el("dt", { title }, name), page.numbers[key]);
+  };
+  const numbers = el("dl", { class: "numbers" }, ...Object.entries(NUMBERS).map(number));
+
+  const plot = (key, title, legend) => {
+    const made = (page.plots[key] = new Plot(title));
+    const keys = [["held", "A"], ...legend].map(([kind, text]) => el("span", { class: `key ${kind}` }, text));
+    const caption = el("figcaption", {}, el("h3", {}, title), el("span", { class: "legend" }, ...keys));
+    return el("figure", { class: "curve" }, caption, made.node, made.readout);
+  };
+  const plots = el(
+    "div",
+    { class: "plots" },
+    plot("profile", "Profile", [["main", "mean over angle"], ["limit", "unaberrated"]]),
+    plot("energy", "Encircled energy", [["main", "share of light"], ["limit", "unaberrated"]]),
+    plot("mtf", "MTF", [["main", "along x"], ["second", "along y"], ["limit", "diffraction limit"]]),
+  );
+
+  page.preset = el("select", { "aria-label": "Preset", "data-key": "preset", onchange: () => actions.preset(page.preset.value) });
+  const names = presets.map((preset, index) => el("option", { value: String(index) }, preset.name));
+  page.preset.append(el("option", { value: "" }, "Presets: real lenses …"), ...names);
+  page.source = el("p", { class: "note source", hidden: true });
+
+  const compare = el(
+    "span",
+    { class: "group", role: "group", "aria-label": "Compare" },
+    button("hold", "Hold as A", "Keep this setting to compare others with", actions.hold),
+    (page.compare = el(
+      "span",
+      { class: "group", hidden: true },
+      menu("How to compare", { beside: "side by side", flicker: "flicker" }, "beside", actions.mode),
+      button("exchange", "Exchange", "Go back to A, and hold what is here now", actions.exchange),
+      button("release", "Let go", "Forget A", actions.release),
+    )),
+  );
+  const files = el(
+    "span",
+    { class: "group files", role: "group", "aria-label": "Save" },
+    button("link", "Copy link", "An address that restores everything", actions.link),
+    button("python", "Copy as Python", "The call of lommel that makes the same array", actions.python),
+    button("png", "PNG", "The point spread function as it is seen", actions.png),
+    button("csv", "CSV", "Profile, encircled energy and MTF", actions.csv),
+    button("tiff", "TIFF", "The values, float32, with their description; lm.PSF.load reads it", actions.tiff),
+  );
+  const tools = el(
+    "div",
+    { class: "tools" },
+    shows("presets") ? page.preset : null,
+    button("reset", "Reset", "All settings as at the start", actions.reset),
+    el("span", { class: "space" }),
+    shows("compare") ? compare : null,
+  );
+
+  page.code = el("pre", { tabindex: 0, "aria-label": "The call of lommel that makes the same array" });
+  const code = el("details", { class: "code", open: true }, el("summary", {}, "As Python"), page.code);
+
+  // Where some of these are named among what to show, the others are not shown.
+  page.panels = { sensor: picture, pupil, numbers, curves: plots, code };
+  const named = Object.keys(page.panels).some((name) => only.includes(name));
+  for (const [name, node] of Object.entries(page.panels)) node.hidden = named && !only.includes(name);
+
+  page.node = el(
+    "div",
+    { class: "lommel-live", role: "region", "aria-label": "Point spread functions, live" },
+    el("div", { class: "top" }, tools, shows("files") ? files : null, page.source, notice),
+    psf,
+    controls,
+    el("div", { class: "beside", hidden: picture.hidden && pupil.hidden }, picture, pupil),
+    numbers,
+    plots,
+    code,
+    page.said,
+  );
+  return page;
+}

@@ -1,0 +1,144 @@
+// Curves over two axes, as SVG that the style of the page colours. One frame changes paths; axes only when their ranges do.
+
+import { powerOfTen } from "./draw.js";
+
+const SVG = "http://www.w3.org/2000/svg";
+const MARGIN = { left: 40, right: 10, top: 8, bottom: 34 };
+
+export function svg(name, attributes = {}, ...children) {
+  const node = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+  node.append(...children);
+  return node;
+}
+
+// 1, 2 or 5 times a power of ten: the least such step that divides a length into no more than `most` parts.
+export function niceStep(length, most) {
+  const rough = length / most;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  return power * ([1, 2, 5, 10].find((step) => step * power >= rough * (1 - 1e-9)) ?? 10);
+}
+
+export function niceTop(value) {
+  if (!(value > 0)) return 1;
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * [1, 2, 5, 10].find((step) => step * power >= value * (1 - 1e-9));
+}
+
+export const short = (value, digits = 4) => (Number.isFinite(value) ? String(Number(value.toPrecision(digits))) : "–");
+
+export class Plot {
+  constructor(title) {
+    this.axes = svg("g", { class: "axes" });
+    this.clip = `clip-${Math.random().toString(36).slice(2)}`;
+    this.window = svg("rect", { x: MARGIN.left, y: MARGIN.top - 2 });
+    this.curves = svg("g", { "clip-path": `url(#${this.clip})` });
+    this.cursor = svg("line", { class: "cursor", visibility: "hidden" });
+    const inside = svg("clipPath", { id: this.clip }, this.window);
+    const said = { class: "plot", role: "img", "aria-label": title };
+    this.node = svg("svg", said, inside, this.axes, this.curves, this.cursor);
+    this.readout = document.createElement("output");
+    this.readout.className = "readout";
+    this.readout.setAttribute("aria-hidden", "true");
+    this.paths = [];
+    this.width = 320;
+    this.height = 190;
+    this.shown = null;
+    this.watch = new ResizeObserver(() => this.measure());
+    this.watch.observe(this.node);
+    this.node.addEventListener("pointermove", (event) => this.point(event));
+    this.node.addEventListener("pointerleave", () => this.leave());
+  }
+
+  destroy() {
+    this.watch.disconnect();
+  }
+
+  measure() {
+    const { width, height } = this.node.getBoundingClientRect();
+    if (width < 40 || height < 40 || (width === this.width && height === this.height)) return;
+    [this.width, this.height, this.drawn] = [width, height, ""];
+    if (this.shown) this.draw(this.shown);
+  }
+
+  // {x: {top, label}, y: {top, bottom, log, label}, curves: [{kind, name, x, y}]}
+  draw(shown) {
+    this.shown = shown;
+    const { x, y, curves } = shown;
+    const inner = { width: this.width - MARGIN.left - MARGIN.right, height: this.height - MARGIN.top - MARGIN.bottom };
+    const across = (value) => MARGIN.left + (value / x.top) * inner.width;
+    const span = y.log ? Math.log10(y.top / y.bottom) : y.top;
+    const share = y.log ? (value) => Math.log10(Math.max(value, y.bottom / 10) / y.bottom) / span : (value) => value / span;
+    const up = (value) => MARGIN.top + (1 - share(value)) * inner.height;
+    const drawn = JSON.stringify([x, y, this.width, this.height]);
+    if (drawn !== this.drawn) this.frame(x, y, inner, across, up);
+    this.drawn = drawn;
+    this.across = across;
+    while (this.paths.length > curves.length) this.paths.pop().remove();
+    curves.forEach((curve, index) => {
+      if (!this.paths[index]) this.curves.append((this.paths[index] = svg("path")));
+      this.paths[index].setAttribute("class", `curve ${curve.kind}`);
+      this.paths[index].setAttribute("d", path(curve, across, up, x.top));
+    });
+  }
+
+  frame(x, y, inner, across, up) {
+    const { left, top } = MARGIN;
+    const [right, bottom] = [left + inner.width, top + inner.height];
+    for (const [name, value] of [["width", inner.width + 2], ["height", inner.height + 3]]) this.window.setAttribute(name, value);
+    this.node.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
+    const lines = [];
+    const words = [];
+    const step = niceStep(x.top, inner.width > 240 ? 6 : 4);
+    for (let k = 0; k * step <= x.top * (1 + 1e-9); k++) {
+      lines.push(svg("line", { x1: across(k * step), x2: across(k * step), y1: top, y2: bottom }));
+      words.push(svg("text", { x: across(k * step), y: bottom + 14, "text-anchor": "middle" }, short(k * step)));
+    }
+    const count = y.log ? Math.round(Math.log10(y.top / y.bottom)) : 4;
+    for (let k = 0; k <= count; k++) {
+      const mark = y.log ? y.bottom * 10 ** k : (y.top * k) / count;
+      const word = y.log ? powerOfTen(Math.round(Math.log10(mark))) : short(mark, 3);
+      lines.push(svg("line", { x1: left, x2: right, y1: up(mark), y2: up(mark) }));
+      words.push(svg("text", { x: left - 6, y: up(mark) + 4, "text-anchor": "end" }, word));
+    }
+    words.push(svg("text", { x: (left + right) / 2, y: this.height - 4, "text-anchor": "middle", class: "name" }, x.label));
+    this.axes.replaceChildren(...lines, ...words);
+    for (const [name, value] of [["y1", top], ["y2", bottom]]) this.cursor.setAttribute(name, value);
+  }
+
+  point(event) {
+    if (!this.shown) return;
+    const box = this.node.getBoundingClientRect();
+    const { x, curves } = this.shown;
+    const at = ((event.clientX - box.left - MARGIN.left) / (box.width - MARGIN.left - MARGIN.right)) * x.top;
+    if (at < 0 || at > x.top) return this.leave();
+    for (const name of ["x1", "x2"]) this.cursor.setAttribute(name, this.across(at));
+    this.cursor.setAttribute("visibility", "visible");
+    const said = curves.filter((curve) => curve.name).map((curve) => `${curve.name} ${short(read(curve, at), 3)}`);
+    this.readout.textContent = `${short(at, 3)} ${x.unit}: ${said.join(", ")}`;
+  }
+
+  leave() {
+    this.cursor.setAttribute("visibility", "hidden");
+    this.readout.textContent = "";
+  }
+}
+
+function path({ x, y }, across, up, end) {
+  const step = Math.max(1, Math.floor(x.length / 600));
+  let text = "";
+  for (let i = 0; i < x.length; i += step) {
+    if (!Number.isFinite(y[i])) continue;
+    text += `${text ? "L" : "M"}${Math.round(across(x[i]) * 10) / 10} ${Math.round(up(y[i]) * 10) / 10}`;
+    if (x[i] > end) break;
+  }
+  return text;
+}
+
+// The value of a curve at a place, on straight lines between its points.
+export function read({ x, y }, at) {
+  if (!(at >= x[0]) || at > x[x.length - 1]) return NaN;
+  let high = 1;
+  while (high < x.length - 1 && x[high] < at) high++;
+  return y[high - 1] + ((y[high] - y[high - 1]) * (at - x[high - 1])) / (x[high] - x[high - 1] || 1);
+}

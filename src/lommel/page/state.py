@@ -31,7 +31,6 @@ class Real(NamedTuple):
             raise ValueError(f"{name} must be from {self.low:g} to {self.high:g}, got {validation.shown(value)}")
         return number
 
-
     def told(self) -> dict[str, float]:
         """Return what the page is told of it."""
         return self._asdict()

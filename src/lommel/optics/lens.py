@@ -361,8 +361,7 @@ class Lens:
         Raises
         ------
         TypeError, ValueError
-            If a distance is not above 0, or does not broadcast with the aberrations; without a distance, if the
-            sensor lies inside the focal plane, where no object is in focus.
+            If a distance is not above 0, or does not broadcast with the aberrations; without one, if none is sharp.
         """
         s = self._object_distance(object_distance)
         wavefront = self._phase(self._defocus(s))
@@ -370,10 +369,8 @@ class Lens:
             try:
                 wavefront = wavefront + self.aberrations
             except ValueError:
-                raise ValueError(
-                    "object_distance must broadcast with the aberrations, "
-                    f"got shapes {np.shape(s)} and {self.aberrations.shape}"
-                ) from None
+                told = f"{np.shape(s)} and {self.aberrations.shape}"
+                raise ValueError(f"object_distance must broadcast with the aberrations, got shapes {told}") from None
         one = isinstance(s, float) and not wavefront.shape
         distances = (s,) if one else tuple(np.broadcast_to(s, wavefront.shape).ravel().tolist())
         return self._in_focus.carrying(wavefront, changed(self._geometry, object_distance=distances))

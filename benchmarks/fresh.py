@@ -12,8 +12,6 @@ import tempfile
 from functools import cache, partial
 from pathlib import Path
 
-import numpy as np
-
 from benchmarks.report import Table
 from benchmarks.settings import Settings
 from benchmarks.timing import Contender, race
@@ -71,7 +69,8 @@ def _environment() -> dict[str, str]:
     return kept | {"PYTHONPYCACHEPREFIX": compiled}
 
 
-def _process(code: str, _: object) -> None:
+def process(code: str, _: object) -> None:
+    """Run code in a process of its own."""
     subprocess.run([sys.executable, "-c", code], check=True, env=_environment())
 
 
@@ -105,16 +104,11 @@ def cold(settings: Settings) -> Table:
         "The unit is a process that imports NumPy and ends.",
         {"process": "text", "does": "text", "over `import numpy`": "spread"},
     )
-    contenders = [Contender(name, partial(_process, code), does) for name, (code, does) in _COLD.items()]
+    contenders = [Contender(name, partial(process, code), does) for name, (code, does) in _COLD.items()]
     settings.tick("cold start")
     result = race(contenders, settings.rounds, budget=2.5 if settings.quick else 25.0, keep=False)
     for one in contenders[1:]:
         table.add(one.name, one.config, result.ratio(one.name, contenders[0].name))
-    first, between = np.median([_once(settings) for _ in range(3 if settings.quick else 9)], axis=0)
-    table.notes.append(
-        f"In a process that has imported lommel, the first call of 512² took {first:.1f} times as long as a warm "
-        f"one, for memory that is new and for tables; between others that empty the caches, {between:.1f} times."
-    )
     return table
 
 
@@ -139,7 +133,7 @@ print(json.dumps([first / np.median(warm), np.median(between) / np.median(warm)]
 """
 
 
-def _once(settings: Settings) -> list[float]:
+def once(settings: Settings) -> list[float]:
     """Return the first call, and the median of calls between others, over that of warm ones."""
     settings.tick("first call")
     found: list[float] = json.loads(_run(_ONCE))

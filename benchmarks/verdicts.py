@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 
-from benchmarks import averages, axes, chordal, depth, nonradial
+from benchmarks import averages, axes, chordal, depth, nonradial, starting
 from benchmarks import targets as t
 from benchmarks.baselines import faster_ffts, fft
 from benchmarks.report import Table
@@ -152,7 +152,7 @@ TARGETS = [
     Target(
         "500 × 741 RGB blurred by depth, windows up to 33², tol 1e-4, 2 threads",
         "scipy.signal.oaconvolve with one fixed 33²",
-        *(8, 2, "", False),
+        *(2, 1.5, "", False),
         partial(depth.against_fixed, bank=False),
         depth.TOL,
     ),
@@ -170,7 +170,7 @@ TARGETS = [
         depth.against_points,
         depth.TOL,
     ),
-    Target("the same through focus, 30 frames", "nothing", None, None, " frames/s", True, depth.focus_pull),
+    Target("the same through focus, 30 frames", "nothing", 28, 40, " frames/s", True, depth.focus_pull),
     Target(
         "occlusion, forward after the first at one depth, the worst of five scenes",
         "DepthBlur.forward without occlusion",
@@ -191,6 +191,9 @@ TARGETS = [
         nonradial.by_plan,
     ),
     Target("the pupil of a lens", "an empty Python call", 4, 2, " µs", False, t.pupil_of_lens),
+    Target("import lommel", "import numpy", 1.25, 1.15, "", False, starting.importing),
+    Target("the first 512² of a process", "a warm one", 3, 2, "", False, starting.first),
+    Target("512² between others that empty the caches", "a warm one", 3, 2, "", False, starting.between),
     Target("memory above the output, 512²", "nothing", 20, 8, " MiB", False, t.peak_memory),
 ]
 

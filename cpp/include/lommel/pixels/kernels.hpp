@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include "lommel/base/simd.hpp"
 
@@ -137,15 +138,23 @@ LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const
             now[j][u] = splat<V>(coefficients[j * degree + degree - 1]);
         }
     }
-    for (std::size_t k = degree - 2; k > 0; --k) {
+    const auto step = [&](std::size_t k, const V(&last)[Orders][Vectors], V(&next)[Orders][Vectors]) LOMMEL_INLINE_LAMBDA {
         for (std::size_t j = 0; j < Orders; ++j) {
             const V c = splat<V>(coefficients[j * degree + k]);
             for (std::size_t u = 0; u < Vectors; ++u) {
-                const V next = twice[u] * now[j][u] + (c - before[j][u]);
-                before[j][u] = now[j][u];
-                now[j][u] = next;
+                next[j][u] = twice[u] * last[j][u] + (c - next[j][u]);
             }
         }
+    };
+    // Two steps at once, so that nothing is moved from now to before.
+    std::size_t k = degree - 2;
+    for (; k > 1; k -= 2) {
+        step(k, now, before);
+        step(k - 1, before, now);
+    }
+    if (k == 1) {
+        step(1, now, before);
+        std::swap(now, before);
     }
     for (std::size_t j = 0; j < Orders; ++j) {
         const V c = splat<V>(coefficients[j * degree]);
@@ -196,8 +205,17 @@ LOMMEL_INLINE void sum_harmonics(I, Degree degree, const double* coefficients, s
                 now[u] = next;
             }
         };
-        // Four are two and two: the chains of one alone would wait for themselves.
+        // Chains of one alone would wait for themselves; four at once need more registers than sixteen.
         std::size_t j = 0;
+        if constexpr (I::lanes == 8) {
+            for (; harmonics - j == 4 || harmonics - j > 6; j += 4) {
+                V values[4][2];
+                along_radius<4>(degree, coefficients + j * degree, at, values);
+                for (const auto& value : values) {
+                    add(value);
+                }
+            }
+        }
         for (; harmonics - j == 3 || harmonics - j > 4; j += 3) {
             V values[3][2];
             along_radius<3>(degree, coefficients + j * degree, at, values);

@@ -16,6 +16,7 @@ import pytest
 
 import lommel as lm
 from lommel.measures.encircled import encircled
+from lommel.page.state import psf_of
 
 WHITE = [450e-9, 1450e-9 / 3, 1550e-9 / 3, 550e-9, 1750e-9 / 3, 1850e-9 / 3, 650e-9]
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -317,3 +318,19 @@ def test_what_is_no_state_is_left_out(engine):
     plain = engine.psf({"side": 32})
     odd = engine.psf({"side": 32, "toString": 1, "defocus": "NaN", "f_number": None, "__proto__": {"coma": 3}})
     assert odd["values"] == plain["values"]
+
+
+def test_python_and_the_page_ask_for_the_same_of_a_state(engine):
+    """`w.psf()` of a notebook is what its page shows: the same window, pixels and light."""
+    rng = np.random.default_rng(5)
+    drawn = ["defocus", "spherical", "coma", "astigmatism", "trefoil", "obscuration"]
+    for turn in range(24):
+        state = {name: round(rng.uniform(0.0, 0.8), 3) for name in rng.choice(drawn, 3, replace=False)}
+        state |= {"coma_angle": rng.uniform(-180, 180), "f_number": rng.uniform(1, 30)}
+        state["wavelength"] = rng.uniform(300, 900)
+        state |= {"side": 24, "pixel": rng.uniform(0.5, 5), "view": ("fine", "sampled", "averaged")[turn % 3]}
+        state["light"] = ("mono", "white")[turn % 2]
+        shown, made = engine.psf(state), psf_of(state)
+        assert made.pixel == pytest.approx(1e-6 * shown["pixel"], rel=1e-14)
+        values = made.values.ravel()
+        assert np.abs(np.array(shown["values"]) - values).max() <= 2e-6 * shown["peak"]

@@ -77,26 +77,31 @@ def test_scatter_refuses_what_does_not_fit() -> None:
             _core.scatter(profiles, scales, index, bad)
 
 
+# What an image is asked for with, whichever way.
+_ASKED: dict[str, Any] = {
+    "obscuration": 0.1,
+    "amplitude": np.array([0.0, 0.2]),
+    "center_y": 2.0,
+    "center_x": 3.0,
+    "step": 0.5,
+    "integrate": False,
+    "tol": 1e-6,
+    "threads": 1,
+    "scale": 1.0,
+}
+
+
 def _render(**changes: Any) -> float:
     n, k, kind = 2, 1, np.float64
     arguments: dict[str, Any] = {
         "coefficients": np.ones((n, 2)),
-        "obscuration": 0.1,
-        "amplitude": np.array([0.0, 0.2]),
-        "center_y": 2.0,
-        "center_x": 3.0,
-        "step": 0.5,
-        "integrate": False,
-        "tol": 1e-6,
-        "threads": 1,
         "images": np.empty((n, 5, 7), kind),
-        "scale": 1.0,
         "numbers": np.empty((3, n)),
         "powers": np.ones(k, np.int64),
         "derivative_images": np.empty((k, n, 5, 7), kind),
         "derivative_bounds": np.empty((k, n)),
     }
-    return _core.render(**(arguments | changes))
+    return _core.render(**(_ASKED | arguments | changes))
 
 
 def test_rendering_refuses_what_does_not_fit() -> None:
@@ -132,21 +137,7 @@ def test_rendering_refuses_what_does_not_fit() -> None:
 
 
 def _plan(**changes: Any) -> _core.RadialPlan:
-    arguments: dict[str, Any] = {
-        "obscuration": 0.1,
-        "amplitude": np.array([0.0, 0.2]),
-        "height": 5,
-        "width": 7,
-        "center_y": 2.0,
-        "center_x": 3.0,
-        "step": 0.5,
-        "integrate": False,
-        "tol": 1e-6,
-        "threads": 1,
-        "scale": 1.0,
-        "kind": "d",
-    }
-    return _core.RadialPlan(**(arguments | changes))
+    return _core.RadialPlan(**(_ASKED | {"height": 5, "width": 7, "kind": "d"} | changes))
 
 
 def test_a_plan_refuses_what_has_no_answer() -> None:

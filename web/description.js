@@ -1,7 +1,8 @@
 // How a PSF was made, as the package writes it into files: its own reader takes it, checksum and all.
 
 import { crc32 } from "./checksum.js";
-import { linesOf, termsOf, unitOfLength, WHITE } from "./optics.js";
+import { WHITE } from "./fields.js";
+import { linesOf, termsOf, unitOfLength } from "./optics.js";
 
 // JSON as Python writes it, with keys in order and the digits of its floats, so that checksums agree.
 export function pythonJson(value, sorted) {

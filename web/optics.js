@@ -1,9 +1,9 @@
-// From what the controls say to what the core is asked: the only place with physics. Lengths in micrometres.
+// From what the controls say to what the core is asked: the only place with physics. Lengths in micrometres. White light is lines
+// of equal energy, whose paths of light are the same.
+
+import { WHITE } from "./fields.js";
 
 const TURN = 2 * Math.PI;
-
-// White light: lines of equal energy, whose paths of light are the same.
-export const WHITE = [450, 1450 / 3, 1550 / 3, 550, 1750 / 3, 1850 / 3, 650];
 
 // One lambda*N of the reference.
 export function unitOfLength(state) {

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 import webbrowser
 from pathlib import Path
-from typing import Any
 
 import click
 
-from lommel.cli.parts import one_line_errors
-
-_FILE: Any = click.Path(dir_okay=False, path_type=Path)
+from lommel.cli.parts import FILE, one_line_errors
 
 
 @click.command()
-@click.argument("lens", type=_FILE, required=False)
+@click.argument("lens", type=FILE, required=False)
 @click.option("--port", type=click.IntRange(0, 65535), default=0, help="By default any that is free.")
 @click.option("--no-browser", is_flag=True, help="Print the address and open nothing.")
-@click.option("--save", "saved", type=_FILE, metavar="FILE",
+@click.option("--save", "saved", type=FILE, metavar="FILE",
               help="Write the page to a file that opens on its own, and end.")  # fmt: skip
 @one_line_errors
 def live(lens: Path | None, port: int, no_browser: bool, saved: Path | None) -> None:

@@ -19,7 +19,7 @@ try:
 
     from lommel.cli.live_command import live
     from lommel.cli.methods import build_method, methods
-    from lommel.cli.parts import Length, Shape, one_line_errors, print_json, progress
+    from lommel.cli.parts import FILE, Length, Shape, one_line_errors, print_json, progress
     from lommel.cli.photo_commands import blur, focus_pull
 except ImportError as missing:  # pragma: no cover
     sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
@@ -28,13 +28,11 @@ if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Instrument
     from lommel.psf import PSF
 
-_FILE: Any = click.Path(dir_okay=False, path_type=Path)
-
 
 def _lens_command(command: Callable[..., None], *more: Callable[..., Any]) -> Callable[..., None]:
     """Add what every command takes: the lens file, what overrides it, and --json."""
     parts = [
-        click.argument("lens", type=_FILE),
+        click.argument("lens", type=FILE),
         click.option("--object-distance", type=Length(), help='Instead of the file\'s: "1.5 m", "inf".'),
         click.option("--pixel", type=Length(), help='Pixel pitch, instead of the file\'s: "3.45 um".'),
         click.option("--shape", type=Shape(), help="Window in pixels, instead of the file's: 65 or 64x128."),
@@ -81,12 +79,12 @@ for command in (blur, focus_pull, live, methods):
 
 @main.command()
 @_psf_command
-@click.option("-o", "--output", "outputs", multiple=True, type=_FILE,
+@click.option("-o", "--output", "outputs", multiple=True, type=FILE,
               help="The values: .tif (OME), .npy or .npz; or a grey picture to look at: .png, the square root of the "
               "values, enlarged to 512 pixels or more. Repeatable. With --field .tif, .zarr or .npz.")  # fmt: skip
 @click.option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
               help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
-@click.option("--plot", "figure", type=_FILE,
+@click.option("--plot", "figure", type=FILE,
               help="A figure with axes and scale: .png, .pdf, .svg.")  # fmt: skip
 @click.option("-m", "--method", "method_name", default="auto", show_default=True,
               type=click.Choice(("auto", *METHODS)),
@@ -210,7 +208,7 @@ def info(as_json: bool, **lens: Any) -> None:
 
 @main.command()
 @_psf_command
-@click.option("--figure", type=_FILE,
+@click.option("--figure", type=FILE,
               help="Write the PSFs and their slices side by side: .png, .pdf, .svg.")  # fmt: skip
 @one_line_errors
 def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:

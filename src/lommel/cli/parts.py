@@ -20,6 +20,9 @@ from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
 from lommel.methods import METHODS
 
+FILE: Any = click.Path(dir_okay=False, path_type=Path)
+"""A file, which need not be there."""
+
 
 class Length(click.ParamType[float]):
     """A length with a unit, in metres."""

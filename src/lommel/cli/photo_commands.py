@@ -16,7 +16,7 @@ import numpy as np
 
 from lommel.base.options import sentence
 from lommel.base.units import format_length
-from lommel.cli.parts import Length, one_line_errors, print_json, progress
+from lommel.cli.parts import FILE, Length, one_line_errors, print_json, progress
 from lommel.cli.photo_job import KINDS, Request
 from lommel.imaging import Photograph
 from lommel.imaging.settings import BORDERS, MISSING, Settings
@@ -25,8 +25,6 @@ from lommel.io.photos import find, stored, write_photo
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
-
-_File = click.Path(dir_okay=False, path_type=Path)
 
 
 class _Wavelengths(click.ParamType[tuple[float, ...]]):
@@ -39,9 +37,9 @@ class _Wavelengths(click.ParamType[tuple[float, ...]]):
 def _photo_command(command: Callable[..., None]) -> Callable[..., None]:
     """Add what both commands take."""
     parts = [
-        click.argument("photo", type=_File),
-        click.argument("depth", type=_File),
-        click.argument("lens", type=_File, required=False),
+        click.argument("photo", type=FILE),
+        click.argument("depth", type=FILE),
+        click.argument("lens", type=FILE, required=False),
         click.option("--f-number", type=float, help="Instead of the lens file's, or without EXIF's."),
         click.option("--focal-length", type=Length(), help="Without a lens file; by default EXIF's."),
         click.option("--pixel", type=Length(), help="Pixel pitch, instead of the lens file's."),
@@ -81,7 +79,7 @@ def _of_settings(name: str, *flags: str, **more: Any) -> Callable[..., Any]:
 
 @click.command()
 @_photo_command
-@click.option("-o", "--output", required=True, type=_File, help=".png, .jpg or .tif.")
+@click.option("-o", "--output", required=True, type=FILE, help=".png, .jpg or .tif.")
 @click.option("--focus", type=Length(), help='Distance in focus: "1.5 m", "inf"; instead of the lens file\'s.')
 @one_line_errors
 def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> None:
@@ -124,7 +122,7 @@ def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> No
 
 @click.command("focus-pull")
 @_photo_command
-@click.option("-o", "--output", required=True, type=_File,
+@click.option("-o", "--output", required=True, type=FILE,
               help="Numbered, as out-%03d.png (.jpg, .tif), or one .gif, .png, .webp or .tif.")  # fmt: skip
 @click.option("--from", "first", type=Length(), required=True, help="Distance in focus of the first frame.")
 @click.option("--to", "last", type=Length(), required=True, help='Of the last; may be "inf".')

@@ -11,7 +11,7 @@ from lommel.base.optional import library
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.lens_files import load_instrument
 from lommel.page import module
-from lommel.page.state import FIELDS, Real, complete, psf_of, state_of
+from lommel.page.state import FIELDS, Real, Whole, complete, psf_of, state_of
 from lommel.psf import PSF
 
 
@@ -72,13 +72,12 @@ def _kind() -> type:
     """Return the class of the widget, which is that of an optional library."""
     anywidget: Any = library("anywidget", "lm.live() needs", "live")
     traitlets: Any = library("traitlets", "lm.live() needs", "live")
-    kinds = {float: traitlets.CFloat, int: traitlets.CInt}
 
     def trait(field: Any) -> Any:
         if not isinstance(field, Real):
             return traitlets.Enum(field, default_value=field.initial).tag(sync=True)
-        made = kinds[type(field.accepted("", field.initial))](field.initial, min=field.low, max=field.high)
-        return made.tag(sync=True)
+        kind = traitlets.CInt if isinstance(field, Whole) else traitlets.CFloat
+        return kind(field.initial, min=field.low, max=field.high).tag(sync=True)
 
     class Live(anywidget.AnyWidget):  # type: ignore[misc]
         """The live page; see :func:`lommel.live`."""

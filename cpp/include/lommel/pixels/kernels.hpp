@@ -205,34 +205,29 @@ LOMMEL_INLINE void sum_harmonics(I, Degree degree, const double* coefficients, s
                 now[u] = next;
             }
         };
-        // Chains of one alone would wait for themselves; four at once need more registers than sixteen.
         std::size_t j = 0;
+        const auto take = [&](auto orders) LOMMEL_INLINE_LAMBDA {
+            V values[orders][2];
+            along_radius<orders>(degree, coefficients + j * degree, at, values);
+            for (const auto& value : values) {
+                add(value);
+            }
+            j += orders;
+        };
+        // Chains of one alone would wait for themselves; four at once need more registers than sixteen.
         if constexpr (I::lanes == 8) {
-            for (; harmonics - j == 4 || harmonics - j > 6; j += 4) {
-                V values[4][2];
-                along_radius<4>(degree, coefficients + j * degree, at, values);
-                for (const auto& value : values) {
-                    add(value);
-                }
+            while (harmonics - j == 4 || harmonics - j > 6) {
+                take(std::integral_constant<std::size_t, 4>{});
             }
         }
-        for (; harmonics - j == 3 || harmonics - j > 4; j += 3) {
-            V values[3][2];
-            along_radius<3>(degree, coefficients + j * degree, at, values);
-            add(values[0]);
-            add(values[1]);
-            add(values[2]);
+        while (harmonics - j == 3 || harmonics - j > 4) {
+            take(std::integral_constant<std::size_t, 3>{});
         }
-        for (; j + 1 < harmonics; j += 2) {
-            V values[2][2];
-            along_radius<2>(degree, coefficients + j * degree, at, values);
-            add(values[0]);
-            add(values[1]);
+        while (j + 1 < harmonics) {
+            take(std::integral_constant<std::size_t, 2>{});
         }
         if (j < harmonics) {
-            V values[1][2];
-            along_radius<1>(degree, coefficients + j * degree, at, values);
-            add(values[0]);
+            take(std::integral_constant<std::size_t, 1>{});
         }
         store(out + i, sum[0]);
         store(out + i + I::lanes, sum[1]);

@@ -117,7 +117,7 @@ class Taps(NamedTuple):
     weights : ndarray, shape (2 k + 1,)
         Of the samples from k before to k after the middle of the pixel.
     error : float
-        Bound on ``|C(w) - sinc(a w / 2)|`` for ``|w| <= 2``.
+        Bound on ``|C(w) - sinc(a w / 2)|`` for ``|w| <= 2``, or from its derivative by ln a.
     gain : float
         Sum of the magnitudes of the weights: what errors of samples are multiplied by at most.
     """
@@ -139,8 +139,10 @@ def samples_across(step: float, widest: float = _WIDEST) -> int:
 
 
 @lru_cache(maxsize=64)
-def filtered_by(step: float, error: float, widest: float = _WIDEST) -> Taps:
+def filtered_by(step: float, error: float, widest: float = _WIDEST, *, growing: bool = False) -> Taps:
     """Return the shortest filter for pixels of pitch `step` in v, samples at most `widest` apart, off by `error`.
+
+    Where the pixel is `growing`, the response is the derivative by ln a, ``cos(a w / 2) - sinc(a w / 2)``.
 
     Weights by least squares at Chebyshev points of the band. The error of the response is even and entire, of type
     k h; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 k h + 48`` (its Chebyshev series falls below
@@ -157,12 +159,14 @@ def filtered_by(step: float, error: float, widest: float = _WIDEST) -> Taps:
         basis = 2.0 * np.cos(np.outer(w, h * np.arange(half + 1)))
         basis[:, 0] = 1.0
         wanted = np.sinc(0.5 * step / math.pi * w)
+        if growing:
+            wanted = np.cos(0.5 * step * w) - wanted
         c, *_ = np.linalg.lstsq(basis, wanted, rcond=1e-13)
         gain = float(abs(c[0]) + 2.0 * np.abs(c[1:]).sum())
         rounding = 2.0**-52 * (half + 4) * gain
         reached = math.sqrt(2.0) * (float(np.abs(basis @ c - wanted).max()) + rounding) + 1e-17
         # Few samples beyond the edge of a large pixel need large weights, which would magnify errors.
-        if (reached <= error and gain <= 1.5) or half > stride + 60:
+        if (reached <= error and gain <= (3.0 if growing else 1.5)) or half > stride + 60:
             return Taps(stride, np.concatenate([c[:0:-1], c]), reached, gain)
         half += 1
 
@@ -174,8 +178,7 @@ def _filtered(
     count = math.prod(pupil.shape)
     wanted = Wanted(dtype=np.dtype(np.float32 if tol >= _SINGLE else np.float64), threads=threads)
     total, error, peaks = np.empty((count, *grid.shape)), np.zeros(count), np.zeros(count)
-    values = math.prod(_samples(side, taps) for side in grid.shape)
-    for part, one, pixels in _blocks(pupil, grid, max(1, _VALUES // values)):
+    for part, one, pixels in blocks(pupil, grid, taps):
 
         def samples(fine: Grid, part: slice = part, one: Pupil = one) -> NDArray[Any]:
             made = sample(one, fine, tol, wanted)
@@ -200,6 +203,22 @@ def filtered(
     return out
 
 
+def weighed(samples: NDArray[np.float64], rows: Taps, columns: Taps) -> NDArray[np.float64]:
+    """Return sums of finer samples, shape (n, h, w), by taps of one size along each axis; of any sign."""
+    down, across = (
+        _matrix((side - taps.weights.size) // taps.stride + 1, taps)
+        for side, taps in zip(samples.shape[1:], (rows, columns), strict=True)
+    )
+    return np.asarray(down @ samples @ across.T)
+
+
+def _matrix(pixels: int, taps: Taps) -> NDArray[np.float64]:
+    found = np.zeros((pixels, _samples(pixels, taps)))
+    for k in range(pixels):
+        found[k, k * taps.stride : k * taps.stride + taps.weights.size] = taps.weights
+    return found
+
+
 def _samples(pixels: int, taps: Taps) -> int:
     return (pixels - 1) * taps.stride + taps.weights.size
 
@@ -209,6 +228,16 @@ def _fine(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
     margin, (y, x) = taps.weights.size // 2, grid.center
     at = (y - row) * taps.stride + margin, x * taps.stride + margin
     return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.pixel / taps.stride, center=at)
+
+
+def finer(grid: Grid, taps: Taps) -> Grid:
+    """Return all samples that the averages over the pixels of `grid` take."""
+    return _fine(grid, 0, grid.height, taps)
+
+
+def blocks(pupil: Pupil, grid: Grid, taps: Taps) -> Iterator[tuple[slice, Pupil, Grid]]:
+    """Return parts of a stack that are sampled at once, where they are in the flattened stack, and their pixels."""
+    return _blocks(pupil, grid, max(1, _VALUES // math.prod(_samples(side, taps) for side in grid.shape)))
 
 
 def _blocks(pupil: Pupil, grid: Grid, size: int) -> Iterator[tuple[slice, Pupil, Grid]]:

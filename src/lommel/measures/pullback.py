@@ -58,7 +58,7 @@ def pullback(psf: Answer, g: ArrayLike, of: Sequence[Name] | None = None) -> dic
     found: dict[Name, Array] = {}
     if isinstance(engine, ChordalGauss):
         factors = {name: translated(sums[name].phases, powers=False) for name in names if _by_phase(sums[name])}
-        terms = tuple(dict.fromkeys(term for phases in factors.values() for term in phases))
+        terms = tuple(dict.fromkeys(t for phases in factors.values() for t in phases if isinstance(t, tuple)))
         each = np.zeros((len(weights), len(terms)))
         for part in way.components(pupil) if terms else ():
             rate = scale * part.weight * part.stretch  # phases grow as the wavelength falls

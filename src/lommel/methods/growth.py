@@ -81,7 +81,8 @@ def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Arr
         made = fine.images(one, finer(pixels, plain), Wanted(threads=threads))
         assert made.error is not None
         assert made.peak is not None
-        total[part] = weighed(made.values, plain, growing) + weighed(made.values, growing, plain)
+        total[part] = weighed(made.values, plain, growing, threads)
+        total[part] += weighed(made.values, growing, plain, threads)
         error[part] = 2.0 * plain.gain * growing.gain * made.peak * (made.error + rounded) + missed
     return total, error
 

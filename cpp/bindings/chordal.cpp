@@ -3,7 +3,52 @@
 
 #include "pupils.hpp"
 
+using namespace bindings;
+
+namespace {
+
+template <class T>
+using Images = lommel::ChordalRenderer<T>;
+
+std::vector<lommel::ZernikeTerm> factors_of(const In<std::int32_t, 2>& given) {
+    const std::vector<lommel::ZernikeTerm> terms = terms_of(given, given.shape(0));
+    require_terms(terms);
+    for (const lommel::ZernikeTerm& term : terms) {
+        require(term.n > 0, "no image depends on a constant");
+    }
+    return terms;
+}
+
+template <class T, class... Center>
+double derivatives(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
+                   double step, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers,
+                   In<std::int32_t, 2> factors, Out<T, 4> slopes, Out<double, 2> bounds) {
+    using Slopes = lommel::ChordalDerivatives<T>;
+    const lommel::DiskAnswer<T> answer = disk_answer_of(pupils_of(edge), scale, images, numbers);
+    const Slopes wanted{factors_of(factors), slopes.data(), bounds.data()};
+    require(scale > 0.0, "derivatives of values that are divided by their largest one are not available");
+    require_derivatives(wanted.terms.size(), edge.shape(0), images, slopes, bounds);
+    return ask_disks<false>(
+        terms, edge, obscuration, amplitude, images.shape(1), images.shape(2), step, tol, threads,
+        [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
+            lommel::ChordalRenderer<T, Slopes>(stack, window, tol, threads, answer, wanted).run();
+        },
+        center...);
+}
+
+}  // namespace
+
 void bindings::define_chordal(nb::module_& m) {
-    define_disk_images<lommel::ChordalRenderer, false>(
+    define_disk_images<Images, false>(
         m, "chordal_images", "The same by the chordal rule; bounds are over the largest value of the window.");
+    for_both([&](auto pixel) {
+        using T = decltype(pixel);
+        m.def("chordal_derivatives", &derivatives<T, double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,
+              "center_y"_a, "center_x"_a, "step"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(),
+              "numbers"_a.noconvert(), "factors"_a, "slopes"_a.noconvert(), "bounds"_a.noconvert(),
+              "The same, and derivatives by the coefficients of terms (n, m), with bounds on their errors over the peak.");
+        m.def("chordal_derivatives", &derivatives<T, In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,
+              "centers"_a, "step"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
+              "factors"_a, "slopes"_a.noconvert(), "bounds"_a.noconvert(), "The same, each around an axis of its own.");
+    });
 }

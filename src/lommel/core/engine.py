@@ -172,15 +172,30 @@ def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) 
 
 
 def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
-    """Return the same by the chordal rule, with errors over the largest value in the window."""
-    return _disk_images(_core.chordal_images, "the largest value in the window", stack, window, tol, wanted)
+    """Return the same by the chordal rule, with errors over the largest value in the window.
+
+    Derivatives by the terms that `wanted` names are over the same value; their errors are bounded, not held to `tol`.
+    """
+    over = "the largest value in the window"
+    if not wanted.terms:
+        return _disk_images(_core.chordal_images, over, stack, window, tol, wanted)
+    terms, count = np.array(wanted.terms, dtype=np.int32), len(stack.edge)
+    slopes = Slopes(np.empty((len(terms), count, *window.shape), wanted.dtype), np.empty((len(terms), count)))
+    made = _disk_images(_core.chordal_derivatives, over, stack, window, tol, wanted, terms, *slopes)
+    return made._replace(slopes=slopes)
 
 
 def _disk_images(
-    compute: Callable[..., float], over: str, stack: DiskStack, window: Window, tol: float, wanted: Wanted
+    compute: Callable[..., float],
+    over: str,
+    stack: DiskStack,
+    window: Window,
+    tol: float,
+    wanted: Wanted,
+    *more: Any,
 ) -> Images:
     _, values, numbers = places = _places(len(stack.edge), window, wanted)
-    unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places)
+    unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places, *more)
     _require(unmet, tol, over)
     return Images(values, numbers[0], numbers[1], None, numbers[2])
 

@@ -51,11 +51,10 @@ class Asked(NamedTuple):
             If the methods do not support the pupil, or cannot meet their tolerance.
         """
         self.ways[0].require(pupil)
-        scale, dtype, _, _, threads = self.wanted
-        question = Wanted(scale, dtype, None if out is None else out.reshape(self.flat), powers, threads)
+        question = self.wanted._replace(out=None if out is None else out.reshape(self.flat), powers=powers)
 
         def ask(way: Method) -> Images:
-            return widened(way.images(pupil, self.grid, question), pupil, way, normalized=scale is None)
+            return widened(way.images(pupil, self.grid, question), pupil, way, normalized=question.scale is None)
 
         return first_proven(self.ways, ask)
 

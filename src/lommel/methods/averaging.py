@@ -4,7 +4,8 @@ A pixel averages the intensity over its square, which multiplies the transfer fu
 ``sinc(a wy / 2)``, a the pitch in v. The transfer function vanishes beyond ``|w| = 2``, so any taps c_k on samples
 h apart whose response ``C(w) = sum_k c_k cos(k h w)`` agrees with the sinc up to there do the same, along rows and
 then along columns. An error eps of the response costs at most ``(2 eps + eps^2) int |OTF| dw``, an integral that is
-at most the intensity at the peak without aberration, where the transfer function is nowhere negative.
+at most the intensity at the peak without aberration, where the transfer function is nowhere negative. A derivative by
+the coefficient of a Zernike term, within 1 on the pupil, has a transfer function of twice that size at most.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.core.answers import Images, Intensities, ToleranceError, Wanted, not_met
+from lommel.core.answers import Images, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.grid import Grid
@@ -33,11 +34,22 @@ Sample = Callable[[Pupil, Grid, float, Wanted], Images]
 """From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted."""
 
 
-def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Intensities:
+class _Averages(NamedTuple):
+    """Averages of the intensity, shape (1 + k, n, height, width) with those of its derivatives.
+
+    Bounds on their errors, over the peaks, once they are stored as is wanted, shape (1 + k, n).
+    """
+
+    values: NDArray[np.float64]
+    error: NDArray[np.float64]
+    peak: NDArray[np.float64]
+
+
+def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> _Averages:
     """Return the intensity averaged over each pixel, with bounds on its error below `tol` once stored as is wanted.
 
     The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
-    divided by the largest average in the window.
+    divided by the largest average in the window. Those of derivatives are bounded, not held to `tol`.
 
     Raises
     ------
@@ -51,7 +63,7 @@ def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wante
         return _averaged(sample, pupil, grid, tol, wanted, _CLOSER)
 
 
-def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, widest: float) -> Intensities:
+def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, widest: float) -> _Averages:
     step, ceiling, dtype, normalize = grid.step(pupil), pupil.amplitude**2, wanted.dtype, wanted.scale is None
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
@@ -61,14 +73,15 @@ def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Want
     for _ in range(5):
         taps = filtered_by(step, response, widest)
         try:
-            total, given, peaks = _filtered(sample, pupil, grid, finer / taps.gain**2, taps, wanted.threads)
+            total, all_given, peaks = _filtered(sample, pupil, grid, finer / taps.gain**2, taps, wanted)
         except ToleranceError as fault:
             raise ToleranceError(
                 f"tol={tol:g} cannot be met by averages over pixels of {step / math.pi:.3g} lambda*N, for which "
                 f"samples must be exact to {finer:.2g} of the peak: {fault}"
             ) from None
-        tops = total.max(axis=(1, 2))
-        rounding = (2 * taps.weights.size + 8) * 2.0**-53 * taps.gain**2 * peaks
+        tops, given = total[0].max(axis=(1, 2)), all_given[0]
+        roundings = (2 * taps.weights.size + 8) * 2.0**-53 * taps.gain**2
+        rounding = roundings * peaks
         own = (2.0 + taps.error) * taps.error * ceiling + rounding
         found = tops if normalize else np.maximum(tops, lowest * peaks)
         if not found.min() > 0:
@@ -76,7 +89,11 @@ def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Want
         relative = (given + own) / found
         bounds = stored(normalized_error(relative) if normalize else relative, dtype)
         if bounds.max() <= tol:
-            return Intensities(total, bounds, found)
+            # Both |U| and the field of a derivative are within the root of the ceiling.
+            further = 2.0 * ((2.0 + taps.error) * taps.error + roundings) * ceiling
+            slopes = (all_given[1:] + further) / found
+            slopes += (np.abs(total[1:]).max(axis=(2, 3)) / found + slopes) * storing(dtype)
+            return _Averages(total, np.concatenate([bounds[None], slopes]), found)
         if finer >= _SINGLE * taps.gain**2:
             # What single precision stores is off by more than what doubles are, and tells little of it.
             finer = 0.9 * _SINGLE
@@ -89,11 +106,14 @@ def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Want
 def averaged_images(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
     """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
     made = averaged(sample, pupil, grid, tol, wanted)
-    tops = made.values.max(axis=(1, 2))
+    tops = made.values[0].max(axis=(1, 2))
     scales = 1.0 / tops if wanted.scale is None else np.full(len(tops), wanted.scale)
-    values = np.empty(made.values.shape, wanted.dtype) if wanted.out is None else wanted.out
-    np.multiply(made.values, scales[:, None, None], out=values, casting="same_kind")
-    return Images(values, scales, made.error, None, made.peak)
+    values = np.empty(made.values.shape[1:], wanted.dtype) if wanted.out is None else wanted.out
+    np.multiply(made.values[0], scales[:, None, None], out=values, casting="same_kind")
+    slopes = None
+    if wanted.terms:
+        slopes = Slopes((made.values[1:] * scales[:, None, None]).astype(wanted.dtype), made.error[1:])
+    return Images(values, scales, made.error[0], slopes, made.peak)
 
 
 def least_average(step: float) -> float:
@@ -168,35 +188,59 @@ def filtered_by(step: float, error: float, widest: float = _WIDEST) -> Taps:
 
 
 def _filtered(
-    sample: Sample, pupil: Pupil, grid: Grid, tol: float, taps: Taps, threads: int
+    sample: Sample, pupil: Pupil, grid: Grid, tol: float, taps: Taps, asked: Wanted
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return averages, the errors that those of the samples make of them, and peaks, of the flattened stack."""
-    count = math.prod(pupil.shape)
-    wanted = Wanted(dtype=np.dtype(np.float32 if tol >= _SINGLE else np.float64), threads=threads)
-    total, error, peaks = np.empty((count, *grid.shape)), np.zeros(count), np.zeros(count)
-    values = math.prod(_samples(side, taps) for side in grid.shape)
+    """Return averages, the errors that those of the samples make of them, and peaks, of the flattened stack.
+
+    Before the stack there is an axis of the intensity and its derivatives.
+    """
+    count, kinds, kind = math.prod(pupil.shape), 1 + len(asked.terms), np.float32 if tol >= _SINGLE else np.float64
+    wanted = Wanted(dtype=np.dtype(kind), threads=asked.threads, terms=asked.terms)
+    total, error, peaks = np.empty((kinds, count, *grid.shape)), np.zeros((kinds, count)), np.zeros(count)
+    values = kinds * math.prod(_samples(side, taps) for side in grid.shape)
     for part, one, pixels in _blocks(pupil, grid, max(1, _VALUES // values)):
 
         def samples(fine: Grid, part: slice = part, one: Pupil = one) -> NDArray[Any]:
             made = sample(one, fine, tol, wanted)
             assert made.error is not None
             assert made.peak is not None
-            error[part] = np.maximum(error[part], taps.gain**2 * made.error * made.peak)
+            errors, every = made.error[None], made.values
+            if made.slopes is not None:
+                errors = np.concatenate([errors, made.slopes.error])
+                every = np.concatenate([every[None], made.slopes.values]).reshape(-1, *every.shape[1:])
+            error[:, part] = np.maximum(error[:, part], taps.gain**2 * errors * made.peak)
             peaks[part] = np.maximum(peaks[part], made.peak * (1.0 - made.error))
-            return made.values
+            return every
 
-        filtered(samples, total[part], pixels, taps, threads)
+        if kinds == 1:
+            filtered(samples, total[0, part], pixels, taps, asked.threads)
+            continue
+        every = np.empty((kinds * len(peaks[part]), *grid.shape))
+        filtered(samples, every, pixels, taps, asked.threads, negative=True)
+        total[:, part] = every.reshape(kinds, -1, *grid.shape)
+        np.maximum(total[0, part], 0.0, out=total[0, part])
     return total, error, peaks
 
 
 def filtered(
-    samples: Callable[[Grid], NDArray[Any]], out: NDArray[np.float64], grid: Grid, taps: Taps, threads: int = 0
+    samples: Callable[[Grid], NDArray[Any]],
+    out: NDArray[np.float64],
+    grid: Grid,
+    taps: Taps,
+    threads: int = 0,
+    *,
+    negative: bool = False,
 ) -> NDArray[np.float64]:
-    """Write averages over the pixels of `grid` to `out`, shape (n, height, width), some rows at once; return it."""
+    """Write averages over the pixels of `grid` to `out`, shape (n, height, width), some rows at once; return it.
+
+    None is less than 0 unless samples may be `negative`.
+    """
     most = max(1, int(_VALUES / (_samples(grid.width, taps) * taps.stride)))
     for y in range(0, grid.height, most):
         rows = out[:, y : y + most]
-        average_samples(samples(_fine(grid, y, rows.shape[1], taps)), taps.weights, taps.stride, threads, rows)
+        average_samples(
+            samples(_fine(grid, y, rows.shape[1], taps)), taps.weights, taps.stride, threads, rows, negative
+        )
     return out
 
 

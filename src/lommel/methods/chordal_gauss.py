@@ -74,4 +74,6 @@ class ChordalGauss(Method):
         """Return the images of the flattened stack; see :meth:`Method.images`."""
         if wanted.powers:
             raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
+        if wanted.terms and wanted.scale is None:
+            raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
         return disk_images(chordal_images, pupil, grid, self.tol, wanted)

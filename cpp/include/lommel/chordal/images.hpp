@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -12,6 +13,8 @@
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/bounds/settle.hpp"
+#include "lommel/chordal/batch.hpp"
+#include "lommel/chordal/derivatives.hpp"
 #include "lommel/chordal/lines.hpp"
 #include "lommel/chordal/tables.hpp"
 #include "lommel/chordal/transform.hpp"
@@ -40,12 +43,14 @@ struct ChordalBudget {
     static constexpr double again = 0.3, least = 1e-3;
 };
 
-template <class T>
+// `More` is what follows images: their derivatives, or nothing.
+template <class T, class More = NoDerivatives>
 class ChordalRenderer {
    public:
-    ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
+    ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer,
+                    const More& more = {})
         : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column), step_(window.step), tol_(tol),
-          threads_(threads), answer_(answer), area_(stack.obscuration * stack.obscuration),
+          threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)), area_(stack.obscuration * stack.obscuration),
           lines_(stack, {step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
                  static_cast<double>(rows_.at.size()), static_cast<double>(rows_.count * columns_.at.size()), threads),
           states_(stack.count) {}
@@ -127,9 +132,11 @@ class ChordalRenderer {
         ChordDisk far, near;                       // the whole disk and the obscured one
     };
 
-    double wrong(const ChordDisk& disk, const ChordCount& n, bool single) const {
-        return disk.chords.line.bound(Sum::chords, n.chords) + disk.nodes.line.bound(Sum::nodes, n.nodes) + disk.rounding +
-               ChordBound::rounding(n.chords, n.nodes) +
+    // Of the field of P, or of P times a term of some degree.
+    double wrong(const ChordDisk& disk, const ChordCount& n, bool single, std::size_t degree = 0) const {
+        const ChordLine chords = disk.chords.line.times(degree), nodes = disk.nodes.line.times(degree);
+        return chords.bound(Sum::chords, n.chords) + nodes.bound(Sum::nodes, n.nodes) + disk.rounding +
+               ChordBound::rounding(n.chords, n.nodes) + ChordBound::factor_rounding(degree, single) +
                (single ? ChordBound::single_rounding(static_cast<double>(n.chords), static_cast<double>(n.nodes),
                                                      stack_.terms.size())
                        : 0.0);
@@ -138,7 +145,8 @@ class ChordalRenderer {
     // The error to ask for where sums are in single precision; or in double precision, if that leaves too little.
     double singly(std::size_t p) {
         State& s = states_[p];
-        const double chords = s.far.chords.line.needed(s.error), nodes = s.far.nodes.line.needed(s.error);
+        const double chords = s.far.chords.line.times(degree_).needed(s.error);
+        const double nodes = s.far.nodes.line.times(degree_).needed(s.error);
         const double rounding = (1.0 + area_) * ChordBound::single_rounding(chords, nodes, stack_.terms.size());
         const double all = s.error * (ChordalBudget::single / ChordalBudget::field) * (answer_.scales[p] == 0.0 ? 0.5 : 1.0);
         s.single = rounding <= ChordalBudget::rounding * all;
@@ -146,15 +154,16 @@ class ChordalRenderer {
     }
 
     void choose(std::size_t p, double scale, ChordDisk& disk, double error) const {
-        const std::size_t chords = disk.chords.line.enough(Sum::chords, ChordalBudget::chords * error);
+        const ChordLine across = disk.chords.line.times(degree_), along = disk.nodes.line.times(degree_);
+        const std::size_t chords = across.enough(Sum::chords, ChordalBudget::chords * error);
         disk.count.chords = std::max(disk.least, chords);
-        const double rest = error - disk.chords.line.bound(Sum::chords, disk.count.chords);
-        disk.count.nodes = chords > max_chords ? 0 : disk.nodes.line.enough(Sum::nodes, rest);
+        const double rest = error - across.bound(Sum::chords, disk.count.chords);
+        disk.count.nodes = chords > max_chords ? 0 : along.enough(Sum::nodes, rest);
         if (std::max(disk.count.chords, disk.count.nodes) > max_chords) {
             const bool many = disk.count.chords > max_chords;
             ChordBound bound = lines_.bound_of(scale);
             bound.prepare((scale == 1.0 ? stack_.outer : stack_.inner).data() + p * stack_.terms.size());
-            bound.refuse(many ? Sum::chords : Sum::nodes, many ? disk.chords.line : disk.nodes.line,
+            bound.refuse(many ? Sum::chords : Sum::nodes, many ? across : along,
                          many ? ChordalBudget::chords * error : rest);
         }
     }
@@ -170,98 +179,66 @@ class ChordalRenderer {
     }
 
     template <class Real>
-    struct Tables {
-        std::shared_ptr<const TermTable> terms;
-        std::shared_ptr<const KernelTable<Real>> kernel;
-    };
-
-    template <class Real>
-    Tables<Real> tables(const ChordCount& count, double scale) const {
+    ChordalTables<Real> tables(const ChordCount& count, double scale) const {
         // The kernel first: it knows when there are too many chords.
         const auto k = kernel<Real>(count, scale * step_);
-        return {cache<TermTable>.get(count, stack_.terms, stack_.amplitude.scaled(scale * scale)), k};
+        return {cache<TermTable>.get(count, stack_.terms, stack_.amplitude.scaled(scale * scale)), k,
+                More::wanted ? cache<FactorTable>.get(count, more_.terms, scale) : nullptr};
     }
 
     template <class Real>
     void dispatch_batches(const std::size_t* pending, std::size_t pupils) {
         const std::size_t lanes = vector_lanes() * sizeof(double) / sizeof(Real), batches = (pupils + lanes - 1) / lanes;
         // Tables before threads, so that no thread waits for another to make them.
-        std::vector<Tables<Real>> outer(batches), inner(batches);
+        std::vector<std::array<ChordalTables<Real>, 2>> disks(batches);
         for (std::size_t b = 0; b < batches; ++b) {
             ChordCount far, near;
             for (std::size_t i = b * lanes; i < std::min(pupils, (b + 1) * lanes); ++i) {
                 far.include(states_[pending[i]].far.count);
                 near.include(states_[pending[i]].near.count);
             }
-            const bool same = b > 0 && outer[b - 1].terms->count == far;
-            outer[b] = same ? outer[b - 1] : tables<Real>(far, 1.0);
+            const bool same = b > 0 && disks[b - 1][0].terms->count == far;
+            disks[b][0] = same ? disks[b - 1][0] : tables<Real>(far, 1.0);
             if (area_ > 0.0) {
-                const bool alike = b > 0 && inner[b - 1].terms->count == near;
-                inner[b] = alike ? inner[b - 1] : tables<Real>(near, stack_.obscuration);
+                const bool alike = b > 0 && disks[b - 1][1].terms->count == near;
+                disks[b][1] = alike ? disks[b - 1][1] : tables<Real>(near, stack_.obscuration);
             }
         }
         parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch<Real> scratch;
             const std::size_t first = b * lanes, here = std::min(lanes, pupils - first);
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { batch(isa, pending + first, here, outer[b], inner[b], scratch); });
+            const ChordalBatch<Real> one{stack_, pending + first, here, area_, disks[b], scratch};
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { run_batch(isa, one); });
         });
     }
 
     template <class I, class Real>
-    LOMMEL_INLINE void gather(I, const double* coefficients, const std::size_t* pupils, std::size_t here,
-                              const TermTable& table, ChordalScratch<Real>& scratch) const {
-        using Wave = Waves<I, Real>;
-        const std::size_t terms = stack_.terms.size();
-        scratch.coefficients.resize(terms * Wave::lanes);
-        for (std::size_t lane = 0; lane < Wave::lanes; ++lane) {
-            // Lanes without a pupil repeat the last one.
-            const double* own = coefficients + pupils[std::min(lane, here - 1)] * terms;
-            for (std::size_t j = 0; j < terms; ++j) {
-                scratch.coefficients[j * Wave::lanes + Wave::place(lane)] = Wave::unit * own[table.classes.order[j]];
-            }
-        }
-    }
-
-    template <class I, class Real>
-    LOMMEL_INLINE void batch(I isa, const std::size_t* pupils, std::size_t here, const Tables<Real>& outer,
-                             const Tables<Real>& inner, ChordalScratch<Real>& scratch) {
+    LOMMEL_INLINE void run_batch(I isa, const ChordalBatch<Real>& batch) {
         using V = typename Waves<I, Real>::V;
         constexpr std::size_t lanes = Waves<I, Real>::lanes;
-        const std::size_t width = columns_.count, pixels = rows_.count * width;
-        if (area_ > 0.0) {
-            scratch.inner.resize(pixels * 2 * lanes);
-            Real* kept = scratch.inner.data();
-            const V area = splat<V>(static_cast<Real>(area_));
-            gather(isa, stack_.inner.data(), pupils, here, *inner.terms, scratch);
-            chordal_fields(isa, *inner.terms, *inner.kernel, scratch, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
-                for (std::size_t j = 0; j < 2 * width * lanes; j += lanes) {
-                    store(kept + 2 * y * width * lanes + j, load<V>(u + j) * area);
-                }
-            });
-        }
+        const std::size_t width = columns_.count, pixels = rows_.count * width, here = batch.here;
         double scale[lanes];
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const double given = answer_.scales[pupils[std::min(lane, here - 1)]];
+        for (std::size_t lane = 0; lane < here; ++lane) {
+            const double given = answer_.scales[batch.pupils[lane]];
             scale[lane] = given == 0.0 ? 1.0 : given;
         }
+        ChordalScratch<Real>& scratch = batch.scratch;
         scratch.intensity.resize(width * lanes);
+        scratch.fields.resize(More::wanted ? 2 * pixels * lanes : 0);
         Real* intensity = scratch.intensity.data();
         V top = splat<V>(Real(0));
-        gather(isa, stack_.outer.data(), pupils, here, *outer.terms, scratch);
-        chordal_fields(isa, *outer.terms, *outer.kernel, scratch, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
-            const Real* less = area_ > 0.0 ? scratch.inner.data() + 2 * y * width * lanes : nullptr;
+        pupil_fields(isa, batch, More::wanted, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
             for (std::size_t x = 0; x < width; ++x) {
-                V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
-                if (less != nullptr) {
-                    re = re - load<V>(less + 2 * x * lanes);
-                    im = im - load<V>(less + (2 * x + 1) * lanes);
-                }
+                const V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
                 const V i = re * re + im * im;
                 top = larger(top, i);
                 store(intensity + x * lanes, i);
             }
-            for (std::size_t lane = 0; lane < here; ++lane) {
-                T* to = answer_.images + pupils[lane] * pixels + y * width;
+            if constexpr (More::wanted) {
+                std::copy_n(u, 2 * width * lanes, scratch.fields.data() + y * 2 * width * lanes);
+            }
+            for (std::size_t lane = 0; lane < here && answer_.images != nullptr; ++lane) {
+                T* to = answer_.images + batch.pupils[lane] * pixels + y * width;
                 const double by = scale[lane];
                 for (std::size_t x = 0; x < width; ++x) {
                     to[x] = static_cast<T>(by * static_cast<double>(intensity[x * lanes + lane]));
@@ -270,22 +247,37 @@ class ChordalRenderer {
         });
         Real peaks[lanes];
         store(peaks, top);
+        bool any = false;
         for (std::size_t lane = 0; lane < here; ++lane) {
-            finish<Real>(pupils[lane], static_cast<double>(peaks[lane]), outer, inner);
+            any = finish(batch, batch.pupils[lane], static_cast<double>(peaks[lane])) || any;
+        }
+        if constexpr (More::wanted) {
+            if (any) {
+                more_.follow(isa, batch, scale, [&](std::size_t p, std::size_t degree) {
+                    return std::array<double, 3>{std::sqrt(states_[p].peak), error_of(batch, p, 0), error_of(batch, p, degree)};
+                });
+            }
         }
     }
 
+    // Of U, or of the field of P times a term of some degree.
     template <class Real>
-    void finish(std::size_t p, double peak, const Tables<Real>& outer, const Tables<Real>& inner) {
-        State& s = states_[p];
+    double error_of(const ChordalBatch<Real>& batch, std::size_t p, std::size_t degree) const {
+        const State& s = states_[p];
         const bool single = sizeof(Real) == sizeof(float);
-        const double error = stack_.lost[p] + wrong(s.far, outer.terms->count, single) +
-                             (area_ > 0.0 ? area_ * wrong(s.near, inner.terms->count, single) : 0.0);
+        return stack_.lost[p] + wrong(s.far, batch.disks[0].terms->count, single, degree) +
+               (area_ > 0.0 ? area_ * wrong(s.near, batch.disks[1].terms->count, single, degree) : 0.0);
+    }
+
+    // Whether that is within the tolerance.
+    template <class Real>
+    bool finish(const ChordalBatch<Real>& batch, std::size_t p, double peak) {
+        State& s = states_[p];
         s.peak = peak;
         const bool divide = answer_.scales[p] == 0.0;
-        s.relative = finished_error<T>(relative_error(peak, error), divide, true);
+        s.relative = finished_error<T>(relative_error(peak, error_of(batch, p, 0)), divide, true);
         if (!(s.relative <= tol_)) {
-            return;
+            return false;
         }
         answer_.bounds[p] = s.relative;
         answer_.peaks[p] = peak;
@@ -294,6 +286,7 @@ class ChordalRenderer {
             T* image = answer_.images + p * pixels;
             store_scaled(image, answer_.scales[p] = 1.0 / peak, pixels, image);
         }
+        return true;
     }
 
     const DiskStack& stack_;
@@ -301,6 +294,8 @@ class ChordalRenderer {
     double step_, tol_;
     int threads_;
     DiskAnswer<T> answer_;
+    More more_;
+    std::size_t degree_;  // the highest by which derivatives are wanted
     double area_;
     ChordLines lines_;
     std::vector<State> states_;

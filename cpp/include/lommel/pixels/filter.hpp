@@ -10,10 +10,11 @@
 
 namespace lommel {
 
-// Taps about the middle of a pixel that is `stride` samples wide.
+// Taps about the middle of a pixel that is `stride` samples wide, for what is never negative or may be.
 struct PixelFilter {
     const double* weights;
     std::size_t taps, stride;
+    bool negative = false;
 
     // Of pixels side by side, whose first takes the first sample.
     std::size_t samples(std::size_t pixels) const { return (pixels - 1) * stride + taps; }
@@ -82,7 +83,7 @@ struct PixelFilter {
             lines[k] = k % stride * each + k / stride;
         }
         sums<1>(isa, strands.data(), lines, weights, width, to);
-        for (std::size_t x = 0; x < width; ++x) {
+        for (std::size_t x = 0; x < width && !negative; ++x) {
             to[x] = std::max(to[x], 0.0);
         }
     }

@@ -1,4 +1,7 @@
 // Pupils of any Zernike terms on small windows, by the chordal rule.
+#include <vector>
+
+#include "lommel/chordal/gradient.hpp"
 #include "lommel/chordal/images.hpp"
 
 #include "pupils.hpp"
@@ -36,6 +39,23 @@ double derivatives(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
         center...);
 }
 
+template <class... Center>
+double gradient(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
+                double step, double tol, int threads, In<double, 3> weights, In<std::int32_t, 2> factors, Out<double, 2> values) {
+    const std::size_t pupils = pupils_of(edge);
+    const lommel::ChordalGradient wanted{factors_of(factors), weights.data(), values.data()};
+    require(weights.shape(0) == pupils, "one image of weights a pupil");
+    require(values.shape(0) == pupils && values.shape(1) == wanted.terms.size(), "one value a pupil and term");
+    std::vector<double> scales(pupils, 1.0), bounds(pupils), peaks(pupils);
+    const lommel::DiskAnswer<double> answer{nullptr, scales.data(), bounds.data(), peaks.data()};
+    return ask_disks<false>(
+        terms, edge, obscuration, amplitude, weights.shape(1), weights.shape(2), step, tol, threads,
+        [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
+            lommel::ChordalRenderer<double, lommel::ChordalGradient>(stack, window, tol, threads, answer, wanted).run();
+        },
+        center...);
+}
+
 }  // namespace
 
 void bindings::define_chordal(nb::module_& m) {
@@ -51,4 +71,10 @@ void bindings::define_chordal(nb::module_& m) {
               "centers"_a, "step"_a, "tol"_a, "threads"_a, "scale"_a, "images"_a.noconvert(), "numbers"_a.noconvert(),
               "factors"_a, "slopes"_a.noconvert(), "bounds"_a.noconvert(), "The same, each around an axis of its own.");
     });
+    m.def("chordal_gradient", &gradient<double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
+          "center_x"_a, "step"_a, "tol"_a, "threads"_a, "weights"_a, "factors"_a, "values"_a.noconvert(),
+          "Of the sum of weights times intensities over an image, the derivatives by the coefficients of terms.");
+    m.def("chordal_gradient", &gradient<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
+          "step"_a, "tol"_a, "threads"_a, "weights"_a, "factors"_a, "values"_a.noconvert(),
+          "The same, each around an axis of its own.");
 }

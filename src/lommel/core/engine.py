@@ -185,6 +185,33 @@ def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted)
     return made._replace(slopes=slopes)
 
 
+def chordal_gradient(
+    stack: DiskStack, window: Window, tol: float, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
+) -> Array:
+    """Return derivatives of weighted sums of the intensity by the coefficients of Zernike terms, shape (n, k).
+
+    Parameters
+    ----------
+    stack, window
+    tol : float
+        As of the images, whose nodes are taken: so these are the sums of weights times :class:`Slopes`, but for rounding.
+    weights : ndarray, shape (n, height, width)
+    terms : tuple of (int, int)
+        n and m of each.
+    threads : int, default 0
+
+    Raises
+    ------
+    ToleranceError
+        If `tol` cannot be met.
+    """
+    values = np.empty((len(stack.edge), len(terms)))
+    which = np.array(terms, dtype=np.int32)
+    unmet = _core.chordal_gradient(*stack, *window.center, window.step, tol, threads, weights, which, values)
+    _require(unmet, tol, "the largest value in the window")
+    return values
+
+
 def _disk_images(
     compute: Callable[..., float],
     over: str,

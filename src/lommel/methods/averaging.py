@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.arrays import Array
 from lommel.core.answers import Images, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import average_samples
 from lommel.methods.method import normalized_error, stored, storing
@@ -68,8 +69,7 @@ def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Want
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
     aim = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
-    # As if the largest average were a few times the least it can be, and the peak not faint.
-    finer, response = 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
+    finer, response = _first_errors(aim, step)
     for _ in range(5):
         taps = filtered_by(step, response, widest)
         try:
@@ -103,6 +103,13 @@ def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Want
     raise not_met(tol, 1.0 if not found.min() > 0 else float(bounds.max()), "the largest value in the window")
 
 
+def _first_errors(aim: float, step: float) -> tuple[float, float]:
+    """Return errors of samples and of a response that are likely to be enough for one of averages."""
+    # As if the largest average were a few times the least it can be, and the peak not faint.
+    lowest = least_average(step)
+    return 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
+
+
 def averaged_images(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
     """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
     made = averaged(sample, pupil, grid, tol, wanted)
@@ -114,6 +121,48 @@ def averaged_images(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted
     if wanted.terms:
         slopes = Slopes((made.values[1:] * scales[:, None, None]).astype(wanted.dtype), made.error[1:])
     return Images(values, scales, made.error[0], slopes, made.peak)
+
+
+def averaged_gradient(
+    sample: Callable[[Pupil, Grid, float, Array], Array],
+    pupil: Pupil,
+    grid: Grid,
+    tol: float,
+    weights: Array,
+    terms: int,
+) -> Array:
+    """Return derivatives of weighted sums of averages by so many coefficients, shape (n, terms).
+
+    From pupils, samples, a tolerance and weights of these, `sample` finds them. Filters and tolerance are those that
+    :func:`averaged` begins with, and mostly ends with.
+    """
+    finer, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
+
+    def by(widest: float) -> Array:
+        taps = filtered_by(grid.step(pupil), response, widest)
+        total, values = np.zeros((len(weights), terms)), math.prod(_samples(side, taps) for side in grid.shape)
+        for part, one, pixels in _blocks(pupil, grid, max(1, _VALUES // values)):
+            for rows, fine in _strips(pixels, taps):
+                total[part] += sample(one, fine, finer / taps.gain**2, spread_out(weights[part, rows], taps))
+        return total
+
+    try:
+        return by(_WIDEST)
+    except ToleranceError:
+        return by(_CLOSER)
+
+
+def spread_out(weights: Array, taps: Taps) -> Array:
+    """Return the weights that samples have in weighted sums of averages, shape (n, samples, samples)."""
+
+    def matrix(pixels: int) -> Array:
+        made = np.zeros((_samples(pixels, taps), pixels))
+        for pixel in range(pixels):
+            made[pixel * taps.stride :, pixel][: taps.weights.size] = taps.weights
+        return made
+
+    _, height, width = weights.shape
+    return np.ascontiguousarray(matrix(height) @ weights @ matrix(width).T)
 
 
 def least_average(step: float) -> float:
@@ -235,13 +284,17 @@ def filtered(
 
     None is less than 0 unless samples may be `negative`.
     """
+    for rows, fine in _strips(grid, taps):
+        average_samples(samples(fine), taps.weights, taps.stride, threads, out[:, rows], negative)
+    return out
+
+
+def _strips(grid: Grid, taps: Taps) -> Iterator[tuple[slice, Grid]]:
+    """Return some rows of pixels at once, and the samples that they take."""
     most = max(1, int(_VALUES / (_samples(grid.width, taps) * taps.stride)))
     for y in range(0, grid.height, most):
-        rows = out[:, y : y + most]
-        average_samples(
-            samples(_fine(grid, y, rows.shape[1], taps)), taps.weights, taps.stride, threads, rows, negative
-        )
-    return out
+        last = min(y + most, grid.height)
+        yield slice(y, last), _fine(grid, y, last - y, taps)
 
 
 def _samples(pixels: int, taps: Taps) -> int:

@@ -5,11 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+import numpy as np
+
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
-from lommel.core.engine import chordal_images
+from lommel.core.engine import chordal_gradient, chordal_images
 from lommel.methods.method import Method
-from lommel.methods.terms import disk_images
+from lommel.methods.terms import disk_images, disk_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
@@ -77,3 +80,38 @@ class ChordalGauss(Method):
         if wanted.terms and wanted.scale is None:
             raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
         return disk_images(chordal_images, pupil, grid, self.tol, wanted)
+
+    def gradient(
+        self, pupil: Pupil, grid: Grid, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
+    ) -> Array:
+        """Return derivatives of weighted sums of the values by the coefficients of Zernike terms, shape ``(n, k)``.
+
+        The transpose of the derivatives that :meth:`images` gives of the intensity itself: it costs about two images,
+        whatever the number of terms.
+
+        Parameters
+        ----------
+        pupil : Pupil
+        grid : Grid
+        weights : ndarray, shape (n, height, width)
+            Of the pixels of each image of the flattened stack.
+        terms : tuple of (int, int)
+            n and m of each term, its coefficient in radians at the edge.
+        threads : int, default 0
+            At most so many, 0 for as many as there are processors.
+
+        Raises
+        ------
+        ToleranceError
+            If images cannot meet the tolerance.
+        """
+
+        def sampled(some: Pupil, pixels: Grid, tol: float, of: Array) -> Array:
+            return chordal_gradient(disk_stack(some), window_of(some, pixels), tol, of, terms, threads)
+
+        weights = np.ascontiguousarray(weights, dtype=np.float64)
+        if not grid.integrate:
+            return sampled(pupil, grid, self.tol, weights)
+        from lommel.methods.averaging import averaged_gradient
+
+        return averaged_gradient(sampled, pupil, grid, self.tol, weights, len(terms))

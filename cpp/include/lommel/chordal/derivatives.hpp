@@ -88,7 +88,7 @@ LOMMEL_INLINE void times_factors(I, const FactorLanes& given, std::size_t chord,
 
 // What images alone are followed by.
 struct NoDerivatives {
-    static constexpr bool wanted = false;
+    static constexpr bool wanted = false, keeps_nodes = false;
     std::vector<ZernikeTerm> terms;
 };
 
@@ -103,7 +103,7 @@ inline std::size_t highest_degree(const std::vector<ZernikeTerm>& terms) {
 // [term][pupil]: derivatives of the intensity, scaled as images are, and bounds on their error over the peak.
 template <class T>
 struct ChordalDerivatives {
-    static constexpr bool wanted = true;
+    static constexpr bool wanted = true, keeps_nodes = true;
     std::vector<ZernikeTerm> terms;
     T* images;
     double* bounds;

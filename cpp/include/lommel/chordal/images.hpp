@@ -227,7 +227,7 @@ class ChordalRenderer {
         scratch.fields.resize(More::wanted ? 2 * pixels * lanes : 0);
         Real* intensity = scratch.intensity.data();
         V top = splat<V>(Real(0));
-        pupil_fields(isa, batch, More::wanted, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
+        pupil_fields(isa, batch, More::keeps_nodes, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
             for (std::size_t x = 0; x < width; ++x) {
                 const V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
                 const V i = re * re + im * im;

@@ -250,3 +250,78 @@ def test_the_obscuration_is_a_ratio_of_radii():
 def test_the_axes_of_a_stack_come_before_those_of_the_image():
     stack = lm.Pupil(lm.Wavefront(defocus=np.zeros((2, 1)), spherical=np.zeros(3)))
     assert lm.psf(stack, (4, 5), 0.5).values.shape == (2, 3, 4, 5)
+
+
+def slope(make, h: float) -> np.ndarray:
+    """Return the derivative of the values of what makes a PSF, by differences."""
+    return (8.0 * (make(h).values - make(-h).values) - make(2 * h).values + make(-2 * h).values) / (12.0 * h)
+
+
+def given(pupil: lm.Pupil, name: object, **asked) -> tuple[np.ndarray, float]:
+    answer = lm.psf(pupil, 9, 1e-6, derivatives=(name,), tol=1e-9, **asked)
+    return answer.derivatives[name], 1e-5 * float(np.abs(answer.derivatives[name]).max())
+
+
+def test_derivatives_by_the_wavefront_are_by_C_d_C_s_and_radians_at_the_edge():
+    known, light = lm.Wavefront(1.0, 0.5, nonradial={(3, 1): 0.7}), {"wavelength": 5e-7, "f_number": 4.0}
+    for name, one in (
+        ("defocus", lm.Wavefront(1.0)),
+        ("spherical", lm.Wavefront(0.0, 1.0)),
+        ("rho^6", lm.Wavefront(higher=(1.0,))),
+        ("rho^8", lm.Wavefront(higher=(0.0, 1.0))),
+        ((2, -2), lm.Wavefront(nonradial={(2, -2): 1.0})),
+        ("noll 8", lm.Wavefront(nonradial={(3, 1): 1.0})),
+        ("fringe 8", lm.Wavefront(nonradial={(3, -1): 1.0})),
+    ):
+        found, off = given(lm.Pupil(known, **light), name)
+        exact = slope(lambda h, one=one: lm.psf(lm.Pupil(known + h * one, **light), 9, 1e-6, tol=1e-10), 1e-2)
+        assert found == pytest.approx(exact, abs=off)
+
+
+def test_derivatives_by_row_and_column_are_by_the_place_of_the_axis():
+    pupil = lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 0.7}), wavelength=5e-7, f_number=4.0)
+    for name, place in (("row", lambda h: (4.2 + h, 3.7)), ("column", lambda h: (4.2, 3.7 + h))):
+        found, off = given(pupil, name, center=place(0.0))
+        exact = slope(lambda h, place=place: lm.psf(pupil, 9, 1e-6, tol=1e-10, center=place(h)), 1e-2)
+        assert found == pytest.approx(exact, abs=off)
+
+
+def test_the_derivative_by_the_wavelength_keeps_path_differences_and_the_f_number():
+    path = lm.Wavefront(1.0, nonradial={(3, 1): 0.7})
+
+    def at(longer: float) -> lm.Pupil:
+        return lm.Pupil(path * (5e-7 / (5e-7 + longer)), wavelength=5e-7 + longer, f_number=4.0)
+
+    found, off = given(at(0.0), "wavelength")
+    assert found == pytest.approx(slope(lambda h: lm.psf(at(h), 9, 1e-6, tol=1e-10), 1e-9), abs=off)
+
+
+def test_the_derivative_by_the_f_number_keeps_phases():
+    def at(more: float) -> lm.Pupil:
+        return lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 0.7}), wavelength=5e-7, f_number=4.0 + more)
+
+    found, off = given(at(0.0), "f_number")
+    assert found == pytest.approx(slope(lambda h: lm.psf(at(h), 9, 1e-6, tol=1e-10), 1e-2), abs=off)
+
+
+def test_the_derivative_by_the_object_distance_keeps_the_sensor(camera):
+    found, off = given(camera.pupil(2.02), "object_distance")
+    exact = slope(lambda h: lm.psf(camera.pupil(2.02 + h), 9, 1e-6, tol=1e-10), 1e-4)
+    assert found == pytest.approx(exact, abs=off)
+
+
+def test_the_derivative_by_the_focus_distance_moves_the_sensor(camera):
+    found, off = given(camera.pupil(2.02), "focus_distance")
+    exact = slope(lambda h: lm.psf(camera.focused(2.0 + h).pupil(2.02), 9, 1e-6, tol=1e-10), 1e-4)
+    assert found == pytest.approx(exact, abs=off)
+
+
+def test_the_derivative_by_the_obscuration_counts_the_light_that_it_takes():
+    def at(more: float) -> lm.Pupil:
+        wavefront = lm.Wavefront(1.0, nonradial={(3, 1): 0.7})
+        return lm.Pupil(wavefront, wavelength=5e-7, f_number=4.0, obscuration=0.4 + more)
+
+    for normalize in ("energy", "strehl"):
+        found, off = given(at(0.0), "obscuration", normalize=normalize)
+        exact = slope(lambda h, n=normalize: lm.psf(at(h), 9, 1e-6, tol=1e-10, normalize=n), 1e-3)
+        assert found == pytest.approx(exact, abs=off)

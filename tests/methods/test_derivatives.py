@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.core.answers import Wanted
 from lommel.methods.derivatives import POWERS, checked, parts
 
 LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=5.5e-7, obscuration=0.3)
@@ -209,3 +210,18 @@ def test_factors_are_those_of_the_conventions():
     assert focus.phases[1] == pytest.approx(2.0 * rate / 2.0**2)
     assert focus.growth == pytest.approx(lens.sensor_distance / 2.0**2)
     assert focus.own == pytest.approx(2.0 * focus.growth)
+
+
+@pytest.mark.parametrize(
+    ("method", "wanted", "told"),
+    [
+        (lm.Hankel(), Wanted(powers=(1,)), "use NijboerZernike or ChordalGauss"),
+        (lm.Hankel(), Wanted(terms=((3, 1),)), "use NijboerZernike or ChordalGauss"),
+        (lm.NijboerZernike(), Wanted(terms=((3, 1),)), "use ChordalGauss"),
+        (lm.Polychromatic([5e-7], [1]), Wanted(terms=((3, 1),)), "sums of those of its components"),
+        (lm.Polychromatic([5e-7], [1]), Wanted(powers=(1,)), "sums of those of its components"),
+    ],
+)
+def test_no_method_leaves_derivatives_out_silently(method, wanted, told):
+    with pytest.raises(ValueError, match=told):
+        method.images(lm.Pupil(wavelength=5e-7, f_number=2.0), lm.Grid(5, 1e-6), wanted)

@@ -128,7 +128,7 @@ def describe(psf: Answer) -> dict[str, Any]:
         "integrate": psf.grid.integrate,
         "unit": psf.unit,
         "error_bound": psf.error_bound,
-        "derivative_bounds": psf.derivative_bounds,
+        "derivative_bounds": {str(name): bound for name, bound in psf.derivative_bounds.items()},
         "scale": psf.scale.tolist(),
         "shape": list(psf.shape),
         "dtype": str(psf.values.dtype),
@@ -162,11 +162,11 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
         error_bound=bound,
         scale=scale,
         derivatives={
-            name.removeprefix(psf_numpy.SLOPE): _values(slope, dtype).reshape(shape)
-            for name, slope in arrays.items()
-            if name.startswith(psf_numpy.SLOPE)
+            psf_numpy.name(said.removeprefix(psf_numpy.SLOPE)): _values(slope, dtype).reshape(shape)
+            for said, slope in arrays.items()
+            if said.startswith(psf_numpy.SLOPE)
         },
-        derivative_bounds=dict(description["derivative_bounds"]),
+        derivative_bounds={psf_numpy.name(k): bound for k, bound in description["derivative_bounds"].items()},
     )
     # Values that are computed as sums may lie below 0 by their error.
     least = -(bound or 0.0) * float(scale.max())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,14 @@ from lommel.measures.answer import Answer
 SLOPE = "derivative "
 """Before the name of a derivative in a .npz file."""
 
+_TERM = re.compile(r"\(([0-9]+), (-?[0-9]+)\)")
 _MARK = b"\n#lommel "  # between the array and the description in a .npy file
+
+
+def name(said: str) -> str | tuple[int, int]:
+    """Return the name of a derivative, which files say as text: that of a Zernike term is (n, m)."""
+    found = _TERM.fullmatch(said)
+    return (int(found[1]), int(found[2])) if found else said
 
 
 def npy(psf: Answer, description: dict[str, Any]) -> bytes:

@@ -59,7 +59,7 @@ class Parts(NamedTuple):
 
 
 def checked(names: Sequence[Any], argument: str = "derivatives") -> tuple[Name, ...]:
-    """Return the names of derivatives, each once.
+    """Return the names of derivatives.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def checked(names: Sequence[Any], argument: str = "derivatives") -> tuple[Name, 
         raise TypeError(
             f"{argument} must be a sequence of names such as ('defocus', (3, 1)), got {validation.shown(names)}"
         )
-    return tuple(dict.fromkeys(_name(argument, name) for name in names))
+    return tuple(_name(argument, name) for name in names)
 
 
 def _name(argument: str, name: Any) -> Name:

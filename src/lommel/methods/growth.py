@@ -69,7 +69,7 @@ def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Arr
     """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
     step = grid.step(pupil)
     fine = engine.tightened(_FINER * engine.tol)
-    response = 1e-3 * engine.tol * least_average(step)
+    response = max(1e-3 * engine.tol * least_average(step), 1e-13)
     plain, growing = _alike(filtered_by(step, response), filtered_by(step, response, growing=True))
     count = math.prod(pupil.shape)
     total, error = np.empty((count, *grid.shape)), np.empty(count)

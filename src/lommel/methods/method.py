@@ -153,8 +153,10 @@ class Method(ABC):
         ToleranceError
             If the tolerance of the method cannot be met.
         """
-        if wanted.powers:
-            raise ValueError(f"derivatives are not available from {type(self).__name__}; use NijboerZernike")
+        if wanted.powers or wanted.terms:
+            raise ValueError(
+                f"derivatives are not available from {type(self).__name__}; use NijboerZernike or ChordalGauss"
+            )
         way = self
         made = way.intensity(pupil, grid, wanted.threads)
         while self.keeps_tol and (error := once_stored(made, wanted)) is not None and error.max() > self.tol:

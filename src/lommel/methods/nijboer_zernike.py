@@ -103,6 +103,8 @@ class NijboerZernike(FieldMethod):
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
+        if wanted.terms:
+            raise ValueError("derivatives by Zernike terms are not available from NijboerZernike; use ChordalGauss")
         if pupil.radial:
             window = window_of(pupil, grid)
             return radial_images(radial_stack(pupil), window, self.tol, wanted, integrate=grid.integrate)

@@ -130,10 +130,9 @@ class Polychromatic(Spectrum, RadialMethod):
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
-        if wanted.powers:
+        if wanted.powers or wanted.terms:
             raise ValueError(
-                "derivatives are not available from Polychromatic: sum those that NijboerZernike makes of the pupil "
-                "at each wavelength"
+                "derivatives of white light are sums of those of its components; ask lommel.psf for them"
             )
         aim = self.tol - 1.1 * storing(wanted.dtype)
         # Values divided by their own largest one are off by twice as much, and by nothing over the peak elsewhere.

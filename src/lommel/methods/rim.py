@@ -52,7 +52,7 @@ def by_obscuration(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array
     if not grid.integrate:
         return _samples(pupil, grid, error)
     step = grid.step(pupil)
-    taps = filtered_by(step, 0.1 * error * least_average(step))
+    taps = filtered_by(step, max(0.1 * error * least_average(step), 1e-13))
     total, off = np.empty((count, *grid.shape)), np.empty(count)
     # The transfer function of the product of two fields, the integral of whose magnitude is at most this.
     most = 2.0 * pupil.amplitude * _light(pupil)
@@ -122,12 +122,13 @@ def _fields(pupil: Pupil, x: Array, y: Array, weight: Array, across: Array, down
     """Return ``sum weight P exp(-i (v_x x + v_y y))`` over nodes for each of the flattened stack."""
     rho, theta = np.hypot(x, y), np.arctan2(y, x)
     light = weight * pupil.illumination.at(rho * rho)
-    wavefronts = pupil.wavefront.flattened()
+    wavefronts, shared = pupil.wavefront.flattened(), bool(np.all(across == across[0]) and np.all(down == down[0]))
     total = np.zeros((len(across), down.shape[1], across.shape[1]), dtype=np.complex128)
-    for i in range(len(total)):
-        strengths = light * np.exp(1j * wavefronts[i].phase(rho, theta))
-        for first in range(0, x.size, _NODES):
-            part = slice(first, first + _NODES)
-            rows = np.exp(-1j * np.outer(down[i], y[part])) * strengths[part]
-            total[i] += rows @ np.exp(-1j * np.outer(x[part], across[i]))
+    for first in range(0, x.size, _NODES):
+        part = slice(first, first + _NODES)
+        for i in range(len(total)):
+            if i == 0 or not shared:
+                rows, columns = np.exp(-1j * np.outer(down[i], y[part])), np.exp(-1j * np.outer(x[part], across[i]))
+            wave = light[part] * np.exp(1j * wavefronts[i].phase(rho[part], theta[part]))
+            total[i] += (rows * wave) @ columns
     return total

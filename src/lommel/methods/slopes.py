@@ -97,13 +97,25 @@ def differentiated(
     way, engine = engines(method, pupil, names, sums, tol)
     powers = isinstance(engine, NijboerZernike)
     sums = [each._replace(phases=translated(each.phases, powers=powers)) for each in sums]
-    keys = tuple(dict.fromkeys(key for each in sums for key in each.phases))
-    if way is engine and all(map(_single, sums)):
-        made = widened(_asked(engine, pupil, grid, wanted, keys), pupil, engine, normalized=False)
-        return way, made, _taken(made, sums, keys)
-    made = widened(_asked(way, pupil, grid, wanted), pupil, way, normalized=False)
-    pieces = _pieces(way, engine, pupil, grid, made, wanted, keys, sums)
-    return way, made, [_combined(each, made, pieces, wanted.dtype) for each in sums]
+    # What is one derivative times a factor is stored by what makes the images, all else summed in double precision.
+    easy = [way is engine and _single(each) for each in sums]
+    simple, others = (
+        [each for each, is_one in zip(sums, easy, strict=True) if is_one is which] for which in (True, False)
+    )
+    keys = _keys(simple)
+    made = widened(_asked(way, pupil, grid, wanted, keys), pupil, way, normalized=False)
+    taken = iter(_taken(made, simple, keys))
+    pieces = _pieces(way, engine, pupil, grid, made, wanted, others) if others else {}
+    slopes = [
+        next(taken) if is_one else _combined(each, made, pieces, wanted.dtype)
+        for each, is_one in zip(sums, easy, strict=True)
+    ]
+    return way, made, slopes
+
+
+def _keys(sums: Sequence[Parts]) -> tuple[Key, ...]:
+    """Return what derivatives are wanted by, each once."""
+    return tuple(dict.fromkeys(key for each in sums for key in each.phases))
 
 
 def single_light(method: Method | None) -> Method | None:
@@ -215,9 +227,9 @@ def _brightest(made: Images) -> Array:
 
 def _taken(made: Images, sums: Sequence[Parts], keys: tuple[Key, ...]) -> list[Slope]:
     """Return derivatives that are those by one coefficient each, times a factor."""
-    assert made.slopes is not None
     found, taken = [], set[int]()
     for each in sums:
+        assert made.slopes is not None
         ((key, factor),) = each.phases.items()
         at = keys.index(key)
         values, error, by = made.slopes.values[at], made.slopes.error[at], _each(factor, len(made.values))
@@ -249,7 +261,6 @@ def _pieces(
     grid: Grid,
     made: Images,
     wanted: Wanted,
-    keys: tuple[Key, ...],
     sums: Sequence[Parts],
 ) -> dict[Any, Piece]:
     """Return all that the derivatives of images are summed from but these, in double precision, over all light."""
@@ -257,6 +268,7 @@ def _pieces(
     if isinstance(engine, NijboerZernike) and size > 2.0:
         engine = engine.tightened(engine.tol / size)  # powers cancel
     grows, rim = (any(np.any(getattr(each, part)) for each in sums) for part in ("growth", "rim"))
+    keys = _keys(sums)
     asked = tuple(dict.fromkeys((*keys, *TILTS))) if grows else keys
     assert wanted.scale is not None
     faintest = float(_brightest(made).min()) / wanted.scale

@@ -13,7 +13,7 @@ from lommel.optics.pupil import Pupil
 
 
 def names(derivatives: Sequence[str | tuple[int, int]]) -> tuple[str | tuple[int, int], ...]:
-    """Return what `derivatives` are by, each once; TypeError or ValueError if there are none such."""
+    """Return what `derivatives` are by; TypeError or ValueError if there are none such."""
     if isinstance(derivatives, tuple) and not derivatives:
         return ()
     from lommel.methods.derivatives import checked  # most answers have none

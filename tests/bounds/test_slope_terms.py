@@ -1,0 +1,175 @@
+"""Bounds on derivatives, term by term, from the formulas of the page about the certificate, section 12."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.core.answers import Images, Slopes
+from lommel.methods import growth, rim, slopes
+from lommel.methods.averaging import filtered_by, least_average
+from lommel.methods.derivatives import Parts
+from lommel.methods.slopes import Piece, Slope
+
+U = 2.0**-53
+STORED = {np.float64: 6.0 * U, np.float32: 6.0 * U + 2.0**-24}
+LEFT = 1e-9
+PUPIL = lm.Pupil(
+    lm.Wavefront([1.0, 2.0], 0.5, nonradial={(3, 1): 0.7, (2, -2): 0.3}, error=LEFT),
+    obscuration=0.4,
+    apodization=lm.Apodization([0.5], error=3e-10),
+)
+E = PUPIL.wavefront.left_out + 6e-10
+
+
+def images(rng: np.random.Generator, kind: type, shape: tuple[int, ...] = (2, 4, 5)) -> Images:
+    """Made-up images, of which the second is brighter outside of the window."""
+    values = rng.uniform(0.0, 1.0, shape).astype(kind)
+    scale = np.full(len(values), 0.3)
+    peak = np.array([values[0].max() / 0.3, 7.0])[: len(values)]
+    made = Slopes(rng.normal(size=(3, *shape)).astype(kind), np.array([[1e-6, 2e-6], [3e-6, 4e-6], [5e-6, 1e-7]]))
+    return Images(values, scale, np.array([0.1, 0.2]), made, peak)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_a_sum_is_off_by_all_that_its_parts_are(kind):
+    rng = np.random.default_rng(1)
+    made = images(rng, kind)
+    pieces = {
+        key: Piece(rng.normal(size=(2, 4, 5)), rng.uniform(1e-7, 1e-6, 2)) for key in ((3, 1), 1, "growth", "rim")
+    }
+    pieces["unknown"] = Piece(np.zeros((1, 1, 1)), np.full(1, 3e-7))
+    each = Parts({(3, 1): np.array([2.0, -3.0]), 1: 0.7}, -1.5, -0.4, 2.5, 0.9)
+    found = slopes._combined(each, made, pieces, kind)
+    for i in range(2):
+        factors = {(3, 1): (2.0, -3.0)[i], 1: 0.7, "growth": -0.4, "rim": 2.5}
+        parts = [-1.5 * made.values[i].astype(float)]
+        parts += [factor * pieces[key].values[i] for key, factor in factors.items()]
+        exact = np.sum(parts, axis=0)
+        assert found.values[i] == pytest.approx(exact, rel=3e-7 if kind is np.float32 else 1e-14)
+        top = (made.values[0].max(), 7.0 * 0.3)[i]
+        bright = top / (1.0 + made.error[i])
+        off = 1.5 * made.error[i] * top + 0.9 * 3e-7
+        off += sum(abs(factor) * pieces[key].error[i] for key, factor in factors.items())
+        off += (5 + 8) * U * sum(np.abs(part).max() for part in parts)
+        off += STORED[kind] * np.abs(exact).max()
+        assert found.error[i] * bright == pytest.approx(off, rel=1e-12)
+    # With no more than what rounding and storing add.
+    alone = slopes._combined(Parts({1: 0.7}), made, {1: Piece(pieces[1].values, np.zeros(2))}, kind)
+    size = 0.7 * np.abs(pieces[1].values).max(axis=(1, 2))
+    bright = slopes._brightest(made)
+    assert alone.error * bright == pytest.approx((12.0 * U + STORED[kind]) * size, rel=1e-9)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_a_multiple_is_off_by_as_much_more_and_by_what_storing_adds(kind):
+    made = images(np.random.default_rng(2), kind)
+    keys = ((3, 1), (1, 1), (2, 2))
+    sums = [Parts({(3, 1): 1.0}), Parts({(1, 1): 2.0}), Parts({(2, 2): np.array([-0.3, 1.7])}), Parts({(3, 1): 1.0})]
+    as_is, twice, times, again = slopes._taken(made, sums, keys)
+    assert as_is.values.base is made.slopes.values
+    assert np.array_equal(as_is.error, made.slopes.error[0])
+    assert not np.shares_memory(again.values, as_is.values)
+    assert np.array_equal(twice.values, 2.0 * made.slopes.values[1])
+    assert twice.error == pytest.approx(2.0 * made.slopes.error[1], rel=1e-14)
+    bright = slopes._brightest(made)
+    stored = STORED[kind] * np.abs(times.values).reshape(2, -1).max(axis=1) / bright
+    assert times.error == pytest.approx(np.array([0.3, 1.7]) * made.slopes.error[2] + stored, rel=1e-9)
+
+
+def test_what_is_brightest_is_less_by_its_error():
+    made = images(np.random.default_rng(3), np.float64)
+    expected = np.array([made.values[0].max() / 1.1, 2.1 / 1.2])
+    assert slopes._brightest(made) == pytest.approx(expected, rel=1e-14)
+    alone = made._replace(peak=None)
+    assert slopes._brightest(alone)[1] == pytest.approx(made.values[1].max() / 1.2, rel=1e-14)
+
+
+class Engine(lm.ChordalGauss):
+    """Answers with ones, and with the errors that it is told to."""
+
+    def tightened(self, tol=None):
+        assert tol == pytest.approx(0.1 * self.tol)
+        return self
+
+    def images(self, pupil, grid, wanted):
+        values = np.ones((2, *grid.shape))
+        made = Slopes(np.full((len(wanted.terms), *values.shape), 0.5), np.full((len(wanted.terms), 2), 1e-5))
+        return Images(values, np.ones(2), np.array([1e-7, 2e-7]), made, np.array([1.5, 2.0]))
+
+
+@pytest.mark.parametrize("integrate", [False, True])
+def test_growth_is_off_by_what_tilts_and_finer_samples_are(integrate):
+    grid = lm.Grid((3, 5), 0.5, center=(0.5, 4.5), integrate=integrate)
+    step, engine = 0.5 * math.pi, Engine(1e-6)
+    tilts = [(np.full((2, 3, 5), 0.25), np.array([1e-6, 2e-6])), (np.full((2, 3, 5), -0.5), np.array([3e-6, 1e-6]))]
+    _, found = growth.growth(engine, PUPIL, grid, tilts)
+    far = step * np.array([4.5, 1.5])
+    expected = far[0] * (tilts[0][1] + 8 * U * 0.25) + far[1] * (tilts[1][1] + 8 * U * 0.5)
+    if integrate:
+        aim = 1e-3 * 1e-6 * least_average(step)
+        plain, growing = filtered_by(step, aim), filtered_by(step, aim, growing=True)
+        bright = PUPIL.amplitude**2
+        expected += 2.0 * (2.0 * plain.error + (1.0 + plain.error) * growing.error) * bright
+        expected += math.sqrt(8.0) * step * E * (2.0 + E) * bright
+        size = max(plain.weights.size, growing.weights.size)
+        samples = np.array([1.5, 2.0]) * (np.array([1e-7, 2e-7]) + (4 * size + 16) * U)
+        expected += 2.0 * plain.gain * growing.gain * samples
+    assert found == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("integrate", [False, True])
+@pytest.mark.parametrize("error", [1e-4, 1e-12])
+def test_the_rim_is_off_by_what_both_fields_are(integrate, error):
+    grid = lm.Grid((3, 4), 0.5, center=(1.0, 2.0), integrate=integrate)
+    _, found = rim.by_obscuration(PUPIL, grid, error)
+    a, eps = PUPIL.amplitude, 0.4
+    light = 2.0 * eps * float(PUPIL.illumination.at(np.array(eps**2)))
+    step, fine = 0.5 * math.pi, grid
+    if integrate:
+        taps = filtered_by(step, max(0.1 * error * least_average(step), 1e-13))
+        fine = rim.finer(grid, taps)
+        error = 0.3 * error
+    aim = max(0.1 * error / (a + light), 1e-15)
+    v = fine.step(PUPIL) / fine.pixel * math.hypot(np.abs(fine.x).max(), np.abs(fine.y).max())
+    degree = rim.degree_needed([(n, w) for (n, _), w in rim._amplitudes(PUPIL).items()], v, PUPIL.illumination, aim)
+    nodes = PUPIL.rule(degree).weight.size
+    terms = PUPIL.wavefront.terms
+    phases = max(
+        sum(abs(c) * (n * n + len(terms) + 10) for (n, _), c in zip(terms, edge, strict=True))
+        for edge in PUPIL.wavefront.edge
+    )
+    left = E + U * (phases + 12.0 * v + 3 * 512 + nodes / 512 + 40)
+    of_disk, of_rim = aim + left * a, aim + left * light
+    expected = 2.0 * (a * of_rim + light * of_disk + of_disk * of_rim)
+    if integrate:
+        expected = taps.gain**2 * (expected + (2 * taps.weights.size + 8) * U * 2.0 * a * light)
+        expected += (2.0 + taps.error) * taps.error * 2.0 * a * light
+    assert found == pytest.approx(np.full(2, expected), rel=1e-9)
+
+
+def test_what_is_left_out_is_in_each_part():
+    pupil = lm.Pupil(PUPIL.wavefront, obscuration=0.4, apodization=PUPIL.apodization, wavelength=5e-7, f_number=3.0)
+    grid, engine = lm.Grid(5, 1e-6), Engine(1e-6)
+    made = Images(np.ones((2, 5, 5)), np.full(2, 0.3), np.full(2, 0.1), None, np.full(2, 4.0))
+    sums = [Parts({(3, 1): 1.0}, rim=1.0, unknown=1.0)]
+    found = slopes._pieces(engine, engine, pupil, grid, made, slopes.Wanted(0.3), sums)
+    left = E * pupil.amplitude**2
+    assert found["unknown"].error == pytest.approx([0.3 * 2.0 * left], rel=1e-12)
+    assert found[3, 1].error == pytest.approx(0.3 * (1e-5 * np.array([1.5, 2.0]) + 4.0 * left), rel=1e-12)
+    # The rim is asked for a tenth of the tolerance of the faintest peak.
+    _, bound = rim.by_obscuration(pupil, grid, 0.1 * 1e-6 * 4.0 / 1.1)
+    assert found["rim"].error == pytest.approx(0.3 * bound, rel=1e-12)
+    white = lm.Polychromatic([4e-7, 5e-7], [1, 3], lm.ChordalGauss())
+    parts = white.components(pupil)
+    found = slopes._pieces(white, engine, pupil, grid, made, slopes.Wanted(0.3), [Parts({(3, 1): 1.0})])
+    left = [(part.pupil.wavefront.left_out + 6e-10) * pupil.amplitude**2 for part in parts]
+    expected = sum(
+        0.3 * part.weight * part.stretch * (1e-5 * np.array([1.5, 2.0]) + 4.0 * off)
+        for part, off in zip(parts, left, strict=True)
+    )
+    assert found[3, 1].error == pytest.approx(expected, rel=1e-12)
+    assert isinstance(slopes._combined(Parts({(3, 1): 1.0}), made, found, np.float64), Slope)

@@ -17,6 +17,7 @@ from lommel import (
     special as special,
 )
 from lommel.core.answers import ToleranceError as ToleranceError
+from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.information import Information as Information
 from lommel.estimation.noise import Noise as Noise
 from lommel.field.maps import FieldMap as FieldMap

@@ -86,6 +86,21 @@ def test_two_that_differ_by_more_than_their_errors_are_known():
     assert -1.0 <= found.correlation[0, 2] < -0.999999
 
 
+def test_all_with_a_part_in_what_is_unknown_are_unknown_and_no_others():
+    unit = np.linalg.qr(DRAW.normal(size=(9, 4)))[0]
+    # Moving by (0.1, 0.7, -0.7) in the first three changes nothing; the fifth changes nothing by itself.
+    third = (0.1 * unit[:, 0] + 0.7 * unit[:, 1]) / 0.7
+    root = np.stack([unit[:, 0], unit[:, 1], third, unit[:, 2], 0.0 * third], axis=1)
+    assert told(root).unidentifiable == ("a", "b", "c", "e")
+
+
+def test_one_of_large_error_does_not_hide_what_is_unknown_without_it():
+    unit = np.linalg.qr(DRAW.normal(size=(9, 2)))[0]
+    root = np.stack([unit[:, 0], unit[:, 0], unit[:, 1]], axis=1)
+    found = lm.Information.of_root(tuple("abc"), dict.fromkeys("abc", ""), root, np.array([1e-6, 1e-6, 0.9]))
+    assert found.unidentifiable == ("a", "b")
+
+
 def test_of_no_combination_more_is_known_than_of_its_parts_where_nothing_is():
     found = told(np.zeros((3, 2)))
     assert found.unidentifiable == ("a", "b")

@@ -51,6 +51,15 @@ def test_noise_comes_back_from_plain_types_and_from_a_pickle(noise):
     assert noise != "noise"
 
 
+def test_a_map_is_a_copy_that_cannot_be_changed():
+    given = MAP.copy()
+    noise = lm.Noise(read=given)
+    given[:] = 0.0
+    assert np.array_equal(noise.read, MAP)
+    with pytest.raises(ValueError, match="read-only"):
+        noise.read[0, 0] = 1.0
+
+
 @pytest.mark.parametrize(
     ("options", "error", "said"),
     [

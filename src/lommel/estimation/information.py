@@ -10,9 +10,7 @@ import numpy as np
 
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.units import format_length
-
-Name = str | tuple[int, int]
-"""A parameter: as the derivatives of a PSF, the light, or what of that is an image's own."""
+from lommel.methods.derivatives import Name
 
 _EPS = float(np.finfo(np.float64).eps)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import runpy
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -121,6 +122,19 @@ def test_a_dark_pixel_hides_nothing_that_others_tell():
     assert found.deviation["column"] == pytest.approx(
         lm.fisher(lm.Pupil(), **line, tol=1e-10).deviation["column"], rel=1e-3
     )
+
+
+@pytest.mark.parametrize("pupil", [COMA, [COMA, COMA]], ids=["one image", "two images"])
+def test_a_derivative_within_its_bound_tells_nothing(pupil, monkeypatch):
+    exact = lm.Plan.__call__
+
+    def looser(self, pupil, **options):
+        answer = exact(self, pupil, **options)
+        return replace(answer, derivative_bounds=answer.derivative_bounds | {"row": 2.0})
+
+    monkeypatch.setattr(lm.Plan, "__call__", looser)
+    found = lm.fisher(pupil, 11, 2e-6, of=("row", "column"), photons=1e3, background=1.0)
+    assert found.unidentifiable == ("row",)
 
 
 def test_what_no_light_reaches_tells_nothing():

@@ -100,6 +100,11 @@ double judged(const Work& work) {
     return 0.0;
 }
 
+inline std::size_t pupils_of(const In<double, 2>& edge) {
+    require(edge.shape(0) > 0, "one pupil at least");
+    return edge.shape(0);
+}
+
 inline void require_terms(const std::vector<lommel::ZernikeTerm>& list) {
     for (auto term = list.begin(); term != list.end(); ++term) {
         const std::int32_t n = term->n, order = std::abs(term->m);
@@ -108,18 +113,18 @@ inline void require_terms(const std::vector<lommel::ZernikeTerm>& list) {
     }
 }
 
-// Calls work(stack, window) for pupils that are not radially symmetric around one axis, (row, column), or each around its own;
-// engines move the axes to pixels or not.
+// Asks about pupils that are not radially symmetric around one axis, (row, column), or each around its own: work(stack, window),
+// axes moved to pixels or not. 0, or the bound that is left.
 template <bool Moves, class Work, class... Center>
-double on_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration, const In<double, 1>& amplitude,
-                std::size_t height, std::size_t width, double step, double tol, int threads, const Work& work,
-                const Center&... center) {
+double ask_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration, const In<double, 1>& amplitude,
+                 std::size_t height, std::size_t width, double step, double tol, int threads, const Work& work,
+                 const Center&... center) {
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     const lommel::Amplitude light = amplitude_of(amplitude);
-    const std::size_t n = edge.shape(0);
-    require(n > 0, "one pupil at least");
+    const std::size_t n = pupils_of(edge);
     obscuration_of(obscuration);
+    require_image(height, width);
     if constexpr (sizeof...(Center) == 2) {
         require_center(center...);
     } else {
@@ -143,7 +148,7 @@ double on_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, dou
 }
 
 template <class T>
-lommel::DiskAnswer<T> disk_answer(std::size_t pupils, double scale, const Out<T, 3>& images, const Out<double, 2>& numbers) {
+lommel::DiskAnswer<T> disk_answer_of(std::size_t pupils, double scale, const Out<T, 3>& images, const Out<double, 2>& numbers) {
     const lommel::Answer<T> answer = answer_of(pupils, scale, images, numbers);
     return {answer.images, answer.scales, answer.bounds, answer.peaks};
 }
@@ -151,12 +156,13 @@ lommel::DiskAnswer<T> disk_answer(std::size_t pupils, double scale, const Out<T,
 template <template <class> class Engine, bool Moves, class T, class... Center>
 double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
                    double step, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers) {
-    const lommel::DiskAnswer<T> answer = disk_answer(edge.shape(0), scale, images, numbers);
-    const auto work = [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
-        Engine<T>(stack, window, tol, threads, answer).run();
-    };
-    return on_disks<Moves>(terms, edge, obscuration, amplitude, images.shape(1), images.shape(2), step, tol, threads, work,
-                           center...);
+    const lommel::DiskAnswer<T> answer = disk_answer_of(pupils_of(edge), scale, images, numbers);
+    return ask_disks<Moves>(
+        terms, edge, obscuration, amplitude, images.shape(1), images.shape(2), step, tol, threads,
+        [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
+            Engine<T>(stack, window, tol, threads, answer).run();
+        },
+        center...);
 }
 
 template <template <class> class Engine, bool Moves>

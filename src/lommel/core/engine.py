@@ -172,48 +172,59 @@ def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) 
 
 
 def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
-    """Return the same by the chordal rule, with errors over the largest value in the window, and its derivatives."""
-    compute = _core.chordal_slopes if wanted.terms else _core.chordal_images
-    return _disk_images(compute, "the largest value in the window", stack, window, tol, wanted)
+    """Return the same by the chordal rule, with errors over the largest value in the window.
+
+    Derivatives by the terms that `wanted` names are over the same value; their errors are bounded, not held to `tol`.
+    """
+    over = "the largest value in the window"
+    if not wanted.terms:
+        return _disk_images(_core.chordal_images, over, stack, window, tol, wanted)
+    terms, count = np.array(wanted.terms, dtype=np.int32), len(stack.edge)
+    slopes = Slopes(np.empty((len(terms), count, *window.shape), wanted.dtype), np.empty((len(terms), count)))
+    made = _disk_images(_core.chordal_derivatives, over, stack, window, tol, wanted, terms, *slopes)
+    return made._replace(slopes=slopes)
 
 
 def chordal_gradient(
     stack: DiskStack, window: Window, tol: float, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
 ) -> Array:
-    """Return the sum over pixels of weights times the derivatives of I, at the cost of about two images.
+    """Return derivatives of weighted sums of the intensity by the coefficients of Zernike terms, shape (n, k).
 
     Parameters
     ----------
-    stack, window, tol
-        As of :func:`chordal_images`, the tolerance for the images.
+    stack, window
+    tol : float
+        As of the images, whose nodes are taken: sums of weights times :class:`Slopes`, but for rounding.
     weights : ndarray, shape (n, height, width)
     terms : tuple of (int, int)
-        n and m of the Zernike terms whose coefficients derivatives are by.
-    threads : int
+        n and m of each.
+    threads : int, default 0
 
-    Returns
-    -------
-    ndarray, shape (n, len(terms))
+    Raises
+    ------
+    ToleranceError
+        If `tol` cannot be met.
     """
-    gradient = np.empty((len(stack.edge), len(terms)))
-    factors = np.array(terms, dtype=np.int32)
-    given: tuple[Any, ...] = (*stack, *window.center, window.step, tol, threads, weights, factors, gradient)
-    _core.chordal_gradient(*given)
-    return gradient
+    values, which = np.empty((len(stack.edge), len(terms))), np.array(terms, dtype=np.int32)
+    given: tuple[Any, ...] = (*stack, *window.center, window.step, tol, threads, weights, which, values)
+    unmet = _core.chordal_gradient(*given)
+    _require(unmet, tol, "the largest value in the window")
+    return values
 
 
 def _disk_images(
-    compute: Callable[..., float], over: str, stack: DiskStack, window: Window, tol: float, wanted: Wanted
+    compute: Callable[..., float],
+    over: str,
+    stack: DiskStack,
+    window: Window,
+    tol: float,
+    wanted: Wanted,
+    *more: Any,
 ) -> Images:
     _, values, numbers = places = _places(len(stack.edge), window, wanted)
-    slopes: Slopes | None = None
-    more: tuple[Any, ...] = ()
-    if n := len(wanted.terms):
-        slopes = Slopes(np.empty((n, *values.shape), values.dtype), np.empty((n, len(values))))
-        more = (np.array(wanted.terms, dtype=np.int32), *slopes)
     unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places, *more)
     _require(unmet, tol, over)
-    return Images(values, numbers[0], numbers[1], slopes, numbers[2])
+    return Images(values, numbers[0], numbers[1], None, numbers[2])
 
 
 def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:

@@ -74,8 +74,7 @@ def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Want
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
     aim = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
-    # As if the largest average were a few times the least it can be, and the peak not faint.
-    finer, response = 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
+    finer, response = _first_errors(aim, step)
     for _ in range(5):
         taps = filtered_by(step, response, widest)
         try:
@@ -104,6 +103,13 @@ def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Want
             finer *= min(1.0, 0.5 * aim / float((given[0] / found).max()))
         response *= min(1.0, 0.2 * aim / float((own / found).max()))
     raise not_met(tol, 1.0 if not found.min() > 0 else float(bounds.max()), "the largest value in the window")
+
+
+def _first_errors(aim: float, step: float) -> tuple[float, float]:
+    """Return errors of samples and of a response that are likely to be enough for one of averages."""
+    # As if the largest average were a few times the least it can be, and the peak not faint.
+    lowest = least_average(step)
+    return 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
 
 
 def averaged_images(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
@@ -235,16 +241,14 @@ def filtered(
 
     The first of the k is an intensity, the others need not be positive.
     """
-    most = max(1, int(_VALUES / (len(out) * _samples(grid.width, taps) * taps.stride)))
-    for y in range(0, grid.height, most):
-        rows = out[:, :, y : y + most]
+    for y, rows in _strips(out, taps):
         for k, fine in enumerate(samples(_fine(grid, y, rows.shape[2], taps))):
             average_samples(fine, taps.weights, taps.stride, threads, rows[k], -math.inf if k else 0.0)
     return out
 
 
 def averaged_gradient(
-    gradient: Callable[[Pupil, Grid, NDArray[np.float64]], NDArray[np.float64]],
+    gradient: Callable[[Pupil, Grid, float, NDArray[np.float64]], NDArray[np.float64]],
     pupil: Pupil,
     grid: Grid,
     tol: float,
@@ -252,20 +256,35 @@ def averaged_gradient(
 ) -> NDArray[np.float64]:
     """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels.
 
-    By the transpose of the filter: `gradient` is asked about samples, with weights for these.
+    By the transpose of the filter: `gradient` is asked about samples, with a tolerance and weights for these. Filter
+    and tolerance are those that :func:`averaged` begins with, and mostly ends with.
     """
-    taps = filtered_by(grid.step(pupil), 2e-3 * tol * least_average(grid.step(pupil)))
-    most = max(1, int(_VALUES / (_samples(grid.width, taps) * taps.stride)))
-    found = []
-    for part, one, pixels in blocks(pupil, grid, taps):
-        sums: Any = 0.0
-        for y in range(0, grid.height, most):
-            rows = weights[part, y : y + most]
-            across = _transposed(rows, taps)
-            down = np.ascontiguousarray(_transposed(across.swapaxes(1, 2), taps).swapaxes(1, 2))
-            sums += gradient(one, _fine(pixels, y, rows.shape[1], taps), down)
-        found.append(sums)
-    return np.concatenate(found)
+    finer, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
+
+    def by(widest: float) -> NDArray[np.float64]:
+        taps = filtered_by(grid.step(pupil), response, widest)
+        found = []
+        for part, one, pixels in blocks(pupil, grid, taps):
+            sums: Any = 0.0
+            for y, rows in _strips(weights[part], taps):
+                across = _transposed(rows, taps)
+                down = np.ascontiguousarray(_transposed(across.swapaxes(1, 2), taps).swapaxes(1, 2))
+                sums += gradient(one, _fine(pixels, y, rows.shape[1], taps), finer / taps.gain**2, down)
+            found.append(sums)
+        return np.concatenate(found)
+
+    try:
+        return by(_WIDEST)
+    except ToleranceError:
+        return by(_CLOSER)
+
+
+def _strips(values: NDArray[Any], taps: Taps) -> Iterator[tuple[int, NDArray[Any]]]:
+    """Return the first of some rows of (..., n, height, width) that are filtered at once, and these."""
+    each = math.prod(values.shape[:-3]) * _samples(values.shape[-1], taps) * taps.stride
+    most = max(1, int(_VALUES / each))
+    for y in range(0, values.shape[-2], most):
+        yield y, values[..., y : y + most, :]
 
 
 def _transposed(values: NDArray[np.float64], taps: Taps) -> NDArray[np.float64]:

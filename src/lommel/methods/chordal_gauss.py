@@ -6,12 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import chordal_gradient, chordal_images
-from lommel.methods.averaging import averaged_gradient
 from lommel.methods.method import Method
 from lommel.methods.terms import disk_images, disk_stack, window_of
 from lommel.optics.grid import Grid
@@ -76,47 +75,43 @@ class ChordalGauss(Method):
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
+        if wanted.powers:
+            raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
+        if wanted.terms and wanted.scale is None:
+            raise ValueError('derivatives of values divided by their largest one are not available: normalize="peak"')
         return disk_images(chordal_images, pupil, grid, self.tol, wanted)
 
     def gradient(
-        self,
-        pupil: Pupil,
-        grid: Grid,
-        weights: NDArray[np.float64],
-        terms: tuple[tuple[int, int], ...],
-        threads: int = 0,
-    ) -> NDArray[np.float64]:
-        """Return the gradient of a sum over pixels of weights times I, at the cost of about two images.
+        self, pupil: Pupil, grid: Grid, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
+    ) -> Array:
+        """Return derivatives of weighted sums of the values by the coefficients of Zernike terms, shape ``(n, k)``.
+
+        The transpose of the derivatives that :meth:`images` gives of the intensity itself: it costs about two images,
+        whatever the number of terms.
 
         Parameters
         ----------
         pupil : Pupil
         grid : Grid
-        weights : ndarray, shape ``(n, height, width)``
-            Of the flattened stack.
+        weights : ndarray, shape (n, height, width)
+            Of the pixels of each image of the flattened stack.
         terms : tuple of (int, int)
-            n and m of the Zernike terms by whose coefficients (radians at the edge) derivatives are.
+            n and m of each term, its coefficient in radians at the edge.
         threads : int, default 0
             At most so many, 0 for as many as there are processors.
 
-        Returns
-        -------
-        ndarray, shape ``(n, len(terms))``
-
         Raises
         ------
-        ValueError
-            As :meth:`images` does.
-
-        References
-        ----------
-        A. S. Jurling and J. R. Fienup, J. Opt. Soc. Am. A 31, 1348 (2014), doi:10.1364/JOSAA.31.001348.
+        ToleranceError
+            If images cannot meet the tolerance.
         """
-        self.require(pupil)
 
-        def sampled(some: Pupil, pixels: Grid, there: NDArray[np.float64]) -> NDArray[np.float64]:
-            return chordal_gradient(disk_stack(some), window_of(some, pixels), self.tol, there, terms, threads)
+        def sampled(some: Pupil, pixels: Grid, tol: float, of: Array) -> Array:
+            return chordal_gradient(disk_stack(some), window_of(some, pixels), tol, of, terms, threads)
 
-        if grid.integrate:
-            return averaged_gradient(sampled, pupil, grid, self.tol, weights)
-        return sampled(pupil, grid, weights)
+        weights = np.ascontiguousarray(weights, dtype=np.float64)
+        if not grid.integrate:
+            return sampled(pupil, grid, self.tol, weights)
+        from lommel.methods.averaging import averaged_gradient
+
+        return averaged_gradient(sampled, pupil, grid, self.tol, weights)

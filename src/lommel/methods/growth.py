@@ -10,12 +10,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Wanted
+from lommel.core.answers import Images, Wanted
 from lommel.methods.averaging import Taps, blocks, filtered_by, finer, least_average, weighed
+from lommel.methods.choice import first_proven
 from lommel.methods.method import Method
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
@@ -78,13 +80,19 @@ def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Arr
     missed += math.sqrt(8.0) * step * left * (2.0 + left) * pupil.amplitude**2
     rounded = (4 * plain.weights.size + 16) * 2.0**-53
     for part, one, pixels in blocks(pupil, grid, plain):
-        made = fine.images(one, finer(pixels, plain), Wanted(threads=threads))
+        samples = finer(pixels, plain)
+        # Double precision may hold what is asked for, and no less.
+        _, made = first_proven((fine, engine), partial(_ask, one, samples, threads))
         assert made.error is not None
         assert made.peak is not None
         total[part] = weighed(made.values, plain, growing, threads)
         total[part] += weighed(made.values, growing, plain, threads)
         error[part] = 2.0 * plain.gain * growing.gain * made.peak * (made.error + rounded) + missed
     return total, error
+
+
+def _ask(pupil: Pupil, grid: Grid, threads: int, way: Method) -> Images:
+    return way.images(pupil, grid, Wanted(threads=threads))
 
 
 def _alike(one: Taps, other: Taps) -> tuple[Taps, Taps]:

@@ -13,6 +13,7 @@
 
 namespace lommel {
 
+constexpr double single_roundoff = 5.9604644775390625e-08;
 constexpr std::size_t max_chords = 1024;  // chords of the disk, and nodes on each
 
 // The two sums of the rule: over chords, and over the nodes of each.
@@ -48,6 +49,11 @@ struct ChordLine {
         const double twice = 2.0 * static_cast<double>(n), b = chord_curves.b[curve];
         const double least = std::exp(std::min(exponent - twice * b, 690.0));
         return sum == Sum::nodes ? least : least / -std::expm1(-(twice + 2.0) * b);
+    }
+    // Of the integrand times a Zernike term of degree n.
+    ChordLine times(std::size_t n) const {
+        const double x = static_cast<double>(n) * chord_curves.b[curve];
+        return {curve, n == 0 ? exponent : exponent + x + std::log1p(std::exp(-2.0 * x)) - std::log(2.0)};
     }
     // The size for an error, roughly; and one that is in use, above max_chords where it takes more.
     double needed(double error) const { return 0.5 * (exponent - std::log(error)) * chord_curves.inverse[curve]; }
@@ -150,8 +156,13 @@ class ChordBound {
 
     // What is added where sums are in single precision, and phases are sums of so many terms in units of 2^-32 turns.
     static double single_rounding(double chords, double nodes, std::size_t terms) {
-        constexpr double single = 5.9604644775390625e-08;
-        return single * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
+        return single_roundoff * (30.0 + 0.375 * chords + 0.5 * nodes) + 7.4e-10 * static_cast<double>(terms + 4);
+    }
+
+    // What is added where the integrand is multiplied by a term of degree n.
+    static double factor_rounding(std::size_t n, bool single) {
+        const double square = static_cast<double>(n * n);
+        return n == 0 ? 0.0 : unit_roundoff * (6.0 + (wider ? 0.0 : 6.0 * square)) + (single ? 4.0 * single_roundoff : 0.0);
     }
 
     [[noreturn]] void refuse(Sum sum, const ChordLine& line, double error) const {

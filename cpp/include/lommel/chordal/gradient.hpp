@@ -1,227 +1,203 @@
-// The gradient of a sum over pixels of weights times the intensity, by the coefficients of any number of Zernike terms, for the
-// price of about two images: the transform of U, its transpose, and one sum over nodes for all terms.
+// The reverse of derivatives: of a weighted sum of the pixels of an image, by the coefficients of all terms at once. With w the
+// weight of a pixel, G = sum w conj(U) e^(-i v r) at each node is the transform's transpose, and the derivative by the
+// coefficient of Z is -2 Im sum Z P G.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <utility>
 #include <vector>
 
-#include "lommel/chordal/slopes.hpp"
+#include "lommel/chordal/batch.hpp"
 
 namespace lommel {
 
-// The transpose of the product along x: from pixels[row][column][re, im] to chords, as chordal_fields() lays them out.
-template <class I>
-LOMMEL_INLINE void transposed_columns(I, const KernelTable<double>& kernel, const double* pixels, double* chords) {
-    using V = typename I::pack;
-    constexpr std::size_t lanes = I::lanes;
+// sum[k] += table[k][r] * data[r] for every vector c: the transpose of multiply().
+template <std::size_t R, std::size_t C, class V, class Real>
+LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t count, std::size_t pitch, Real* sum) {
+    constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
+    for (std::size_t k = 0; k < count; ++k, table += R, sum += pitch) {
+        V s[C];
+        for (std::size_t c = 0; c < C; ++c) {
+            s[c] = load<V>(sum + c * lanes);
+        }
+        for (std::size_t r = 0; r < R; ++r) {
+            const V t = splat<V>(table[r]);
+            for (std::size_t c = 0; c < C; ++c) {
+                s[c] = s[c] + t * data[r][c];
+            }
+        }
+        for (std::size_t c = 0; c < C; ++c) {
+            store(sum + c * lanes, s[c]);
+        }
+    }
+}
+
+// What columns make of pixels[row][column][re, im]: chords[row][even, odd in x][chord][re, im], the latter without its -i.
+template <class I, class Real>
+LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
     const std::size_t half = kernel.count.half_chords(), line = half * 2 * lanes;
+    std::fill_n(chords, kernel.rows.count * 2 * line, Real(0));
     for (std::size_t y = 0; y < kernel.rows.count; ++y) {
         look();
-        const double* row = pixels + y * kernel.columns.count * 2 * lanes;
-        double *even = chords + y * 2 * line, *odd = even + line;
-        std::fill_n(even, 2 * line, 0.0);
+        const Real* from = pixels + y * kernel.columns.count * 2 * lanes;
+        Real* to = chords + y * 2 * line;
         for_fixed_tiles<column_tile>(kernel.columns.at.size(), [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;
-            V a[R][2], b[R][2];
+            V even[R][2], odd[R][2];
             for (std::size_t r = 0; r < R; ++r) {
-                const double* plus = row + kernel.columns.plus[first + r] * 2 * lanes;
-                const V re = load<V>(plus), im = load<V>(plus + lanes);
-                V re_minus = splat<V>(0.0), im_minus = re_minus;
-                if (kernel.columns.minus[first + r] != WindowAxis::none) {
-                    const double* minus = row + kernel.columns.minus[first + r] * 2 * lanes;
-                    re_minus = load<V>(minus);
-                    im_minus = load<V>(minus + lanes);
-                }
-                a[r][0] = re + re_minus;
-                a[r][1] = im + im_minus;
-                b[r][0] = im_minus - im;
-                b[r][1] = re - re_minus;
-            }
-            const double *cosines = kernel.column_cos.data() + first * half, *sines = kernel.column_sin.data() + first * half;
-            for (std::size_t i = 0; i < half; ++i, cosines += R, sines += R) {
+                const std::size_t plus = kernel.columns.plus[first + r], minus = kernel.columns.minus[first + r];
                 for (std::size_t part = 0; part < 2; ++part) {
-                    double *to = even + (2 * i + part) * lanes, *on = odd + (to - even);
-                    V e = load<V>(to), o = load<V>(on);
-                    for (std::size_t r = 0; r < R; ++r) {
-                        e = e + splat<V>(cosines[r]) * a[r][part];
-                        o = o + splat<V>(sines[r]) * b[r][part];
-                    }
-                    store(to, e);
-                    store(on, o);
+                    const V here = load<V>(from + (2 * plus + part) * lanes);
+                    const V there = minus == WindowAxis::none ? splat<V>(Real(0)) : load<V>(from + (2 * minus + part) * lanes);
+                    even[r][part] = here + there;
+                    odd[r][part] = here - there;
                 }
             }
+            spread<R, 2>(kernel.column_cos.data() + first * half, even, half, 2 * lanes, to);
+            spread<R, 2>(kernel.column_sin.data() + first * half, odd, half, 2 * lanes, to + line);
         });
     }
 }
 
-// And of that along y, for one pair of chords: to [even, odd in y][node][even, odd in x][re, im].
-template <class I>
-LOMMEL_INLINE void transposed_rows(I, const KernelTable<double>& kernel, const double* chords, std::size_t chord,
-                                   double* nodes) {
-    using V = typename I::pack;
-    constexpr std::size_t lanes = I::lanes;
-    const std::size_t within = kernel.count.half_nodes(), line = kernel.count.half_chords() * 2 * lanes;
-    const std::size_t rows = kernel.rows.at.size();
-    std::fill_n(nodes, chord_values(kernel.count, lanes), 0.0);
+// What rows make of that on a pair of chords: nodes[even, odd in y][node][even, odd in x][re, im], as the pupil function lies.
+template <class I, class Real>
+LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const std::size_t line = kernel.count.half_chords() * 2 * lanes, rows = kernel.rows.at.size();
+    const std::size_t within = kernel.count.half_nodes();
+    std::fill_n(nodes, within * 8 * lanes, Real(0));
     for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
         constexpr std::size_t R = decltype(size)::value;
-        V a[R][4], b[R][4];
+        V even[R][4], odd[R][4];
         for (std::size_t r = 0; r < R; ++r) {
-            const double* plus = chords + kernel.rows.plus[first + r] * 2 * line + chord * 2 * lanes;
-            const bool paired = kernel.rows.minus[first + r] != WindowAxis::none;
-            const double* minus = paired ? chords + kernel.rows.minus[first + r] * 2 * line + chord * 2 * lanes : nullptr;
+            const std::size_t plus = kernel.rows.plus[first + r], minus = kernel.rows.minus[first + r];
             for (std::size_t x = 0; x < 2; ++x) {
-                const V re = load<V>(plus + x * line), im = load<V>(plus + x * line + lanes);
-                const V re_minus = paired ? load<V>(minus + x * line) : splat<V>(0.0);
-                const V im_minus = paired ? load<V>(minus + x * line + lanes) : splat<V>(0.0);
-                a[r][2 * x] = re + re_minus;
-                a[r][2 * x + 1] = im + im_minus;
-                b[r][2 * x] = im_minus - im;
-                b[r][2 * x + 1] = re - re_minus;
+                V both[2][2];  // sum and difference of the rows, re and im
+                for (std::size_t part = 0; part < 2; ++part) {
+                    const std::size_t at = x * line + chord * 2 * lanes + part * lanes;
+                    const V here = load<V>(chords + plus * 2 * line + at);
+                    const V there = minus == WindowAxis::none ? splat<V>(Real(0)) : load<V>(chords + minus * 2 * line + at);
+                    both[0][part] = here + there;
+                    both[1][part] = here - there;
+                }
+                // Times -i for what is odd in x, and again for what is odd in y.
+                const V nothing = splat<V>(Real(0));
+                even[r][2 * x] = x == 0 ? both[0][0] : both[0][1];
+                even[r][2 * x + 1] = x == 0 ? both[0][1] : nothing - both[0][0];
+                odd[r][2 * x] = x == 0 ? both[1][1] : nothing - both[1][0];
+                odd[r][2 * x + 1] = nothing - (x == 0 ? both[1][0] : both[1][1]);
             }
         }
         const std::size_t at = (chord * rows + first) * within;
-        const double *cosines = kernel.row_cos.data() + at, *sines = kernel.row_sin.data() + at;
-        for (std::size_t k = 0; k < within; ++k, cosines += R, sines += R) {
-            for (std::size_t part = 0; part < 4; ++part) {
-                double *to = nodes + (4 * k + part) * lanes, *on = to + within * 4 * lanes;
-                V e = load<V>(to), o = load<V>(on);
-                for (std::size_t r = 0; r < R; ++r) {
-                    e = e + splat<V>(cosines[r]) * a[r][part];
-                    o = o + splat<V>(sines[r]) * b[r][part];
-                }
-                store(to, e);
-                store(on, o);
-            }
-        }
+        spread<R, 4>(kernel.row_cos.data() + at, even, within, 4 * lanes, nodes);
+        spread<R, 4>(kernel.row_sin.data() + at, odd, within, 4 * lanes, nodes + within * 4 * lanes);
     });
 }
 
-class ChordalGradient : private ChordalCall {
-   public:
-    ChordalGradient(const DiskStack& stack, const DiskWindow& window, double tol, int threads,
-                    const std::vector<ZernikeTerm>& factors, const double* weights, double* gradient)
-        : ChordalCall(stack, window, tol, threads, false, factors), weights_(weights), gradient_(gradient) {}
-
-    // weights[pupil][row][column], gradient[pupil][term].
-    void run() {
-        begin();
-        std::vector<std::size_t> pupils(stack_.count);
-        std::iota(pupils.begin(), pupils.end(), std::size_t{0});
-        for (const std::size_t p : pupils) {
-            const State& s = states_[p];
-            choose(p, std::max(s.error, s.far.rounding + stack_.lost[p]), steepest(factors_));
+// Adds -2 share Im sum Z P G over a pair of chords to sums[term, in the order of classes].
+template <class I, class Real>
+LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
+                                Real share, Real* room, Real* sums) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes, together = 4;
+    const std::size_t within = table.count.half_nodes(), odd = within * 4 * lanes;
+    const auto part = [&](std::size_t k, std::size_t j) { return j / 2 * odd + (4 * k + j % 2 * 2) * lanes; };
+    const V by = splat<V>(Real(-2) * share);
+    for (std::size_t k = 0; k < within; ++k) {
+        V re[4], im[4];
+        for (std::size_t j = 0; j < 4; ++j) {
+            re[j] = load<V>(adjoint + part(k, j));
+            im[j] = load<V>(adjoint + part(k, j) + lanes);
         }
-        sort(pupils);
-        for_batches<double>(pupils.data(), pupils.size(),
-                            [&](auto isa, const std::size_t* some, std::size_t here, const Tables<double>& outer,
-                                const Tables<double>& inner) LOMMEL_INLINE_LAMBDA {
-                                thread_local Scratch scratch;
-                                batch(isa, some, here, outer, inner, scratch);
-                            });
-    }
-
-   private:
-    struct Scratch {
-        ChordalScratch<double> transform;
-        KeptWaves<double> waves[2];
-        Doubles field, sums;  // U at the pixels, then weighted; of each term
-    };
-
-    template <class I>
-    LOMMEL_INLINE void batch(I isa, const std::size_t* pupils, std::size_t here, const Tables<double>& outer,
-                             const Tables<double>& inner, Scratch& scratch) {
-        using V = typename I::pack;
-        constexpr std::size_t lanes = I::lanes;
-        const std::size_t width = columns_.count, pixels = rows_.count * width;
-        ChordalScratch<double>& transform = scratch.transform;
-        gather<I, double>(isa, stack_.outer, pupils, here, *outer.terms, transform.coefficients[0]);
-        scratch.waves[0].fill(isa, *outer.terms, transform.coefficients[0]);
-        if (area_ > 0.0) {
-            gather<I, double>(isa, stack_.inner, pupils, here, *inner.terms, transform.coefficients[1]);
-            scratch.waves[1].fill(isa, *inner.terms, transform.coefficients[1]);
-        }
-        scratch.field.resize(pixels * 2 * lanes);
-        double* field = scratch.field.data();
-        const auto waves = [&](const Tables<double>& tables, const KeptWaves<double>& kept) LOMMEL_INLINE_LAMBDA {
-            return [&](std::size_t chord)
-                       LOMMEL_INLINE_LAMBDA { return kept.values.data() + chord * chord_values(tables.terms->count, lanes); };
-        };
-        fields(
-            isa, outer, inner, transform, waves(outer, scratch.waves[0]), waves(inner, scratch.waves[1]),
-            [&](std::size_t y, std::size_t x, V re, V im) LOMMEL_INLINE_LAMBDA {
-                double twice[lanes];
-                for (std::size_t lane = 0; lane < lanes; ++lane) {
-                    twice[lane] = 2.0 * weights_[pupils[std::min(lane, here - 1)] * pixels + y * width + x];
-                }
-                const V by = load<V>(twice);
-                double* u = field + 2 * (y * width + x) * lanes;
-                store(u, by * re);
-                store(u + lanes, by * im);
-            },
-            [](std::size_t) LOMMEL_INLINE_LAMBDA {});
-        scratch.sums.assign(factors_.size() * lanes, 0.0);
-        sum_disk(isa, outer, scratch.waves[0], scratch);
-        if (area_ > 0.0) {
-            const V less = splat<V>(-area_);
-            for (std::size_t j = 0; j < pixels * 2 * lanes; j += lanes) {
-                store(field + j, less * load<V>(field + j));
-            }
-            sum_disk(isa, inner, scratch.waves[1], scratch);
-        }
-        for (std::size_t f = 0; f < factors_.size(); ++f) {
-            for (std::size_t lane = 0; lane < here; ++lane) {
-                gradient_[pupils[lane] * factors_.size() + f] = scratch.sums[f * lanes + lane];
+        V sum[4] = {};
+        for (std::size_t j = 0; j < 4; ++j) {
+            const V p = load<V>(pupil + part(k, j)), q = load<V>(pupil + part(k, j) + lanes);
+            for (std::size_t parity = 0; parity < 4; ++parity) {
+                const std::size_t other = (j / 2 ^ parity % 2) * 2 + (j % 2 ^ parity / 2);
+                sum[parity] = sum[parity] + p * im[other] + q * re[other];
             }
         }
+        for (std::size_t parity = 0; parity < 4; ++parity) {
+            store(room + (parity * within + k) * lanes, sum[parity] * by);
+        }
     }
-
-    // Adds what one disk has to the sums: of all nodes, Z times the part of conj(transposed field) i P that has its parity.
-    template <class I>
-    LOMMEL_INLINE void sum_disk(I isa, const Tables<double>& tables, const KeptWaves<double>& kept, Scratch& scratch) {
-        using V = typename I::pack;
-        constexpr std::size_t lanes = I::lanes;
-        const ChordCount& count = tables.terms->count;
-        const std::size_t within = count.half_nodes(), size = chord_values(count, lanes);
-        ChordalScratch<double>& transform = scratch.transform;
-        transform.chords.resize(rows_.count * 4 * count.half_chords() * lanes);
-        transposed_columns(isa, *tables.kernel, scratch.field.data(), transform.chords.data());
-        transform.nodes.resize(size);
-        const double* back = transform.nodes.data();
-        std::vector<Parity> parities(factors_.begin(), factors_.end());
-        for (std::size_t chord = 0; chord < count.half_chords(); ++chord) {
-            look();
-            transposed_rows(isa, *tables.kernel, transform.chords.data(), chord, transform.nodes.data());
-            const double* wave = kept.values.data() + chord * size;
+    for (std::size_t parity = 0, term = 0; parity < 4; ++parity) {
+        const Real* from = room + parity * within * lanes;
+        // Several chains of sums, lest each step wait for the one before.
+        for (const std::size_t end = table.classes.ends[parity]; term < end;) {
+            const std::size_t here = std::min(together, end - term);
+            V sum[together] = {};
+            const double* factor[together];
+            for (std::size_t j = 0; j < together; ++j) {
+                factor[j] = table.at(term + std::min(j, here - 1), chord);
+            }
             for (std::size_t k = 0; k < within; ++k) {
-                V parts[2][2];  // [odd in y][odd in x]
-                for (std::size_t odd_y = 0; odd_y < 2; ++odd_y) {
-                    for (std::size_t odd_x = 0; odd_x < 2; ++odd_x) {
-                        V sum = splat<V>(0.0);
-                        for (std::size_t a = 0; a < 2; ++a) {
-                            for (std::size_t b = 0; b < 2; ++b) {
-                                const double* from = wave + (((odd_y ^ a) * within + k) * 4 + (odd_x ^ b) * 2) * lanes;
-                                const double* to = back + ((a * within + k) * 4 + b * 2) * lanes;
-                                sum = sum + load<V>(from) * load<V>(to + lanes) - load<V>(from + lanes) * load<V>(to);
-                            }
-                        }
-                        parts[odd_y][odd_x] = sum;
-                    }
+                const V s = load<V>(from + k * lanes);
+                for (std::size_t j = 0; j < together; ++j) {
+                    sum[j] = sum[j] + splat<V>(static_cast<Real>(factor[j][k])) * s;
                 }
-                for (std::size_t f = 0; f < factors_.size(); ++f) {
-                    double* sum = scratch.sums.data() + f * lanes;
-                    const V z = splat<V>(tables.factors->at(f, chord)[k]);
-                    store(sum, load<V>(sum) + z * parts[parities[f].y][parities[f].x]);
-                }
+            }
+            for (std::size_t j = 0; j < here; ++j) {
+                Real* to = sums + (term + j) * lanes;
+                store(to, load<V>(to) + sum[j]);
+            }
+            term += here;
+        }
+    }
+}
+
+// weights[pupil][pixel] -> values[pupil][term], of the intensity itself.
+struct ChordalGradient {
+    static constexpr bool wanted = true, keeps_nodes = false;
+    std::vector<ZernikeTerm> terms;
+    const double* weights;
+    double* values;
+
+    template <class I, class Real, class Found>
+    LOMMEL_INLINE void follow(I isa, const ChordalBatch<Real>& batch, const double*, const Found&) const {
+        using V = typename Waves<I, Real>::V;
+        constexpr std::size_t lanes = Waves<I, Real>::lanes;
+        const std::size_t pixels = batch.rows() * batch.columns();
+        ChordalScratch<Real>& scratch = batch.scratch;
+        Real* fields = scratch.fields.data();
+        for (std::size_t q = 0; q < pixels; ++q) {
+            Real each[lanes];
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                each[lane] = static_cast<Real>(weights[batch.pupils[lane % batch.here] * pixels + q]);
+            }
+            const V w = load<V>(each);
+            Real *re = fields + 2 * q * lanes, *im = re + lanes;
+            store(re, load<V>(re) * w);
+            store(im, splat<V>(Real(0)) - load<V>(im) * w);
+        }
+        scratch.factors.assign(terms.size() * lanes, Real(0));
+        for (std::size_t disk = batch.area > 0.0 ? 2 : 1; disk-- > 0;) {
+            const KernelTable<Real>& kernel = *batch.disks[disk].kernel;
+            const std::size_t room = kernel.count.half_nodes() * 8 * lanes;
+            scratch.chords.resize(kernel.rows.count * kernel.count.half_chords() * 4 * lanes);
+            scratch.kept[disk].resize(room);
+            scratch.factored.resize(room);
+            scratch.inner.resize(room / 2);
+            columns_transposed(isa, kernel, fields, scratch.chords.data());
+            gather(isa, batch, disk);
+            for (std::size_t i = 0; i < kernel.count.half_chords(); ++i) {
+                look();
+                pair_of_chords(isa, *batch.disks[disk].terms, i, scratch.coefficients.data(), scratch.kept[disk].data());
+                rows_transposed(isa, kernel, i, scratch.chords.data(), scratch.factored.data());
+                add_products(isa, *batch.disks[disk].factors, i, scratch.kept[disk].data(), scratch.factored.data(),
+                             static_cast<Real>(disk == 0 ? 1.0 : -batch.area), scratch.inner.data(), scratch.factors.data());
+            }
+        }
+        for (std::size_t j = 0; j < terms.size(); ++j) {
+            const std::size_t k = batch.disks[0].factors->classes.order[j];
+            for (std::size_t lane = 0; lane < batch.here; ++lane) {
+                values[batch.pupils[lane] * terms.size() + k] = static_cast<double>(scratch.factors[j * lanes + lane]);
             }
         }
     }
-
-    const double* weights_;
-    double* gradient_;
 };
 
 }  // namespace lommel

@@ -67,12 +67,10 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
 template <class Real>
 struct ChordalScratch {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
-    Doubles coefficients[2];  // of the disk and the obscured one
+    Doubles coefficients;
     Values nodes, chords, row, inner, intensity;
+    Values kept[2], factored, factors, fields;  // where derivatives are wanted
 };
-
-// Values of one pair of chords: [even, odd in y][node][even, odd in x][re, im], for `lanes` pupils.
-constexpr std::size_t chord_values(const ChordCount& count, std::size_t lanes) { return 4 * count.nodes * lanes; }
 
 // Phases and how they become waves, in double precision: a vector of pupils.
 template <class I, class Real>
@@ -154,8 +152,7 @@ LOMMEL_INLINE void pair_of_chords(I, const TermTable& table, std::size_t chord, 
     });
 }
 
-// The field at every pixel, row by row, as sink(row, values[column][re, im]), of what nodes(chord) returns for each pair of chords:
-// nodes as pair_of_chords() leaves them.
+// U at every pixel, row by row, as sink(row, values[column][re, im]), from what nodes_of(chord) points at.
 template <class I, class Real, class Nodes, class Sink>
 LOMMEL_INLINE void chordal_fields(I, const KernelTable<Real>& kernel, ChordalScratch<Real>& scratch, const Nodes& nodes_of,
                                   const Sink& sink) {

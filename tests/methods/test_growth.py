@@ -1,0 +1,55 @@
+"""How images change as they grow: against quadrature over pixels and pupil, and the filter of growing pixels."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from disk_quadrature import exact_field
+from lommel.methods.averaging import filtered_by
+from lommel.methods.growth import TILTS, growth
+
+PUPIL = lm.Pupil(lm.Wavefront(1.5, 0.7, nonradial={(3, 1): 0.8, (2, -2): 0.5}), obscuration=0.25, apodization=0.4)
+
+
+@pytest.mark.parametrize("step", [0.05, 0.785, 1.6, 3.0, 11.0, 60.0])
+@pytest.mark.parametrize("error", [1e-5, 1e-9, 1e-12])
+def test_the_response_of_a_growing_pixel_is_the_derivative_of_that_of_a_pixel(step, error):
+    taps = filtered_by(step, error, growing=True)
+    k = np.arange(taps.weights.size) - taps.weights.size // 2
+    w = np.linspace(0.0, 2.0, 8001)
+    response = np.cos(np.outer(w, k * step / taps.stride)) @ taps.weights
+    half = 0.5 * step * w
+    off = np.abs(response - (np.cos(half) - np.sinc(half / math.pi))).max()
+    assert off <= taps.error <= error
+    assert np.abs(taps.weights).sum() == pytest.approx(taps.gain)
+    assert taps.gain <= 3.0
+
+
+@pytest.mark.parametrize("integrate", [False, True])
+@pytest.mark.parametrize("tol", [1e-5, 1e-11])
+def test_growth_is_that_of_quadrature(integrate, tol):
+    grid = lm.Grid((4, 5), 0.55, center=(1.3, 2.6), integrate=integrate)
+    step, method = grid.step(PUPIL), lm.ChordalGauss(tol)
+    rule, weight = np.polynomial.legendre.leggauss(9) if integrate else (np.zeros(1), np.array([2.0]))
+    across, down = (
+        step * (np.arange(side)[:, None] - c + 0.5 * rule) for side, c in ((5, grid.axis[1]), (4, grid.axis[0]))
+    )
+    vx, vy = (part.ravel() for part in np.meshgrid(across.ravel(), down.ravel()))
+    # v . grad I by differences of the length of v: exact to 1e-12 for a function of type 2.
+    h = 2e-2 / float(np.hypot(vx, vy).max())
+    i = [np.abs(exact_field(PUPIL, vx * (1 + k * h), vy * (1 + k * h), 30, 120)) ** 2 for k in (-3, -2, -1, 1, 2, 3)]
+    change = (0.75 * (i[3] - i[2]) - 0.15 * (i[4] - i[1]) + (i[5] - i[0]) / 60.0) / h
+    weights = 0.25 * np.multiply.outer(weight, weight)
+    exact = np.einsum("iajb,ab->ij", change.reshape(4, rule.size, 5, rule.size), weights)
+    from lommel.core.answers import Wanted
+
+    made = method.images(PUPIL, grid, Wanted(terms=TILTS))
+    tilts = [(slope, error * made.peak) for slope, error in zip(*made.slopes, strict=True)]
+    found, bound = growth(method, PUPIL, grid, tilts)
+    off = np.abs(found[0] - exact).max()
+    assert off <= bound[0] + 2e-11
+    assert bound[0] <= 20.0 * tol

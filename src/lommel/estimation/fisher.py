@@ -187,10 +187,20 @@ def _root(
             bounds[k] = photons * peak * answer.derivative_bounds[name]
         columns[:, k] = (weight * slope).ravel()
     root = np.zeros((len(names), len(names)))
-    triangle = np.linalg.qr(columns, mode="r")
+    triangle = _triangle(columns)
     root[: len(triangle)] = triangle
     rounding = columns.size * _EPS * np.sqrt((columns**2).sum(axis=0))
     return root, bounds * math.sqrt((weight**2).sum()) + rounding
+
+
+def _triangle(columns: Array) -> Array:
+    """Return the triangle of a matrix, by those of a few rows: of many, LAPACK's threads wait for each other."""
+    count = columns.shape[1]
+    most = max(2 * count, 8192 // count)
+    while len(columns) > most:
+        rows = np.pad(columns, ((0, -len(columns) % most), (0, 0)))
+        columns = np.asarray(np.linalg.qr(rows.reshape(-1, most, count), mode="r")).reshape(-1, count)
+    return np.asarray(np.linalg.qr(columns, mode="r"))
 
 
 def _joined(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[int, ...]) -> Information:

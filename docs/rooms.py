@@ -25,7 +25,7 @@ ORDER = [
     {"io"},
     {"show"},
     {"psf"},
-    {"field", "imaging"},
+    {"estimation", "field", "imaging"},
     {"lensfiles"},
     {"reports"},
     {"adapters", "page", "paper"},

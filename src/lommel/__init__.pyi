@@ -3,6 +3,7 @@
 from lommel import (
     adapters as adapters,
     base as base,
+    estimation as estimation,
     field as field,
     imaging as imaging,
     io as io,
@@ -16,6 +17,9 @@ from lommel import (
     special as special,
 )
 from lommel.core.answers import ToleranceError as ToleranceError
+from lommel.estimation.fisher import fisher as fisher
+from lommel.estimation.information import Information as Information
+from lommel.estimation.noise import Noise as Noise
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
 from lommel.lensfiles.instrument import Instrument as Instrument

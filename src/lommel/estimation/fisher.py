@@ -1,0 +1,254 @@
+"""How well an image can tell what made it: the information in it, by the derivatives of its PSF."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.core.answers import ToleranceError
+from lommel.estimation.information import Information
+from lommel.estimation.noise import Noise
+from lommel.methods.derivatives import Name
+from lommel.methods.derivatives import checked as checked_names
+from lommel.methods.method import Method
+from lommel.optics.pupil import Pupil, checked
+from lommel.psf import PSF, Plan
+
+_UNITS: dict[Name, str] = {
+    "row": "pixels",
+    "column": "pixels",
+    "wavelength": "m",
+    "f_number": "",
+    "obscuration": "",
+    "object_distance": "m",
+    "focus_distance": "m",
+    "photons": "electrons",
+    "background": "electrons/pixel",
+}
+_OWN = ("photons", "background")
+_TOLERANCES = (1e-8, 1e-7, 1e-6)
+_EPS = float(np.finfo(np.float64).eps)
+
+
+def fisher(
+    pupil: Pupil | Sequence[Pupil],
+    shape: int | tuple[int, int],
+    pixel: float,
+    *,
+    of: Sequence[Name],
+    photons: ArrayLike,
+    background: ArrayLike = 0.0,
+    noise: Noise | None = None,
+    together: bool = False,
+    method: Method | None = None,
+    tol: float | None = None,
+    center: tuple[ArrayLike, ArrayLike] | None = None,
+    integrate: bool | None = None,
+    threads: int | None = None,
+) -> Information:
+    """Tell how well images of a point of light can tell what made them, whatever the estimator.
+
+    Parameters
+    ----------
+    pupil : Pupil or sequence of Pupil
+        What made the image. A stack is as many scenes, with an image each, and makes arrays of deviations. A sequence
+        of pupils is several images of one scene, such as at several foci, whose information adds; stacks in it
+        broadcast, and are scenes again.
+    shape, pixel, method, center, integrate, threads
+        As of :func:`lommel.psf`.
+    of : sequence
+        What is to be found, all else being known: names of derivatives as :func:`lommel.psf` takes them, such as
+        "defocus", "row", "column", a Zernike term (3, 1) or "object_distance"; "photons" and "background". Several
+        images of one scene share each but the last two, of which every image has its own.
+    photons : array_like
+        Light of the point, electrons: what a sensor would count of it in an infinite window. Arrays broadcast with
+        the images, whose shape is that of the stack, behind the number of pupils of a sequence.
+    background : array_like, default 0
+        All other light, electrons a pixel: sky, haze, dark current. Arrays as of `photons`.
+    noise : Noise, optional
+        Of reading the sensor; by default electrons are counted without. Its `white` and `offset` do not matter here,
+        where light is stated in electrons.
+    together : bool, default False
+        Whether the images of a stack are of one scene too, so that their information adds.
+    tol : float, optional
+        As of :func:`lommel.psf`; by default 1e-8, or 1e-7 or 1e-6 where that cannot be met.
+
+    Returns
+    -------
+    Information
+        Of each scene.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range or of another shape, or if `of` is empty or has a name that is no parameter of
+        the pupil.
+    ToleranceError
+        If the method cannot meet its tolerance.
+
+    Notes
+    -----
+    Pixels count ``mu = photons h + background`` electrons on average, h being the PSF, and hold the information
+    ``F[a, b] = sum(d_a mu d_b mu / (mu + read**2))`` (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014). With fine
+    pixels in a wide window, without background and reading, it knows the place of an Airy pattern to
+    ``lambda N / (pi sqrt(photons))`` (Ober et al. 2004, doi:10.1016/S0006-3495(04)74193-4). What images do not tell,
+    as the defocus of one in focus, where nothing changes to first order, has the deviation infinity and is named. The
+    proven bounds of the derivatives decide it: :meth:`lommel.Information.of_root`. That one of several distant
+    answers cannot be told from another, a defocus from its negative, is not seen by derivatives.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> lens = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+    >>> camera = {"shape": 33, "pixel": 3.45e-6, "photons": 1e4, "background": 5, "noise": lm.Noise(read=2)}
+    >>> lm.fisher(lens.pupil(1.9), of=("object_distance", "row", "column"), **camera)
+    <Information
+      object_distance +- 402 um
+      row             +- 0.0152 pixels
+      column          +- 0.0152 pixels>
+    >>> lm.fisher(lens.pupil(2.0), of=("object_distance", "row", "column"), **camera).unidentifiable
+    ('object_distance',)
+    """
+    names = _names(of)
+    light = _light("photons", photons), _light("background", background)
+    validation.optional("noise", noise, Noise)
+    validation.truth("together", together)
+    read = np.zeros(validation.image_shape(shape))
+    read = read if noise is None else noise.variance(read)
+    plans = [
+        Plan(
+            shape,
+            pixel,
+            method=method,
+            tol=each,
+            dtype=np.float64,
+            center=center,
+            integrate=integrate,
+            threads=threads,
+        )
+        for each in (_TOLERANCES if method is None and tol is None else (tol,))
+    ]
+    one = isinstance(pupil, Pupil)
+    pupils = [pupil] if isinstance(pupil, Pupil) else _several(pupil)
+    answers = [_exactest(plans, each, names) for each in pupils]
+    images = _broadcast("stacks of pupils", [answer.pupil.shape for answer in answers])
+    images = images if one else (len(answers), *images)
+    every = _broadcast("photons, background and images", [*(part.shape for part in light), images])
+    if not one and every[-len(images)] != len(answers):
+        raise ValueError(f"photons and background must broadcast with images of shape {images}, got {every}")
+    light_of = np.stack([np.broadcast_to(part, every) for part in light], axis=-1)
+    roots, errors = np.empty((*every, len(names), len(names))), np.empty((*every, len(names)))
+    for index in np.ndindex(every):
+        answer = answers[0 if one else index[-len(images)]]
+        own = answer.pupil.shape
+        place = tuple(min(i, side - 1) for i, side in zip(index[len(index) - len(own) :], own, strict=True))
+        roots[index], errors[index] = _root(answer, place, names, light_of[index], read)
+    same = () if one else (len(every) - len(images),)
+    return _joined(names, roots, errors, tuple(range(len(every))) if together else same)
+
+
+def _exactest(plans: list[Plan], pupil: Pupil, names: tuple[Name, ...]) -> PSF:
+    """Return the PSF and its derivatives by the first of several plans whose tolerance can be met."""
+    wanted = tuple(name for name in names if name not in _OWN)
+    *exact, last = plans
+    for plan in exact:
+        try:
+            return plan(pupil, derivatives=wanted)
+        except ToleranceError:
+            continue
+    return last(pupil, derivatives=wanted)
+
+
+def _root(
+    answer: PSF, place: tuple[int, ...], names: tuple[Name, ...], light: Array, read: Array
+) -> tuple[Array, Array]:
+    """Return a triangle whose product with itself is the information in one image, and its columns' errors."""
+    photons, background = light
+    values = answer.values[place]
+    peak = float(values.max())
+    slack = _EPS if answer.error_bound is None else answer.error_bound
+    # With what values may lack of light: a dark pixel, counted too dark, would tell more than it does.
+    variance = np.maximum(photons * values + background, 0.0) + photons * peak * slack + read
+    weight = np.divide(1.0, np.sqrt(variance), out=np.zeros(values.shape), where=variance > 0.0)
+    columns, bounds = np.empty((values.size, len(names))), np.empty(len(names))
+    for k, name in enumerate(names):
+        if name == "background":
+            slope, bounds[k] = np.ones_like(values), 0.0
+        elif name == "photons":
+            slope, bounds[k] = values, slack * peak
+        else:
+            slope = photons * answer.derivatives[name][place]
+            bounds[k] = photons * peak * answer.derivative_bounds[name]
+        columns[:, k] = (weight * slope).ravel()
+    root = np.zeros((len(names), len(names)))
+    triangle = _triangle(columns)
+    root[: len(triangle)] = triangle
+    rounding = columns.size * _EPS * np.sqrt((columns**2).sum(axis=0))
+    return root, bounds * math.sqrt((weight**2).sum()) + rounding
+
+
+def _triangle(columns: Array) -> Array:
+    """Return the triangle of a matrix, by those of a few rows: of many, LAPACK's threads wait for each other."""
+    count = columns.shape[1]
+    most = max(2 * count, 8192 // count)
+    while len(columns) > most:
+        rows = np.pad(columns, ((0, -len(columns) % most), (0, 0)))
+        columns = np.asarray(np.linalg.qr(rows.reshape(-1, most, count), mode="r")).reshape(-1, count)
+    return np.asarray(np.linalg.qr(columns, mode="r"))
+
+
+def _joined(names: tuple[Name, ...], roots: Array, errors: Array, axes: tuple[int, ...]) -> Information:
+    """Return the information of images that are of one scene along these axes of their stack."""
+    count, stack = len(names), errors.shape[:-1]
+    scenes = tuple(side for axis, side in enumerate(stack) if axis not in axes)
+    last = range(len(scenes), len(stack))
+    roots = np.moveaxis(roots, axes, last).reshape(*scenes, -1, count, count)
+    errors = np.moveaxis(errors, axes, last).reshape(*scenes, -1, count)
+    labels = [f"[{', '.join(map(str, index))}]" if axes else "" for index in np.ndindex(*(stack[a] for a in axes))]
+    parts = {name: [f"{name}{i}" for i in labels] if name in _OWN else [name] for name in names}
+    every = tuple(part for name in names for part in parts[name])
+    # Which of all parameters each of an image is.
+    which = np.zeros((len(labels), count, len(every)))
+    for i, k in np.ndindex(len(labels), count):
+        which[i, k, every.index(parts[names[k]][i if names[k] in _OWN else 0])] = 1.0
+    root = (roots @ which).reshape(*scenes, -1, len(every))
+    units = {part: _UNITS.get(name, "rad") for name in names for part in parts[name]}
+    return Information.of_root(every, units, root, np.sqrt(np.einsum("...ik,ikj->...j", errors**2, which)))
+
+
+def _names(of: Any) -> tuple[Name, ...]:
+    """Return the names of parameters, each once."""
+    if isinstance(of, str) or not isinstance(of, Sequence):
+        raise TypeError(f"of must be a sequence of names such as ('defocus', 'row'), got {validation.shown(of)}")
+    if not of:
+        raise ValueError("of must name at least one parameter, such as 'defocus', got none")
+    others = "of, beside 'photons' and 'background',"
+    return tuple(dict.fromkeys(name if name in _OWN else checked_names((name,), others)[0] for name in of))
+
+
+def _several(pupils: Any) -> Sequence[Pupil]:
+    """Return a sequence of pupils."""
+    if not isinstance(pupils, Sequence) or not pupils or isinstance(pupils, str):
+        raise TypeError(f"pupil must be a Pupil or a sequence of some, got {validation.shown(pupils)}")
+    return [checked(pupil) for pupil in pupils]
+
+
+def _light(name: str, value: ArrayLike) -> Array:
+    """Return electrons, of which some are those of the point."""
+    found = validation.real_array(name, value, least=0.0)
+    if name == "photons" and not np.all(found > 0.0):
+        raise ValueError(f"photons must be > 0 electrons, got {found.min():g}")
+    return found
+
+
+def _broadcast(what: str, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*shapes)
+    except ValueError:
+        raise ValueError(f"{what} must broadcast, got shapes {' and '.join(map(str, shapes))}") from None

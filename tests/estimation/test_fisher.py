@@ -1,0 +1,328 @@
+"""What images can tell: closed forms, properties that hold whatever the lens, and the scatter of fits."""
+
+from __future__ import annotations
+
+import math
+import runpy
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import lommel as lm
+
+LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+CAMERA = {"shape": 15, "pixel": 3.45e-6, "photons": 1e4, "background": 5.0, "noise": lm.Noise(read=2.0)}
+COMA = lm.Pupil(lm.Wavefront(1.2, 0.4, nonradial={(3, 1): 0.7, (2, -2): 0.5}), wavelength=550e-9, f_number=4.0)
+
+
+def deviations(information: lm.Information) -> np.ndarray:
+    return np.stack(list(information.deviation.values()))
+
+
+@pytest.mark.parametrize(("window", "over"), [(16, 1.0235), (32, 1.0115), (64, 1.0057)])
+def test_a_star_is_placed_to_lambda_n_over_pi_and_the_root_of_its_photons(window, over):
+    # Ober et al. 2004 over all the plane; a window lacks what its outside would tell.
+    photons, fine = 1e4, 8
+    found = lm.fisher(lm.Pupil(), fine * window + 1, 1 / fine, of=("row", "column"), photons=photons, tol=1e-9)
+    assert deviations(found) / fine * math.pi * math.sqrt(photons) == pytest.approx(over, abs=1e-4)
+    assert found.correlation[0, 1] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_in_focus_defocus_is_infinite_and_named_and_never_zero():
+    found = lm.fisher(LENS.pupil(), of=("defocus", "row", "column", "photons"), **CAMERA)
+    assert found.unidentifiable == ("defocus",)
+    assert found.deviation["defocus"] == math.inf
+    alone = lm.fisher(LENS.pupil(), of=("defocus",), **CAMERA)
+    assert alone.unidentifiable == ("defocus",)
+    rest = lm.fisher(LENS.pupil(), of=("row", "column", "photons"), **CAMERA)
+    assert deviations(found)[1:] == pytest.approx(deviations(rest), rel=1e-9)
+    depth = lm.fisher(LENS.pupil([1.9, 2.0, 2.1]), of=("object_distance",), **CAMERA).deviation["object_distance"]
+    assert np.isinf(depth).tolist() == [False, True, False]
+
+
+def test_in_focus_no_even_term_can_be_known_and_every_odd_one_can():
+    terms = ((2, 2), (2, -2), (3, 1), (3, -1), (3, 3), (4, 0), (4, 2))
+    found = lm.fisher(lm.Pupil(), 15, 0.4, of=terms, photons=1e4, background=1.0)
+    assert found.unidentifiable == tuple(term for term in terms if term[0] % 2 == 0)
+
+
+def test_one_parameter_by_two_names_is_known_by_neither():
+    pairs = [("defocus", (2, 0)), ("row", (1, -1)), ("column", "noll 2")]
+    for pair in pairs:
+        found = lm.fisher(COMA, 15, 2e-6, of=(*pair, (3, -1)), photons=1e4, background=1.0)
+        assert found.unidentifiable == pair
+        assert abs(found.correlation[0, 1]) == pytest.approx(1.0, abs=1e-6)
+        alone = lm.fisher(COMA, 15, 2e-6, of=(pair[0], (3, -1)), photons=1e4, background=1.0)
+        assert found.deviation[3, -1] == pytest.approx(alone.deviation[3, -1], rel=1e-6)
+
+
+def test_wavelength_and_f_number_are_told_apart_by_aberrations_in_metres_only():
+    question = {"of": ("wavelength", "f_number"), "photons": 1e5, "background": 1.0}
+    without = lm.Pupil(wavelength=550e-9, f_number=4.0)
+    found = lm.fisher(without, 15, 1.5e-6, **question)
+    assert found.unidentifiable == ("wavelength", "f_number")
+    assert found.correlation[0, 1] == pytest.approx(-1.0, abs=1e-6)
+    assert lm.fisher(COMA, 15, 1.5e-6, **question).unidentifiable == ()
+    one = lm.fisher(without, 15, 1.5e-6, **(question | {"of": ("f_number",)}))
+    other = lm.fisher(without, 15, 1.5e-6, **(question | {"of": ("wavelength",)}))
+    # What is known is their product.
+    assert one.deviation["f_number"] / 4.0 == pytest.approx(other.deviation["wavelength"] / 550e-9, rel=1e-6)
+
+
+def test_the_matrix_is_the_sum_over_pixels_of_products_of_derivatives_over_variances():
+    names = ("defocus", (3, 1), "row")
+    read = np.random.default_rng(3).uniform(0.5, 4.0, (9, 11))
+    answer = lm.psf(COMA, (9, 11), 2e-6, derivatives=names, tol=1e-9, dtype=np.float64)
+    slopes = [300.0 * answer.derivatives[name] for name in names]
+    slopes = np.array([*slopes, answer.values, np.ones((9, 11))])
+    expected = np.einsum("aij,bij,ij->ab", slopes, slopes, 1.0 / (300.0 * answer.values + 2.5 + read**2))
+    found = lm.fisher(
+        COMA,
+        (9, 11),
+        2e-6,
+        of=(*names, "photons", "background"),
+        photons=300.0,
+        background=2.5,
+        noise=lm.Noise(read=read),
+    )
+    assert found.matrix == pytest.approx(expected, rel=1e-6)
+    assert found.covariance == pytest.approx(np.linalg.inv(expected), rel=1e-5)
+    assert found.units == {
+        "defocus": "rad",
+        (3, 1): "rad",
+        "row": "pixels",
+        "photons": "electrons",
+        "background": "electrons/pixel",
+    }
+
+
+def test_photons_alone_scatter_as_they_are_counted():
+    answer = lm.psf(COMA, 15, 2e-6, tol=1e-9)
+    found = lm.fisher(COMA, 15, 2e-6, of=("photons",), photons=1e4, tol=1e-9)
+    assert found.deviation["photons"] == pytest.approx(math.sqrt(1e4 / answer.values.sum()), rel=1e-6)
+
+
+def test_a_pixel_that_reads_nothing_but_noise_counts_as_none():
+    read = np.full((15, 15), 2.0)
+    read[:, 0] = 1e9
+    narrow = lm.fisher(COMA, (15, 14), 2e-6, center=(7, 6), of=("row", (3, 1)), photons=1e4, noise=lm.Noise(read=2))
+    found = lm.fisher(COMA, 15, 2e-6, of=("row", (3, 1)), photons=1e4, noise=lm.Noise(read=read))
+    assert found.matrix == pytest.approx(narrow.matrix, rel=1e-6)
+
+
+def test_a_dark_pixel_hides_nothing_that_others_tell():
+    # On the first dark ring of an Airy pattern, whose values there are known to their bound only.
+    line = {"shape": (1, 41), "pixel": lm.Pupil().airy_radius, "of": ("column",), "photons": 1e6}
+    found = lm.fisher(lm.Pupil(), **line)
+    assert found.unidentifiable == ()
+    assert found.deviation["column"] == pytest.approx(
+        lm.fisher(lm.Pupil(), **line, tol=1e-10).deviation["column"], rel=1e-3
+    )
+
+
+@pytest.mark.parametrize("pupil", [COMA, [COMA, COMA]], ids=["one image", "two images"])
+def test_a_derivative_within_its_bound_tells_nothing(pupil, monkeypatch):
+    exact = lm.Plan.__call__
+
+    def looser(self, pupil, **options):
+        answer = exact(self, pupil, **options)
+        return replace(answer, derivative_bounds=answer.derivative_bounds | {"row": 2.0})
+
+    monkeypatch.setattr(lm.Plan, "__call__", looser)
+    found = lm.fisher(pupil, 11, 2e-6, of=("row", "column"), photons=1e3, background=1.0)
+    assert found.unidentifiable == ("row",)
+
+
+def test_what_no_light_reaches_tells_nothing():
+    far = lm.fisher(lm.Pupil(), 3, 1e-3, center=(1, 1e3 * lm.Pupil().airy_radius), of=("defocus",), photons=1e-3)
+    assert far.unidentifiable == ("defocus",)
+    assert not np.isnan(far.matrix).any()
+
+
+@given(
+    st.floats(-4.0, 4.0),
+    st.floats(-1.0, 1.0),
+    st.floats(1.0, 1e6),
+    st.floats(0.0, 100.0),
+    st.floats(0.0, 10.0),
+    st.floats(1.05, 10.0),
+)
+def test_light_of_all_else_and_reading_tell_less_and_photons_more(defocus, coma, photons, background, read, more):
+    pupil = lm.Pupil(lm.Wavefront(defocus, nonradial={(3, 1): coma}))
+
+    def ask(photons: float, background: float, read: float) -> np.ndarray:
+        found = lm.fisher(
+            pupil,
+            9,
+            0.5,
+            of=("row", "column", (3, 1)),
+            photons=photons,
+            background=background,
+            noise=lm.Noise(read=read),
+        )
+        assert found.matrix == pytest.approx(found.matrix.T)
+        assert (np.linalg.eigvalsh(found.matrix) >= -1e-12 * np.trace(found.matrix)).all()
+        return deviations(found)
+
+    here = ask(photons, background, read)
+    assert (ask(photons, background + more, read) > here).all()
+    assert (ask(photons, background, read + more) > here).all()
+    assert (ask(photons * more, background, read) < here).all()
+
+
+def test_deviations_fall_as_the_root_of_photons_where_there_is_nothing_else():
+    found = lm.fisher(COMA, 15, 2e-6, of=("row", (3, 1)), photons=[1e2, 1e4, 1e6])
+    assert deviations(found) * [10.0, 100.0, 1000.0] == pytest.approx(
+        np.tile(deviations(found)[:, :1] * 10.0, 3), rel=1e-9
+    )
+
+
+def test_a_pupil_in_metres_and_one_in_lambda_n_are_known_alike():
+    plain = lm.Pupil(COMA.wavefront)
+    question = {"of": ("defocus", "row", (3, 1)), "photons": 1e3, "background": 2.0, "integrate": True}
+    metric = lm.fisher(COMA, 11, 0.7 * COMA.scale, **question)
+    assert lm.fisher(plain, 11, 0.7, **question).covariance == pytest.approx(metric.covariance, rel=1e-9)
+
+
+def test_depth_is_known_by_defocus():
+    lens = LENS.pupil(1.9)
+    found = lm.fisher(lens, of=("object_distance",), **CAMERA).deviation["object_distance"]
+    radius = 0.5 * LENS.aperture_diameter
+    rate = math.pi * radius**2 / (2.0 * LENS.wavelength * 1.9**2)
+    assert found * rate == pytest.approx(lm.fisher(lens, of=("defocus",), **CAMERA).deviation["defocus"], rel=1e-9)
+
+
+def test_a_stack_is_a_scene_each():
+    stack = LENS.pupil([[1.8, 1.9, 2.1], [2.2, 2.3, 2.4]])
+    names = ("object_distance", "row", "photons")
+    found = lm.fisher(stack, of=names, **CAMERA)
+    assert found.matrix.shape == (2, 3, 3, 3)
+    for index in np.ndindex(2, 3):
+        one = lm.fisher(stack[index], of=names, **CAMERA)
+        assert found.matrix[index] == pytest.approx(one.matrix, rel=1e-6, abs=1e-9 * one.matrix.max())
+        assert found.deviation["row"][index] == pytest.approx(one.deviation["row"], rel=1e-6)
+    light = lm.fisher(stack, of=names, **(CAMERA | {"photons": [[[1e4]], [[2e4]]], "background": [1.0, 2.0, 5.0]}))
+    assert light.matrix.shape == (2, 2, 3, 3, 3)
+    assert light.matrix[0, :, 2] == pytest.approx(found.matrix[:, 2], rel=1e-12)
+
+
+def test_light_broadcasts_with_stacks_and_with_images_of_one_scene():
+    column = LENS.pupil([[1.9], [2.1]])
+    found = lm.fisher(column, of=("row",), **(CAMERA | {"photons": [1e3, 1e4, 1e5]}))
+    assert found.matrix.shape == (2, 3, 1, 1)
+    one = lm.fisher(LENS.pupil(2.1), of=("row",), **(CAMERA | {"photons": 1e5}))
+    assert found.matrix[1, 2] == pytest.approx(one.matrix, rel=1e-6)
+    pair = [LENS.pupil([1.8, 1.9]), LENS.focused(2.1).pupil([1.8, 1.9])]
+    levels = np.reshape([1e3, 1e4, 1e5], (3, 1, 1))
+    many = lm.fisher(pair, of=("row", "photons"), **(CAMERA | {"photons": levels}))
+    assert many.names == ("row", "photons[0]", "photons[1]")
+    assert many.matrix.shape == (3, 2, 3, 3)
+    one = lm.fisher(pair, of=("row", "photons"), **(CAMERA | {"photons": 1e5}))
+    assert many.matrix[2] == pytest.approx(one.matrix, rel=1e-12)
+
+
+def test_information_of_images_of_one_scene_adds():
+    names = ("object_distance", "row")
+    near, far = LENS.focused(1.9), LENS.focused(2.1)
+    alone = [lm.fisher(lens.pupil(2.0), of=names, **CAMERA).matrix for lens in (near, far)]
+    both = lm.fisher([near.pupil(2.0), far.pupil(2.0)], of=names, **CAMERA)
+    assert both.names == names
+    assert both.matrix == pytest.approx(sum(alone), rel=1e-9)
+    # And at each of several distances.
+    many = lm.fisher([near.pupil([1.95, 2.0]), far.pupil([1.95, 2.0])], of=names, **CAMERA)
+    assert many.matrix.shape == (2, 2, 2)
+    assert many.matrix[1] == pytest.approx(both.matrix, rel=1e-6, abs=1e-9)
+
+
+def test_each_image_of_a_scene_has_its_own_light():
+    wave = lm.Wavefront(nonradial={(2, 2): 0.4, (3, 1): 0.6})
+    stack = lm.Pupil(wave + lm.Wavefront([-2.0, 0.0, 2.0]))
+    names = ("photons", (3, 1), "background", (2, 2))
+    question = {"of": names, "photons": [1e3, 2e3, 4e3], "background": 3.0}
+    apart = lm.fisher(stack, 11, 0.5, **question)
+    found = lm.fisher(stack, 11, 0.5, together=True, **question)
+    own = [[f"{name}[{i}]" for i in range(3)] for name in ("photons", "background")]
+    assert found.names == (*own[0], (3, 1), *own[1], (2, 2))
+    assert found.units["photons[2]"] == "electrons"
+    assert found.matrix[3, 3] == pytest.approx(apart.matrix[:, 1, 1].sum(), rel=1e-12)
+    assert found.matrix[:3, :3] == pytest.approx(np.diag(apart.matrix[:, 0, 0]), rel=1e-12)
+    assert found.matrix[1, 3] == pytest.approx(apart.matrix[1, 0, 1], rel=1e-12)
+    assert found.matrix[1, 4] == 0.0
+    assert found.matrix[1, 5] == pytest.approx(apart.matrix[1, 0, 2], rel=1e-12)
+    listed = lm.fisher(list(stack), 11, 0.5, **question)
+    assert listed.names == found.names
+    assert listed.covariance == pytest.approx(found.covariance, rel=1e-6, abs=1e-9 * found.covariance.max())
+    # One of them is in focus, where even terms are not to be known; together they are.
+    assert apart.unidentifiable == ()
+    assert (deviations(found)[3] < deviations(apart)[1]).all()
+    pairs = lm.fisher([stack, stack], 11, 0.5, of=("photons",), photons=1e3, together=True)
+    assert pairs.names[:4] == ("photons[0, 0]", "photons[0, 1]", "photons[0, 2]", "photons[1, 0]")
+
+
+def test_what_one_image_in_focus_does_not_tell_two_out_of_focus_do():
+    terms = ("defocus", (2, 2), (4, 0))
+    light = {"photons": 1e4, "background": 1.0}
+    assert lm.fisher(lm.Pupil(), 11, 0.5, of=terms, **light).unidentifiable == terms
+    stack = lm.Pupil(lm.Wavefront([-2.0, 2.0]))
+    assert lm.fisher(stack, 11, 0.5, of=terms, together=True, **light).unidentifiable == ()
+
+
+def test_far_from_focus_a_coarser_tolerance_does():
+    lens = lm.Lens(focal_length=85e-3, f_number=1.4, focus_distance=2.0, wavelength=550e-9)
+    found = lm.fisher(lens.pupil(1.2), 21, 50e-6, of=("object_distance", "photons"), photons=1e5, background=5.0)
+    assert float(lens.defocus(1.2)) > 800
+    assert found.unidentifiable == ()
+    with pytest.raises(lm.ToleranceError):
+        lm.fisher(lens.pupil(1.2), 21, 50e-6, of=("object_distance",), photons=1e5, tol=1e-11)
+
+
+def test_the_inverse_of_the_matrix_is_the_covariance_of_fits():
+    script = runpy.run_path(str(Path(__file__).parents[2] / "benchmarks" / "fisher.py"))
+    found = script["compared"](1000, seed=7)
+    assert found.scatter == pytest.approx(1.0, abs=0.12)
+    assert found.difference < 0.15
+    assert (np.abs(found.bias) < 4.5).all()
+
+
+@pytest.mark.parametrize(
+    ("changes", "error", "said"),
+    [
+        ({"pupil": LENS}, TypeError, "pupil must be a Pupil.*Lens"),
+        ({"pupil": []}, TypeError, "pupil must be a Pupil or a sequence of some, got"),
+        ({"pupil": "lens"}, TypeError, "pupil must be a Pupil or a sequence of some, got 'lens'"),
+        ({"pupil": [LENS.pupil(1.9), None]}, TypeError, "pupil must be a Pupil, got None"),
+        ({"pupil": [LENS.pupil([1.9, 2.1]), LENS.pupil([1.8, 1.9, 2.0])]}, ValueError, r"must broadcast.*\(2,\)"),
+        ({"shape": 0}, ValueError, "shape must be from 1"),
+        ({"pixel": -1e-6}, ValueError, "pixel must be > 0"),
+        ({"of": ()}, ValueError, "of must name at least one parameter, such as 'defocus', got none"),
+        ({"of": "defocus"}, TypeError, "of must be a sequence of names .*, got 'defocus'"),
+        ({"of": ("coma",)}, ValueError, "of, beside 'photons' and 'background', must be one of .*, got 'coma'"),
+        ({"of": (3.5,)}, ValueError, "of, .*, must be one of .*, got 3.5"),
+        ({"of": ((3, 2),)}, ValueError, r"there is no Zernike term .* \(3, 2\)"),
+        ({"photons": 0}, ValueError, "photons must be > 0 electrons, got 0"),
+        ({"photons": -1.0}, ValueError, "photons must be .*, got -1.0"),
+        ({"photons": math.nan}, ValueError, "photons must be finite.*, got nan"),
+        ({"photons": "many"}, TypeError, "photons must hold real numbers, got 'many'"),
+        ({"background": -1.0}, ValueError, "background must be finite and >= 0, got -1.0"),
+        ({"background": math.inf}, ValueError, "background must be finite and >= 0, got inf"),
+        ({"photons": [1e3, 1e4]}, ValueError, r"photons, background and images must broadcast.*\(2,\)"),
+        ({"noise": 3.0}, TypeError, "noise must be of the type Noise, or None, got 3.0"),
+        ({"noise": lm.Noise(read=np.ones((3, 4)))}, ValueError, r"read, of shape \(3, 4\), .* \(15, 15\)"),
+        ({"together": 1}, TypeError, "together must be True or False, got 1"),
+        ({"tol": 0}, ValueError, "tol must be"),
+    ],
+)
+def test_bad_input_is_refused_in_a_line_that_says_what_is_wrong(changes, error, said):
+    given = {"pupil": LENS.pupil([1.8, 1.9, 2.1]), "of": ("defocus",), **CAMERA} | changes
+    with pytest.raises(error, match=said) as caught:
+        lm.fisher(**given)
+    assert "\n" not in str(caught.value)
+
+
+def test_light_that_does_not_fit_a_sequence_is_refused():
+    with pytest.raises(ValueError, match=r"must broadcast with images of shape \(1,\), got \(3,\)"):
+        lm.fisher([LENS.pupil(1.9)], of=("row",), **(CAMERA | {"photons": [1e3, 1e4, 1e5]}))

@@ -83,8 +83,7 @@ Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double cent
 using Images = nb::ndarray<double, nb::numpy, nb::ndim<3>, nb::device::cpu>;
 
 template <class T>
-void average_samples(In<T, 3> samples, In<double, 1> weights, std::size_t stride, int threads, Images out,
-                     bool negative) {
+void average_samples(In<T, 3> samples, In<double, 1> weights, std::size_t stride, int threads, Images out, bool negative) {
     require(stride > 0 && weights.size() > 0 && out.size() > 0 && samples.shape(0) == out.shape(0), "empty, or not as many");
     require(out.stride(2) == 1 && out.stride(1) == static_cast<std::int64_t>(out.shape(2)), "rows must follow each other");
     const lommel::PixelFilter filter{weights.data(), weights.size(), stride, negative};
@@ -113,7 +112,8 @@ void bindings::define_pixels(nb::module_& m) {
           "threads"_a, "out"_a.noconvert(), "Pixels of windows from profiles at pixel_radii(); returns further roundings.");
     for_both([&](auto sample) {
         m.def("average_samples", &average_samples<decltype(sample)>, "samples"_a.noconvert(), "weights"_a, "stride"_a,
-              "threads"_a, "out"_a.noconvert(), "negative"_a = false, "Averages over pixels from finer samples, by a filter along both axes.");
+              "threads"_a, "out"_a.noconvert(), "negative"_a = false,
+              "Averages over pixels from finer samples, by a filter along both axes.");
     });
     m.def("interpolation_error", &lommel::interpolation_error, "half"_a, "points"_a,
           "Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.");

@@ -194,7 +194,7 @@ def chordal_gradient(
     ----------
     stack, window
     tol : float
-        As of the images, whose nodes are taken: so these are the sums of weights times :class:`Slopes`, but for rounding.
+        As of images in float64, whose nodes are taken: so these are sums over :class:`Slopes`, but for rounding.
     weights : ndarray, shape (n, height, width)
     terms : tuple of (int, int)
         n and m of each.
@@ -206,9 +206,9 @@ def chordal_gradient(
         If `tol` cannot be met.
     """
     values = np.empty((len(stack.edge), len(terms)))
-    which = np.array(terms, dtype=np.int32)
-    unmet = _core.chordal_gradient(*stack, *window.center, window.step, tol, threads, weights, which, values)
-    _require(unmet, tol, "the largest value in the window")
+    given: tuple[Any, ...] = (*stack, *window.center, window.step, tol, threads, weights)
+    given += np.array(terms, dtype=np.int32), values
+    _require(_core.chordal_gradient(*given), tol, "the largest value in the window")
     return values
 
 

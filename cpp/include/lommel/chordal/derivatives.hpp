@@ -126,8 +126,7 @@ struct ChordalDerivatives {
                 scratch.factored.resize(8 * room);
             };
             const auto nodes = [&](std::size_t disk, std::size_t i) LOMMEL_INLINE_LAMBDA {
-                const Real* from =
-                    scratch.kept[disk].data() + i * batch.disks[disk].kernel->count.half_nodes() * 8 * lanes;
+                const Real* from = scratch.kept[disk].data() + i * batch.disks[disk].kernel->count.half_nodes() * 8 * lanes;
                 times_factors(isa, given(disk), i, from, scratch.factors.data(), scratch.factored.data());
                 return scratch.factored.data();
             };

@@ -50,8 +50,7 @@ LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const 
                 const std::size_t plus = kernel.columns.plus[first + r], minus = kernel.columns.minus[first + r];
                 for (std::size_t part = 0; part < 2; ++part) {
                     const V here = load<V>(from + (2 * plus + part) * lanes);
-                    const V there =
-                        minus == WindowAxis::none ? splat<V>(Real(0)) : load<V>(from + (2 * minus + part) * lanes);
+                    const V there = minus == WindowAxis::none ? splat<V>(Real(0)) : load<V>(from + (2 * minus + part) * lanes);
                     even[r][part] = here + there;
                     odd[r][part] = here - there;
                 }
@@ -80,8 +79,7 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
                 for (std::size_t part = 0; part < 2; ++part) {
                     const std::size_t at = x * line + chord * 2 * lanes + part * lanes;
                     const V here = load<V>(chords + plus * 2 * line + at);
-                    const V there =
-                        minus == WindowAxis::none ? splat<V>(Real(0)) : load<V>(chords + minus * 2 * line + at);
+                    const V there = minus == WindowAxis::none ? splat<V>(Real(0)) : load<V>(chords + minus * 2 * line + at);
                     both[0][part] = here + there;
                     both[1][part] = here - there;
                 }
@@ -101,8 +99,8 @@ LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size
 
 // Adds -2 share Im sum Z P G over a pair of chords to sums[term, in the order of classes].
 template <class I, class Real>
-LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint, Real share,
-                                Real* room, Real* sums) {
+LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
+                                Real share, Real* room, Real* sums) {
     using V = typename Waves<I, Real>::V;
     constexpr std::size_t lanes = Waves<I, Real>::lanes, together = 4;
     const std::size_t within = table.count.half_nodes(), odd = within * 4 * lanes;

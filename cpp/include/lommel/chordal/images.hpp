@@ -50,7 +50,8 @@ class ChordalRenderer {
     ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer,
                     const More& more = {})
         : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column), step_(window.step), tol_(tol),
-          threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)), area_(stack.obscuration * stack.obscuration),
+          threads_(threads), answer_(answer), more_(more), degree_(highest_degree(more.terms)),
+          area_(stack.obscuration * stack.obscuration),
           lines_(stack, {step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
                  static_cast<double>(rows_.at.size()), static_cast<double>(rows_.count * columns_.at.size()), threads),
           states_(stack.count) {}
@@ -163,8 +164,7 @@ class ChordalRenderer {
             const bool many = disk.count.chords > max_chords;
             ChordBound bound = lines_.bound_of(scale);
             bound.prepare((scale == 1.0 ? stack_.outer : stack_.inner).data() + p * stack_.terms.size());
-            bound.refuse(many ? Sum::chords : Sum::nodes, many ? across : along,
-                         many ? ChordalBudget::chords * error : rest);
+            bound.refuse(many ? Sum::chords : Sum::nodes, many ? across : along, many ? ChordalBudget::chords * error : rest);
         }
     }
 

@@ -184,6 +184,7 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	for kind in address,undefined thread; do
 		sanitized $$kind calls
 		sanitized $$kind exercise
+		sanitized $$kind slopes
 	done
 	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
 	sanitized address,undefined tables -DLOMMEL_WIDE=double

@@ -1,4 +1,4 @@
-"""Stacks of small windows of any wavefront: the chordal rule against an FFT of each pupil."""
+"""Stacks of small windows of any wavefront: the chordal rule against an FFT, and derivatives against images."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ from benchmarks.settings import Settings
 from benchmarks.targets import Measured
 from benchmarks.timing import Contender, race
 from benchmarks.truth import stack_error
+from lommel.core.answers import Images, Wanted
+from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
 COUNT, SIDE, PIXEL, TOL = 1000, 33, 0.5, 1e-4
@@ -38,8 +40,8 @@ def random_zernikes(each: bool) -> Callable[[int], list[lm.Pupil]]:
     return fresh
 
 
-def exact(pupils: lm.Pupil) -> NDArray[np.float64]:
-    """Return the intensities of the windows by quadrature in polar coordinates."""
+def exact(pupils: lm.Pupil, term: tuple[int, int] | None = None) -> NDArray[np.float64]:
+    """Return the intensities of the windows by quadrature in polar coordinates, or their derivatives by a term."""
     r, w = gauss_legendre(64, pupils.obscuration, 1.0)
     theta = 2.0 * math.pi * np.arange(192) / 192
     x, y = np.outer(r, np.cos(theta)).ravel(), np.outer(r, np.sin(theta)).ravel()
@@ -47,7 +49,11 @@ def exact(pupils: lm.Pupil) -> NDArray[np.float64]:
     v = math.pi * PIXEL * (np.arange(SIDE) - SIDE // 2)
     across, down = np.exp(-1j * np.outer(x, v)), np.exp(-1j * np.outer(v, y))
     fields = np.stack([(down * one) @ across for one in weighted])
-    return np.asarray(fields.real**2 + fields.imag**2)
+    if term is None:
+        return np.asarray(fields.real**2 + fields.imag**2)
+    factor = zernike.polynomial(*term, np.hypot(x, y), np.arctan2(y, x))
+    slopes = np.stack([(down * (factor * one)) @ across for one in weighted])
+    return np.asarray(-2.0 * (fields.conj() * slopes).imag)
 
 
 @lru_cache(maxsize=1)
@@ -81,3 +87,44 @@ def against_fft(settings: Settings, *, each: bool, threads: int) -> Measured:
         f"{1e6 * result.median(mine.name) / COUNT:.1f} µs a PSF; {ffts().config}; error of {_JUDGED} of them"
     )
     return Measured(result.ratio(ffts().name, mine.name), error, note)
+
+
+def _images(tol: float, dtype: Any, terms: tuple[tuple[int, int], ...]) -> Contender:
+    grid, wanted = lm.Grid(SIDE, PIXEL), Wanted(dtype=dtype, threads=1, terms=terms)
+
+    def call(pupils: lm.Pupil) -> Images:
+        return lm.ChordalGauss(tol).images(pupils, grid, wanted)
+
+    def first(made: Images) -> NDArray[np.float64]:
+        return np.asarray(made.values if made.slopes is None else made.slopes.values[-1], dtype=np.float64)
+
+    name = "derivatives" if terms else "images"
+    config = f"ChordalGauss({tol:g}).images with {len(terms)} derivatives, {np.dtype(dtype)}, threads=1"
+    return Contender(name, call, config, random_zernikes(True), first)
+
+
+def derivatives_over_images(settings: Settings, *, tol: float) -> Measured:
+    """Measure 1000 of 33² with 15 derivatives, over 16 times their images."""
+    terms = tuple(zernike.term(j, "noll") for j in _TERMS)
+    mine, images = _images(tol, np.float32, terms), _images(tol, np.float32, ())
+    result = race([mine, images], settings.rounds)
+    judged = random_zernikes(True)(1)[0][:_JUDGED]
+    missed = np.abs(result.values[mine.name][:_JUDGED] - exact(judged, terms[-1])).max(axis=(1, 2))
+    error = float((missed / exact(judged).max(axis=(1, 2))).max())
+    ratio = result.ratio(mine.name, images.name)
+    value = type(ratio)(ratio.median / 16.0, ratio.low / 16.0, ratio.high / 16.0, ratio.rounds)
+    return Measured(value, error, f"{mine.config}; error of the last of {_JUDGED} of them, over the peak")
+
+
+def gradient_over_images(settings: Settings, *, terms: int) -> Measured:
+    """Measure the gradient of a weighted sum of 1000 of 33² by coefficients, over the images."""
+    wanted = tuple(zernike.term(j, "noll") for j in range(2, 2 + terms))
+    weights, grid = np.random.default_rng(7).normal(size=(COUNT, SIDE, SIDE)), lm.Grid(SIDE, PIXEL)
+
+    def call(pupils: lm.Pupil) -> NDArray[np.float64]:
+        return lm.ChordalGauss(1e-6).gradient(pupils, grid, weights, wanted, 1)
+
+    config = f"ChordalGauss(1e-06).gradient by {terms} terms, threads=1"
+    mine, images = Contender("gradient", call, config, random_zernikes(True)), _images(1e-6, np.float64, ())
+    result = race([mine, images], settings.rounds)
+    return Measured(result.ratio(mine.name, images.name), None, f"{config}; {images.config}")

@@ -106,6 +106,25 @@ TARGETS = [
     ),
     *(
         Target(
+            f"the same of 1 rad rms each, tol {tol:g}, with 15 derivatives by coefficients, over 16",
+            "the images alone",
+            *(1.5, 1.1, "", False),
+            partial(chordal.derivatives_over_images, tol=tol),
+            tol,
+        )
+        for tol in (chordal.TOL, 1e-6)
+    ),
+    *(
+        Target(
+            f"the gradient of a weighted sum of these by {terms} coefficients, tol 1e-6",
+            "the images alone, float64",
+            *(4, 2.5, "", False),
+            partial(chordal.gradient_over_images, terms=terms),
+        )
+        for terms in (15, 60)
+    ),
+    *(
+        Target(
             f"512², float32, tol 1e-6, pixels of {pixel:g} λN, coma, astigmatism, trefoil and defocus of up to "
             "10 rad each, into `out`",
             "scipy.fft of 1024² complex128, one thread",

@@ -270,17 +270,19 @@ Named chordal_bounds(Terms terms, Doubles1 coefficients, Doubles1 amplitude, dou
 }
 
 // One line: its bound for a size, and the size for an error; the line that is best for that error; what sums round.
-Named chordal_line(bool nodes, std::size_t curve, double exponent, std::size_t size, double error) {
+Named chordal_line(bool nodes, std::size_t curve, double exponent, std::size_t size, double error, std::size_t degree) {
     require(curve < lommel::ChordCurves::count && error > 0.0, "no such curve, or no error");
     const lommel::Sum sum = nodes ? lommel::Sum::nodes : lommel::Sum::chords;
-    const lommel::ChordLine line{curve, exponent};
+    const lommel::ChordLine line = lommel::ChordLine{curve, exponent}.times(degree);
     return named("bound"_a = line.bound(sum, size), "enough"_a = line.enough(sum, error));
 }
 
-Named chordal_rounding(std::size_t chords, std::size_t nodes, std::size_t terms) {
+Named chordal_rounding(std::size_t chords, std::size_t nodes, std::size_t terms, std::size_t degree) {
     return named(
         "double"_a = lommel::ChordBound::rounding(chords, nodes),
-        "single"_a = lommel::ChordBound::single_rounding(static_cast<double>(chords), static_cast<double>(nodes), terms));
+        "single"_a = lommel::ChordBound::single_rounding(static_cast<double>(chords), static_cast<double>(nodes), terms),
+        "factor"_a = lommel::ChordBound::factor_rounding(degree, false),
+        "single_factor"_a = lommel::ChordBound::factor_rounding(degree, true));
 }
 
 // Cosines and sines of multiples of 2^-32 turns, in turn.
@@ -427,11 +429,12 @@ void bindings::define_bounds(nb::module_& m) {
           "A wavefront on the whole disk and on the obscured one, and what roundings do to U on the way.");
     m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "low"_a, "high"_a,
           "Bounds on the error in U of the chordal Gauss rule for v from low to high along x.");
-    m.def("chordal_line", &chordal_line, "nodes"_a, "curve"_a, "exponent"_a, "size"_a, "error"_a,
+    m.def("chordal_line", &chordal_line, "nodes"_a, "curve"_a, "exponent"_a, "size"_a, "error"_a, "degree"_a = 0,
           "The bound by one curve on the error in U of a sum over chords, or over nodes, of that size; and the size for an "
-          "error.");
-    m.def("chordal_rounding", &chordal_rounding, "chords"_a, "nodes"_a, "terms"_a,
-          "What the sums of the chordal rule round, and what single precision adds.");
+          "error. Of U, or of the field of P times a term of some degree.");
+    m.def("chordal_rounding", &chordal_rounding, "chords"_a, "nodes"_a, "terms"_a, "degree"_a = 0,
+          "What the sums of the chordal rule round, and what single precision adds; and what a factor of some degree adds to "
+          "either.");
     m.def("turned_waves", &turned_waves, "turns"_a, "Cosine and sine, in floats, of each multiple of 2^-32 turns.");
     m.def("chordal_mean", &chordal_mean, "terms"_a, "coefficients"_a, "curve"_a, "nodes"_a, "window"_a,
           "Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and "

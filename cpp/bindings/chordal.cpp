@@ -41,7 +41,8 @@ double derivatives(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
 
 template <class... Center>
 double gradient(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
-                double step, double tol, int threads, In<double, 3> weights, In<std::int32_t, 2> factors, Out<double, 2> values) {
+                double step, double tol, int threads, In<double, 3> weights, In<std::int32_t, 2> factors,
+                Out<double, 2> values) {
     const std::size_t pupils = pupils_of(edge);
     const lommel::ChordalGradient wanted{factors_of(factors), weights.data(), values.data()};
     require(weights.shape(0) == pupils, "one image of weights a pupil");
@@ -59,8 +60,8 @@ double gradient(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
 }  // namespace
 
 void bindings::define_chordal(nb::module_& m) {
-    define_disk_images<Images, false>(
-        m, "chordal_images", "The same by the chordal rule; bounds are over the largest value of the window.");
+    define_disk_images<Images, false>(m, "chordal_images",
+                                      "The same by the chordal rule; bounds are over the largest value of the window.");
     for_both([&](auto pixel) {
         using T = decltype(pixel);
         m.def("chordal_derivatives", &derivatives<T, double, double>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a,

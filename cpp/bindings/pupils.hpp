@@ -116,9 +116,9 @@ inline void require_terms(const std::vector<lommel::ZernikeTerm>& list) {
 // Asks about pupils that are not radially symmetric around one axis, (row, column), or each around its own: work(stack, window),
 // axes moved to pixels or not. 0, or the bound that is left.
 template <bool Moves, class Work, class... Center>
-double ask_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration, const In<double, 1>& amplitude,
-                 std::size_t height, std::size_t width, double step, double tol, int threads, const Work& work,
-                 const Center&... center) {
+double ask_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration,
+                 const In<double, 1>& amplitude, std::size_t height, std::size_t width, double step, double tol, int threads,
+                 const Work& work, const Center&... center) {
     const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
     require_terms(list);
     const lommel::Amplitude light = amplitude_of(amplitude);

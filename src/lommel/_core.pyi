@@ -294,14 +294,14 @@ def chordal_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None
     Bounds on the error in U of the chordal Gauss rule for v from low to high along x.
     """
 
-def chordal_line(nodes: bool, curve: int, exponent: float, size: int, error: float) -> dict[str, object]:
+def chordal_line(nodes: bool, curve: int, exponent: float, size: int, error: float, degree: int = 0) -> dict[str, object]:
     """
-    The bound by one curve on the error in U of a sum over chords, or over nodes, of that size; and the size for an error.
+    The bound by one curve on the error in U of a sum over chords, or over nodes, of that size; and the size for an error. Of U, or of the field of P times a term of some degree.
     """
 
-def chordal_rounding(chords: int, nodes: int, terms: int) -> dict[str, object]:
+def chordal_rounding(chords: int, nodes: int, terms: int, degree: int = 0) -> dict[str, object]:
     """
-    What the sums of the chordal rule round, and what single precision adds.
+    What the sums of the chordal rule round, and what single precision adds; and what a factor of some degree adds to either.
     """
 
 def turned_waves(turns: Annotated[NDArray[numpy.uint32], dict(shape=(None,), order='C', device='cpu', writable=False)]) -> list[float]:

@@ -267,9 +267,9 @@ def averaged_gradient(
         for part, one, pixels in blocks(pupil, grid, taps):
             sums: Any = 0.0
             for y, rows in _strips(weights[part], taps):
-                across = _transposed(rows, taps)
-                down = np.ascontiguousarray(_transposed(across.swapaxes(1, 2), taps).swapaxes(1, 2))
-                sums += gradient(one, _fine(pixels, y, rows.shape[1], taps), finer / taps.gain**2, down)
+                sums += gradient(
+                    one, _fine(pixels, y, rows.shape[1], taps), finer / taps.gain**2, spread_out(rows, taps)
+                )
             found.append(sums)
         return np.concatenate(found)
 
@@ -287,12 +287,17 @@ def _strips(values: NDArray[Any], taps: Taps) -> Iterator[tuple[int, NDArray[Any
         yield y, values[..., y : y + most, :]
 
 
-def _transposed(values: NDArray[np.float64], taps: Taps) -> NDArray[np.float64]:
-    """Return what samples along the last axis get of pixels there."""
-    out = np.zeros((*values.shape[:2], _samples(values.shape[2], taps)))
-    for k, weight in enumerate(taps.weights):
-        out[..., k : k + (values.shape[2] - 1) * taps.stride + 1 : taps.stride] += weight * values
-    return out
+def spread_out(weights: NDArray[np.float64], taps: Taps) -> NDArray[np.float64]:
+    """Return the weights that samples have in weighted sums of averages, shape (n, samples, samples)."""
+
+    def matrix(pixels: int) -> NDArray[np.float64]:
+        made = np.zeros((_samples(pixels, taps), pixels))
+        for pixel in range(pixels):
+            made[pixel * taps.stride :, pixel][: taps.weights.size] = taps.weights
+        return made
+
+    _, height, width = weights.shape
+    return np.ascontiguousarray(matrix(height) @ weights @ matrix(width).T)
 
 
 def weighed(samples: NDArray[np.float64], rows: Taps, columns: Taps, threads: int = 0) -> NDArray[np.float64]:

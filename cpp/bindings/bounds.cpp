@@ -429,12 +429,12 @@ void bindings::define_bounds(nb::module_& m) {
           "A wavefront on the whole disk and on the obscured one, and what roundings do to U on the way.");
     m.def("chordal_bounds", &chordal_bounds, "terms"_a, "coefficients"_a, "amplitude"_a, "low"_a, "high"_a,
           "Bounds on the error in U of the chordal Gauss rule for v from low to high along x.");
-    m.def("chordal_line", &chordal_line, "nodes"_a, "curve"_a, "exponent"_a, "size"_a, "error"_a,
-          "degree"_a = 0,
+    m.def("chordal_line", &chordal_line, "nodes"_a, "curve"_a, "exponent"_a, "size"_a, "error"_a, "degree"_a = 0,
           "The bound by one curve on the error in U of a sum over chords, or over nodes, of that size; and the size for an "
           "error. Of U, or of the field of P times a term of some degree.");
     m.def("chordal_rounding", &chordal_rounding, "chords"_a, "nodes"_a, "terms"_a, "degree"_a = 0,
-          "What the sums of the chordal rule round, and what single precision adds; and what a factor of some degree adds to either.");
+          "What the sums of the chordal rule round, and what single precision adds; and what a factor of some degree adds to "
+          "either.");
     m.def("turned_waves", &turned_waves, "turns"_a, "Cosine and sine, in floats, of each multiple of 2^-32 turns.");
     m.def("chordal_mean", &chordal_mean, "terms"_a, "coefficients"_a, "curve"_a, "nodes"_a, "window"_a,
           "Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and "

@@ -34,7 +34,8 @@ struct Case {
             stack.tilt_to(centers.data(), window());
         }
         stack.shrink();
-        lommel::ChordalRenderer<T, More>(stack, window(), tol, threads, {images, scales.data(), bounds.data(), peaks.data()}, more)
+        lommel::ChordalRenderer<T, More>(stack, window(), tol, threads, {images, scales.data(), bounds.data(), peaks.data()},
+                                         more)
             .run();
         return peaks;
     }
@@ -60,8 +61,8 @@ void slopes(std::mt19937& random, const Case& given, int threads) {
                  lommel::ChordalGradient{wanted, weights.data(), gradients.data()});
     // The wavefront has the terms that derivatives are by: of those it begins with.
     for (std::size_t k = 0; k < kinds; ++k) {
-        const auto at = static_cast<std::size_t>(std::find(given.terms.begin(), given.terms.end(), wanted[k]) -
-                                                 given.terms.begin());
+        const auto at =
+            static_cast<std::size_t>(std::find(given.terms.begin(), given.terms.end(), wanted[k]) - given.terms.begin());
         std::vector<double> above(images.size()), below(images.size()), moved = edge;
         const double step = 1e-4;
         for (std::size_t p = 0; p < count && at < n; ++p) {

@@ -70,7 +70,7 @@ def test_it_is_the_gradient_of_a_misfit():
 @pytest.mark.parametrize(
     ("g", "of", "error", "told"),
     [
-        (np.zeros((9, 8)), None, ValueError, r"g must have the shape of the values, \(9, 9\), got \(9, 8\)"),
+        (np.zeros((3, 27)), None, ValueError, r"g must have the shape of the values, \(9, 9\), got \(3, 27\)"),
         (np.full((9, 9), np.nan), None, ValueError, "g must be finite, got nan"),
         ("image", None, TypeError, "g must hold real numbers"),
         (np.zeros((9, 9)), "defocus", TypeError, "of must be a sequence of names"),

@@ -62,10 +62,16 @@ def sums_of_windows(means: NDArray[np.float64], half: int) -> NDArray[np.float64
     -------
     ndarray
     """
+    alike, rings = _rings(half)
+    return np.asarray(np.cumsum(np.add.reduceat(means * alike, rings, axis=1), axis=1))
+
+
+@lru_cache(maxsize=16)
+def _rings(half: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Return how many pixels of the window each cell of the octant stands for, and where its columns begin."""
     column, row = octant(half)
-    # How many pixels of the window a cell stands for.
     alike = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
-    return np.asarray(np.cumsum(np.add.reduceat(means * alike, np.flatnonzero(row == 0), axis=1), axis=1))
+    return alike, np.flatnonzero(row == 0)
 
 
 def quarters(means: NDArray[Any], half: int) -> NDArray[Any]:

@@ -96,6 +96,8 @@ def test_the_growth_is_reached_by_every_chebyshev_polynomial(k):
 @given(exponents, st.sampled_from([0.0, 0.3, 0.9]))
 @example([0.0], 0.4)
 @example([0.0, 1e-9], 0.4)
+@example([0.0, -1e-6], 0.4)
+@example([0.0, -1e-310], 0.9)
 @example([0.7, 2.0], 0.4)
 @example([0.7, -0.7], 0.0)
 def test_the_peak_without_aberration(powers, obscuration):

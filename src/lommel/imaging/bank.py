@@ -137,11 +137,11 @@ class _Channel:
         """Return the pupil at each defocus."""
         return self.pupil.carrying(self.phase(defocus) + self.pupil.wavefront, None)
 
-    def shares(self, defocus: NDArray[np.float64], half: int) -> NDArray[np.float64]:
+    def shares(self, pupil: Pupil, half: int) -> NDArray[np.float64]:
         """Return the share of the light of a point in each pixel of the octant, shape ``(n, cells)``."""
         total: Any = 0.0
         for wavelength, weight in self.spectrum:
-            there = in_light(self.defocused(defocus), wavelength)
+            there = in_light(pupil, wavelength)
             step = math.pi * self.pixel / there.scale
             rule = pixel_rule(half, step)
             share = weight * step**2 / (4.0 * math.pi * there.transmission)
@@ -154,8 +154,8 @@ class _Channel:
         And what is nearly 1 over the peaks.
         """
         ends = np.linspace(*defocus, 3)
-        blur = self.defocused(ends).geometric_radius().max()
-        half = math.ceil(float(blur) / self.pixel) + 1
+        pupil = self.defocused(ends)
+        half = math.ceil(float(pupil.geometric_radius().max()) / self.pixel) + 1
         while True:
             if half > largest:
                 raise ValueError(
@@ -163,7 +163,7 @@ class _Channel:
                     f"the light; stop down, allow larger windows (largest={half} or more), or ask for less of it "
                     "(energy=)"
                 )
-            shares = self.shares(ends, half)
+            shares = self.shares(pupil, half)
             sums = sums_of_windows(shares, half)
             if sums[:, -1].min() >= energy:
                 half = int((sums >= energy).argmax(axis=1).max()) + 1
@@ -230,7 +230,7 @@ def build_bank(
     shortest = min(wavelength for wavelength, _ in spectrum)
     per_radian = pupil.wavelength / shortest
     at = DefocusNodes.of(
-        lambda nodes: channel.shares(nodes, half),
+        lambda nodes: channel.shares(channel.defocused(nodes), half),
         low - spacing,
         high + 2.0 * spacing,
         parabola,

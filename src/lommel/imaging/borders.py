@@ -27,12 +27,13 @@ def folded(room: NDArray[Any], beyond: int, count: int) -> NDArray[Any]:
     ndarray, shape (count, any)
         A part of `room`.
     """
-    rows = np.pad(np.arange(beyond, beyond + count), beyond, mode="symmetric")
-    for first in range(beyond % count - count, len(rows), count):  # So many lie between two mirrors.
-        part = slice(max(0, first), first + count)
+    image = room[beyond : beyond + count]
+    for first in range(beyond % count - count, len(room), count):  # So many lie between two mirrors.
         if first != beyond:
-            room[rows[part]] += room[part]
-    return room[beyond : beyond + count]
+            part = room[max(0, first) : first + count]
+            onto = image[::-1] if (first - beyond) // count % 2 else image
+            onto[max(0, -first) :][: len(part)] += part
+    return image
 
 
 def gathered(taken: NDArray[Any], places: NDArray[np.int64], count: int) -> NDArray[Any]:

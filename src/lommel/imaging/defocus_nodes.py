@@ -99,10 +99,12 @@ class DefocusNodes:
             raise ValueError(
                 f"depth spans C_d from {low:.4g} to {high:.4g} rad, which takes {count:.4g} PSFs, more than {_MOST}"
             )
-        nodes = (np.arange(math.ceil(count)) + 0.5) * (math.pi / math.ceil(count))
-        transform = np.cos(np.outer(np.arange(nodes.size), nodes)) * (2.0 / nodes.size)
+        # Angles are odd multiples of half of pi / n, and their cosines come again and again.
+        odd = 2 * np.arange(math.ceil(count)) + 1
+        cosines = np.cos(np.arange(4 * odd.size) * (0.5 * math.pi / odd.size))
+        transform = cosines[np.outer(np.arange(odd.size), odd) % cosines.size] * (2.0 / odd.size)
         transform[0] *= 0.5
-        at = middle + reach * np.cos(nodes)
+        at = middle + reach * cosines[odd]
         return cls(
             low, high, parabola, engine.product(transform, parabola(at)[:, None] * windows(at), threads), threads
         )

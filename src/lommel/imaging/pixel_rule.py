@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from functools import lru_cache
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.core import engine
 from lommel.special.legendre import gauss_legendre
 
 
@@ -62,10 +62,16 @@ def sums_of_windows(means: NDArray[np.float64], half: int) -> NDArray[np.float64
     -------
     ndarray
     """
+    alike, rings = _rings(half)
+    return np.asarray(np.cumsum(np.add.reduceat(means * alike, rings, axis=1), axis=1))
+
+
+@lru_cache(maxsize=16)
+def _rings(half: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Return how many pixels of the window each cell of the octant stands for, and where its columns begin."""
     column, row = octant(half)
-    # How many pixels of the window a cell stands for.
     alike = np.where(column == 0, 1.0, np.where((row == 0) | (row == column), 4.0, 8.0))
-    return np.asarray(np.cumsum(np.add.reduceat(means * alike, np.flatnonzero(row == 0), axis=1), axis=1))
+    return alike, np.flatnonzero(row == 0)
 
 
 def quarters(means: NDArray[Any], half: int) -> NDArray[Any]:
@@ -120,28 +126,18 @@ def pixel_rule(half: int, step: float, margin: int = 12) -> PixelRule:
 @lru_cache(maxsize=16)
 def _rule(half: int, eighths: int, margin: int) -> PixelRule:
     step = 2.0 ** (eighths / 8.0)
-    nodes, weights, counts = [], [], []
-    for column, row in zip(*octant(half), strict=True):
-        # Pixels on an axis are cut in half there, the middle one in four.
-        x0, y0 = max(0.0, column - 0.5), max(0.0, row - 0.5)
-        x1, y1 = column + 0.5, row + 0.5
-        share = (2.0 if column == 0 else 1.0) * (2.0 if row == 0 else 1.0)
-        r, w = _cell(x0, x1, y0, y1, step, margin)
-        nodes.append(r)
-        weights.append(share * w)
-        counts.append(r.size)
-    starts = np.cumsum([0, *counts[:-1]])
+    radii, weights, starts = _nodes(half, step, margin)
     reach = math.sqrt(2.0) * (half + 0.5)
     # The coefficients of exp(i phase x) are Bessel functions of the phase, which vanish soon beyond it.
     phase = 2.0 * step * reach
     count = math.ceil(0.5 * (phase + 10.0 * math.cbrt(phase) + 2.0 * margin))
-    angle = np.arccos(np.minimum(1.0, np.concatenate(nodes) / reach))
-    moments = _moments(2.0 * np.cos(2.0 * angle), np.concatenate(weights), starts, count)
+    angle = np.arccos(np.minimum(1.0, radii / reach))
+    moments = _moments(2.0 * np.cos(2.0 * angle), weights, starts, count)
     # From values at the positive half of 2 count Chebyshev nodes to coefficients: a cosine transform.
     at = (np.arange(count, dtype=np.float64)[::-1] + 0.5) * (0.5 * math.pi / count)
     transform = np.cos(2.0 * np.outer(at, np.arange(count))) * (2.0 / count)
     transform[:, 0] *= 0.5
-    return PixelRule(reach * np.cos(at), transform @ moments)
+    return PixelRule(reach * np.cos(at), engine.product(transform, moments, 1))
 
 
 def _moments(
@@ -156,23 +152,33 @@ def _moments(
     return moments
 
 
-def _cell(
-    x0: float, x1: float, y0: float, y1: float, step: float, margin: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return radii (in pixels) and weights for the integral over [x0, x1] x [y0, y1], 0 <= y0 <= x0."""
-    corners = [math.hypot(x0, y0), math.hypot(x0, y1), math.hypot(x1, y0), math.hypot(x1, y1)]
-    radii, weights = [], []
-    for i, (low, high) in enumerate(pairwise(corners)):
-        if high - low < 1e-12 * high:
-            continue
-        edge = (x0, 0.0, x1)[i]
-        a, b = (math.sqrt(max(0.0, r * r - edge * edge)) for r in (low, high))
-        # The phase of I runs fastest, by 2 dr/du = 2 u / r, at the outer end.
-        u, w = gauss_legendre(math.ceil(0.5 * step * 2.0 * (b / high) * (b - a)) + margin, a, b)
-        r = np.sqrt(edge * edge + u * u)
-        inverse = 1.0 / r
-        first = np.arcsin(np.minimum(1.0, y0 * inverse)) if i < 2 else np.arccos(np.minimum(1.0, x1 * inverse))
-        last = np.arccos(np.minimum(1.0, x0 * inverse)) if i < 1 else np.arcsin(np.minimum(1.0, y1 * inverse))
-        radii.append(r)
-        weights.append(w * u * np.maximum(0.0, last - first))
-    return np.concatenate(radii), np.concatenate(weights)
+def _nodes(half: int, step: float, margin: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
+    """Return radii (in pixels) and weights for the integrals over all cells, and where the nodes of each begin."""
+    column, row = octant(half)
+    # Pixels on an axis are cut in half there, the middle one in four.
+    x0, y0, x1, y1 = np.maximum(0.0, column - 0.5), np.maximum(0.0, row - 0.5), column + 0.5, row + 0.5
+    share = np.where(column == 0, 2.0, 1.0) * np.where(row == 0, 2.0, 1.0)
+    # Of each cell there are three pieces, between the distances of its corners.
+    corners = np.stack([np.hypot(x0, y0), np.hypot(x0, y1), np.hypot(x1, y0), np.hypot(x1, y1)], axis=1)
+    low, high = corners[:, :-1], corners[:, 1:]
+    edge = np.stack([x0, np.zeros_like(x0), x1], axis=1)
+    a, b = (np.sqrt(np.maximum(0.0, r * r - edge * edge)) for r in (low, high))
+    # The phase of I runs fastest, by 2 dr/du = 2 u / r, at the outer end.
+    counts = np.ceil(0.5 * step * 2.0 * (b / high) * (b - a)).astype(np.int64) + margin
+    counts[high - low < 1e-12 * high] = 0
+    rules = {n: gauss_legendre(n) for n in np.unique(counts).tolist() if n > 0}
+    each = [rules[n] for n in counts.ravel().tolist() if n > 0]
+    place = np.repeat(np.arange(counts.size), counts.ravel())
+    cell, piece = place // 3, place % 3
+    length = (b - a).ravel()[place]
+    u = a.ravel()[place] + length * np.concatenate([nodes for nodes, _ in each])
+    r = np.sqrt(edge.ravel()[place] ** 2 + u * u)
+    inverse = 1.0 / r
+
+    def angle(arc: Any, at: NDArray[Any]) -> NDArray[np.float64]:
+        return np.asarray(arc(np.minimum(1.0, at[cell] * inverse)))
+
+    first = np.where(piece < 2, angle(np.arcsin, y0), angle(np.arccos, x1))
+    last = np.where(piece < 1, angle(np.arccos, x0), angle(np.arcsin, y1))
+    w = share[cell] * length * np.concatenate([weights for _, weights in each])
+    return r, w * u * np.maximum(0.0, last - first), np.cumsum(counts.sum(axis=1)) - counts.sum(axis=1)

@@ -88,7 +88,8 @@ class Amplitude {
     double integral(double obscuration) const {
         const double low = obscuration * obscuration, open = 1.0 - low, g = g_[1];
         if (closed()) {
-            const double falling = std::abs(g) > 1e-6 ? std::exp(-g * low) * -std::expm1(-g * open) / g : open;
+            // Below, quotients of what has few digits left; there the integral rounds to that of even light.
+            const double falling = std::abs(g) > 1e-300 ? std::exp(-g * low) * -std::expm1(-g * open) / g : open;
             return g_[0] == 0.0 ? falling : falling * std::exp(-g_[0]);
         }
         static constexpr double nodes[8] = {0.09501250983763744, 0.2816035507792589, 0.45801677765722739, 0.61787624440264375,

@@ -7,6 +7,7 @@
 
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
+#include "lommel/base/tasks.hpp"
 
 namespace lommel {
 
@@ -19,7 +20,9 @@ inline void product(const double* given, std::size_t rows, std::size_t count, co
     for (std::size_t i = 0; i < count; ++i) {
         std::copy_n(matrix + i * sums, sums, table.data() + i * stride);
     }
-    parallel_for((rows + together - 1) / together, threads, [&](std::size_t, std::size_t task) {
+    const double microseconds = 1e-4 * static_cast<double>(rows) * static_cast<double>(count) * static_cast<double>(sums);
+    const int worth = worthwhile_threads(threads, microseconds);
+    parallel_for((rows + together - 1) / together, worth, [&](std::size_t, std::size_t task) {
         const std::size_t first = task * together, some = std::min(together, rows - first);
         // Rows that are not there are zero.
         Doubles values(together * count), results(together * stride);

@@ -34,17 +34,17 @@ class SquaredRadii {
 
     std::size_t count() const { return count_; }
 
-    // The squares, rising, to take(rank, square), which must bear to be told the last rank and one more several times.
+    // The squares, rising, to take(rank, square).
     template <class Take>
     void each(const Take& take) const {
-        std::size_t rank = 0;
-        for (std::size_t word = 0; word < words_.size(); ++word) {
-            std::uint64_t bits = words_[word].bits;
-            for (std::size_t s = 64 * word; s < 64 * (word + 1); ++s, bits >>= 1) {
-                take(rank, s);  // replaced by the next unless there is such a radius: no branch, which nobody could foresee
-                rank += bits & 1;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            std::size_t rank = 0;
+            for (std::size_t word = 0; word < words_.size(); ++word) {
+                for (std::uint64_t bits = words_[word].bits; bits != 0; bits &= bits - 1) {
+                    take(rank++, 64 * word + set(~bits & (bits - 1)));  // zeros below the last bit
+                }
             }
-        }
+        });
     }
 
     // The rank of each pixel's radius.
@@ -75,9 +75,8 @@ class SquaredRadii {
 inline std::vector<std::int64_t> distinct_radii(std::size_t rows, std::size_t cols, std::int32_t* index) {
     const SquaredRadii found(rows, cols);
     found.ranks(index);
-    std::vector<std::int64_t> squares(found.count() + 1);
+    std::vector<std::int64_t> squares(found.count());
     found.each([&](std::size_t rank, std::size_t s) { squares[rank] = static_cast<std::int64_t>(s); });
-    squares.pop_back();
     return squares;
 }
 

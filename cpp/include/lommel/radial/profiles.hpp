@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/tasks.hpp"
 #include "lommel/radial/intensity.hpp"
 #include "lommel/radial/stack.hpp"
 
@@ -59,7 +60,11 @@ inline void profiles(const Stack& stack, const double* v, std::size_t count, dou
                      double* peaks, int threads = 1) {
     const Doubles radii = padded(v, count);
     const Places places(radii.data(), count, 1.0);
-    parallel_for(stack.count, threads, [&](std::size_t, std::size_t pupil) {
+    double microseconds = 0.0;
+    for (std::size_t pupil = 0; pupil < stack.count; ++pupil) {
+        microseconds += 2.0 + 1e-3 * static_cast<double>(count) * (20.0 + stack[pupil].size());
+    }
+    parallel_for(stack.count, worthwhile_threads(threads, microseconds), [&](std::size_t, std::size_t pupil) {
         thread_local Field field;
         const auto take = [&](std::size_t first, std::size_t here, const double* values)
                               LOMMEL_INLINE_LAMBDA { std::copy_n(values, here, out + pupil * count + first); };

@@ -83,10 +83,13 @@ Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double cent
 using Images = nb::ndarray<double, nb::numpy, nb::ndim<3>, nb::device::cpu>;
 
 template <class T>
-void average_samples(In<T, 3> samples, In<double, 1> weights, std::size_t stride, int threads, Images out) {
+void average_samples(In<T, 3> samples, In<double, 1> weights, std::size_t stride, int threads, Images out, double lowest,
+                     In<double, 1> across) {
     require(stride > 0 && weights.size() > 0 && out.size() > 0 && samples.shape(0) == out.shape(0), "empty, or not as many");
     require(out.stride(2) == 1 && out.stride(1) == static_cast<std::int64_t>(out.shape(2)), "rows must follow each other");
-    const lommel::PixelFilter filter{weights.data(), weights.size(), stride};
+    const bool others = across.is_valid();
+    require(!others || across.size() == weights.size(), "as many weights across as down");
+    const lommel::PixelFilter filter{weights.data(), weights.size(), stride, lowest, others ? across.data() : nullptr};
     require(samples.shape(1) == filter.samples(out.shape(1)) && samples.shape(2) == filter.samples(out.shape(2)),
             "samples must be as many as the pixels take");
     released([&] {
@@ -112,7 +115,8 @@ void bindings::define_pixels(nb::module_& m) {
           "threads"_a, "out"_a.noconvert(), "Pixels of windows from profiles at pixel_radii(); returns further roundings.");
     for_both([&](auto sample) {
         m.def("average_samples", &average_samples<decltype(sample)>, "samples"_a.noconvert(), "weights"_a, "stride"_a,
-              "threads"_a, "out"_a.noconvert(), "Averages over pixels from finer samples, by a filter along both axes.");
+              "threads"_a, "out"_a.noconvert(), "lowest"_a = 0.0, "across"_a.none() = nb::none(),
+              "Averages over pixels from finer samples, by a filter along both axes, raised to `lowest`.");
     });
     m.def("interpolation_error", &lommel::interpolation_error, "half"_a, "points"_a,
           "Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.");

@@ -100,22 +100,26 @@ double judged(const Work& work) {
     return 0.0;
 }
 
-// Images of pupils that are not radially symmetric around one axis, (row, column), or each around its own; engines move the axes
-// to pixels or not.
-template <template <class> class Engine, bool Moves, class T, class... Center>
-double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
-                   double step, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers) {
-    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
+inline void require_terms(const std::vector<lommel::ZernikeTerm>& list) {
     for (auto term = list.begin(); term != list.end(); ++term) {
         const std::int32_t n = term->n, order = std::abs(term->m);
         require(n >= 0 && n <= 200 && order <= n && (n - order) % 2 == 0, "no such Zernike term");
         require(std::find(list.begin(), term, *term) == term, "a Zernike term comes twice");
     }
+}
+
+// Calls work(stack, window) for pupils that are not radially symmetric around one axis, (row, column), or each around its own;
+// engines move the axes to pixels or not.
+template <bool Moves, class Work, class... Center>
+double on_disks(const In<std::int32_t, 2>& terms, const In<double, 2>& edge, double obscuration, const In<double, 1>& amplitude,
+                std::size_t height, std::size_t width, double step, double tol, int threads, const Work& work,
+                const Center&... center) {
+    const std::vector<lommel::ZernikeTerm> list = terms_of(terms, edge.shape(1));
+    require_terms(list);
     const lommel::Amplitude light = amplitude_of(amplitude);
     const std::size_t n = edge.shape(0);
     require(n > 0, "one pupil at least");
     obscuration_of(obscuration);
-    const lommel::Answer<T> answer = answer_of(n, scale, images, numbers);
     if constexpr (sizeof...(Center) == 2) {
         require_center(center...);
     } else {
@@ -124,7 +128,6 @@ double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
     require_request(step, tol, threads);
     return judged([&] {
         lommel::DiskStack stack(list, edge.data(), n, obscuration, light);
-        const std::size_t height = images.shape(1), width = images.shape(2);
         lommel::DiskWindow window{height, width, static_cast<double>(height / 2), static_cast<double>(width / 2), step};
         if constexpr (sizeof...(Center) == 2) {
             window = {height, width, center..., step};
@@ -135,8 +138,25 @@ double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscura
             stack.move_axes(window);
         }
         stack.shrink();
-        Engine<T>(stack, window, tol, threads, {answer.images, answer.scales, answer.bounds, answer.peaks}).run();
+        work(stack, window);
     });
+}
+
+template <class T>
+lommel::DiskAnswer<T> disk_answer(std::size_t pupils, double scale, const Out<T, 3>& images, const Out<double, 2>& numbers) {
+    const lommel::Answer<T> answer = answer_of(pupils, scale, images, numbers);
+    return {answer.images, answer.scales, answer.bounds, answer.peaks};
+}
+
+template <template <class> class Engine, bool Moves, class T, class... Center>
+double disk_images(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, Center... center,
+                   double step, double tol, int threads, double scale, Out<T, 3> images, Out<double, 2> numbers) {
+    const lommel::DiskAnswer<T> answer = disk_answer(edge.shape(0), scale, images, numbers);
+    const auto work = [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
+        Engine<T>(stack, window, tol, threads, answer).run();
+    };
+    return on_disks<Moves>(terms, edge, obscuration, amplitude, images.shape(1), images.shape(2), step, tol, threads, work,
+                           center...);
 }
 
 template <template <class> class Engine, bool Moves>

@@ -24,6 +24,9 @@ from lommel.optics.pupil import Pupil, checked
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from lommel.methods.derivatives import Name
+    from lommel.methods.slopes import Slope
+
 
 def psf(
     pupil: Pupil,
@@ -36,7 +39,7 @@ def psf(
     dtype: DTypeLike | None = None,
     center: tuple[ArrayLike, ArrayLike] | None = None,
     integrate: bool | None = None,
-    derivatives: Sequence[str] = (),
+    derivatives: Sequence[Name] = (),
     out: NDArray[Any] | None = None,
     threads: int | None = None,
 ) -> PSF:
@@ -73,10 +76,13 @@ def psf(
         True: average the intensity over the area of each pixel, as a sensor does; False: sample it at the centre. By
         default a pixel in metres averages and one in units of lambda*N samples; `Geometric`, which has no point
         values, always averages. `PSF.sampling` says which.
-    derivatives : sequence of str, default ()
-        Any of "defocus", "spherical", "rho^6", "rho^8": the derivatives of the values with respect to these
-        coefficients of the wavefront (per radian), in ``PSF.derivatives``. Only of `NijboerZernike`, and not of
-        values normalised to their own peak.
+    derivatives : sequence, default ()
+        By what the values are differentiated, into ``PSF.derivatives``. Per radian: "defocus" (C_d), "spherical"
+        (C_s), "rho^6", "rho^8", and Zernike terms at the edge as (n, m), "noll 8", "ansi 8" or "fringe 7". Per pixel:
+        "row", "column" of the axis. Per metre: "wavelength", of all light in proportion, path differences kept;
+        "object_distance", and "focus_distance", for which the sensor moves, of a pupil by :meth:`Lens.pupil`. Per 1:
+        "f_number" of the pupil, its phases kept; "obscuration". Of round apertures, by `NijboerZernike` (radially
+        symmetric terms of such pupils), `ChordalGauss` or a `Polychromatic` of these, and not of "peak".
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         A C-contiguous, writable array to put the values in.
     threads : int, optional
@@ -186,7 +192,7 @@ class Plan:
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
         self._asked: Asked | None = None
 
-    def __call__(self, pupil: Pupil, *, derivatives: Sequence[str] = (), out: NDArray[Any] | None = None) -> PSF:
+    def __call__(self, pupil: Pupil, *, derivatives: Sequence[Name] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         if places := self._sampled.stack:
             pupil = wanted.for_axes(checked(pupil), places)
@@ -196,30 +202,23 @@ class Plan:
             asked = self._asked = asked_about(
                 pupil, light, self._grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
-        _, grid, ways, _, shape, _, shortcut = asked
-        powers = wanted.powers(derivatives)
-        if powers and self.normalize == "peak":
+        grid, ways, shape, shortcut = asked.grid, asked.ways, asked.shape, asked.shortcut
+        names = wanted.names(derivatives)
+        if names and self.normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
         found = None
-        if shortcut is not None and not powers and (out is None or isinstance(out, np.ndarray)):
+        if shortcut is not None and not names and (out is None or isinstance(out, np.ndarray)):
             values = np.empty(shape, self.dtype) if out is None else out
             found = shortcut(pupil, values)
-        slopes: dict[str, NDArray[Any]] = {}
-        slope_bounds: dict[str, float] = {}
+        slopes: list[Slope] = []
         error: float | None
         if found is not None:
             method, (scale, error) = ways[0], found
         else:
             place = None if out is None else wanted.place(out, shape, self.dtype)
-            method, made = asked.images(pupil, powers, place)
+            method, made, slopes = asked.images(pupil, names, place)
             values = made.values.reshape(shape) if place is None else place
             scale, error = made.scale.reshape(pupil.shape), None if made.error is None else largest(made.error)
-            if made.slopes is not None:
-                for name, slope, bound in zip(derivatives, *made.slopes, strict=True):
-                    # The coefficient of rho^2 is twice C_d.
-                    factor = 2.0 if name == "defocus" else 1.0
-                    slopes[name] = np.multiply(slope, factor, out=slope).reshape(shape)
-                    slope_bounds[name] = factor * float(bound.max())
         parts = {
             "values": values,
             "grid": grid,
@@ -228,8 +227,8 @@ class Plan:
             "normalize": self.normalize,
             "error_bound": error,
             "scale": scale,
-            "derivatives": slopes,
-            "derivative_bounds": slope_bounds,
+            "derivatives": {name: slope.values.reshape(shape) for name, slope in zip(names, slopes, strict=True)},
+            "derivative_bounds": {name: largest(slope.error) for name, slope in zip(names, slopes, strict=True)},
         }
         return made_of(PSF, parts)
 
@@ -263,10 +262,10 @@ class PSF(Answer):
         Bound on the largest error over the peak, the largest of the stack; None where the method has none.
     scale : ndarray, shape ``pupil.shape``
         What the intensity (1 for the unobscured, unaberrated peak) was multiplied by.
-    derivatives : dict of str to ndarray
-        Derivatives of the values that were asked for, by name, each of the shape of the values.
-    derivative_bounds : dict of str to float
-        Bounds on their errors over the peak of the values, the largest of the stack.
+    derivatives : dict of (str or (int, int)) to ndarray
+        Derivatives of the values that were asked for, under the same names, each of the shape of the values.
+    derivative_bounds : dict of (str or (int, int)) to float
+        Bounds on their errors over the peak of the values, the largest of the stack, in the unit of each.
 
     Raises
     ------
@@ -336,6 +335,30 @@ class PSF(Answer):
     def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> Numbers:
         """Return the modulus of :meth:`otf` at `fx`, `fy`; its value at frequency 0 is the light in the window."""
         return np.abs(self.otf(fx, fy))
+
+    def pullback(self, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, NDArray[np.float64]]:
+        """Return the gradient of a number from its derivative `g` by the values; see `derivatives` of :func:`psf`.
+
+        Those by the wavefront and the axis cost two images or so, whatever their number; see
+        :func:`lommel.measures.pullback.pullback`.
+
+        Parameters
+        ----------
+        g : array_like, of the shape of the values
+        of : sequence, optional
+            As `derivatives` of :func:`psf`; by default those that were asked for, or else the terms of the wavefront.
+
+        Returns
+        -------
+        dict of name to ndarray
+            Of the shape of the pupil.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If g is not real and finite or not of this shape, or where there are no such derivatives.
+        """
+        return measures.pullback.pullback(self, g, of)
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
         """Draw the values on matplotlib axes and return these, an array of them for a stack.

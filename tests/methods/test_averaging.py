@@ -42,11 +42,11 @@ def test_waves_within_the_band_are_averaged_over_each_pixel(wave):
     taps = filtered_by(step, 1e-9)
     sizes = []
 
-    def samples(fine: lm.Grid) -> np.ndarray:
+    def samples(fine: lm.Grid) -> list[np.ndarray]:
         sizes.append(fine.shape)
-        return 1.0 + np.cos(wave * step * fine.x + 0.4) * np.cos(0.7 * wave * step * fine.y[:, None])[None]
+        return [1.0 + np.cos(wave * step * fine.x + 0.4) * np.cos(0.7 * wave * step * fine.y[:, None])[None]]
 
-    found = averaging.filtered(samples, np.empty((1, *grid.shape)), grid, taps)[0]
+    found = averaging.filtered(samples, np.empty((1, 1, *grid.shape)), grid, taps)[0, 0]
     across = np.sinc(0.5 * wave * step / math.pi) * np.cos(wave * step * grid.x + 0.4)
     down = np.sinc(0.35 * wave * step / math.pi) * np.cos(0.7 * wave * step * grid.y)
     assert found == pytest.approx(1.0 + down[:, None] * across, abs=6e-9)

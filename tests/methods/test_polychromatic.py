@@ -311,8 +311,3 @@ def test_measures_of_white_light_are_those_of_its_parts():
         for share, part in zip(white.weights, white.components(radial), strict=True)
     )
     np.testing.assert_allclose(lm.psf(radial, 9, 1e-6, method=white).profile(radii)[1], expected, rtol=1e-4)
-
-
-def test_derivatives_of_white_light_are_refused_with_what_to_do():
-    with pytest.raises(ValueError, match="derivatives are not available from Polychromatic: sum those that Nij"):
-        lm.psf(lens().pupil(3.0), 9, 2e-6, method=lm.Polychromatic(WAVES, WEIGHTS), derivatives=("defocus",))

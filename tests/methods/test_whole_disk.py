@@ -168,14 +168,14 @@ def test_pixels_average_over_their_area_when_asked_to(normalize):
     assert np.abs(answer.values - mean).max() / answer.values.max() <= answer.error_bound <= 1e-6 + 1e-15
 
 
-def test_there_is_no_profile_and_there_are_no_derivatives_of_such_pupils():
+def test_the_series_has_no_profile_and_no_derivatives_of_such_pupils():
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
     with pytest.raises(ValueError, match="no radial profile"):
         lm.NijboerZernike().field(pupil, [0.0, 1.0])
     with pytest.raises(ValueError, match="no radial profile"):
         lm.NijboerZernike().profile(pupil, np.array([0.0, 1.0]))
     with pytest.raises(ValueError, match="radially symmetric"):
-        lm.psf(pupil, 9, 0.5, derivatives=("defocus",))
+        lm.psf(pupil, 9, 0.5, method=lm.NijboerZernike(), derivatives=("defocus",))
 
 
 def test_aberrations_beyond_the_limit_are_refused_with_a_reason():

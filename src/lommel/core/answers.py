@@ -67,6 +67,8 @@ class Wanted(NamedTuple):
         k of each derivative with respect to the coefficient of t^k that is wanted.
     threads : int
         At most so many, 0 for as many as there are processors. Methods that are not compiled use one.
+    terms : tuple of (int, int)
+        n and m of each Zernike term whose coefficient a derivative is wanted by.
     """
 
     scale: float | None = 1.0
@@ -74,6 +76,7 @@ class Wanted(NamedTuple):
     out: NDArray[Any] | None = None
     powers: tuple[int, ...] = ()
     threads: int = 0
+    terms: tuple[tuple[int, int], ...] = ()
 
 
 class Slopes(NamedTuple):

@@ -172,17 +172,48 @@ def series_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) 
 
 
 def chordal_images(stack: DiskStack, window: Window, tol: float, wanted: Wanted) -> Images:
-    """Return the same by the chordal rule, with errors over the largest value in the window."""
-    return _disk_images(_core.chordal_images, "the largest value in the window", stack, window, tol, wanted)
+    """Return the same by the chordal rule, with errors over the largest value in the window, and its derivatives."""
+    compute = _core.chordal_slopes if wanted.terms else _core.chordal_images
+    return _disk_images(compute, "the largest value in the window", stack, window, tol, wanted)
+
+
+def chordal_gradient(
+    stack: DiskStack, window: Window, tol: float, weights: Array, terms: tuple[tuple[int, int], ...], threads: int = 0
+) -> Array:
+    """Return the sum over pixels of weights times the derivatives of I, at the cost of about two images.
+
+    Parameters
+    ----------
+    stack, window, tol
+        As of :func:`chordal_images`, the tolerance for the images.
+    weights : ndarray, shape (n, height, width)
+    terms : tuple of (int, int)
+        n and m of the Zernike terms whose coefficients derivatives are by.
+    threads : int
+
+    Returns
+    -------
+    ndarray, shape (n, len(terms))
+    """
+    gradient = np.empty((len(stack.edge), len(terms)))
+    factors = np.array(terms, dtype=np.int32)
+    given: tuple[Any, ...] = (*stack, *window.center, window.step, tol, threads, weights, factors, gradient)
+    _core.chordal_gradient(*given)
+    return gradient
 
 
 def _disk_images(
     compute: Callable[..., float], over: str, stack: DiskStack, window: Window, tol: float, wanted: Wanted
 ) -> Images:
     _, values, numbers = places = _places(len(stack.edge), window, wanted)
-    unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places)
+    slopes: Slopes | None = None
+    more: tuple[Any, ...] = ()
+    if n := len(wanted.terms):
+        slopes = Slopes(np.empty((n, *values.shape), values.dtype), np.empty((n, len(values))))
+        more = (np.array(wanted.terms, dtype=np.int32), *slopes)
+    unmet = compute(*stack, *window.center, window.step, tol, wanted.threads, *places, *more)
     _require(unmet, tol, over)
-    return Images(values, numbers[0], numbers[1], None, numbers[2])
+    return Images(values, numbers[0], numbers[1], slopes, numbers[2])
 
 
 def radial_fields(stack: RadialStack, v: Array, tol: float) -> FieldValues:

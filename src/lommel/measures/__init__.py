@@ -7,6 +7,7 @@ from lommel.base import lazy
 if TYPE_CHECKING:
     from lommel.measures import energy as energy
     from lommel.measures import image_transfer as image_transfer
+    from lommel.measures import pullback as pullback
     from lommel.measures import spot as spot
 else:
     __getattr__, __dir__ = lazy.parts(__name__)

@@ -27,8 +27,8 @@ class Answer:
     normalize: str
     error_bound: float | None
     scale: Array = field(repr=False)
-    derivatives: dict[str, NDArray[Any]] = field(default_factory=dict, repr=False)
-    derivative_bounds: dict[str, float] = field(default_factory=dict, repr=False)
+    derivatives: dict[str | tuple[int, int], NDArray[Any]] = field(default_factory=dict, repr=False)
+    derivative_bounds: dict[str | tuple[int, int], float] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
         for name, kind in (("grid", Grid), ("pupil", Pupil), ("method", Method)):

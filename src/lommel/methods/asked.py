@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,10 @@ from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, Shortcut, widened
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
+
+if TYPE_CHECKING:
+    from lommel.methods.derivatives import Name
+    from lommel.methods.slopes import Slope
 
 
 class Asked(NamedTuple):
@@ -26,8 +30,12 @@ class Asked(NamedTuple):
     grid : Grid
     ways : tuple of Method
         As they are tried, one by one.
+    named : bool
+        Whether the caller named one.
+    energy : bool
+        Whether values are fractions of all light.
     wanted : Wanted
-        Without `out` and `powers`.
+        Without `out`, and without derivatives.
     shape, flat : tuple of int
         Of the values, and of those of the flattened stack.
     shortcut : callable or None
@@ -37,27 +45,36 @@ class Asked(NamedTuple):
     light: tuple[Any, ...]
     grid: Grid
     ways: tuple[Method, ...]
+    named: bool
+    energy: bool
     wanted: Wanted
     shape: tuple[int, ...]
     flat: tuple[int, ...]
     shortcut: Shortcut | None
 
-    def images(self, pupil: Pupil, powers: tuple[int, ...], out: NDArray[Any] | None = None) -> tuple[Method, Images]:
-        """Return the images of a pupil of this light, and the method that proved them, without a shortcut.
+    def images(
+        self, pupil: Pupil, names: tuple[Name, ...] = (), out: NDArray[Any] | None = None
+    ) -> tuple[Method, Images, list[Slope]]:
+        """Return the method, images of a pupil of this light and their derivatives, without a shortcut.
 
         Raises
         ------
         ValueError, ToleranceError
-            If the methods do not support the pupil, or cannot meet their tolerance.
+            If the methods do not support the pupil, have no such derivatives, or cannot meet their tolerance.
         """
         self.ways[0].require(pupil)
-        scale, dtype, _, _, threads = self.wanted
-        question = Wanted(scale, dtype, None if out is None else out.reshape(self.flat), powers, threads)
+        question = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
+        if names:
+            from lommel.methods.slopes import differentiated
+
+            method = self.ways[0] if self.named else None
+            return differentiated(method, pupil, self.grid, names, question, self.ways[0].tol, energy=self.energy)
 
         def ask(way: Method) -> Images:
-            return widened(way.images(pupil, self.grid, question), pupil, way, normalized=scale is None)
+            made = way.images(pupil, self.grid, question)
+            return widened(made, pupil, way, normalized=question.scale is None)
 
-        return first_proven(self.ways, ask)
+        return *first_proven(self.ways, ask), []
 
 
 def asked_about(
@@ -98,4 +115,5 @@ def asked_about(
         scale = 1.0 / ways[0].unaberrated_peak(pupil)
     wanted = Wanted(scale, dtype, threads=threads)
     shortcut = ways[0].plan(pupil, grid, wanted) if len(ways) == 1 else None
-    return Asked(light, grid, ways, wanted, stack + grid.shape, (math.prod(stack), *grid.shape), shortcut)
+    named, energy, flat = method is not None, normalize == "energy", (math.prod(stack), *grid.shape)
+    return Asked(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)

@@ -10,14 +10,14 @@ at most the intensity at the peak without aberration, where the transfer functio
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.core.answers import Images, Intensities, ToleranceError, Wanted, not_met
+from lommel.core.answers import Images, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import average_samples
 from lommel.methods.method import normalized_error, stored, storing
 from lommel.optics.grid import Grid
@@ -33,11 +33,29 @@ Sample = Callable[[Pupil, Grid, float, Wanted], Images]
 """From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted."""
 
 
-def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Intensities:
+class Averages(NamedTuple):
+    """Averages over pixels of the flattened stack.
+
+    Attributes
+    ----------
+    values : ndarray, shape (1 + k, n, height, width)
+        Of the intensity, then of its derivatives by k terms.
+    error : ndarray, shape (1 + k, n)
+        Bounds over `peak`; that of the intensity for values once they are stored.
+    peak : ndarray, shape (n,)
+    """
+
+    values: NDArray[np.float64]
+    error: NDArray[np.float64]
+    peak: NDArray[np.float64]
+
+
+def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Averages:
     """Return the intensity averaged over each pixel, with bounds on its error below `tol` once stored as is wanted.
 
     The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
-    divided by the largest average in the window.
+    divided by the largest average in the window. Derivatives by Zernike terms follow: their transfer function is at
+    most twice what that of the aperture is without aberration, for terms are at most 1.
 
     Raises
     ------
@@ -51,7 +69,7 @@ def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wante
         return _averaged(sample, pupil, grid, tol, wanted, _CLOSER)
 
 
-def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, widest: float) -> Intensities:
+def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, widest: float) -> Averages:
     step, ceiling, dtype, normalize = grid.step(pupil), pupil.amplitude**2, wanted.dtype, wanted.scale is None
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
@@ -61,27 +79,29 @@ def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Want
     for _ in range(5):
         taps = filtered_by(step, response, widest)
         try:
-            total, given, peaks = _filtered(sample, pupil, grid, finer / taps.gain**2, taps, wanted.threads)
+            total, given, peaks = _filtered(sample, pupil, grid, finer / taps.gain**2, taps, wanted)
         except ToleranceError as fault:
             raise ToleranceError(
                 f"tol={tol:g} cannot be met by averages over pixels of {step / math.pi:.3g} lambda*N, for which "
                 f"samples must be exact to {finer:.2g} of the peak: {fault}"
             ) from None
-        tops = total.max(axis=(1, 2))
+        tops = total[0].max(axis=(1, 2))
         rounding = (2 * taps.weights.size + 8) * 2.0**-53 * taps.gain**2 * peaks
-        own = (2.0 + taps.error) * taps.error * ceiling + rounding
-        found = tops if normalize else np.maximum(tops, lowest * peaks)
+        filtering = (2.0 + taps.error) * taps.error * ceiling
+        own = filtering + rounding[0]
+        found = tops if normalize else np.maximum(tops, lowest * peaks[0])
         if not found.min() > 0:
             break
-        relative = (given + own) / found
+        relative = (given[0] + own) / found
         bounds = stored(normalized_error(relative) if normalize else relative, dtype)
         if bounds.max() <= tol:
-            return Intensities(total, bounds, found)
+            slopes = (given[1:] + 2.0 * filtering + rounding[1:]) / found
+            return Averages(total, np.concatenate([bounds[None], slopes]), found)
         if finer >= _SINGLE * taps.gain**2:
             # What single precision stores is off by more than what doubles are, and tells little of it.
             finer = 0.9 * _SINGLE
         else:
-            finer *= min(1.0, 0.5 * aim / float((given / found).max()))
+            finer *= min(1.0, 0.5 * aim / float((given[0] / found).max()))
         response *= min(1.0, 0.2 * aim / float((own / found).max()))
     raise not_met(tol, 1.0 if not found.min() > 0 else float(bounds.max()), "the largest value in the window")
 
@@ -89,11 +109,17 @@ def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Want
 def averaged_images(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
     """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
     made = averaged(sample, pupil, grid, tol, wanted)
-    tops = made.values.max(axis=(1, 2))
+    tops = made.values[0].max(axis=(1, 2))
     scales = 1.0 / tops if wanted.scale is None else np.full(len(tops), wanted.scale)
-    values = np.empty(made.values.shape, wanted.dtype) if wanted.out is None else wanted.out
-    np.multiply(made.values, scales[:, None, None], out=values, casting="same_kind")
-    return Images(values, scales, made.error, None, made.peak)
+    values = np.empty(made.values[0].shape, wanted.dtype) if wanted.out is None else wanted.out
+    np.multiply(made.values[0], scales[:, None, None], out=values, casting="same_kind")
+    slopes = None
+    if wanted.terms:
+        off = made.error[1:]
+        largest = np.abs(made.values[1:]).max(axis=(2, 3)) / made.peak
+        stored_as = (made.values[1:] * scales[:, None, None]).astype(wanted.dtype)
+        slopes = Slopes(stored_as, off + (largest + off) * storing(wanted.dtype))
+    return Images(values, scales, made.error[0], slopes, made.peak)
 
 
 def least_average(step: float) -> float:
@@ -117,7 +143,7 @@ class Taps(NamedTuple):
     weights : ndarray, shape (2 k + 1,)
         Of the samples from k before to k after the middle of the pixel.
     error : float
-        Bound on ``|C(w) - sinc(a w / 2)|`` for ``|w| <= 2``.
+        Bound on ``|C(w) - sinc(a w / 2)|`` for ``|w| <= 2``, or from its derivative by ln a.
     gain : float
         Sum of the magnitudes of the weights: what errors of samples are multiplied by at most.
     """
@@ -139,8 +165,10 @@ def samples_across(step: float, widest: float = _WIDEST) -> int:
 
 
 @lru_cache(maxsize=64)
-def filtered_by(step: float, error: float, widest: float = _WIDEST) -> Taps:
+def filtered_by(step: float, error: float, widest: float = _WIDEST, *, growing: bool = False) -> Taps:
     """Return the shortest filter for pixels of pitch `step` in v, samples at most `widest` apart, off by `error`.
+
+    Where the pixel is `growing`, the response is the derivative by ln a, ``cos(a w / 2) - sinc(a w / 2)``.
 
     Weights by least squares at Chebyshev points of the band. The error of the response is even and entire, of type
     k h; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 k h + 48`` (its Chebyshev series falls below
@@ -157,46 +185,102 @@ def filtered_by(step: float, error: float, widest: float = _WIDEST) -> Taps:
         basis = 2.0 * np.cos(np.outer(w, h * np.arange(half + 1)))
         basis[:, 0] = 1.0
         wanted = np.sinc(0.5 * step / math.pi * w)
+        if growing:
+            wanted = np.cos(0.5 * step * w) - wanted
         c, *_ = np.linalg.lstsq(basis, wanted, rcond=1e-13)
         gain = float(abs(c[0]) + 2.0 * np.abs(c[1:]).sum())
         rounding = 2.0**-52 * (half + 4) * gain
         reached = math.sqrt(2.0) * (float(np.abs(basis @ c - wanted).max()) + rounding) + 1e-17
         # Few samples beyond the edge of a large pixel need large weights, which would magnify errors.
-        if (reached <= error and gain <= 1.5) or half > stride + 60:
+        if (reached <= error and gain <= (3.0 if growing else 1.5)) or half > stride + 60:
             return Taps(stride, np.concatenate([c[:0:-1], c]), reached, gain)
         half += 1
 
 
 def _filtered(
-    sample: Sample, pupil: Pupil, grid: Grid, tol: float, taps: Taps, threads: int
+    sample: Sample, pupil: Pupil, grid: Grid, tol: float, taps: Taps, wanted: Wanted
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return averages, the errors that those of the samples make of them, and peaks, of the flattened stack."""
-    count = math.prod(pupil.shape)
-    wanted = Wanted(dtype=np.dtype(np.float32 if tol >= _SINGLE else np.float64), threads=threads)
-    total, error, peaks = np.empty((count, *grid.shape)), np.zeros(count), np.zeros(count)
-    values = math.prod(_samples(side, taps) for side in grid.shape)
-    for part, one, pixels in _blocks(pupil, grid, max(1, _VALUES // values)):
+    """Return averages, what errors of the samples make of them, and largest samples, as :class:`Averages`."""
+    count, images = math.prod(pupil.shape), 1 + len(wanted.terms)
+    dtype = np.dtype(np.float32 if tol >= _SINGLE else np.float64)
+    question = Wanted(dtype=dtype, threads=wanted.threads, terms=wanted.terms)
+    total, error, peaks = np.empty((images, count, *grid.shape)), np.zeros((images, count)), np.zeros((images, count))
+    for part, one, pixels in blocks(pupil, grid, taps, images):
 
-        def samples(fine: Grid, part: slice = part, one: Pupil = one) -> NDArray[Any]:
-            made = sample(one, fine, tol, wanted)
+        def samples(fine: Grid, part: slice = part, one: Pupil = one) -> list[NDArray[Any]]:
+            made = sample(one, fine, tol, question)
             assert made.error is not None
             assert made.peak is not None
-            error[part] = np.maximum(error[part], taps.gain**2 * made.error * made.peak)
-            peaks[part] = np.maximum(peaks[part], made.peak * (1.0 - made.error))
-            return made.values
+            error[0, part] = np.maximum(error[0, part], taps.gain**2 * made.error * made.peak)
+            peaks[0, part] = np.maximum(peaks[0, part], made.peak * (1.0 - made.error))
+            if made.slopes is None:
+                return [made.values]
+            largest = np.abs(made.slopes.values).max(axis=(2, 3))
+            peaks[1:, part] = np.maximum(peaks[1:, part], largest)
+            error[1:, part] = np.maximum(error[1:, part], taps.gain**2 * made.slopes.error * made.peak)
+            return [made.values, *made.slopes.values]
 
-        filtered(samples, total[part], pixels, taps, threads)
+        filtered(samples, total[:, part], pixels, taps, wanted.threads)
     return total, error, peaks
 
 
 def filtered(
-    samples: Callable[[Grid], NDArray[Any]], out: NDArray[np.float64], grid: Grid, taps: Taps, threads: int = 0
+    samples: Callable[[Grid], Sequence[NDArray[Any]]],
+    out: NDArray[np.float64],
+    grid: Grid,
+    taps: Taps,
+    threads: int = 0,
 ) -> NDArray[np.float64]:
-    """Write averages over the pixels of `grid` to `out`, shape (n, height, width), some rows at once; return it."""
-    most = max(1, int(_VALUES / (_samples(grid.width, taps) * taps.stride)))
+    """Write averages over the pixels of `grid` to `out`, shape (k, n, height, width), some rows at once; return it.
+
+    The first of the k is an intensity, the others need not be positive.
+    """
+    most = max(1, int(_VALUES / (len(out) * _samples(grid.width, taps) * taps.stride)))
     for y in range(0, grid.height, most):
-        rows = out[:, y : y + most]
-        average_samples(samples(_fine(grid, y, rows.shape[1], taps)), taps.weights, taps.stride, threads, rows)
+        rows = out[:, :, y : y + most]
+        for k, fine in enumerate(samples(_fine(grid, y, rows.shape[2], taps))):
+            average_samples(fine, taps.weights, taps.stride, threads, rows[k], -math.inf if k else 0.0)
+    return out
+
+
+def averaged_gradient(
+    gradient: Callable[[Pupil, Grid, NDArray[np.float64]], NDArray[np.float64]],
+    pupil: Pupil,
+    grid: Grid,
+    tol: float,
+    weights: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels.
+
+    By the transpose of the filter: `gradient` is asked about samples, with weights for these.
+    """
+    taps = filtered_by(grid.step(pupil), 2e-3 * tol * least_average(grid.step(pupil)))
+    most = max(1, int(_VALUES / (_samples(grid.width, taps) * taps.stride)))
+    found = []
+    for part, one, pixels in blocks(pupil, grid, taps):
+        sums: Any = 0.0
+        for y in range(0, grid.height, most):
+            rows = weights[part, y : y + most]
+            across = _transposed(rows, taps)
+            down = np.ascontiguousarray(_transposed(across.swapaxes(1, 2), taps).swapaxes(1, 2))
+            sums += gradient(one, _fine(pixels, y, rows.shape[1], taps), down)
+        found.append(sums)
+    return np.concatenate(found)
+
+
+def _transposed(values: NDArray[np.float64], taps: Taps) -> NDArray[np.float64]:
+    """Return what samples along the last axis get of pixels there."""
+    out = np.zeros((*values.shape[:2], _samples(values.shape[2], taps)))
+    for k, weight in enumerate(taps.weights):
+        out[..., k : k + (values.shape[2] - 1) * taps.stride + 1 : taps.stride] += weight * values
+    return out
+
+
+def weighed(samples: NDArray[np.float64], rows: Taps, columns: Taps, threads: int = 0) -> NDArray[np.float64]:
+    """Return sums of finer samples, shape (n, h, w), by as many taps along each axis; of any sign."""
+    sides = ((side - rows.weights.size) // rows.stride + 1 for side in samples.shape[1:])
+    out = np.empty((len(samples), *sides))
+    average_samples(samples, rows.weights, rows.stride, threads, out, -math.inf, columns.weights)
     return out
 
 
@@ -211,8 +295,14 @@ def _fine(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
     return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.pixel / taps.stride, center=at)
 
 
-def _blocks(pupil: Pupil, grid: Grid, size: int) -> Iterator[tuple[slice, Pupil, Grid]]:
-    """Return parts of a stack of at most `size` pupils, where they are in the flattened stack, and their pixels."""
+def finer(grid: Grid, taps: Taps) -> Grid:
+    """Return all samples that the averages over the pixels of `grid` take."""
+    return _fine(grid, 0, grid.height, taps)
+
+
+def blocks(pupil: Pupil, grid: Grid, taps: Taps, images: int = 1) -> Iterator[tuple[slice, Pupil, Grid]]:
+    """Return parts of a stack that are sampled at once, where they are in the flattened stack, and their pixels."""
+    size = max(1, _VALUES // (images * math.prod(_samples(side, taps) for side in grid.shape)))
     count = math.prod(pupil.shape)
     if count <= size:
         yield slice(0, count), pupil, grid

@@ -5,11 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+import numpy as np
+from numpy.typing import NDArray
+
 from lommel.base import validation
 from lommel.core.answers import Images, Intensities, Wanted
-from lommel.core.engine import chordal_images
+from lommel.core.engine import chordal_gradient, chordal_images
+from lommel.methods.averaging import averaged_gradient
 from lommel.methods.method import Method
-from lommel.methods.terms import disk_images
+from lommel.methods.terms import disk_images, disk_stack, window_of
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
@@ -72,6 +76,47 @@ class ChordalGauss(Method):
 
     def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
-        if wanted.powers:
-            raise ValueError("derivatives are not available from ChordalGauss; use NijboerZernike")
         return disk_images(chordal_images, pupil, grid, self.tol, wanted)
+
+    def gradient(
+        self,
+        pupil: Pupil,
+        grid: Grid,
+        weights: NDArray[np.float64],
+        terms: tuple[tuple[int, int], ...],
+        threads: int = 0,
+    ) -> NDArray[np.float64]:
+        """Return the gradient of a sum over pixels of weights times I, at the cost of about two images.
+
+        Parameters
+        ----------
+        pupil : Pupil
+        grid : Grid
+        weights : ndarray, shape ``(n, height, width)``
+            Of the flattened stack.
+        terms : tuple of (int, int)
+            n and m of the Zernike terms by whose coefficients (radians at the edge) derivatives are.
+        threads : int, default 0
+            At most so many, 0 for as many as there are processors.
+
+        Returns
+        -------
+        ndarray, shape ``(n, len(terms))``
+
+        Raises
+        ------
+        ValueError
+            As :meth:`images` does.
+
+        References
+        ----------
+        A. S. Jurling and J. R. Fienup, J. Opt. Soc. Am. A 31, 1348 (2014), doi:10.1364/JOSAA.31.001348.
+        """
+        self.require(pupil)
+
+        def sampled(some: Pupil, pixels: Grid, there: NDArray[np.float64]) -> NDArray[np.float64]:
+            return chordal_gradient(disk_stack(some), window_of(some, pixels), self.tol, there, terms, threads)
+
+        if grid.integrate:
+            return averaged_gradient(sampled, pupil, grid, self.tol, weights)
+        return sampled(pupil, grid, weights)

@@ -101,7 +101,9 @@ class HuygensFresnel(FieldMethod):
         if grid.integrate:
             taps = filtered_by(grid.step(pupil), 1e-9)
             values = np.empty((math.prod(pupil.shape), *grid.shape))
-            return Intensities(filtered(lambda fine: self._samples(pupil, fine), values, grid, taps, threads), None)
+            return Intensities(
+                filtered(lambda fine: [self._samples(pupil, fine)], values[None], grid, taps, threads)[0], None
+            )
         return Intensities(self._samples(pupil, grid), None)
 
     def _samples(self, pupil: Pupil, grid: Grid) -> NDArray[np.float64]:

@@ -114,7 +114,7 @@ class NonuniformFFT(Method):
             if grid.integrate:
                 taps = filtered_by(step, 0.05 * self.tol * lowest * (bright / amplitude) ** 2)
                 image = np.empty(grid.shape)
-                filtered(lambda fine: samples(fine, budget)[None], image[None], grid, taps, threads)  # noqa: B023
+                filtered(lambda fine: [samples(fine, budget)[None]], image[None, None], grid, taps, threads)  # noqa: B023
             else:
                 image = samples(grid, budget)
             if seen < bright:

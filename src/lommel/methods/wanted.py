@@ -11,18 +11,14 @@ from numpy.typing import DTypeLike, NDArray
 from lommel.base import validation
 from lommel.optics.pupil import Pupil
 
-_POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
 
-
-def powers(derivatives: Sequence[str]) -> tuple[int, ...]:
-    """Return the powers of rho^2 whose coefficients `derivatives` are by; TypeError or ValueError if none are."""
+def names(derivatives: Sequence[str | tuple[int, int]]) -> tuple[str | tuple[int, int], ...]:
+    """Return what `derivatives` are by, each once; TypeError or ValueError if there are none such."""
     if isinstance(derivatives, tuple) and not derivatives:
         return ()
-    if isinstance(derivatives, str) or not isinstance(derivatives, Sequence):
-        raise TypeError(
-            f"derivatives must be a sequence of names such as ('defocus',), got {validation.shown(derivatives)}"
-        )
-    return tuple(_POWERS[validation.choice("derivatives", name, _POWERS)] for name in derivatives)
+    from lommel.methods.derivatives import checked  # most answers have none
+
+    return checked(derivatives)
 
 
 def array(name: str, value: Any) -> NDArray[Any]:

@@ -4,65 +4,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <numeric>
-#include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "lommel/base/parallel.hpp"
-#include "lommel/bounds/chords.hpp"
 #include "lommel/bounds/settle.hpp"
-#include "lommel/chordal/lines.hpp"
-#include "lommel/chordal/tables.hpp"
-#include "lommel/chordal/transform.hpp"
+#include "lommel/chordal/call.hpp"
 #include "lommel/pixels/render.hpp"
-#include "lommel/zernike/disk_stack.hpp"
 
 namespace lommel {
 
-constexpr double max_table_bytes = 268435456.0;  // of the kernel for one window
-
-// What the error of an image is spent on.
-struct ChordalBudget {
-    // Of the tolerance times the peak of |U|, on U, which counts twice in I; the rest is a margin, for the peak is a guess.
-    static constexpr double field = 0.4;
-    static_assert(2.0 * field <= 1.0);
-    // Of the error of U, on the disk and the obscured one where there is one.
-    static constexpr double outer = 0.6, inner = 0.4;
-    static_assert(outer + inner <= 1.0);
-    // Of that of a disk, on the sum over chords, the most; those over their nodes have the rest.
-    static constexpr double chords = 0.7;
-    static_assert(chords < 1.0);
-    // Of tolerance and peak, on U and its rounding to single precision, where sums have that: twice as much as of a peak that is
-    // likely; and of this the most that may be rounding.
-    static constexpr double single = 0.6, rounding = 0.7;
-    // What is asked of U where that did not do: what the peak that was found asks for, between these parts of what was asked.
-    static constexpr double again = 0.3, least = 1e-3;
-};
-
 template <class T>
-class ChordalRenderer {
+class ChordalRenderer : protected ChordalCall {
    public:
-    ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer)
-        : stack_(stack), rows_(window.height, window.row), columns_(window.width, window.column), step_(window.step), tol_(tol),
-          threads_(threads), answer_(answer), area_(stack.obscuration * stack.obscuration),
-          lines_(stack, {step_ * columns_.low(), step_ * columns_.high(), step_ * rows_.low(), step_ * rows_.high()},
-                 static_cast<double>(rows_.at.size()), static_cast<double>(rows_.count * columns_.at.size()), threads),
-          states_(stack.count) {}
+    ChordalRenderer(const DiskStack& stack, const DiskWindow& window, double tol, int threads, const DiskAnswer<T>& answer,
+                    std::vector<ZernikeTerm> factors = {})
+        : ChordalCall(stack, window, tol, threads, sizeof(T) == sizeof(float), std::move(factors)), answer_(answer) {}
 
     void run() {
-        const double bright = stack_.amplitude.integral(stack_.obscuration);
-        const auto first = [&](std::size_t p, const ChordBound& bound) {
-            check_phase(bound.size());
-            // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
-            return states_[p].error = ChordalBudget::field * tol_ * 0.5 * bright / std::sqrt(1.0 + bound.variance());
-        };
-        lines_.find(stack_.outer.data(), 1.0, first, [&](std::size_t p) -> ChordDisk& { return states_[p].far; });
-        if (area_ > 0.0) {
-            const auto same = [&](std::size_t p, const ChordBound&) { return states_[p].error; };
-            lines_.find(stack_.inner.data(), stack_.obscuration, same,
-                        [&](std::size_t p) -> ChordDisk& { return states_[p].near; });
-        }
+        begin();
         std::vector<std::size_t> pending(stack_.count);
         std::iota(pending.begin(), pending.end(), std::size_t{0});
         const auto attempt = [&] {
@@ -73,23 +33,11 @@ class ChordalRenderer {
                 s.at_rounding = s.error < rounding;
                 s.error = std::max(s.error, rounding);
                 const double error = s.single ? singly(p) : s.error;
-                choose(p, 1.0, s.far, area_ > 0.0 ? ChordalBudget::outer * error : error);
-                if (area_ > 0.0) {
-                    choose(p, stack_.obscuration, s.near, ChordalBudget::inner * error / area_);
-                }
+                choose(p, error);
             }
-            std::sort(pending.begin(), pending.end(), [&](std::size_t a, std::size_t b) {
-                const ChordCount &i = states_[a].far.count, &j = states_[b].far.count;
-                if (states_[a].single != states_[b].single) {
-                    return states_[a].single;
-                }
-                return i.chords != j.chords ? i.chords < j.chords : i.nodes != j.nodes ? i.nodes < j.nodes : a < b;
-            });
-            const auto end =
-                std::partition_point(pending.begin(), pending.end(), [&](std::size_t p) { return states_[p].single; });
-            const std::size_t singles = static_cast<std::size_t>(end - pending.begin());
-            dispatch_batches<float>(pending.data(), singles);
-            dispatch_batches<double>(pending.data() + singles, pending.size() - singles);
+            const std::size_t singles = sort(pending);
+            render<float>(pending.data(), singles);
+            render<double>(pending.data() + singles, pending.size() - singles);
             double worst = 0.0;
             for (const std::size_t p : pending) {
                 worst = std::max(worst, states_[p].relative);
@@ -119,22 +67,10 @@ class ChordalRenderer {
         });
     }
 
+   protected:
+    DiskAnswer<T> answer_;
+
    private:
-    struct State {
-        double error = 0.0, relative = 1e300, peak = 0.0;
-        bool at_rounding = false;                  // less than this error cannot be asked for
-        bool single = sizeof(T) == sizeof(float);  // whether sums are in single precision
-        ChordDisk far, near;                       // the whole disk and the obscured one
-    };
-
-    double wrong(const ChordDisk& disk, const ChordCount& n, bool single) const {
-        return disk.chords.line.bound(Sum::chords, n.chords) + disk.nodes.line.bound(Sum::nodes, n.nodes) + disk.rounding +
-               ChordBound::rounding(n.chords, n.nodes) +
-               (single ? ChordBound::single_rounding(static_cast<double>(n.chords), static_cast<double>(n.nodes),
-                                                     stack_.terms.size())
-                       : 0.0);
-    }
-
     // The error to ask for where sums are in single precision; or in double precision, if that leaves too little.
     double singly(std::size_t p) {
         State& s = states_[p];
@@ -145,81 +81,14 @@ class ChordalRenderer {
         return s.single ? std::min(s.error, all - rounding) : s.error;
     }
 
-    void choose(std::size_t p, double scale, ChordDisk& disk, double error) const {
-        const std::size_t chords = disk.chords.line.enough(Sum::chords, ChordalBudget::chords * error);
-        disk.count.chords = std::max(disk.least, chords);
-        const double rest = error - disk.chords.line.bound(Sum::chords, disk.count.chords);
-        disk.count.nodes = chords > max_chords ? 0 : disk.nodes.line.enough(Sum::nodes, rest);
-        if (std::max(disk.count.chords, disk.count.nodes) > max_chords) {
-            const bool many = disk.count.chords > max_chords;
-            ChordBound bound = lines_.bound_of(scale);
-            bound.prepare((scale == 1.0 ? stack_.outer : stack_.inner).data() + p * stack_.terms.size());
-            bound.refuse(many ? Sum::chords : Sum::nodes, many ? disk.chords.line : disk.nodes.line,
-                         many ? ChordalBudget::chords * error : rest);
-        }
-    }
-
     template <class Real>
-    std::shared_ptr<const KernelTable<Real>> kernel(const ChordCount& count, double step) const {
-        if (KernelTable<Real>::bytes(count, rows_.at.size()) > max_table_bytes) {
-            throw PhaseTooLarge("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
-                                std::to_string(count.chords) + " chords of " + std::to_string(count.nodes) +
-                                " nodes, whose tables exceed the limit of 256 MiB");
-        }
-        return cache<KernelTable<Real>>.get(count, rows_, columns_, step);
-    }
-
-    template <class Real>
-    struct Tables {
-        std::shared_ptr<const TermTable> terms;
-        std::shared_ptr<const KernelTable<Real>> kernel;
-    };
-
-    template <class Real>
-    Tables<Real> tables(const ChordCount& count, double scale) const {
-        // The kernel first: it knows when there are too many chords.
-        const auto k = kernel<Real>(count, scale * step_);
-        return {cache<TermTable>.get(count, stack_.terms, stack_.amplitude.scaled(scale * scale)), k};
-    }
-
-    template <class Real>
-    void dispatch_batches(const std::size_t* pending, std::size_t pupils) {
-        const std::size_t lanes = vector_lanes() * sizeof(double) / sizeof(Real), batches = (pupils + lanes - 1) / lanes;
-        // Tables before threads, so that no thread waits for another to make them.
-        std::vector<Tables<Real>> outer(batches), inner(batches);
-        for (std::size_t b = 0; b < batches; ++b) {
-            ChordCount far, near;
-            for (std::size_t i = b * lanes; i < std::min(pupils, (b + 1) * lanes); ++i) {
-                far.include(states_[pending[i]].far.count);
-                near.include(states_[pending[i]].near.count);
-            }
-            const bool same = b > 0 && outer[b - 1].terms->count == far;
-            outer[b] = same ? outer[b - 1] : tables<Real>(far, 1.0);
-            if (area_ > 0.0) {
-                const bool alike = b > 0 && inner[b - 1].terms->count == near;
-                inner[b] = alike ? inner[b - 1] : tables<Real>(near, stack_.obscuration);
-            }
-        }
-        parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
-            thread_local ChordalScratch<Real> scratch;
-            const std::size_t first = b * lanes, here = std::min(lanes, pupils - first);
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { batch(isa, pending + first, here, outer[b], inner[b], scratch); });
-        });
-    }
-
-    template <class I, class Real>
-    LOMMEL_INLINE void gather(I, const double* coefficients, const std::size_t* pupils, std::size_t here,
-                              const TermTable& table, ChordalScratch<Real>& scratch) const {
-        using Wave = Waves<I, Real>;
-        const std::size_t terms = stack_.terms.size();
-        scratch.coefficients.resize(terms * Wave::lanes);
-        for (std::size_t lane = 0; lane < Wave::lanes; ++lane) {
-            // Lanes without a pupil repeat the last one.
-            const double* own = coefficients + pupils[std::min(lane, here - 1)] * terms;
-            for (std::size_t j = 0; j < terms; ++j) {
-                scratch.coefficients[j * Wave::lanes + Wave::place(lane)] = Wave::unit * own[table.classes.order[j]];
-            }
-        }
+    void render(const std::size_t* pupils, std::size_t count) {
+        for_batches<Real>(pupils, count,
+                          [&](auto isa, const std::size_t* some, std::size_t here, const Tables<Real>& outer,
+                              const Tables<Real>& inner) LOMMEL_INLINE_LAMBDA {
+                              thread_local ChordalScratch<Real> scratch;
+                              batch(isa, some, here, outer, inner, scratch);
+                          });
     }
 
     template <class I, class Real>
@@ -228,46 +97,42 @@ class ChordalRenderer {
         using V = typename Waves<I, Real>::V;
         constexpr std::size_t lanes = Waves<I, Real>::lanes;
         const std::size_t width = columns_.count, pixels = rows_.count * width;
-        if (area_ > 0.0) {
-            scratch.inner.resize(pixels * 2 * lanes);
-            Real* kept = scratch.inner.data();
-            const V area = splat<V>(static_cast<Real>(area_));
-            gather(isa, stack_.inner.data(), pupils, here, *inner.terms, scratch);
-            chordal_fields(isa, *inner.terms, *inner.kernel, scratch, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
-                for (std::size_t j = 0; j < 2 * width * lanes; j += lanes) {
-                    store(kept + 2 * y * width * lanes + j, load<V>(u + j) * area);
-                }
-            });
-        }
         double scale[lanes];
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const double given = answer_.scales[pupils[std::min(lane, here - 1)]];
             scale[lane] = given == 0.0 ? 1.0 : given;
         }
+        gather<I, Real>(isa, stack_.outer, pupils, here, *outer.terms, scratch.coefficients[0]);
+        if (area_ > 0.0) {
+            gather<I, Real>(isa, stack_.inner, pupils, here, *inner.terms, scratch.coefficients[1]);
+        }
+        const auto waves = [&](const TermTable* table, const Doubles& coefficients) LOMMEL_INLINE_LAMBDA {
+            return [&, table](std::size_t chord) LOMMEL_INLINE_LAMBDA {
+                scratch.nodes.resize(chord_values(table->count, lanes));
+                pair_of_chords(isa, *table, chord, coefficients.data(), scratch.nodes.data());
+                return static_cast<const Real*>(scratch.nodes.data());
+            };
+        };
         scratch.intensity.resize(width * lanes);
         Real* intensity = scratch.intensity.data();
         V top = splat<V>(Real(0));
-        gather(isa, stack_.outer.data(), pupils, here, *outer.terms, scratch);
-        chordal_fields(isa, *outer.terms, *outer.kernel, scratch, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
-            const Real* less = area_ > 0.0 ? scratch.inner.data() + 2 * y * width * lanes : nullptr;
-            for (std::size_t x = 0; x < width; ++x) {
-                V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
-                if (less != nullptr) {
-                    re = re - load<V>(less + 2 * x * lanes);
-                    im = im - load<V>(less + (2 * x + 1) * lanes);
-                }
+        fields(
+            isa, outer, inner, scratch, waves(outer.terms.get(), scratch.coefficients[0]),
+            waves(inner.terms.get(), scratch.coefficients[1]),
+            [&](std::size_t, std::size_t x, V re, V im) LOMMEL_INLINE_LAMBDA {
                 const V i = re * re + im * im;
                 top = larger(top, i);
                 store(intensity + x * lanes, i);
-            }
-            for (std::size_t lane = 0; lane < here; ++lane) {
-                T* to = answer_.images + pupils[lane] * pixels + y * width;
-                const double by = scale[lane];
-                for (std::size_t x = 0; x < width; ++x) {
-                    to[x] = static_cast<T>(by * static_cast<double>(intensity[x * lanes + lane]));
+            },
+            [&](std::size_t y) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t lane = 0; lane < here; ++lane) {
+                    T* to = answer_.images + pupils[lane] * pixels + y * width;
+                    const double by = scale[lane];
+                    for (std::size_t x = 0; x < width; ++x) {
+                        to[x] = static_cast<T>(by * static_cast<double>(intensity[x * lanes + lane]));
+                    }
                 }
-            }
-        });
+            });
         Real peaks[lanes];
         store(peaks, top);
         for (std::size_t lane = 0; lane < here; ++lane) {
@@ -278,9 +143,7 @@ class ChordalRenderer {
     template <class Real>
     void finish(std::size_t p, double peak, const Tables<Real>& outer, const Tables<Real>& inner) {
         State& s = states_[p];
-        const bool single = sizeof(Real) == sizeof(float);
-        const double error = stack_.lost[p] + wrong(s.far, outer.terms->count, single) +
-                             (area_ > 0.0 ? area_ * wrong(s.near, inner.terms->count, single) : 0.0);
+        const double error = off(p, outer, inner);
         s.peak = peak;
         const bool divide = answer_.scales[p] == 0.0;
         s.relative = finished_error<T>(relative_error(peak, error), divide, true);
@@ -295,15 +158,6 @@ class ChordalRenderer {
             store_scaled(image, answer_.scales[p] = 1.0 / peak, pixels, image);
         }
     }
-
-    const DiskStack& stack_;
-    WindowAxis rows_, columns_;
-    double step_, tol_;
-    int threads_;
-    DiskAnswer<T> answer_;
-    double area_;
-    ChordLines lines_;
-    std::vector<State> states_;
 };
 
 }  // namespace lommel

@@ -67,9 +67,12 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
 template <class Real>
 struct ChordalScratch {
     using Values = std::vector<Real, AlignedAllocator<Real>>;
-    Doubles coefficients;
+    Doubles coefficients[2];  // of the disk and the obscured one
     Values nodes, chords, row, inner, intensity;
 };
+
+// Values of one pair of chords: [even, odd in y][node][even, odd in x][re, im], for `lanes` pupils.
+constexpr std::size_t chord_values(const ChordCount& count, std::size_t lanes) { return 4 * count.nodes * lanes; }
 
 // Phases and how they become waves, in double precision: a vector of pupils.
 template <class I, class Real>
@@ -151,22 +154,22 @@ LOMMEL_INLINE void pair_of_chords(I, const TermTable& table, std::size_t chord, 
     });
 }
 
-// U at every pixel, row by row, as sink(row, values[column][re, im]).
-template <class I, class Real, class Sink>
-LOMMEL_INLINE void chordal_fields(I isa, const TermTable& terms, const KernelTable<Real>& kernel, ChordalScratch<Real>& scratch,
+// The field at every pixel, row by row, as sink(row, values[column][re, im]), of what nodes(chord) returns for each pair of chords:
+// nodes as pair_of_chords() leaves them.
+template <class I, class Real, class Nodes, class Sink>
+LOMMEL_INLINE void chordal_fields(I, const KernelTable<Real>& kernel, ChordalScratch<Real>& scratch, const Nodes& nodes_of,
                                   const Sink& sink) {
     using V = typename Waves<I, Real>::V;
     constexpr std::size_t lanes = Waves<I, Real>::lanes;
     const std::size_t half = kernel.count.half_chords(), within = kernel.count.half_nodes();
     const std::size_t rows = kernel.rows.at.size(), columns = kernel.columns.at.size();
     const std::size_t line = half * 2 * lanes;  // of chords[row][even, odd in x][chord][re, im]
-    scratch.nodes.resize(2 * within * 4 * lanes);
     scratch.chords.resize(kernel.rows.count * 2 * line);
     scratch.row.resize(kernel.columns.count * 2 * lanes);
-    Real *nodes = scratch.nodes.data(), *chords = scratch.chords.data(), *row = scratch.row.data();
+    Real *chords = scratch.chords.data(), *row = scratch.row.data();
     for (std::size_t i = 0; i < half; ++i) {
         look();
-        pair_of_chords(isa, terms, i, scratch.coefficients.data(), nodes);
+        const Real* nodes = nodes_of(i);
         for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t R = decltype(size)::value;
             const std::size_t at = (i * rows + first) * within;

@@ -14,13 +14,15 @@ namespace lommel {
 struct PixelFilter {
     const double* weights;
     std::size_t taps, stride;
+    double lowest = 0.0;             // what averages are raised to
+    const double* across = nullptr;  // those along rows, if others
 
     // Of pixels side by side, whose first takes the first sample.
     std::size_t samples(std::size_t pixels) const { return (pixels - 1) * stride + taps; }
 
     // Images of height x width pixels, `pitch` values apart, from samples(height) x samples(width) each; no average of an intensity
-    // is negative, and none less exact for being raised to 0. Sums are of doubles, for single precision would cost them the
-    // tolerance.
+    // is negative, and none less exact for being raised to 0, but those of its derivatives are. Sums are of doubles, for single
+    // precision would cost them the tolerance.
     template <class T>
     void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const {
@@ -81,9 +83,9 @@ struct PixelFilter {
         for (std::size_t k = 0; k < taps; ++k) {
             lines[k] = k % stride * each + k / stride;
         }
-        sums<1>(isa, strands.data(), lines, weights, width, to);
+        sums<1>(isa, strands.data(), lines, across == nullptr ? weights : across, width, to);
         for (std::size_t x = 0; x < width; ++x) {
-            to[x] = std::max(to[x], 0.0);
+            to[x] = std::max(to[x], lowest);
         }
     }
 

@@ -1,0 +1,89 @@
+"""The gradient of a number that images make, from its derivative by their values: what fits descend along."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.core.answers import Wanted
+from lommel.measures.answer import Answer
+from lommel.methods.chordal_gauss import ChordalGauss
+from lommel.methods.derivatives import Name, Parts, checked, parts
+from lommel.methods.method import Method
+from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.methods.polychromatic import Polychromatic
+from lommel.methods.slopes import differentiated, engines, single_light, translated
+
+
+def pullback(psf: Answer, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, Array]:
+    """Return the sums over pixels of `g` times the derivatives of the values; see :meth:`lommel.PSF.pullback`.
+
+    Those by coefficients of the phase, of which a shift is one, are computed backwards, by a transform to the pupil;
+    all others, and where the radial series serves, forwards.
+
+    Parameters
+    ----------
+    psf : PSF
+    g : array_like
+        Of the shape of the values.
+    of : sequence, optional
+
+    Returns
+    -------
+    dict of name to ndarray
+        Of the shape of the pupil.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `g` is not real and finite or of another shape, or where there are no such derivatives.
+    ToleranceError
+        If the tolerance of the method cannot be met.
+    """
+    names = tuple(psf.derivatives) or psf.pupil.wavefront.terms if of is None else checked(of, "of")
+    weights = validation.real_array("g", g)
+    if weights.shape != psf.shape:
+        raise ValueError(f"g must have the shape of the values, {psf.shape}, got {weights.shape}")
+    energy, tol, scale = psf.normalize == "energy", psf.method.tol, float(psf.scale.flat[0])
+    if psf.normalize == "peak":
+        raise ValueError('of a PSF with normalize="peak" there are no derivatives, since it has kinks; use "energy"')
+    pupil, grid, weights = psf.pupil, psf.grid, weights.reshape(-1, *psf.grid.shape)
+    sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}
+    free = _unnamed(psf.method)
+    way, engine = engines(free, pupil, names, list(sums.values()), tol)
+    found: dict[Name, Array] = {}
+    if isinstance(engine, ChordalGauss):
+        factors = {name: translated(sums[name].phases, powers=False) for name in names if _by_phase(sums[name])}
+        terms = tuple(dict.fromkeys(t for phases in factors.values() for t in phases if isinstance(t, tuple)))
+        each = np.zeros((len(weights), len(terms)))
+        for part in way.components(pupil) if terms else ():
+            rate = scale * part.weight * part.stretch  # phases grow as the wavelength falls
+            each += rate * engine.gradient(part.pupil, grid, weights, terms)
+        for name, phases in factors.items():
+            found[name] = np.sum([by * each[:, terms.index(term)] for term, by in phases.items()], axis=0)
+    if others := [name for name in names if name not in found]:
+        _, _, slopes = differentiated(free, pupil, grid, others, Wanted(scale), tol, energy=energy)
+        for name, slope in zip(others, slopes, strict=True):
+            found[name] = np.einsum("nij,nij->n", weights, slope.values)
+    return {name: found[name].reshape(pupil.shape) for name in names}
+
+
+def _by_phase(each: Parts) -> bool:
+    """Return whether a derivative is by coefficients of the phase alone."""
+    return not (np.any(each.own) or np.any(each.growth) or each.rim)
+
+
+def _unnamed(method: Method) -> Method | None:
+    """Return the method without what it names for one wavelength, where others have more derivatives.
+
+    Images are the same within the tolerance, whoever makes them.
+    """
+    if not isinstance(single_light(method), NijboerZernike | ChordalGauss):
+        return method
+    if isinstance(method, Polychromatic):
+        return Polychromatic(method.wavelengths, method.weights, tol=method.tol)
+    return None

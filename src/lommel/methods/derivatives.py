@@ -1,0 +1,228 @@
+r"""By what images may be differentiated: names, and the parts that methods compute of which each is a sum.
+
+An image is ``scale I``, I at ``v = pi x / (lambda N)``. All names come down to derivatives of I by coefficients of
+the phase, to how it changes as the image grows around its axis, ``v . grad I``, and to how it changes as the
+obscuration grows. A tilt shifts the image, so that ``grad I`` is minus the derivatives by (1, 1) and (1, -1), and a
+shift by a pixel is a tilt of its pitch in v.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.optics.pupil import Pupil
+from lommel.special import zernike
+
+if TYPE_CHECKING:
+    from lommel.optics.geometry import Geometry
+
+Term = tuple[int, int]
+Name = str | Term
+"""A text, or n and m of a Zernike term."""
+
+POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
+"""k of rho^(2k), by name; twice C_d is the coefficient of the first."""
+
+_INDEXED = re.compile(r"(noll|ansi|fringe) +([0-9]{1,4})")
+
+
+class Parts(NamedTuple):
+    """A derivative of images as a sum of parts; each factor is a number, or an array with one for each pupil.
+
+    Attributes
+    ----------
+    phases : mapping
+        Factors of the derivatives by the coefficient of rho^(2k), under k, and by that of a Zernike term, under
+        (n, m).
+    own : float or ndarray
+        Factor of the image itself.
+    growth : float or ndarray
+        Factor of ``scale v . grad I``.
+    rim : float
+        Factor of the derivative of I, times the scale, by the obscuration.
+    unknown : float
+        Factor of the derivative by what the wavefront's terms leave out of the phase, over its bound.
+    """
+
+    phases: Mapping[int | Term, Any] = MappingProxyType({})
+    own: Any = 0.0
+    growth: Any = 0.0
+    rim: float = 0.0
+    unknown: float = 0.0
+
+
+def checked(names: Sequence[Any], argument: str = "derivatives") -> tuple[Name, ...]:
+    """Return the names of derivatives, each once.
+
+    Parameters
+    ----------
+    names : sequence
+        Texts, or pairs (n, m).
+    argument : str
+        What messages call it.
+
+    Returns
+    -------
+    tuple of (str or (int, int))
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is no sequence, or holds what is none.
+    """
+    if isinstance(names, str) or not isinstance(names, Sequence):
+        raise TypeError(
+            f"{argument} must be a sequence of names such as ('defocus', (3, 1)), got {validation.shown(names)}"
+        )
+    return tuple(dict.fromkeys(_name(argument, name) for name in names))
+
+
+def _name(argument: str, name: Any) -> Name:
+    found: Name
+    if isinstance(name, str) and (name in POWERS or name in _OTHERS or _INDEXED.fullmatch(name)):
+        found, term = name, _term(name)
+    elif isinstance(name, tuple | list) and len(name) == 2:
+        found = term = zernike.term(name, "nm")
+    else:
+        known = ", ".join(map(repr, (*POWERS, *_OTHERS)))
+        raise ValueError(
+            f"{argument} must be one of {known}, or a Zernike term such as (3, 1), 'noll 8', 'ansi 8' or 'fringe 7', "
+            f"got {validation.shown(name)}"
+        )
+    if term == (0, 0):
+        raise ValueError(
+            f"{argument} must not hold {validation.shown(name)}: no intensity depends on the constant phase"
+        )
+    return found
+
+
+def _term(name: Name) -> Term | None:
+    """Return n and m of what names a Zernike term."""
+    if isinstance(name, tuple):
+        return name
+    found = _INDEXED.fullmatch(name)
+    return zernike.term(int(found[2]), found[1]) if found else None
+
+
+def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
+    """Return what the derivative by a checked `name` is made of.
+
+    Parameters
+    ----------
+    name : str or (int, int)
+    pupil : Pupil
+        The stack; in white light, in that of the reference wavelength.
+    step : float
+        Its pixel pitch in v.
+    energy : bool
+        Whether values are fractions of all light, so that the scale changes with the pixel pitch in v and the light.
+
+    Returns
+    -------
+    Parts
+
+    Raises
+    ------
+    ValueError
+        If the pupil lacks what the name is about.
+    """
+    if (term := _term(name)) is not None:
+        return Parts({term: 1.0})
+    assert isinstance(name, str)
+    if name in POWERS:
+        return Parts({POWERS[name]: 2.0 if name == "defocus" else 1.0})
+    return _OTHERS[name](_Values(pupil, step, -2.0 if energy else 0.0))
+
+
+class _Values(NamedTuple):
+    """Of what derivatives are wanted: d ln scale / d ln N is `squeeze`."""
+
+    pupil: Pupil
+    step: float
+    squeeze: float
+
+
+def _column(of: _Values) -> Parts:
+    return Parts({(1, 1): of.step})
+
+
+def _row(of: _Values) -> Parts:
+    return Parts({(1, -1): of.step})
+
+
+def _f_number(of: _Values) -> Parts:
+    n = _metric("f_number", of.pupil)[1]
+    return Parts(own=of.squeeze / n, growth=-1.0 / n)
+
+
+def _wavelength(of: _Values) -> Parts:
+    # Path differences stay, so that phases fall as the wavelength grows.
+    wave, wavefront = _metric("wavelength", of.pupil)[0], of.pupil.wavefront
+    edge = wavefront.edge.reshape(-1, len(wavefront.terms))
+    phases: dict[int | Term, Any] = {
+        term: edge[:, j] / -wave for j, term in enumerate(wavefront.terms) if edge[:, j].any()
+    }
+    return Parts(phases, of.squeeze / wave, -1.0 / wave, unknown=1.0 / wave)
+
+
+def _obscuration(of: _Values) -> Parts:
+    pupil, eps = of.pupil, of.pupil.obscuration
+    edge = float(pupil.illumination.at(np.array(eps * eps)))
+    # Of what values are divided by: all light or, where values are relative to it, the peak without aberration.
+    lost = 2.0 * eps * edge**2 / pupil.transmission if of.squeeze else 4.0 * eps * edge / pupil.amplitude
+    return Parts(own=lost, rim=1.0 if eps else 0.0)
+
+
+def _object_distance(of: _Values) -> Parts:
+    rate, lens = _lens("object_distance", of.pupil)
+    return Parts({1: -2.0 * rate / np.square(lens.object_distance)})
+
+
+def _focus_distance(of: _Values) -> Parts:
+    rate, lens = _lens("focus_distance", of.pupil)
+    nearer = -lens.sensor_distance * lens.in_focus**2  # d ln N, as the sensor moves
+    return Parts({1: 2.0 * rate * lens.in_focus**2}, of.squeeze * nearer, -nearer)
+
+
+_OTHERS: dict[str, Callable[[_Values], Parts]] = {
+    "row": _row,
+    "column": _column,
+    "wavelength": _wavelength,
+    "f_number": _f_number,
+    "obscuration": _obscuration,
+    "object_distance": _object_distance,
+    "focus_distance": _focus_distance,
+}
+
+
+def _metric(name: str, pupil: Pupil) -> tuple[float, float]:
+    """Return the wavelength and the f-number of a pupil that has them."""
+    if pupil.wavelength is None or pupil.f_number is None:
+        raise ValueError(
+            f"derivatives by {name!r} need a pupil with a wavelength and an f_number, in metres; "
+            "give it both, as in Pupil(wavelength=550e-9, f_number=2.8)"
+        )
+    return pupil.wavelength, pupil.f_number
+
+
+def _lens(name: str, pupil: Pupil) -> tuple[float, Geometry]:
+    """Return dC_d / d(1/s), radians times metres, and the distances behind a pupil."""
+    wave, _ = _metric(name, pupil)
+    lens = pupil.geometry
+    if lens is None:
+        raise ValueError(
+            f"derivatives by {name!r} need the distances of a lens behind the pupil; Lens.pupil makes such pupils"
+        )
+    if lens.model != "paraxial":
+        raise ValueError(
+            f"derivatives by {name!r} are of paraxial lenses, got model={lens.model!r}, all of whose terms "
+            "change with a distance; take differences of the PSFs of Lens.pupil at two distances"
+        )
+    return math.pi * lens.aperture_radius**2 / (2.0 * wave), lens

@@ -1,0 +1,93 @@
+r"""How images change as they grow around their axis: ``v . grad I``, at the pixels or as they average.
+
+In a pixel around ``v_c`` the place is ``v_c + u``, and the average of ``v . grad I`` is ``v_c`` times the average of
+``grad I``, which derivatives by tilts are, and the average of ``u . grad I``: what the average changes by as the
+pixel itself grows. Along x it multiplies the transfer function by ``cos(a w / 2) - sinc(a w / 2)``, the derivative of
+the sinc by ln a, and along y by the sinc; there are two such terms.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Wanted
+from lommel.methods.averaging import Taps, blocks, filtered_by, finer, least_average, weighed
+from lommel.methods.method import Method
+from lommel.optics.grid import Grid
+from lommel.optics.pupil import Pupil
+
+TILTS = ((1, 1), (1, -1))
+"""Zernike terms that the growth is made of."""
+
+_FINER = 0.1  # of the tolerance, which samples are asked for: their errors are multiplied by some 4
+
+
+def growth(
+    engine: Method, pupil: Pupil, grid: Grid, tilts: Sequence[tuple[Array, Array]], threads: int = 0
+) -> tuple[Array, Array]:
+    """Return ``v . grad I``, or its averages, from the derivatives of I by the :data:`TILTS`.
+
+    Parameters
+    ----------
+    engine : Method
+        Of samples of any round pupil, with a bound.
+    pupil, grid
+    tilts : sequence of (ndarray, ndarray)
+        With bounds on their errors, absolute, shape (n,).
+    threads : int
+
+    Returns
+    -------
+    values : ndarray, shape (n, height, width)
+    error : ndarray, shape (n,)
+        Bound on its error, absolute.
+    """
+    count, step = math.prod(pupil.shape), grid.step(pupil)
+    total, error = np.zeros((count, *grid.shape)), np.zeros(count)
+    across, down = (
+        step / grid.pixel * np.broadcast_to(part, (*pupil.shape, part.shape[-1])).reshape(count, -1)
+        for part in (grid.x, grid.y)
+    )
+    for v, (slope, off) in zip((across[:, None, :], down[:, :, None]), tilts, strict=True):
+        total -= v * slope
+        far = np.abs(v).max(axis=(1, 2))
+        error += far * (off + 8.0 * 2.0**-53 * np.abs(slope).max(axis=(1, 2)))
+    if grid.integrate:
+        values, off = _strain(engine, pupil, grid, threads)
+        total += values
+        error += off
+    return total, error
+
+
+def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Array, Array]:
+    """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
+    step = grid.step(pupil)
+    fine = engine.tightened(_FINER * engine.tol)
+    response = 1e-3 * engine.tol * least_average(step)
+    plain, growing = _alike(filtered_by(step, response), filtered_by(step, response, growing=True))
+    count = math.prod(pupil.shape)
+    total, error = np.empty((count, *grid.shape)), np.empty(count)
+    # Neither response is larger than 2.
+    missed = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
+    # A phase or an amplitude off by e changes U and its gradient by e int A at most, and u is half a diagonal.
+    left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
+    missed += math.sqrt(8.0) * step * left * (2.0 + left) * pupil.amplitude**2
+    rounded = (4 * plain.weights.size + 16) * 2.0**-53
+    for part, one, pixels in blocks(pupil, grid, plain):
+        made = fine.images(one, finer(pixels, plain), Wanted(threads=threads))
+        assert made.error is not None
+        assert made.peak is not None
+        total[part] = weighed(made.values, plain, growing, threads)
+        total[part] += weighed(made.values, growing, plain, threads)
+        error[part] = 2.0 * plain.gain * growing.gain * made.peak * (made.error + rounded) + missed
+    return total, error
+
+
+def _alike(one: Taps, other: Taps) -> tuple[Taps, Taps]:
+    """Return two filters with as many weights, zeros at the ends of the shorter."""
+    size = max(one.weights.size, other.weights.size)
+    return tuple(t._replace(weights=np.pad(t.weights, (size - t.weights.size) // 2)) for t in (one, other))  # type: ignore[return-value]

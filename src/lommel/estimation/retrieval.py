@@ -15,8 +15,8 @@ from lommel.base.units import LENGTHS
 from lommel.estimation.noise import Noise
 from lommel.estimation.scoring import Fits, covariance
 from lommel.estimation.star_images import StarImages
-from lommel.estimation.unknowns import POWERS
 from lommel.io import zernike_tables
+from lommel.methods.derivatives import POWERS, Name
 from lommel.optics.descriptions import radians_per
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
@@ -70,10 +70,10 @@ class Retrieval:
 
     wavefront: Wavefront
     pupil: Pupil
-    coefficients: dict[Any, float]
-    deviation: dict[Any, Any]
+    coefficients: dict[Name, float]
+    deviation: dict[Name, Any]
     covariance: Array
-    units: dict[Any, str]
+    units: dict[Name, str]
     chi2: float
     converged: bool
     message: str
@@ -136,7 +136,7 @@ class Retrieval:
             starts=starts,
         )
 
-    def in_unit(self, unit: str) -> tuple[dict[Any, float], dict[Any, float]]:
+    def in_unit(self, unit: str) -> tuple[dict[Name, float], dict[Name, float]]:
         """Return the terms of the wavefront, and their deviations, in another unit.
 
         Parameters
@@ -192,7 +192,7 @@ class Retrieval:
         return "\n".join([f"<Retrieval: {self.message}", *terms]) + ">"
 
 
-def label(name: Any) -> str:
+def label(name: Name) -> str:
     """Return what to call a term in a table: with Noll's index and the name that opticians have for it."""
     if isinstance(name, str):
         if name in POWERS or name in _UNITS:

@@ -212,7 +212,9 @@ def _starts(model: StarImages, electrons: Array, valid: NDArray[np.bool_]) -> Ar
     """Return where to start from, (2, p): each image around its own centroid, or in the middle of the window."""
     x = np.zeros((2, model.size))
     x[:, model.waves] = model.start
-    x[:, model.optics] = [getattr(model.pupil, name) for name in model.unknowns.pupil]
+    for column, name in enumerate(model.unknowns.pupil, model.optics.start):
+        # An obscuration of 0 changes nothing to first order.
+        x[:, column] = max(getattr(model.pupil, name), 0.1 if name == "obscuration" else 0.0)
     own = model.own_of(x)
     for i, (image, good) in enumerate(zip(electrons, valid, strict=True)):
         rim = np.concatenate([image[edge][good[edge]] for edge in (0, -1, (..., 0), (..., -1))])

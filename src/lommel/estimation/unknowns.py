@@ -10,10 +10,10 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.methods.derivatives import POWERS, Name, checked, parts
+from lommel.methods.slopes import translated
+from lommel.optics.pupil import Pupil
 from lommel.special import zernike
-
-POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
-"""The terms that are named by a power of rho, and that of rho^2; "defocus" is C_d, half the coefficient of rho^2."""
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
 OF_IMAGES = ("row", "column")
@@ -39,7 +39,7 @@ class Unknowns:
         "row" and "column", of each image its own; so are its flux and its background, always.
     """
 
-    terms: tuple[Any, ...]
+    terms: tuple[Name, ...]
     edge: tuple[tuple[int, int], ...]
     directions: Array
     pupil: tuple[str, ...]
@@ -51,10 +51,10 @@ class Unknowns:
         pupil, places = _also(also)
         names = _names(terms)
         made = [_made_of(name) for name in names]
-        edge = tuple(dict.fromkeys(term for parts in made for term in parts))
+        edge = tuple(dict.fromkeys(term for shares in made for term in shares))
         directions = np.zeros((len(names), len(edge)))
-        for row, parts in zip(directions, made, strict=True):
-            row[:] = [parts.get(term, 0.0) for term in edge]
+        for row, shares in zip(directions, made, strict=True):
+            row[:] = [shares.get(term, 0.0) for term in edge]
         if names and np.linalg.matrix_rank(directions) < len(names):
             raise ValueError(f"terms must not say one thing twice, got {validation.shown(terms)}")
         for place in places:
@@ -75,33 +75,25 @@ class Unknowns:
         return (*self.terms, *self.pupil)
 
 
-def _names(terms: Any) -> tuple[Any, ...]:
+def _names(terms: Any) -> tuple[Name, ...]:
     if isinstance(terms, int | np.integer) and not isinstance(terms, bool):
         count = validation.integer("terms", terms, least=1, most=500)
         return tuple(zernike.term(_FIRST + k, "noll") for k in range(count))
-    if isinstance(terms, str) or not isinstance(terms, Sequence):
-        raise TypeError(f"terms must be a number of terms, or a sequence of them, got {validation.shown(terms)}")
-    return tuple(tuple(name) if isinstance(name, list) else name for name in terms)
+    names = checked(terms, "terms")
+    for name in names:
+        if isinstance(name, str) and name not in POWERS and " " not in name:
+            raise ValueError(
+                f"terms must be those of a wavefront, got {name!r}; `also` is for what else is solved for"
+            )
+    if len(names) < len(terms):
+        raise ValueError(f"terms must not say one thing twice, got {validation.shown(terms)}")
+    return names
 
 
-def _made_of(name: Any) -> dict[tuple[int, int], float]:
+def _made_of(name: Name) -> dict[Any, float]:
     """Return the Zernike terms, radians at the edge, of a unit of a term: rms of Zernike terms, else of its power."""
-    if isinstance(name, str) and name in POWERS:
-        k = POWERS[name]
-        matrix = np.asarray(zernike.powers_to_legendre(k)[1:, k - 1], dtype=np.float64)
-        return {(2 * j, 0): float(c) * (2.0 if name == "defocus" else 1.0) for j, c in enumerate(matrix, 1)}
-    if isinstance(name, tuple):
-        n, m = zernike.term(name, "nm")
-    elif isinstance(name, str) and len(parts := name.split()) == 2 and parts[1].isdecimal():
-        n, m = zernike.term(int(parts[1]), parts[0])
-    else:
-        listed = ", ".join(f'"{power}"' for power in POWERS)
-        raise ValueError(
-            f'terms must be (n, m), "noll 7", "ansi 7", "fringe 7", {listed}, got {validation.shown(name)}'
-        )
-    if n == 0:
-        raise ValueError("terms must be without the constant, which no image depends on")
-    return {(n, m): zernike.rms_factor(n, m)}
+    made = translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False)
+    return made if name in POWERS else {(n, m): zernike.rms_factor(n, m) for n, m in made}  # type: ignore[misc]
 
 
 def _also(also: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -155,18 +155,15 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
         table = ZernikeTable.from_wavefront(table)
     if not isinstance(table, ZernikeTable):
         raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {validation.shown(table)}")
-    target = validation.path("path", path)
-    suffix = target.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
+    form = suffix(path)
     settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
     if table.wavelength is not None:
         settings["wavelength"] = f"{table.wavelength!r} m"
     pair = table.order == "nm"
     terms = {(f"{i[0]},{i[1]}" if pair else str(i)): c for i, c in table.terms.items()}
-    if suffix == ".json":
+    if form == ".json":
         text = json.dumps(settings | {"terms": terms}, indent=2, allow_nan=False) + "\n"
-    elif suffix == ".toml":
+    elif form == ".toml":
         head = [f'{key} = "{value}"' for key, value in settings.items()]
         text = "\n".join([*head, "", "[terms]", *(f'"{key}" = {c!r}' for key, c in terms.items()), ""])
     else:
@@ -174,7 +171,15 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
         text = "\n".join(
             [*head, "n,m,value" if pair else "index,value", *(f"{k},{c!r}" for k, c in terms.items()), ""]
         )
-    atomic.write(target, text.encode())
+    atomic.write(validation.path("path", path), text.encode())
+
+
+def suffix(path: str | PathLike[str], name: str = "path") -> str:
+    """Return the suffix of a table, in small letters; ValueError with all of them, for `name`, if it is another."""
+    found = validation.path(name, path).suffix.lower()
+    if found not in SUFFIXES:
+        raise ValueError(f"{name} must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
+    return found
 
 
 def _unit(unit: str) -> tuple[str, float]:

@@ -19,7 +19,7 @@ from lommel.optics.pupil import Pupil, checked
 from lommel.psf import Plan
 
 _SPREAD = 1.5  # radians rms of random starts
-_TOGETHER = 3  # random starts in one stack
+_TOGETHER = 2  # random starts in one stack
 
 
 def retrieve(
@@ -35,7 +35,7 @@ def retrieve(
     saturation: float | None = None,
     integrate: bool | None = None,
     tol: float = 1e-6,
-    starts: int = 12,
+    starts: int = 20,
     steps: int = 60,
     seed: int | np.random.Generator = 0,
     threads: int | None = None,
@@ -77,7 +77,7 @@ def retrieve(
         As of :func:`lommel.psf`.
     tol : float, default 1e-6
         Of the PSFs. Relative to the peak: less than the noise of 1e10 electrons there.
-    starts : int, default 12
+    starts : int, default 20
         So often at most is begun anew at random, 1.5 radians rms from `pupil`, where no answer fits.
     steps : int, default 60
         At most so many from each start.

@@ -91,9 +91,10 @@ class Retrieval:
     def of(cls, model: StarImages, fits: Fits, values: Array, noise: Noise, tried: tuple[int, int]) -> Retrieval:
         """Return what the best of `fits`, the first, says of images `values`, after so many steps and starts."""
         steps, starts = tried
-        x, scores = _nearer(model, fits)
-        psf, rows = model.images(x)
-        mean = model.mean(x, rows[:, :, -2])[0]
+        x = _nearer(model, fits)
+        scores = model.judged(x, np.float64)
+        psf = model.plan(model.pupils(x))
+        mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
         variance = model.variance(mean)
         seen = model.valid > 0.0
         residual = np.where(seen, (model.counted - mean) / np.sqrt(variance), np.nan)
@@ -204,19 +205,18 @@ def label(name: Name) -> str:
     return f"noll {zernike.index_of(n, m, 'noll')} {zernike.name(n, m)}"
 
 
-def _nearer(model: StarImages, fits: Fits) -> tuple[Array, Any]:
-    """Return the parameters, of two wavefronts with the same images those to give, and how they fit."""
+def _nearer(model: StarImages, fits: Fits) -> Array:
+    """Return the parameters, of two wavefronts with the same images those to give."""
     x = fits.x
     if not model.twins:
-        return x, fits.scores
+        return x
     twin = model.twin(x)
-    far, near = (
-        float(model.rms(part - np.pad(model.start, (0, model.size - len(model.start))))[0]) for part in (x, twin)
-    )
+    start = np.pad(model.start, (0, model.size - len(model.start)))
+    far, near = (float(model.rms(part - start)[0]) for part in (x, twin))
     even = next(j for j, row in enumerate(model.directions) if row[model.even].any())
     if near < far * (1.0 - 1e-6) or (near < far * (1.0 + 1e-6) and twin[0, even] > x[0, even]):
-        return twin, model.judged(twin)
-    return x, fits.scores
+        return twin
+    return x
 
 
 def _told(

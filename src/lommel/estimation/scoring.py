@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.estimation.star_images import Scores, StarImages
 
-_SETTLED = 1e-3  # squared length of a step, in deviations, that is not worth taking
+_SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
 _FAR = 2.0  # radians rms: no step changes the wavefront by more
 _DAMPING = 1e-2, 1e-6, 1e8  # at first, at least, and that which leaves no step to take
 _STRETCH = 16.0  # times the length of a step, at most

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from lommel.base.arrays import Array
 from lommel.estimation.unknowns import TILTS, Unknowns
@@ -97,11 +97,14 @@ class StarImages:
         self.waves, self.optics = slice(0, k), slice(k, self.shared)
         self.own = slice(self.shared, self.size)
         self._chain = np.zeros((count, self.size, len(unknowns.asked) + 2))
-        for i in range(count):
-            for j in range(own):
-                self._chain[
-                    i, self.shared + j * count + i, len(unknowns.edge) + j + (pupils if j >= own - 2 else 0)
-                ] = 1.0
+        terms = len(unknowns.edge)
+        self._chain[:, self.waves, :terms] = unknowns.directions
+        for j in range(pupils):
+            self._chain[:, k + j, terms + len(self.tilts) + j] = 1.0
+        rows = [*range(terms, terms + len(self.tilts)), -2, -1]
+        for j, row in enumerate(rows):
+            at = self.shared + j * count + np.arange(count)
+            self._chain[np.arange(count), at, row] = 1.0
         self.tested = int(valid.sum()) - self.size
         self.even = np.array([n % 2 == 0 for n, _ in self.terms])
         self.twins = self._twins()
@@ -152,18 +155,9 @@ class StarImages:
         """Return what each image has of its own: tilts, flux, background; shape (s, these, n)."""
         return x[:, self.own].reshape(len(x), -1, self.count)
 
-    def images(self, x: Array) -> tuple[PSF, Array]:
-        """Return PSFs and the derivatives of images, (s, n, rows, pixels), the last two by flux and background."""
-        asked = self.unknowns.asked
-        made = self.plan(self.pupils(x), derivatives=asked)
-        rows = np.empty((len(x), self.count, len(asked) + 2, self.counted.shape[-1]))
-        flux = self.own_of(x)[:, -2, :, None]
-        shape = (len(x), self.count, -1)
-        for j, name in enumerate(asked):
-            np.multiply(made.derivatives[name].reshape(shape), flux, out=rows[:, :, j])
-        rows[:, :, -2] = made.values.reshape(shape)
-        rows[:, :, -1] = 1.0
-        return made, rows
+    def images(self, x: Array) -> PSF:
+        """Return the PSFs of images, shape (s, n, height, width), and their derivatives."""
+        return self.plan(self.pupils(x), derivatives=self.unknowns.asked)
 
     def mean(self, x: Array, psf: Array) -> Array:
         """Return the electrons expected of a pixel: those of the PSFs `psf`, shape (s, n, pixels)."""
@@ -179,21 +173,27 @@ class StarImages:
         at = self.pupil.f_number
         return 1.0 if at is None else self.optics_of(x).get("f_number", at) / at
 
-    def judged(self, x: Array) -> Scores:
-        """Return how well sets of parameters fit."""
-        _, rows = self.images(x)
-        mean = self.mean(x, rows[:, :, -2])
+    def judged(self, x: Array, dtype: DTypeLike = np.float32) -> Scores:
+        """Return how well sets of parameters fit; products of derivatives are summed in `dtype`."""
+        made = self.images(x)
+        each = (len(x), self.count, -1)
+        mean = self.mean(x, made.values.reshape(each))
         variance = self.variance(mean)
         residual = (self.counted - mean) * self.valid
         weight = self.valid / variance
-        deviance = (self.valid * variance - (self.counted + self.read) * self.valid * np.log(variance)).sum(
-            axis=(1, 2)
-        )
-        weighted = residual * weight
-        chi2 = np.einsum("sip,sip->s", residual, weighted)
-        spread = (2.0 * self.valid + weight).sum(axis=(1, 2))
-        local = np.matmul(rows, weighted[..., None])
-        rows *= np.sqrt(weight)[:, :, None]
+        deviance = np.einsum("ip,sip->s", self.valid, variance)
+        deviance -= np.einsum("ip,sip->s", (self.counted + self.read) * self.valid, np.log(variance))
+        spread = 2.0 * self.valid.sum() + weight.sum(axis=(1, 2))
+        root = np.sqrt(weight)
+        residual *= root
+        chi2 = np.einsum("sip,sip->s", residual, residual)
+        small = root.astype(dtype)
+        rows = np.empty((len(x), self.count, len(self.unknowns.asked) + 2, mean.shape[-1]), dtype)
+        for k, name in enumerate(self.unknowns.asked):
+            np.multiply(made.derivatives[name].reshape(each), small, out=rows[:, :, k])
+        np.multiply(made.values.reshape(each), small, out=rows[:, :, -2])
+        rows[:, :, -1] = small
+        local = rows @ residual.astype(dtype)[..., None]
         squares = rows @ rows.swapaxes(-1, -2)
         chain = self.chain(x)
         slope = (chain @ local)[..., 0].sum(axis=1)
@@ -205,18 +205,12 @@ class StarImages:
         return self.tested + _DEVIATIONS * np.sqrt(scores.spread)
 
     def chain(self, x: Array) -> Array:
-        """Return how the rows of derivatives make those by the parameters, shape (n, p, rows)."""
-        chain = self._chain
-        edge = len(self.unknowns.edge)
-        ratio = self.ratio(self.optics_of(x))
-        chain[:, self.waves, :edge] = ratio * self.unknowns.directions
-        first = edge + len(self.tilts)
-        for j in range(self.optics.stop - self.optics.start):
-            chain[:, self.optics.start + j, first + j] = 1.0
-        for j in range(len(self.tilts)):
-            at = self.shared + j * self.count + np.arange(self.count)
-            chain[np.arange(self.count), at, edge + j] = ratio
-        return chain
+        """Return how derivatives of PSFs, and flux and background, make those of images, (s, n, p, rows)."""
+        phases = len(self.unknowns.edge) + len(self.tilts)
+        factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
+        factors[..., :-2] = self.own_of(x)[:, -2, :, None, None]
+        factors[..., :phases] *= self.ratio(self.optics_of(x))
+        return self._chain * factors
 
     def with_light(self, x: Array) -> Array:
         """Return the parameters with the flux and the background of least squares, for the wavefronts they have."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -90,6 +91,7 @@ def _names(terms: Any) -> tuple[Name, ...]:
     return names
 
 
+@lru_cache(maxsize=1024)
 def _made_of(name: Name) -> dict[Any, float]:
     """Return the Zernike terms, radians at the edge, of a unit of a term: rms of Zernike terms, else of its power."""
     made = translated(parts(name, Pupil(), 1.0, energy=False).phases, powers=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -127,7 +128,7 @@ def retrieve(
     noise = Noise(white=white, read=read, offset=offset)
     with progress("fitting"):
         found = fit(
-            read_images(images),
+            read_images(_files(images)),
             instrument.pupil(),
             pixel=instrument.pixel,
             noise=noise,
@@ -152,6 +153,19 @@ def retrieve(
     tables.print_retrieval(found, unit)
     for path in written:
         click.echo(f"wrote {path}")
+
+
+def _files(paths: tuple[Path, ...]) -> list[Path]:
+    """Return the files, those of patterns that no shell has replaced in the order of their names."""
+    found: list[Path] = []
+    for path in paths:
+        if path.exists() or not set("*?[") & set(path.name):
+            found.append(path)
+        elif several := sorted(path.parent.glob(path.name)):
+            found += several
+        else:
+            raise FileNotFoundError(errno.ENOENT, "No file is called so", str(path))
+    return found
 
 
 def _numbers(text: str) -> Any:

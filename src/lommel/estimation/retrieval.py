@@ -87,56 +87,6 @@ class Retrieval:
     steps: int
     starts: int
 
-    @classmethod
-    def of(cls, model: StarImages, fits: Fits, values: Array, noise: Noise, tried: tuple[int, int]) -> Retrieval:
-        """Return what the best of `fits`, the first, says of images `values`, after so many steps and starts."""
-        steps, starts = tried
-        x = _nearer(model, fits)
-        scores = model.judged(x, np.float64)
-        psf = model.plan(model.pupils(x))
-        mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
-        variance = model.variance(mean)
-        seen = model.valid > 0.0
-        residual = np.where(seen, (model.counted - mean) / np.sqrt(variance), np.nan)
-        inverse = covariance(scores.information[0])
-        unknowns, shared, own = model.unknowns, model.shared, model.own_of(x)[0]
-        names = unknowns.shared
-        deviations = np.sqrt(np.diag(inverse))
-        pixels = model.tilt_of_pixel / model.magnification(x)
-        spread = dict(
-            zip((*unknowns.places, "flux", "background"), deviations[model.own].reshape(-1, model.count), strict=True)
-        )
-        center = np.tile([float(side // 2) for side in values.shape[1:]], (model.count, 1))
-        for j, place in enumerate(unknowns.places):
-            center[:, ("row", "column").index(place)] += own[j] / pixels
-            spread[place] = spread[place] / pixels
-        chi2 = float(scores.chi2[0]) / model.tested
-        limit = float(model.limit(scores)[0]) / model.tested
-        optics: dict[str, Any] = model.optics_of(x)
-        wavefront = model.wavefront(x[0])
-        converged = bool(fits.settled[0] and chi2 < limit)
-        told = _told(model, x[0], chi2, limit, converged, deviations, tried)
-        return cls(
-            wavefront=wavefront,
-            pupil=replace(model.pupil, wavefront=wavefront, geometry=None, **optics),
-            coefficients=dict(zip(names, x[0, :shared].tolist(), strict=True)),
-            deviation=dict(zip(names, deviations[:shared].tolist(), strict=True)) | spread,
-            covariance=inverse[:shared, :shared],
-            units={name: _UNITS.get(name, "rad") for name in names} | {name: _OWN[name] for name in spread},
-            chi2=chi2,
-            converged=converged and not told[1],
-            message=told[0],
-            flux=own[-2].copy(),
-            background=own[-1].copy(),
-            center=center,
-            psf=psf[0],
-            images=np.where(seen.reshape(values.shape), values, np.nan),
-            model=noise.image(mean.reshape(values.shape)),
-            residual=residual.reshape(values.shape),
-            steps=steps,
-            starts=starts,
-        )
-
     def in_unit(self, unit: str) -> tuple[dict[Name, float], dict[Name, float]]:
         """Return the terms of the wavefront, and their deviations, in another unit.
 
@@ -191,6 +141,56 @@ class Retrieval:
             for n, c in self.coefficients.items()
         ]
         return "\n".join([f"<Retrieval: {self.message}", *terms]) + ">"
+
+
+def answered(model: StarImages, fits: Fits, values: Array, noise: Noise, tried: tuple[int, int]) -> Retrieval:
+    """Return what the best of `fits`, the first, says of images `values`, after so many steps and starts."""
+    steps, starts = tried
+    x = _nearer(model, fits)
+    scores = model.judged(x, np.float64)
+    psf = model.plan(model.pupils(x))
+    mean = model.mean(x, psf.values.reshape(1, model.count, -1))[0]
+    variance = model.variance(mean)
+    seen = model.valid > 0.0
+    residual = np.where(seen, (model.counted - mean) / np.sqrt(variance), np.nan)
+    inverse = covariance(scores.information[0])
+    unknowns, shared, own = model.unknowns, model.shared, model.own_of(x)[0]
+    names = unknowns.shared
+    deviations = np.sqrt(np.diag(inverse))
+    pixels = model.tilt_of_pixel / model.magnification(x)
+    spread = dict(
+        zip((*unknowns.places, "flux", "background"), deviations[model.own].reshape(-1, model.count), strict=True)
+    )
+    center = np.tile([float(side // 2) for side in values.shape[1:]], (model.count, 1))
+    for j, place in enumerate(unknowns.places):
+        center[:, ("row", "column").index(place)] += own[j] / pixels
+        spread[place] = spread[place] / pixels
+    chi2 = float(scores.chi2[0]) / model.tested
+    limit = float(model.limit(scores)[0]) / model.tested
+    optics: dict[str, Any] = model.optics_of(x)
+    wavefront = model.wavefront(x[0])
+    converged = bool(fits.settled[0] and chi2 < limit)
+    told = _told(model, x[0], chi2, limit, converged, deviations, tried)
+    return Retrieval(
+        wavefront=wavefront,
+        pupil=replace(model.pupil, wavefront=wavefront, geometry=None, **optics),
+        coefficients=dict(zip(names, x[0, :shared].tolist(), strict=True)),
+        deviation=dict(zip(names, deviations[:shared].tolist(), strict=True)) | spread,
+        covariance=inverse[:shared, :shared],
+        units={name: _UNITS.get(name, "rad") for name in names} | {name: _OWN[name] for name in spread},
+        chi2=chi2,
+        converged=converged and not told[1],
+        message=told[0],
+        flux=own[-2].copy(),
+        background=own[-1].copy(),
+        center=center,
+        psf=psf[0],
+        images=np.where(seen.reshape(values.shape), values, np.nan),
+        model=noise.image(mean.reshape(values.shape)),
+        residual=residual.reshape(values.shape),
+        steps=steps,
+        starts=starts,
+    )
 
 
 def label(name: Name) -> str:

@@ -12,7 +12,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.estimation import scoring
 from lommel.estimation.noise import Noise
-from lommel.estimation.retrieval import Retrieval
+from lommel.estimation.retrieval import Retrieval, answered
 from lommel.estimation.star_images import StarImages
 from lommel.estimation.unknowns import TILTS, Unknowns
 from lommel.optics.pupil import Pupil, checked
@@ -147,7 +147,7 @@ def retrieve(
         if good.any():
             break
     assert fits is not None
-    return Retrieval.of(model, fits, values, noise, (taken, tries))
+    return answered(model, fits, values, noise, (taken, tries))
 
 
 def _single(pupil: Pupil, unknowns: Unknowns) -> Pupil:

@@ -44,7 +44,7 @@ def fit(
     names, values, deviations = found
     count = min(len(images), _MOST)
     bars = max(3.0, 0.42 * len(names))
-    figure: Figure = library("matplotlib.figure", "plots need", "plot").Figure(
+    figure: Figure = library("matplotlib.pyplot", "plots need", "plot").figure(
         figsize=(max(1.9 * count + bars + 2.2, 7.0), 6.2), layout="constrained"
     )
     parts: Any = figure.subfigures(1, 2, width_ratios=(1.9 * count + 1.2, bars + 1.0))
@@ -57,13 +57,13 @@ def fit(
         axes[1, k].imshow(model[k], cmap="magma", norm=norm, interpolation="nearest")
         left = axes[2, k].imshow(residual[k], cmap="RdBu_r", vmin=-_SIGMAS, vmax=_SIGMAS, interpolation="nearest")
         axes[0, k].set_title(f"image {k}", fontsize=9)
-    for row, text in zip(axes, ("measured", "model", "residual / noise"), strict=True):
+    for row, text in zip(axes, ("measured", "model", "residual"), strict=True):
         row[0].set_ylabel(text, fontsize=9)
     for each in axes.flat:
         each.set_xticks([])
         each.set_yticks([])
         each.set_facecolor("0.5")  # what was left out
-    pictures.colorbar(left, ax=axes[2].tolist(), label="standard deviations", shrink=0.9)
+    pictures.colorbar(left, ax=axes[2].tolist(), label="residual (standard deviations)", shrink=0.9)
     drawn = graph.subplots()
     at = np.arange(len(names))
     finite = [d if np.isfinite(d) else 0.0 for d in deviations]
@@ -71,6 +71,6 @@ def fit(
     drawn.errorbar(at, values, yerr=finite, fmt="none", ecolor="black", capsize=3)
     drawn.axhline(0.0, color="0.5", linewidth=0.8)
     drawn.set_xticks(at, names, rotation=90, fontsize=8)
-    drawn.set_ylabel("radians, with one standard deviation")
+    drawn.set_ylabel("coefficient and its deviation (radians)")
     drawn.set_title(title, fontsize=9)
     return figure

@@ -75,6 +75,14 @@ def folder(tmp_path, monkeypatch) -> Path:
     np.save("opd.npy", 1e-7 * (u * u + v * v))
     np.save("measured.npy", u * u + v * v < 0.9)
     lm.save_zernike("table.csv", lm.Wavefront(defocus=1.0, nonradial={(3, 1): 0.4}))
+    lens = lm.load_instrument("lens.toml")
+    light = lens.pupil()
+    aberrated = light.wavefront + lm.Wavefront([-4.0, 0.0, 4.0], nonradial={(3, 1): 0.5})
+    light = lm.Pupil(aberrated, wavelength=light.wavelength, f_number=light.f_number)
+    stars = 3e4 * lm.psf(light, 33, lens.pixel).values
+    for k, image in enumerate(np.round(lm.Noise(read=2.0).record(stars + 20.0, seed=1))):
+        tifffile.imwrite(f"star-{k}.tif", np.maximum(image, 0.0).astype(np.uint16))
+    tifffile.imwrite("spot.tif", np.round(stars[1] + 20.0).astype(np.float32))
     # The live page, which need not be made, is served until Ctrl-C.
     (tmp_path / module.NAME).write_text("export default {};\n", encoding="utf-8")
     monkeypatch.setattr(module, "path", lambda: tmp_path / module.NAME)

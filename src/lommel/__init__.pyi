@@ -20,12 +20,14 @@ from lommel.core.answers import ToleranceError as ToleranceError
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.information import Information as Information
 from lommel.estimation.noise import Noise as Noise
+from lommel.estimation.retrieval import Retrieval as Retrieval
+from lommel.estimation.retrieve import retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
+from lommel.io.zernike_tables import ZernikeTable as ZernikeTable, save_zernike as save_zernike
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
-from lommel.lensfiles.zernike_files import load_zernike as load_zernike, save_zernike as save_zernike
-from lommel.lensfiles.zernike_tables import ZernikeTable as ZernikeTable
+from lommel.lensfiles.zernike_files import load_zernike as load_zernike
 from lommel.measures.aperture_means import (
     centroid as centroid,
     marechal as marechal,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import sys
 import time
 from collections.abc import Callable
@@ -19,13 +18,23 @@ try:
 
     from lommel.cli.live_command import live
     from lommel.cli.methods import build_method, methods
-    from lommel.cli.parts import FILE, Length, Shape, one_line_errors, print_json, progress
+    from lommel.cli.parts import (
+        FILE,
+        Length,
+        Shape,
+        figure_format,
+        instrument_of,
+        one_line_errors,
+        print_json,
+        progress,
+        save_figure,
+    )
     from lommel.cli.photo_commands import blur, focus_pull
+    from lommel.cli.retrieve_command import retrieve
 except ImportError as missing:  # pragma: no cover
     sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
 
 if TYPE_CHECKING:
-    from lommel.lensfiles.instrument import Instrument
     from lommel.psf import PSF
 
 
@@ -69,11 +78,12 @@ def main() -> None:
       lommel methods                                    # what they are, and their options
       lommel paper   out                                # every figure and number of the paper
       lommel blur    photo.jpg depth.tif lens.toml --focus "2 m" -o out.jpg    # a photograph
+      lommel retrieve star-*.tif lens.toml --defocus -4 0 4 --read 2   # the wavefront behind images of a star
       lommel live    lens.toml                          # the PSF in the browser, with every slider
     """  # noqa: D301 (\b is meant)
 
 
-for command in (blur, focus_pull, live, methods):
+for command in (blur, focus_pull, live, methods, retrieve):
     main.add_command(command)
 
 
@@ -125,8 +135,8 @@ def psf(
     for path in outputs:
         (psf_files if field is None else field_files).find(path, "--output")
     if figure is not None:
-        _figure_format(figure)
-    instrument = _instrument(**lens)
+        figure_format(figure)
+    instrument = instrument_of(**lens)
     options: dict[str, Any] = {"method": build_method(method_name, settings), "tol": tol, "normalize": normalize}
     if tol is not None and any(setting.startswith("tol=") for setting in settings):
         raise ValueError("tol is given twice, by --tol and by --set")
@@ -156,7 +166,7 @@ def psf(
                 axes.set_title(f"{instrument.name}\n{axes.get_title()}", fontsize=9)
             else:
                 axes.set_title(instrument.name, fontsize=9, loc="left", pad=22)
-            _save_figure(axes.figure, figure)
+            save_figure(axes.figure, figure)
     if as_json:
         print_json(facts | {"files": [str(path) for path in (*outputs, *([figure] if figure else []))]})
         return
@@ -199,7 +209,7 @@ def info(as_json: bool, **lens: Any) -> None:
     from lommel.cli import tables
     from lommel.reports import report
 
-    facts = report.describe_lens(_instrument(**lens))
+    facts = report.describe_lens(instrument_of(**lens))
     if as_json:
         print_json(facts)
     else:
@@ -232,8 +242,8 @@ def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:
     from lommel.reports import report
 
     if figure is not None:
-        _figure_format(figure)
-    instrument = _instrument(**lens)
+        figure_format(figure)
+    instrument = instrument_of(**lens)
     pupil = instrument.pupil()
     with progress("", total=len(METHODS) + 1) as started:
         methods = [
@@ -249,7 +259,7 @@ def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:
         if figure is not None:
             from lommel.show import plot
 
-            _save_figure(plot.compare(answers, reference), figure)
+            save_figure(plot.compare(answers, reference), figure)
     if as_json:
         named = {"name": instrument.name, "reference": reference, "sampling": sampling}
         print_json(named | {"rows": rows, "other_model": report.other_model(instrument)})
@@ -290,30 +300,3 @@ def paper(outdir: Path, figures: tuple[str, ...], as_json: bool) -> None:
         tables.print_numbers(made["table"])
     for name in made["files"]:
         click.echo(f"wrote {name}")
-
-
-def _instrument(lens: Path, **options: Any) -> Instrument:
-    """Return what a lens file describes, but for what the options of a command say instead."""
-    from lommel.base import validation
-    from lommel.lensfiles.lens_files import load_instrument
-
-    changes = {name: value for name, value in options.items() if value is not None}
-    if "pixel" in changes:
-        validation.pixel(changes["pixel"], metric=True)
-    if "shape" in changes:
-        changes["shape"] = validation.image_shape(changes["shape"])
-    return dataclasses.replace(load_instrument(lens), **changes)
-
-
-def _figure_format(path: Path) -> str:
-    suffix = path.suffix.lower().lstrip(".")
-    if suffix not in ("png", "pdf", "svg"):
-        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {shown(str(path))}")
-    return suffix
-
-
-def _save_figure(figure: Any, path: Path) -> None:
-    """Write a figure through a temporary name."""
-    from lommel.base import atomic
-
-    atomic.write(path, atomic.contents(figure.savefig, format=_figure_format(path), dpi=150))

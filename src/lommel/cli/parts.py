@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import json
 import os
@@ -10,7 +11,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 from rich.console import Console
@@ -19,6 +20,9 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeEl
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
 from lommel.methods import METHODS
+
+if TYPE_CHECKING:
+    from lommel.lensfiles.instrument import Instrument
 
 FILE: Any = click.Path(dir_okay=False, path_type=Path)
 """A file, which need not be there."""
@@ -138,3 +142,31 @@ def progress(description: str, total: int | None = None) -> Iterator[Callable[[s
 def print_json(data: dict[str, Any]) -> None:
     """Print plain data as JSON on standard output."""
     click.echo(json.dumps(data, indent=2, allow_nan=False))
+
+
+def instrument_of(lens: Path, **options: Any) -> Instrument:
+    """Return what a lens file describes, but for what the options of a command say instead."""
+    from lommel.base import validation
+    from lommel.lensfiles.lens_files import load_instrument
+
+    changes = {name: value for name, value in options.items() if value is not None}
+    if "pixel" in changes:
+        validation.pixel(changes["pixel"], metric=True)
+    if "shape" in changes:
+        changes["shape"] = validation.image_shape(changes["shape"])
+    return dataclasses.replace(load_instrument(lens), **changes)
+
+
+def figure_format(path: Path) -> str:
+    """Return the format of a figure by the suffix of its file; ValueError if it is none."""
+    suffix = path.suffix.lower().lstrip(".")
+    if suffix not in ("png", "pdf", "svg"):
+        raise ValueError(f"a figure must end in .png, .pdf or .svg, got {shown(str(path))}")
+    return suffix
+
+
+def save_figure(figure: Any, path: Path) -> None:
+    """Write a figure through a temporary name."""
+    from lommel.base import atomic
+
+    atomic.write(path, atomic.contents(figure.savefig, format=figure_format(path), dpi=150))

@@ -14,6 +14,7 @@ from lommel.base.units import format_length
 from lommel.show.plot import HOW, MEANING
 
 if TYPE_CHECKING:
+    from lommel.estimation.retrieval import Retrieval
     from lommel.field.psf_grid import PSFGrid
     from lommel.lensfiles.instrument import Instrument
     from lommel.psf import PSF
@@ -293,3 +294,40 @@ def print_numbers(rows: list[dict[str, Any]]) -> None:
         values = [number(row[key]) for key in ("paper", "printed", "corrected")]
         table.add_row(row["quantity"], *values, closest_text(row["closest"]["printed"]))
     _console().print(table)
+
+
+def print_retrieval(found: Retrieval, unit: str) -> None:
+    """Print what was found behind images, the wavefront in this unit, and what it is worth."""
+    from lommel.estimation.retrieval import label
+
+    console = _console()
+    short = {"radians": "rad"}.get(unit, unit)
+    values, deviations = found.in_unit(unit)
+    table = _table("term", f"{short}", "+-")
+    for name, value in values.items():
+        table.add_row(label(name), *_with_deviation(value, deviations[name]))
+    for name in found.coefficients.keys() - values.keys():
+        cells = _with_deviation(found.coefficients[name], found.deviation[name])
+        table.add_row(f"{name} {found.units[name]}".rstrip(), *cells)
+    console.print(table)
+    console.print()
+    own = [name for name in ("row", "column", "flux", "background") if name in found.deviation]
+    each = dict(zip(("row", "column"), found.center.T, strict=True)) | {
+        "flux": found.flux,
+        "background": found.background,
+    }
+    images = _table("image", *(column for name in own for column in (name, "+-")))
+    for k in range(len(found.flux)):
+        pairs = [_with_deviation(float(each[name][k]), float(found.deviation[name][k])) for name in own]
+        images.add_row(str(k), *(cell for pair in pairs for cell in pair))
+    console.print(images)
+    console.print()
+    console.print(found.message)
+
+
+def _with_deviation(value: float, deviation: float) -> tuple[str, str]:
+    """Return a number and its deviation, which has two digits, to the same place."""
+    if not 0.0 < deviation < math.inf:
+        return f"{value:.6g}", "-" if deviation == 0.0 else "inf"
+    places = max(0, 1 - math.floor(math.log10(deviation)))
+    return f"{value:.{places}f}", f"{deviation:.{places}f}"

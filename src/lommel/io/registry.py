@@ -10,7 +10,14 @@ from typing import Any
 
 from lommel.base import optional, reading, validation
 
-KINDS = {"psf": "a PSF", "field": "a grid of PSFs", "photo": "a photograph", "frames": "frames", "depth map": "depth"}
+KINDS = {
+    "psf": "a PSF",
+    "field": "a grid of PSFs",
+    "photo": "a photograph",
+    "frames": "frames",
+    "depth map": "depth",
+    "images": "images",
+}
 """What files hold, and what messages call it."""
 
 _FORMATS: list[Format] = []
@@ -25,7 +32,7 @@ class Format:
 
     Parameters
     ----------
-    kind : {"psf", "field", "photo", "frames", "depth map"}
+    kind : {"psf", "field", "photo", "frames", "depth map", "images"}
     suffixes : tuple of str
         Of its files, in small letters, each with its dot.
     write, read : callable, optional
@@ -51,6 +58,7 @@ class Format:
     - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
     - "frames": (list of values, milliseconds each, quality) to bytes
     - "depth map": read only, (bytes, metres a level or None) to values
+    - "images": read only, bytes to values, shape (height, width) or (n, height, width)
 
     What is written as bytes is moved into place whole. What cannot be held, or is damaged, is a ValueError. A
     description is a dictionary of plain types, written as JSON after ``lommel.base.checksums.sealed`` has added the

@@ -25,11 +25,11 @@ from lommel.base import reading, validation
 from lommel.base.options import near
 from lommel.base.units import parse_radius, with_units
 from lommel.field.maps import FieldMap
+from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import field_tables, messages, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.sections import Distance, Length, Number, Section, SignedLength, read_beside
-from lommel.lensfiles.zernike_tables import ZernikeTable
 from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil

@@ -10,16 +10,15 @@ from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from typing import Any
 
-from lommel.base import atomic, reading, validation
+from lommel.base import reading, validation
 from lommel.base.options import near
 from lommel.base.units import parse_length
+from lommel.io.zernike_tables import SUFFIXES, UNITS, ZernikeTable
 from lommel.lensfiles import cells, messages
-from lommel.lensfiles.zernike_tables import UNITS, ZernikeTable
 from lommel.optics.descriptions import NORMALIZATIONS
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
 
-SUFFIXES = (".json", ".toml", ".csv")
 SETTINGS = ("order", "unit", "normalization", "wavelength")
 _INDICES, _VALUES = ("index", "term", "j"), ("value", "coefficient", "coeff", "c")  # names of columns
 _MOST_TERMS = 4096  # more than there are
@@ -88,51 +87,6 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     if table is None:
         raise ZernikeFileError(messages.together(source, found))
     return table
-
-
-def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> None:
-    """Write a table; the suffix chooses the format, and :func:`load_zernike` reads the very same numbers.
-
-    A single wavefront is written as a table of Noll's terms in waves rms; :meth:`ZernikeTable.from_wavefront` makes
-    those of other orders and units. The file is written under a temporary name and moved into place.
-
-    Parameters
-    ----------
-    path : path
-        Ending in .json, .toml or .csv.
-    table : ZernikeTable or Wavefront
-
-    Raises
-    ------
-    TypeError, ValueError
-        If `table` is neither, or a stack, or if the suffix is unknown.
-    OSError
-        If the file cannot be written.
-    """
-    if isinstance(table, Wavefront):
-        table = ZernikeTable.from_wavefront(table)
-    if not isinstance(table, ZernikeTable):
-        raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {validation.shown(table)}")
-    target = validation.path("path", path)
-    suffix = target.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise ValueError(f"path must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
-    settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
-    if table.wavelength is not None:
-        settings["wavelength"] = f"{table.wavelength!r} m"
-    pair = table.order == "nm"
-    terms = {(f"{i[0]},{i[1]}" if pair else str(i)): c for i, c in table.terms.items()}
-    if suffix == ".json":
-        text = json.dumps(settings | {"terms": terms}, indent=2, allow_nan=False) + "\n"
-    elif suffix == ".toml":
-        head = [f'{key} = "{value}"' for key, value in settings.items()]
-        text = "\n".join([*head, "", "[terms]", *(f'"{key}" = {c!r}' for key, c in terms.items()), ""])
-    else:
-        head = [f"# {key}: {value}" for key, value in settings.items()]
-        text = "\n".join(
-            [*head, "n,m,value" if pair else "index,value", *(f"{k},{c!r}" for k, c in terms.items()), ""]
-        )
-    atomic.write(target, text.encode())
 
 
 def build(

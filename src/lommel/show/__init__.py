@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from lommel.base import lazy
 
 if TYPE_CHECKING:
+    from lommel.show import fit as fit
     from lommel.show import plot as plot
 else:
     __getattr__, __dir__ = lazy.parts(__name__)

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from os import PathLike
 from typing import Any
 
-from lommel.base import validation
+from lommel.base import atomic, validation
 from lommel.base.units import LENGTHS
 from lommel.optics.descriptions import NORMALIZATIONS
 from lommel.optics.spectrum import same_path
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
+
+SUFFIXES = (".json", ".toml", ".csv")
+"""Of files of tables."""
 
 UNITS = ("radians", "waves", "metres", *LENGTHS)
 
@@ -125,6 +130,56 @@ class ZernikeTable:
         if plain == "metres" or at is None or self.wavelength is None or at == self.wavelength:
             return made
         return same_path(made, self.wavelength, at)
+
+
+def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> None:
+    """Write a table; the suffix chooses the format, and :func:`lommel.load_zernike` reads the very same numbers.
+
+    A single wavefront is written as a table of Noll's terms in waves rms; :meth:`ZernikeTable.from_wavefront` makes
+    those of other orders and units. The file is written under a temporary name and moved into place.
+
+    Parameters
+    ----------
+    path : path
+        Ending in .json, .toml or .csv.
+    table : ZernikeTable or Wavefront
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `table` is neither, or a stack, or if the suffix is unknown.
+    OSError
+        If the file cannot be written.
+    """
+    if isinstance(table, Wavefront):
+        table = ZernikeTable.from_wavefront(table)
+    if not isinstance(table, ZernikeTable):
+        raise TypeError(f"table must be a ZernikeTable or a Wavefront, got {validation.shown(table)}")
+    form = suffix(path)
+    settings = {"order": table.order, "unit": table.unit, "normalization": table.normalization}
+    if table.wavelength is not None:
+        settings["wavelength"] = f"{table.wavelength!r} m"
+    pair = table.order == "nm"
+    terms = {(f"{i[0]},{i[1]}" if pair else str(i)): c for i, c in table.terms.items()}
+    if form == ".json":
+        text = json.dumps(settings | {"terms": terms}, indent=2, allow_nan=False) + "\n"
+    elif form == ".toml":
+        head = [f'{key} = "{value}"' for key, value in settings.items()]
+        text = "\n".join([*head, "", "[terms]", *(f'"{key}" = {c!r}' for key, c in terms.items()), ""])
+    else:
+        head = [f"# {key}: {value}" for key, value in settings.items()]
+        text = "\n".join(
+            [*head, "n,m,value" if pair else "index,value", *(f"{k},{c!r}" for k, c in terms.items()), ""]
+        )
+    atomic.write(validation.path("path", path), text.encode())
+
+
+def suffix(path: str | PathLike[str], name: str = "path") -> str:
+    """Return the suffix of a table, in small letters; ValueError with all of them, for `name`, if it is another."""
+    found = validation.path(name, path).suffix.lower()
+    if found not in SUFFIXES:
+        raise ValueError(f"{name} must end in {', '.join(SUFFIXES)}, got {validation.shown(str(path))}")
+    return found
 
 
 def _unit(unit: str) -> tuple[str, float]:

@@ -1,0 +1,57 @@
+"""
+A wavefront from three defocused stars
+======================================
+
+A telescope looks at a star three times, the sensor in focus and moved to either side. Each image alone is no use for
+telling which way the mirror is bent; together they tell fifteen aberrations to a thousandth of a wave.
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import lommel as lm
+
+telescope = {"obscuration": 0.3, "wavelength": 700e-9, "f_number": 15.0}
+pixel, defocus = 5.25e-6, [-4.0, 0.0, 4.0]
+camera = lm.Noise(white=0.8, read=3.0, offset=100.0)  # electrons per count, rms electrons, counts
+
+# %%
+# What the telescope is like, which nobody knows: half a radian of astigmatism, coma, spherical aberration, trefoil.
+# The stars stand wherever they happen to, and one was brighter than the others.
+
+true = lm.Wavefront.zernike({4: 0.2, 5: 0.5, 7: -0.35, 9: 0.25, 11: 0.3}, order="noll")
+rows, columns = np.array([20.3, 19.6, 20.1]), np.array([19.8, 20.4, 20.2])
+light = lm.Pupil(true + lm.Wavefront(defocus=defocus), **telescope)
+psf = lm.psf(light, 41, pixel, center=(rows, columns))
+electrons = np.array([8e4, 1.2e5, 8e4])[:, None, None] * psf.values + 8.0
+stars = np.round(camera.record(electrons, seed=1885))
+
+figure, axes = plt.subplots(1, 3, figsize=(9, 3.4), layout="constrained")
+for image, extra, ax in zip(stars, defocus, axes, strict=True):
+    shown = ax.imshow(np.sqrt(np.maximum(image - 95.0, 0.0)), cmap="magma")
+    ax.set_title(f"C_d {extra:+g} rad: {image.max():.0f} counts at most", fontsize=9)
+    ax.set_xlabel("column (pixels)")
+axes[0].set_ylabel("row (pixels)")
+
+# %%
+# The fit knows aperture, wavelength, pixel, the noise of the camera and how far the sensor was moved. Everything
+# else is found along: the place, the light and the background of each image.
+
+found = lm.retrieve(stars, lm.Pupil(**telescope), pixel=pixel, noise=camera, defocus=defocus, terms=15)
+print(found.message)
+found.plot()
+
+# %%
+# What was found, beside what is so. Errors are as large as the deviations say.
+
+truth = true.to_zernike()
+waves, deviations = found.in_unit("waves")
+for term, value in waves.items():
+    expected = float(truth.get(term, 0.0)) / (2.0 * np.pi)
+    name = lm.special.zernike.name(*term)
+    print(f"{name:24s} {value:+.4f} +- {deviations[term]:.4f} waves rms, in truth {expected:+.4f}")
+off = np.array([(value - truth.get(term, 0.0)) / found.deviation[term] for term, value in found.coefficients.items()])
+assert found.converged
+assert np.abs(off).max() < 4.0
+
+plt.show()

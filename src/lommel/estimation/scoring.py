@@ -1,0 +1,106 @@
+"""Fisher scoring: steps to the parameters under which measured images are most likely, of several starts at once."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.estimation.star_images import Scores, StarImages
+
+_SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
+_FAR = 2.0  # radians rms: no step changes the wavefront by more
+_DAMPING = 1e-2, 1e-6, 1e8  # at first, at least, and that which leaves no step to take
+_STRETCH = 16.0  # times the length of a step, at most
+_IDLE = 1e-4  # of the deviance in excess: a step that gains less does not lead to where the images fit
+_PATIENCE = 3  # such steps one after the other
+
+
+@dataclass
+class Fits:
+    """Where several starts ended: parameters (s, p), how they fit, whether the steps settled there, their number."""
+
+    x: Array
+    scores: Scores
+    settled: NDArray[np.bool_]
+    steps: NDArray[np.intp]
+
+    def __getitem__(self, index: Any) -> Fits:
+        """Return some of them."""
+        return Fits(self.x[index], self.scores.of(index), self.settled[index], self.steps[index])
+
+
+def climb(model: StarImages, x: Array, most: int) -> Fits:
+    """Take steps from several starts `x`, at most so many each, until they settle or one of them fits.
+
+    Steps are damped as Levenberg and Marquardt do, and made longer where the last gained nearly all that its slope
+    promised: far from the answer the information overstates how curved the likelihood is.
+    """
+    count = len(x)
+    now = model.judged(x)
+    damping, stretch = np.full(count, _DAMPING[0]), np.ones(count)
+    settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
+    steps, idle = np.zeros(count, dtype=int), np.zeros(count, dtype=int)
+    for turn in range(most + 1):
+        at = np.flatnonzero(moving)
+        there = now if at.size == count else now.of(at)
+        step = damped(there.information, there.slope, damping[at])
+        promised = np.einsum("si,si->s", step, there.slope)
+        done = (promised < _SETTLED) & (damping[at] <= 1.0)
+        settled[at] = done
+        moving[at] = ~done & (damping[at] < _DAMPING[2]) & (idle[at] < _PATIENCE)
+        if turn == most or not moving.any() or (done & (there.chi2 < model.limit(there))).any():
+            break
+        go = moving[at]
+        at, step, promised = at[go], step[go], promised[go]
+        reach = np.minimum(stretch[at], _FAR / np.maximum(model.rms(step), 1e-300))
+        tried = model.within(x[at] + reach[:, None] * step, x[at])
+        new = model.judged(tried)
+        steps[at] += 1
+        gain = now.deviance[at] - new.deviance
+        promised *= reach
+        better = gain > 0.0
+        stretched = stretch[at] > 1.0
+        straight, bent = gain > 0.65 * promised, gain < 0.3 * promised
+        longer = np.minimum(2.0 * np.maximum(reach, 1.0), _STRETCH)
+        stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
+        damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
+        np.maximum(damping, _DAMPING[1], out=damping)
+        slow = better & (gain < _IDLE * (now.chi2[at] - model.limit(now)[at]))
+        idle[at] = np.where(slow, idle[at] + 1, np.where(better, 0, idle[at]))
+        x[at[better]] = tried[better]
+        for mine, theirs in zip(now, new, strict=True):
+            mine[at[better]] = theirs[better]
+    return Fits(x, now, settled, steps)
+
+
+def damped(information: Array, slope: Array, damping: Array) -> Array:
+    """Return the steps (s, p) for information (s, p, p), slopes (s, p) and dampings (s,)."""
+    scale = deviations(information)
+    matrix = information / (scale[:, :, None] * scale[:, None, :])
+    diagonal = np.arange(scale.shape[-1])
+    matrix[:, diagonal, diagonal] += damping[:, None]
+    return np.asarray(np.linalg.solve(matrix, (slope / scale)[..., None])[..., 0] / scale)
+
+
+def covariance(information: Array) -> Array:
+    """Return the inverse (p, p) of an information; the variance of what it does not tell is inf."""
+    scale = deviations(information[None])[0]
+    values, vectors = np.linalg.eigh(information / np.outer(scale, scale))
+    # Derivatives are wrong by 1e-6 of the peak; what they leave of nothing is this small.
+    blind = values < 1e-10
+    unknown = (np.abs(vectors[:, blind]) > 1e-3).any(axis=1)
+    values = np.where(blind, np.inf, values)
+    found = (vectors / values) @ vectors.T / np.outer(scale, scale)
+    found[unknown] = found[:, unknown] = 0.0
+    found[unknown, unknown] = np.inf
+    return np.asarray(found)
+
+
+def deviations(information: Array) -> Array:
+    """Return what makes the diagonal of information (s, p, p) 1: its roots (s, p), or 1 of what tells nothing."""
+    diagonal = np.einsum("sii->si", information)
+    return np.where(diagonal > 0.0, np.sqrt(diagonal), 1.0)

@@ -1,0 +1,246 @@
+"""Images of stars as a function of what is solved for, and how likely measured ones are, with derivatives."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from lommel.base.arrays import Array
+from lommel.estimation.unknowns import TILTS, Unknowns
+from lommel.optics.pupil import Pupil
+from lommel.optics.terms import symmetric_terms
+from lommel.optics.wavefront import Wavefront
+from lommel.psf import PSF, Plan
+
+_DEVIATIONS = 6.0  # of chi2, from which on a model is not believed
+_LEAST = 0.05  # electrons squared: the variance of a pixel that is neither lit nor noisily read
+
+
+class Scores(NamedTuple):
+    """How well each of several sets of parameters fits.
+
+    `deviance` (s,) is minus the logarithm of the likelihood, `slope` (s, p) minus its gradient, `information`
+    (s, p, p) Fisher's; `chi2` (s,) is Pearson's, summed, and `spread` (s,) its variance where the model is right.
+    """
+
+    deviance: Array
+    slope: Array
+    information: Array
+    chi2: Array
+    spread: Array
+
+    def of(self, index: Any) -> Scores:
+        """Return those of some of the sets."""
+        return Scores(*(part[index] for part in self))
+
+
+class StarImages:
+    """Images of stars as functions of a row of parameters.
+
+    These are the terms, the numbers of the pupil, and for each image its tilts, its flux and its background.
+
+    Parameters
+    ----------
+    electrons, variance : ndarray, shape (n, height, width)
+        As measured, and what reading adds to the variance.
+    valid : ndarray of bool, shape (n, height, width)
+    pupil : Pupil
+        With the wavefront to start from, a single one.
+    defocus : ndarray, shape (n,)
+        C_d that is known to come on top, radians.
+    unknowns : Unknowns
+    plan : Plan
+    """
+
+    def __init__(
+        self,
+        electrons: Array,
+        variance: Array,
+        valid: NDArray[np.bool_],
+        pupil: Pupil,
+        defocus: Array,
+        unknowns: Unknowns,
+        plan: Plan,
+        pixel: float,
+    ) -> None:
+        self.count = count = len(electrons)
+        self.valid = valid.reshape(count, -1).astype(np.float64)
+        self.read = np.maximum(variance.reshape(count, -1), _LEAST)
+        self.counted = np.where(valid, electrons, 0.0).reshape(count, -1)
+        self.pupil, self.unknowns, self.plan = pupil, unknowns, plan
+        self.tilt_of_pixel = math.pi * pixel / pupil.scale
+        start = pupil.wavefront.edge_terms()
+        wanted = {*start, *unknowns.edge, *TILTS.values()}
+        radial = symmetric_terms(max(n // 2 for n, m in wanted if m == 0))
+        self.terms = (*radial, *sorted(term for term in wanted if term[1]))
+        edge = np.array([start.get(term, 0.0) for term in self.terms], dtype=np.float64)
+        self.directions = np.zeros((len(unknowns.terms), len(self.terms)))
+        self.directions[:, [self.terms.index(term) for term in unknowns.edge]] = unknowns.directions
+        self._inverse = np.linalg.pinv(self.directions)
+        # What the terms can say of the wavefront to start from is where they start; the rest stays.
+        self.start = edge @ self._inverse
+        self.fixed = edge - self.start @ self.directions
+        self.base = np.tile(self.fixed, (count, 1))
+        self.base[:, 0] += defocus
+        # Half the window.
+        halves = {"row": 0.5 * valid.shape[1], "column": 0.5 * valid.shape[2]}
+        self.reach = [halves[place] * self.tilt_of_pixel for place in unknowns.places]
+        self.tilts = [self.terms.index(TILTS[place]) for place in unknowns.places]
+        # Of a parameter for each image those of all images follow each other.
+        k, pupils, own = len(unknowns.terms), len(unknowns.pupil), len(unknowns.places) + 2
+        self.shared = k + pupils
+        self.size = self.shared + own * count
+        self.waves, self.optics = slice(0, k), slice(k, self.shared)
+        self.own = slice(self.shared, self.size)
+        self._chain = np.zeros((count, self.size, len(unknowns.asked) + 2))
+        terms = len(unknowns.edge)
+        self._chain[:, self.waves, :terms] = unknowns.directions
+        for j in range(pupils):
+            self._chain[:, k + j, terms + len(self.tilts) + j] = 1.0
+        rows = [*range(terms, terms + len(self.tilts)), -2, -1]
+        for j, row in enumerate(rows):
+            at = self.shared + j * count + np.arange(count)
+            self._chain[np.arange(count), at, row] = 1.0
+        self.tested = int(valid.sum()) - self.size
+        self.even = np.array([n % 2 == 0 for n, _ in self.terms])
+        self.twins = self._twins()
+
+    def _twins(self) -> bool:
+        """Return whether another wavefront has the same images: one whose even part is of the other sign."""
+        even = self.even * np.vstack([self.directions, self.base])
+        missed = even - even @ self._inverse @ self.directions
+        one = np.ptp(self.base * self.even, axis=0).max() == 0.0
+        return bool(one and (self.even * self.directions).any() and np.abs(missed).max() < 1e-9)
+
+    def twin(self, x: Array) -> Array:
+        """Return the parameters of the wavefront with the same images."""
+        other = x.copy()
+        even = self.even * (self.base[0] + x[:, self.waves] @ self.directions)
+        other[:, self.waves] -= 2.0 * even @ self._inverse
+        return other
+
+    def wavefront(self, x: Array) -> Wavefront:
+        """Return the wavefront of one set of parameters `x`, shape (p,), without tilts and known defoci."""
+        edge = self.fixed + x[self.waves] @ self.directions
+        return Wavefront.trusted(self.terms, self.ratio(self.optics_of(x[None])) * edge, self.pupil.wavefront.error)
+
+    def pupils(self, x: Array) -> Pupil:
+        """Return the pupils of all images, of each of the sets of parameters `x`, shape (s, p)."""
+        edge = self.base + (x[:, self.waves] @ self.directions)[:, None]
+        own = self.own_of(x)
+        for j, column in enumerate(self.tilts):
+            edge[:, :, column] += own[:, j]
+        optics: dict[str, Any] = self.optics_of(x)
+        if not optics:
+            return self.pupil.carrying(Wavefront.trusted(self.terms, edge), None)
+        if "wavelength" in optics:
+            # Path differences stay: they are the parameters, in radians at the wavelength to start with.
+            edge *= self.ratio(optics)
+        return replace(self.pupil, wavefront=Wavefront.trusted(self.terms, edge), geometry=None, **optics)
+
+    def optics_of(self, x: Array) -> dict[str, float]:
+        """Return the numbers of the pupil that are solved for, of the first set of parameters."""
+        return dict(zip(self.unknowns.pupil, x[0, self.optics].tolist(), strict=True))
+
+    def ratio(self, optics: dict[str, float]) -> float:
+        """Return the wavelength to start with over that of the parameters."""
+        at = self.pupil.wavelength
+        return 1.0 if at is None else at / optics.get("wavelength", at)
+
+    def own_of(self, x: Array) -> Array:
+        """Return what each image has of its own: tilts, flux, background; shape (s, these, n)."""
+        return x[:, self.own].reshape(len(x), -1, self.count)
+
+    def images(self, x: Array) -> PSF:
+        """Return the PSFs of images, shape (s, n, height, width), and their derivatives."""
+        return self.plan(self.pupils(x), derivatives=self.unknowns.asked)
+
+    def mean(self, x: Array, psf: Array) -> Array:
+        """Return the electrons expected of a pixel: those of the PSFs `psf`, shape (s, n, pixels)."""
+        own = self.own_of(x)
+        return own[:, -2, :, None] * psf + own[:, -1, :, None]
+
+    def variance(self, mean: Array) -> Array:
+        """Return the variance of pixels; where a background below 0 leaves nothing, part of that of reading."""
+        return np.asarray(np.maximum(mean + self.read, 0.25 * self.read))
+
+    def magnification(self, x: Array) -> float:
+        """Return one lambda*N over that of the pupil to start from, at one wavelength: how far tilts move images."""
+        at = self.pupil.f_number
+        return 1.0 if at is None else self.optics_of(x).get("f_number", at) / at
+
+    def judged(self, x: Array, dtype: DTypeLike = np.float32) -> Scores:
+        """Return how well sets of parameters fit; products of derivatives are summed in `dtype`."""
+        made = self.images(x)
+        each = (len(x), self.count, -1)
+        mean = self.mean(x, made.values.reshape(each))
+        variance = self.variance(mean)
+        residual = (self.counted - mean) * self.valid
+        weight = self.valid / variance
+        deviance = np.einsum("ip,sip->s", self.valid, variance)
+        deviance -= np.einsum("ip,sip->s", (self.counted + self.read) * self.valid, np.log(variance))
+        spread = 2.0 * self.valid.sum() + weight.sum(axis=(1, 2))
+        root = np.sqrt(weight)
+        residual *= root
+        chi2 = np.einsum("sip,sip->s", residual, residual)
+        small = root.astype(dtype)
+        rows = np.empty((len(x), self.count, len(self.unknowns.asked) + 2, mean.shape[-1]), dtype)
+        for k, name in enumerate(self.unknowns.asked):
+            np.multiply(made.derivatives[name].reshape(each), small, out=rows[:, :, k])
+        np.multiply(made.values.reshape(each), small, out=rows[:, :, -2])
+        rows[:, :, -1] = small
+        local = rows @ residual.astype(dtype)[..., None]
+        squares = rows @ rows.swapaxes(-1, -2)
+        chain = self.chain(x)
+        slope = (chain @ local)[..., 0].sum(axis=1)
+        information = (chain @ squares @ chain.swapaxes(-1, -2)).sum(axis=1)
+        return Scores(deviance, slope, information, chi2, spread)
+
+    def limit(self, scores: Scores) -> Array:
+        """Return what chi2 stays below where the model is right, but for six deviations."""
+        return self.tested + _DEVIATIONS * np.sqrt(scores.spread)
+
+    def chain(self, x: Array) -> Array:
+        """Return how derivatives of PSFs, and flux and background, make those of images, (s, n, p, rows)."""
+        phases = len(self.unknowns.edge) + len(self.tilts)
+        factors = np.ones((len(x), self.count, 1, self._chain.shape[-1]))
+        factors[..., :-2] = self.own_of(x)[:, -2, :, None, None]
+        factors[..., :phases] *= self.ratio(self.optics_of(x))
+        return self._chain * factors
+
+    def with_light(self, x: Array) -> Array:
+        """Return the parameters with the flux and the background of least squares, for the wavefronts they have."""
+        psf = self.plan(self.pupils(x)).values.reshape(len(x), self.count, -1).astype(np.float64)
+        weight = self.valid / (np.maximum(self.counted, 0.0) + self.read + 1.0)
+        total, data = weight.sum(axis=-1), weight * self.counted
+        mean, level = (weight * psf).sum(axis=-1) / total, data.sum(axis=-1) / total
+        square = (weight * psf * psf).sum(axis=-1) - total * mean * mean
+        flux = ((data * psf).sum(axis=-1) - total * mean * level) / np.maximum(square, 1e-300)
+        found = x.copy()
+        own = self.own_of(found)
+        own[:, -2] = np.maximum(flux, 1.0)
+        own[:, -1] = level - own[:, -2] * mean
+        return found
+
+    def within(self, x: Array, before: Array) -> Array:
+        """Return parameters that have images: no flux falls below a tenth, nor numbers of the pupil out of range."""
+        own, old = self.own_of(x), self.own_of(before)
+        np.maximum(own[:, -2], 0.1 * old[:, -2], out=own[:, -2])
+        for j, reach in enumerate(self.reach):
+            np.clip(own[:, j], -reach, reach, out=own[:, j])
+        for name, column in zip(self.unknowns.pupil, range(self.optics.start, self.optics.stop), strict=True):
+            if name == "obscuration":
+                np.clip(x[:, column], 0.0, 0.98, out=x[:, column])
+            else:
+                np.clip(x[:, column], 0.8 * before[:, column], 1.25 * before[:, column], out=x[:, column])
+        return x
+
+    def rms(self, steps: Array) -> Array:
+        """Return the root mean square phase of steps of the parameters, tilts apart, radians, shape (s,)."""
+        edge = steps[:, self.waves] @ self.directions
+        squares = np.array([1.0 / ((n + 1) * (1 if m == 0 else 2)) for n, m in self.terms])
+        return np.asarray(np.sqrt((edge * edge) @ squares))

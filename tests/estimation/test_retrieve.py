@@ -1,0 +1,335 @@
+"""Wavefronts are found behind images, with the scatter that noise makes, or it is said why not."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import lommel as lm
+from lommel.estimation.star_images import StarImages
+from lommel.estimation.unknowns import Unknowns
+
+NOISE = lm.Noise(read=2.0)
+DEFOCUS = np.array([-4.0, 0.0, 4.0])
+ASKED = {"pixel": 0.5, "noise": NOISE}
+TRUE = lm.Wavefront.zernike({5: 0.4, 8: -0.3, 11: 0.2}, order="noll")
+
+
+def stars(wavefront, *, photons=1e5, defocus=DEFOCUS, center=(16.0, 16.0), seed=1, side=33, **pupil):
+    """Return images of a star, 5 electrons a pixel of background."""
+    light = lm.Pupil(wavefront + lm.Wavefront(defocus=defocus), **pupil)
+    pixel = 2e-6 if pupil.get("wavelength") else 0.5
+    mean = photons * lm.psf(light, side, pixel, center=center, tol=1e-8).values + 5.0
+    return NOISE.record(np.maximum(mean, 0.0), seed)
+
+
+def random_wavefront(seed, rms, first=4):
+    c = np.random.default_rng(seed).normal(size=15)
+    c *= rms / np.linalg.norm(c)
+    return lm.Wavefront.zernike(dict(enumerate(c, first)), order="noll"), c
+
+
+def model(terms=15, also=("center",), pupil=None):
+    """Return a model of three images, and a row of parameters for it."""
+    pupil = pupil or lm.Pupil()
+    pixel = 0.5 * pupil.scale
+    valid = np.ones((3, 17, 17), dtype=bool)
+    nothing, read = np.zeros(valid.shape), np.full(valid.shape, 4.0)
+    plan = lm.Plan(17, pixel, tol=1e-9, integrate=False)
+    made = StarImages(nothing, read, valid, pupil, DEFOCUS, Unknowns.of(terms, also), plan, pixel)
+    light = [900.0, 1000.0, 1100.0, 5.0, 6.0, 7.0]
+    return made, np.concatenate([np.random.default_rng(2).normal(0.0, 0.3, made.size - 6), light])[None]
+
+
+@pytest.mark.parametrize("photons", [1e4, 1e5])
+def test_errors_are_those_that_the_noise_of_the_images_makes_unavoidable(photons):
+    z, ratio = [], []
+    for seed in range(12):
+        true, c = random_wavefront(seed, 1.0)
+        centers = 16.0 + np.random.default_rng(seed).uniform(-0.5, 0.5, (2, 3))
+        found = lm.retrieve(
+            stars(true, photons=photons, center=tuple(centers), seed=seed), lm.Pupil(), defocus=DEFOCUS, **ASKED
+        )
+        assert found.converged
+        assert found.message.startswith("converged: chi2 ")
+        spread = np.array([found.deviation[name] for name in found.coefficients])
+        error = np.array(list(found.coefficients.values())) - c
+        z.append(error / spread)
+        ratio.append((error @ error) / (spread @ spread))
+        places = (found.center.T - centers) / [found.deviation["row"], found.deviation["column"]]
+        assert np.abs(places).max() < 5.0
+        assert np.abs((found.flux - photons) / found.deviation["flux"]).max() < 5.0
+        assert np.abs((found.background - 5.0) / found.deviation["background"]).max() < 5.0
+        assert_allclose(np.sqrt(np.diag(found.covariance)), spread, rtol=1e-12)
+    assert 0.85 < np.std(z) < 1.15
+    assert 0.85 < np.sqrt(np.mean(ratio)) < 1.15
+
+
+def test_the_deviations_are_the_bound_of_fishers_information():
+    true, _ = random_wavefront(0, 1.0)
+    found = lm.retrieve(stars(true, seed=0), lm.Pupil(), defocus=DEFOCUS, also=(), **ASKED)
+    light = [lm.Pupil(found.wavefront + lm.Wavefront(defocus=d)) for d in DEFOCUS]
+    rows, step = [], 1e-3
+    for name in found.coefficients:
+        by = lm.Wavefront.zernike({name: step})
+        rows.append([
+            flux * (lm.psf(lm.Pupil(p.wavefront + by), 33, 0.5, tol=1e-9).values
+                    - lm.psf(lm.Pupil(p.wavefront - by), 33, 0.5, tol=1e-9).values) / (2 * step)
+            for p, flux in zip(light, found.flux, strict=True)
+        ])  # fmt: skip
+    images = [lm.psf(p, 33, 0.5, tol=1e-9).values for p in light]
+    for k in range(3):
+        rows += [
+            [part if i == k else np.zeros((33, 33)) for i in range(3)] for part in (images[k], np.ones((33, 33)))
+        ]
+    jacobian = np.array(rows).reshape(21, -1)
+    mean = found.flux[:, None, None] * images + found.background[:, None, None]
+    bound = np.linalg.inv((jacobian / (mean.ravel() + 4.0)) @ jacobian.T)
+    assert_allclose(found.covariance, bound[:15, :15], rtol=1e-4, atol=1e-5 * bound[0, 0])
+
+
+@pytest.mark.parametrize(
+    ("terms", "also", "more"),
+    [
+        (7, ("center",), {}),
+        (("defocus", "spherical", "rho^6", "noll 8"), ("row",), {"obscuration": 0.3}),
+        (((2, 2), "ansi 7"), ("f_number", "wavelength", "obscuration", "column"),
+         {"obscuration": 0.3, "wavelength": 1e-6, "f_number": 8.0}),
+    ],
+)  # fmt: skip
+def test_slopes_and_information_are_those_of_the_likelihood(terms, also, more):
+    made, x = model(terms, also, lm.Pupil(TRUE, **more))
+    if made.unknowns.pupil:
+        x[0, made.optics] = 8.4, 1.1e-6, 0.35
+    draw = np.random.default_rng(5)
+    psf = made.images(x)
+    made.counted = draw.poisson(made.mean(x, psf.values.reshape(1, 3, -1))[0]).astype(float)
+    there = made.judged(x, np.float64)
+    for k in range(made.size):
+        h = 1e-4 * (abs(x[0, k]) if k in range(made.optics.start, made.optics.stop) else 1.0)
+        up, down = x.copy(), x.copy()
+        up[0, k] += h
+        down[0, k] -= h
+        slope = (made.judged(down).deviance[0] - made.judged(up).deviance[0]) / (2 * h)
+        assert there.slope[0, k] == pytest.approx(slope, rel=2e-3, abs=2e-3 * np.sqrt(there.information[0, k, k])), k
+
+
+def test_wavefronts_of_three_radians_are_found_from_other_starts():
+    found = [
+        lm.retrieve(stars(random_wavefront(seed, 3.0)[0], seed=seed), lm.Pupil(), defocus=DEFOCUS, also=(), **ASKED)
+        for seed in (0, 1, 2)
+    ]
+    assert max(each.starts for each in found) > 1
+    for seed, each in enumerate(found):
+        assert each.converged
+        assert_allclose(list(each.coefficients.values()), random_wavefront(seed, 3.0)[1], atol=0.03)
+
+
+def test_one_defocus_leaves_the_sign_of_even_terms_open_and_says_so():
+    known = lm.retrieve(
+        stars(TRUE, defocus=1.0), lm.Pupil(), terms=["noll 5", "noll 8", "noll 11"], defocus=1.0, **ASKED
+    )
+    assert known.converged
+    assert "sign" not in known.message  # a defocus that is not solved for tells it
+    assert known.coefficients["noll 5"] == pytest.approx(0.4, abs=5 * known.deviation["noll 5"])
+    image = stars(lm.Wavefront(defocus=-1.0) - TRUE, defocus=0.0)
+    found = lm.retrieve(image, lm.Pupil(), terms=("defocus", "noll 5", "noll 8", "noll 11"), **ASKED)
+    assert found.converged
+    assert "common sign of the even terms open" in found.message
+    signs = {"defocus": 1.0, "noll 5": 0.4, "noll 8": 0.3, "noll 11": 0.2}
+    for name, value in signs.items():
+        assert found.coefficients[name] == pytest.approx(value, abs=6 * found.deviation[name])
+    other = lm.retrieve(
+        image, lm.Pupil(lm.Wavefront(-0.5)), terms=("defocus", "noll 5", "noll 8", "noll 11"), **ASKED
+    )
+    assert other.coefficients["defocus"] == pytest.approx(-1.0, abs=6 * other.deviation["defocus"])
+    assert other.coefficients["noll 8"] == pytest.approx(0.3, abs=6 * other.deviation["noll 8"])
+    two = lm.retrieve(stars(TRUE, defocus=[0.0, 2.0]), lm.Pupil(), terms=4, defocus=[0.0, 2.0], **ASKED)
+    assert "sign" not in two.message
+
+
+def test_twins_have_the_same_images():
+    made, x = model(terms=("defocus", "noll 5", "noll 8", "noll 11"))
+    made.base[:, 0] = made.base[0, 0]
+    made.twins = made._twins()
+    assert made.twins
+    same = made.twin(x)
+    assert np.abs(same - x).max() > 0.1
+    # A tilt of each image is odd, and stays.
+    assert_allclose(made.images(same).values, made.images(x).values, atol=1e-8)
+
+
+def test_a_spot_tells_its_f_number_and_place_too():
+    light = {"wavelength": 550e-9, "f_number": 8.2}
+    spot = stars(lm.Wavefront(2.0, 1.0), defocus=0.0, center=(16.3, 15.2), **light)
+    found = lm.retrieve(
+        spot, lm.Pupil(wavelength=550e-9, f_number=8.0), pixel=2e-6, noise=NOISE, terms=("defocus", "spherical"),
+        also=("f_number", "center"),
+    )  # fmt: skip
+    assert found.converged
+    expected = {"defocus": 2.0, "spherical": 1.0, "f_number": 8.2}
+    assert list(found.coefficients) == list(expected)
+    for name, value in expected.items():
+        assert found.coefficients[name] == pytest.approx(value, abs=5 * found.deviation[name])
+    assert_allclose(
+        found.center, [[16.3, 15.2]], atol=5 * max(found.deviation["row"][0], found.deviation["column"][0])
+    )
+    assert found.pupil.f_number == found.coefficients["f_number"]
+    assert found.wavefront.defocus == pytest.approx(found.coefficients["defocus"])
+    values, deviations = found.in_unit("nm")
+    assert values["defocus"] == pytest.approx(found.coefficients["defocus"] * 550 / (2 * np.pi))
+    assert deviations["spherical"] == pytest.approx(found.deviation["spherical"] * 550 / (2 * np.pi))
+    assert set(values) == {"defocus", "spherical"}
+
+
+def test_terms_of_the_pupil_that_are_not_solved_for_stay():
+    found = lm.retrieve(stars(TRUE), lm.Pupil(TRUE + lm.Wavefront(0.2)), terms=("defocus",), defocus=DEFOCUS, **ASKED)
+    assert found.converged
+    assert found.coefficients["defocus"] == pytest.approx(0.0, abs=5 * found.deviation["defocus"])
+    assert found.wavefront.to_zernike(order="noll")[8] == pytest.approx(-0.3)
+    nothing = lm.retrieve(stars(TRUE), lm.Pupil(TRUE), terms=(), defocus=DEFOCUS, **ASKED)
+    assert nothing.converged
+    assert nothing.coefficients == {}
+    assert_allclose(nothing.center, 16.0, atol=0.1)
+
+
+def test_pixels_that_are_not_light_are_left_out():
+    images = stars(TRUE)
+    clean = lm.retrieve(images, lm.Pupil(), defocus=DEFOCUS, terms=8, **ASKED)
+    assert clean.converged
+    spoiled = images.copy()
+    spoiled[0, 10:14, 10:14] = np.nan
+    spoiled[1, 16, 16] = np.inf
+    bad = np.zeros((33, 33), dtype=bool)
+    bad[5] = True
+    spoiled[:, 5] = 1e6
+    ways = {
+        "mask": lm.retrieve(spoiled, lm.Pupil(), defocus=DEFOCUS, terms=8, mask=bad, **ASKED),
+        "saturation": lm.retrieve(spoiled, lm.Pupil(), defocus=DEFOCUS, terms=8, saturation=5e5, **ASKED),
+        "masked": lm.retrieve(np.ma.masked_greater(spoiled, 5e5), lm.Pupil(), defocus=DEFOCUS, terms=8, **ASKED),
+    }
+    for found in ways.values():
+        assert found.converged
+        assert np.isnan(found.residual).sum() == 16 + 1 + 3 * 33 - 0
+        assert np.isnan(found.images[:, 5]).all()
+        assert np.isfinite(found.model).all()
+        for name, value in found.coefficients.items():
+            assert value == pytest.approx(clean.coefficients[name], abs=3 * clean.deviation[name])
+
+
+def test_counts_of_a_camera_are_light_by_the_noise_that_is_stated():
+    camera = lm.Noise(white=0.5, read=2.0, offset=100.0)
+    counts = np.clip(camera.image(stars(TRUE)), 0, 2000).astype(np.uint16)
+    found = lm.retrieve(counts, lm.Pupil(), pixel=0.5, noise=camera, defocus=DEFOCUS, terms=8, saturation=2000)
+    assert found.converged
+    assert_allclose(found.flux, 1e5, rtol=0.03)
+    assert_allclose(
+        found.model,
+        camera.image(found.flux[:, None, None] * found.psf.values + found.background[:, None, None]),
+        rtol=1e-6,
+    )
+    full = np.where(counts > 900, 65535, counts).astype(np.uint16)  # the largest of its type
+    again = lm.retrieve(full, lm.Pupil(), pixel=0.5, noise=camera, defocus=DEFOCUS, terms=8)
+    assert np.isnan(again.images[counts > 900]).all()
+    assert again.converged
+
+
+def test_what_does_not_fit_is_told():
+    images = stars(TRUE)
+    options = ASKED | {"defocus": DEFOCUS, "terms": 8, "starts": 2}
+    wide = lm.retrieve(images, lm.Pupil(), **options | {"pixel": 0.6})
+    assert not wide.converged
+    assert wide.message.startswith("misfit: ")
+    assert wide.chi2 > 2.0
+    quiet = lm.retrieve(images, lm.Pupil(), **options | {"noise": lm.Noise(read=60.0)})
+    assert "less noisy" in quiet.message
+    dark = lm.retrieve(NOISE.record(np.full((3, 33, 33), 5.0), 1), lm.Pupil(), **options)
+    assert not dark.converged
+    assert dark.message.startswith("no star: ")
+    short = lm.retrieve(images, lm.Pupil(), **options | {"steps": 1, "starts": 1})
+    assert not short.converged
+
+
+def test_what_the_images_do_not_tell_has_no_deviation_but_infinity():
+    both = {"wavelength": 550e-9, "f_number": 8.0}
+    image = stars(lm.Wavefront(2.0), defocus=0.0, **both)
+    pupil = lm.Pupil(lm.Wavefront(2.0), **both)
+    found = lm.retrieve(image, pupil, pixel=2e-6, noise=NOISE, terms=("defocus",), also=("f_number", "wavelength"))
+    assert np.isinf([found.deviation["f_number"], found.deviation["wavelength"]]).all()
+    assert "do not tell" in found.message
+    assert "wavelength" in found.message
+
+
+def test_one_seed_makes_one_answer():
+    images = stars(random_wavefront(1, 3.0)[0], seed=1)
+    first, second = (
+        lm.retrieve(images, lm.Pupil(), defocus=DEFOCUS, also=(), seed=4, starts=3, **ASKED) for _ in range(2)
+    )
+    assert first.coefficients == second.coefficients
+
+
+def test_what_is_saved_comes_back(tmp_path):
+    found = lm.retrieve(stars(TRUE), lm.Pupil(), defocus=DEFOCUS, terms=8, **ASKED)
+    for suffix in ("json", "toml", "csv"):
+        found.save(tmp_path / f"wave.{suffix}")
+        again = lm.load_zernike(tmp_path / f"wave.{suffix}").wavefront()
+        assert_allclose(again.phase(0.7, 0.3), found.wavefront.phase(0.7, 0.3), rtol=1e-12)
+    assert json.loads((tmp_path / "wave.json").read_text())["order"] == "noll"
+    with pytest.raises(ValueError, match=r"path must end in \.json"):
+        found.save(tmp_path / "wave.txt")
+
+
+def test_the_picture_shows_images_model_residual_and_terms():
+    found = lm.retrieve(stars(TRUE), lm.Pupil(), defocus=DEFOCUS, terms=8, **ASKED)
+    figure = found.plot()
+    pictures = [axes for part in figure.subfigs for axes in part.axes if axes.images]
+    assert_allclose(pictures[0].images[0].get_array(), found.images[0])
+    assert_allclose(pictures[3].images[0].get_array(), found.model[0])
+    assert_allclose(pictures[6].images[0].get_array(), found.residual[0])
+    bars = figure.subfigs[1].axes[0]
+    assert [bar.get_height() for bar in bars.containers[0]] == pytest.approx(list(found.coefficients.values()))
+    assert "noll 8 coma x" in [label.get_text() for label in bars.get_xticklabels()]
+    assert "noll 8 coma x" in repr(found)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"images": np.zeros((3, 33, 33))}, r"images\[0\] must show a star, got the value 0 e everywhere"),
+        ({"images": np.full((3, 33, 33), np.nan)}, r"images\[0\] must have pixels that are neither masked"),
+        ({"images": np.eye(3)[None].repeat(3, 0)}, "must have more pixels than there are unknowns, 27, got 27"),
+        ({"images": np.zeros(4)}, r"images must have one shape \(height, width\), one or several, got shape \(4,\)"),
+        ({"images": [np.eye(3), np.eye(4)]}, r"images must have one shape .*, got \(3, 3\), \(4, 4\)"),
+        ({"images": "x"}, "images must hold real numbers"),
+        ({"defocus": [1.0, 2.0]}, r"defocus must be a number, or one for each of 3 images, got shape \(2,\)"),
+        ({"defocus": np.nan}, "defocus must be finite"),
+        ({"terms": ("noll 4", (2, 0))}, "terms must not say one thing twice"),
+        ({"terms": ("defocus", "defocus")}, "terms must not say one thing twice"),
+        ({"terms": ("noll 2",)}, r"terms must be without \(1, 1\) where the column"),
+        ({"terms": ("row",)}, "terms must be those of a wavefront, got 'row'"),
+        ({"terms": ("noll 1",)}, "terms must not hold 'noll 1'"),
+        ({"terms": 0}, "terms must be from 1 to 500, got 0"),
+        ({"terms": "noll 4"}, "terms must be a sequence"),
+        ({"also": "centre"}, "also must be one of 'center'"),
+        ({"also": 3}, "also must be a sequence of names, got 3"),
+        ({"also": ("f_number",)}, "also must be without f_number where pupil has no wavelength"),
+        ({"mask": np.zeros((2, 2), dtype=bool)}, r"mask must be True or False for each pixel"),
+        ({"mask": np.zeros((33, 33))}, r"mask must be True or False for each pixel"),
+        ({"pupil": lm.Pupil(lm.Wavefront([1.0, 2.0]))}, r"pupil must be a single one"),
+        ({"pupil": lm.Pupil(spider=lm.Spider(0.02, (0.0, 90.0)))}, "pupil must be round"),
+        ({"pupil": lm.Wavefront()}, "pupil must be a Pupil, got a Wavefront"),
+        ({"noise": 2.0}, "noise must be a Noise, got 2.0"),
+        ({"starts": 0}, "starts must be from 1 to 10000, got 0"),
+        ({"steps": 0}, "steps must be from 1 to 10000, got 0"),
+        ({"pixel": -1.0}, "pixel must be > 0"),
+        ({"saturation": "x"}, "saturation must be a real number"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_fitted_is_refused(change, said):
+    options = ASKED | {"images": stars(TRUE), "pupil": lm.Pupil(), "defocus": DEFOCUS} | change
+    images, pupil = options.pop("images"), options.pop("pupil")
+    with pytest.raises((ValueError, TypeError), match=said):
+        lm.retrieve(images, pupil, **options)

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from lommel.methods.derivatives import Name
-    from lommel.methods.slopes import Slope
 
 
 def psf(
@@ -202,7 +201,7 @@ class Plan:
             asked = self._asked = asked_about(
                 pupil, light, self._grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
-        grid, ways, shape, shortcut = asked.grid, asked.ways, asked.shape, asked.shortcut
+        _, grid, ways, _, _, _, shape, _, shortcut = asked
         names = wanted.names(derivatives)
         if names and self.normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
@@ -210,15 +209,18 @@ class Plan:
         if shortcut is not None and not names and (out is None or isinstance(out, np.ndarray)):
             values = np.empty(shape, self.dtype) if out is None else out
             found = shortcut(pupil, values)
-        slopes: list[Slope] = []
+        slopes: dict[Name, NDArray[Any]] = {}
+        slope_bounds: dict[Name, float] = {}
         error: float | None
         if found is not None:
             method, (scale, error) = ways[0], found
         else:
             place = None if out is None else wanted.place(out, shape, self.dtype)
-            method, made, slopes = asked.images(pupil, names, place)
+            method, made, found_slopes = asked.images(pupil, names, place)
             values = made.values.reshape(shape) if place is None else place
             scale, error = made.scale.reshape(pupil.shape), None if made.error is None else largest(made.error)
+            for name, slope in zip(names, found_slopes, strict=True):
+                slopes[name], slope_bounds[name] = slope.values.reshape(shape), largest(slope.error)
         parts = {
             "values": values,
             "grid": grid,
@@ -227,8 +229,8 @@ class Plan:
             "normalize": self.normalize,
             "error_bound": error,
             "scale": scale,
-            "derivatives": {name: slope.values.reshape(shape) for name, slope in zip(names, slopes, strict=True)},
-            "derivative_bounds": {name: largest(slope.error) for name, slope in zip(names, slopes, strict=True)},
+            "derivatives": slopes,
+            "derivative_bounds": slope_bounds,
         }
         return made_of(PSF, parts)
 

@@ -225,3 +225,11 @@ def test_factors_are_those_of_the_conventions():
 def test_no_method_leaves_derivatives_out_silently(method, wanted, told):
     with pytest.raises(ValueError, match=told):
         method.images(lm.Pupil(wavelength=5e-7, f_number=2.0), lm.Grid(5, 1e-6), wanted)
+
+
+def test_the_bound_of_a_stack_is_its_largest():
+    pupil = lm.Pupil(lm.Wavefront([0.0, 30.0]))
+    asked = {"shape": 9, "pixel": 0.5, "derivatives": ("defocus",), "tol": 1e-9}
+    alone = [lm.psf(pupil[i], **asked).derivative_bounds["defocus"] for i in range(2)]
+    assert max(alone) > 2.0 * min(alone)
+    assert lm.psf(pupil, **asked).derivative_bounds["defocus"] >= 0.9 * max(alone)

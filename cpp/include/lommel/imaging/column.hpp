@@ -14,18 +14,12 @@ namespace lommel {
 template <class I, class T>
 using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
 
-// One pixel, or two below each other, and of how many windows they are mixtures: of five where those of two begin one apart.
-template <std::size_t Points, std::size_t Windows>
-struct Group {
-    static constexpr std::size_t points = Points, windows = Windows;
-};
-
-// Rows of the windows of such pixels, a vector of columns from `from` on: all of what the rows above and below share is loaded
-// and mixed once.
-template <class Vec, class T, std::size_t Points, std::size_t Windows>
+// Rows of the windows of one pixel, or of two below each other, a vector of columns from `from` on: all of what the rows above
+// and below share is loaded and mixed once.
+template <class Vec, class T, std::size_t Points>
 struct Rows {
     using V = Vec;
-    static constexpr std::size_t points = Points, lanes = sizeof(V) / sizeof(T), windows = Windows, reach = 16;
+    static constexpr std::size_t points = Points, lanes = sizeof(V) / sizeof(T), windows = Points + 3, reach = 16;
     static_assert(lanes <= reach, "room for a vector");
     const T* windows_at[windows];
     std::size_t stride, half, from;
@@ -116,10 +110,10 @@ struct Rows {
 };
 
 // Calls visit(rows) for the blocks of columns of one pixel or two; the narrow ones are half as dear.
-template <class I, std::size_t Points, std::size_t Windows, class T, class Visit>
-LOMMEL_INLINE void each_block(Group<Points, Windows>, const WindowBank<T>& bank, const Mixture<T>* points, const Visit& visit) {
-    using Whole = Rows<Packed<I, T>, T, Points, Windows>;
-    using Narrow = Rows<Packed<Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>, T>, T, Points, Windows>;
+template <class I, std::size_t Points, class T, class Visit>
+LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* points, const Visit& visit) {
+    using Whole = Rows<Packed<I, T>, T, Points>;
+    using Narrow = Rows<Packed<Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>, T>, T, Points>;
     for (std::size_t from = 0; from <= points->half; from += Whole::lanes) {
         if (points->half < from + Narrow::lanes) {
             visit(Narrow(bank, points, from));
@@ -165,8 +159,8 @@ class Sheets {
     LOMMEL_INLINE void each(const Column& column, const F& f) const {
         constexpr std::size_t lanes = sizeof(V) / sizeof(T);
         for (std::size_t from = 0; from <= column.half; from += lanes) {
-            const auto* ones = Rows<V, T, 1, 4>::mask(lanes);
-            const V beside = load<V>(ones) - load<V>(Rows<V, T, 1, 4>::mask(from > 0 ? 0 : 1));
+            const auto* ones = Rows<V, T, 1>::mask(lanes);
+            const V beside = load<V>(ones) - load<V>(Rows<V, T, 1>::mask(from > 0 ? 0 : 1));
             const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(from), last = away + static_cast<std::ptrdiff_t>(lanes) - 1;
             const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(column.half);
             for (std::ptrdiff_t row = -beyond; row < static_cast<std::ptrdiff_t>(column.height) + beyond; ++row) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
@@ -70,8 +70,8 @@ class Spreader {
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const {
         const std::size_t tall = std::max(least_rows, 2 * bank_.widest), broad = std::max(least_columns, 2 * margin_);
         const std::size_t tiles = (height_ + tall - 1) / tall, across = (width_ + broad - 1) / broad;
-        const auto value = [&](std::size_t row, std::size_t column) {
-            return image[static_cast<std::ptrdiff_t>(row) * down + static_cast<std::ptrdiff_t>(column) * right];
+        const auto value = [&](std::size_t y, std::size_t x) {
+            return image[scene_.rows[y] * down + scene_.columns[x] * right];
         };
         for (std::size_t parity = 0; parity < 4; ++parity) {
             const std::size_t top = parity / 2, left = parity % 2;
@@ -123,10 +123,9 @@ class Spreader {
     template <class I, class Value, class Side>
     LOMMEL_INLINE void pixels(I isa, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right,
                               const Value& value, const Side& side) const {
-        constexpr std::size_t broad = Mixer<T>::most;
+        constexpr std::size_t broad = 64;
         const std::size_t tall = std::min(most_rows, bottom - top), below = tall + 1;
-        const std::unique_ptr<Mixture<T>[]> room(new Mixture<T>[broad * below]);  // more than the stack of a thread need hold
-        Mixture<T>* const mixtures = room.get();
+        std::vector<Mixture<T>> mixtures(broad * below);  // more than the stack of a thread need hold
         Sheets<I, T> sheets(bank_, tall, across(), screen_.layers != nullptr);
         Glance glance;
         for (std::size_t y = top; y < bottom; y += tall) {
@@ -134,29 +133,24 @@ class Spreader {
                 const std::size_t height = std::min(tall, bottom - y), width = std::min(broad, right - x);
                 glance(height * width * (1 + bank_.widest * bank_.widest));
                 for (std::size_t i = 0; i < height; ++i) {
-                    const std::size_t row = static_cast<std::size_t>(scene_.rows[y + i]);
-                    double positions[broad];
-                    T values[broad];
+                    const std::size_t row = static_cast<std::size_t>(scene_.rows[y + i]) * scene_.across;
                     for (std::size_t j = 0; j < width; ++j) {
-                        const std::size_t column = static_cast<std::size_t>(scene_.columns[x + j]);
-                        positions[j] = scene_.positions[row * scene_.across + column];
-                        values[j] = value(row, column);
-                    }
-                    mixture_(positions, values, width, mixtures + i, below);
-                    for (std::size_t j = 0; screen_.layers && j < width; ++j) {
-                        const std::size_t column = static_cast<std::size_t>(scene_.columns[x + j]);
-                        mixtures[j * below + i].layer = screen_.layers[row * scene_.across + column];
+                        const std::size_t from = row + static_cast<std::size_t>(scene_.columns[x + j]);
+                        Mixture<T>& made = mixtures[j * below + i];
+                        mixture_(scene_.positions[from], value(y + i, x + j), made);
+                        made.layer = screen_.layers ? screen_.layers[from] : T(0);
+                        made.hidden = false;
                     }
                 }
                 for (std::size_t j = 0; screen_.layers && j < width; j += near) {
                     for (std::size_t i = 0; i < height; i += near) {
-                        look(isa, mixtures + j * below + i, below, y + i, std::min(near, height - i), x + j,
+                        look(isa, mixtures.data() + j * below + i, below, y + i, std::min(near, height - i), x + j,
                              std::min(near, width - j));
                     }
                 }
                 for (std::size_t j = 0; j < width; ++j) {
                     mixtures[j * below + height].any = false;
-                    one_column(isa, mixtures + j * below, height, y, x + j, sheets, side);
+                    one_column(isa, mixtures.data() + j * below, height, y, x + j, sheets, side);
                 }
             }
         }
@@ -176,10 +170,11 @@ class Spreader {
             return;
         }
         side.open(sheets, column);
-        const auto add = [&](auto group, std::size_t i) LOMMEL_INLINE_LAMBDA {
+        const auto add = [&](auto count, std::size_t i) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t together = decltype(count)::value;
             const std::size_t to = (y + i) * width_ + x;
-            each_block<I>(group, bank_, points + i, [&](const auto& rows) LOMMEL_INLINE_LAMBDA {
-                if (points[i].hidden || points[i + group.points - 1].hidden) {
+            each_block<I, together>(bank_, points + i, [&](const auto& rows) LOMMEL_INLINE_LAMBDA {
+                if (points[i].hidden || points[i + together - 1].hidden) {
                     side.template add<true>(sheets, i, rows, to);
                 } else {
                     side.template add<false>(sheets, i, rows, to);
@@ -190,14 +185,10 @@ class Spreader {
             const Mixture<T>*const one = points + i, *const next = one + 1;
             if (one->any && next->any && one->half == next->half && one->first <= next->first + 1 &&
                 next->first <= one->first + 1) {
-                if (one->first == next->first) {
-                    add(Group<2, 4>{}, i);
-                } else {
-                    add(Group<2, 5>{}, i);
-                }
+                add(std::integral_constant<std::size_t, 2>{}, i);
                 ++i;
             } else if (one->any) {
-                add(Group<1, 4>{}, i);
+                add(std::integral_constant<std::size_t, 1>{}, i);
             }
         }
         side.close(sheets, column);

@@ -181,13 +181,13 @@ class StarImages:
         each = (len(x), self.count, -1)
         mean = self.mean(x, made.values.reshape(each))
         variance = self.variance(mean)
-        residual = (self.counted - mean) * self.valid
+        residual = self.counted - mean
         weight = self.valid / variance
         deviance = np.einsum("ip,sip->s", self.valid, variance)
         deviance -= np.einsum("ip,sip->s", (self.counted + self.read) * self.valid, np.log(variance))
         spread = 2.0 * self.valid.sum() + weight.sum(axis=(1, 2))
         root = np.sqrt(weight)
-        residual *= root
+        residual *= root  # 0 where not valid
         chi2 = np.einsum("sip,sip->s", residual, residual)
         small = root.astype(dtype)
         rows = np.empty((len(x), self.count, len(self.unknowns.asked) + 2, mean.shape[-1]), dtype)

@@ -32,11 +32,13 @@ class _SeveralNumbers(click.Command):
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Join the numbers to one word."""
         joined: list[str] = []
-        for word in args:
-            if joined and joined[-1].startswith("--defocus=") and _is_number(word):
+        for word, before in zip(args, ["", *args], strict=False):
+            if before == "--defocus" and joined[-1] == before:
+                joined[-1] = f"--defocus={word}"
+            elif joined and joined[-1].startswith("--defocus=") and _is_number(word):
                 joined[-1] += f" {word}"
             else:
-                joined.append("--defocus=" if word == "--defocus" else word)
+                joined.append(word)
         return super().parse_args(ctx, joined)
 
 

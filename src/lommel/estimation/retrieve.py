@@ -13,7 +13,7 @@ from lommel.base.arrays import Array
 from lommel.estimation import scoring
 from lommel.estimation.noise import Noise
 from lommel.estimation.retrieval import Retrieval, answered
-from lommel.estimation.star_images import StarImages
+from lommel.estimation.star_images import SURE, StarImages
 from lommel.estimation.unknowns import TILTS, Unknowns
 from lommel.optics.pupil import Pupil, checked
 from lommel.psf import Plan
@@ -100,7 +100,8 @@ def retrieve(
     -----
     Fisher scoring, damped as Levenberg and Marquardt do, on the likelihood of ``y + read^2 ~ Poisson(mu + read^2)``
     (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014), ``mu = flux h + background`` electrons. The first start is
-    `pupil`. A fit is believed where its chi2 exceeds 1 by no more than six standard deviations.
+    `pupil`, others follow until chi2 exceeds 1 by no more than three standard deviations. The best of all is believed
+    where these are no more than six.
 
     Images at one defocus do not change when the even part of the phase changes its sign, ``Phi(x) -> -Phi(-x)``.
     Several known defoci tell the two apart (Gonsalves 1982, doi:10.1117/12.7972989; Paxman et al. 1992,
@@ -139,12 +140,11 @@ def retrieve(
         x = _scattered(model, first, draw, together, tries)
         found = scoring.climb(model, model.with_light(x), most)
         tries, taken = tries + together, taken + int(found.steps.sum())
-        good = found.settled & (found.scores.chi2 < model.limit(found.scores))
-        order = np.lexsort((found.scores.chi2, ~good))
-        best = found[order[:1]]
-        if fits is None or good.any() or best.scores.chi2[0] < fits.scores.chi2[0]:
-            fits = best
-        if good.any():
+        chi2 = found.scores.chi2
+        at = int(np.argmin(np.where(found.settled, chi2, 2.0 * chi2)))
+        if fits is None or chi2[at] < fits.scores.chi2[0]:
+            fits = found[[at]]
+        if found.settled[at] and chi2[at] < model.limit(found.scores, SURE)[at]:
             break
     assert fits is not None
     return answered(model, fits, values, noise, (taken, tries))

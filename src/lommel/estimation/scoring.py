@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.estimation.star_images import Scores, StarImages
+from lommel.estimation.star_images import SURE, Scores, StarImages
 
 _SETTLED = 1e-2  # squared length of a step, in deviations, that is not worth taking
 _FAR = 2.0  # radians rms: no step changes the wavefront by more
@@ -52,7 +52,7 @@ def climb(model: StarImages, x: Array, most: int) -> Fits:
         done = (promised < _SETTLED) & (damping[at] <= 1.0)
         settled[at] = done
         moving[at] = ~done & (damping[at] < _DAMPING[2]) & (idle[at] < _PATIENCE)
-        if turn == most or not moving.any() or (done & (there.chi2 < model.limit(there))).any():
+        if turn == most or not moving.any() or (done & (there.chi2 < model.limit(there, SURE))).any():
             break
         go = moving[at]
         at, step, promised = at[go], step[go], promised[go]

@@ -16,7 +16,9 @@ from lommel.optics.terms import symmetric_terms
 from lommel.optics.wavefront import Wavefront
 from lommel.psf import PSF, Plan
 
-_DEVIATIONS = 6.0  # of chi2, from which on a model is not believed
+SURE, MOST = 3.0, 6.0
+"""Deviations of chi2: a fit within the first needs no other beside it, one beyond the second is not believed."""
+
 _LEAST = 0.05  # electrons squared: the variance of a pixel that is neither lit nor noisily read
 
 
@@ -179,13 +181,13 @@ class StarImages:
         each = (len(x), self.count, -1)
         mean = self.mean(x, made.values.reshape(each))
         variance = self.variance(mean)
-        residual = (self.counted - mean) * self.valid
+        residual = self.counted - mean
         weight = self.valid / variance
         deviance = np.einsum("ip,sip->s", self.valid, variance)
         deviance -= np.einsum("ip,sip->s", (self.counted + self.read) * self.valid, np.log(variance))
         spread = 2.0 * self.valid.sum() + weight.sum(axis=(1, 2))
         root = np.sqrt(weight)
-        residual *= root
+        residual *= root  # 0 where not valid
         chi2 = np.einsum("sip,sip->s", residual, residual)
         small = root.astype(dtype)
         rows = np.empty((len(x), self.count, len(self.unknowns.asked) + 2, mean.shape[-1]), dtype)
@@ -200,9 +202,9 @@ class StarImages:
         information = (chain @ squares @ chain.swapaxes(-1, -2)).sum(axis=1)
         return Scores(deviance, slope, information, chi2, spread)
 
-    def limit(self, scores: Scores) -> Array:
-        """Return what chi2 stays below where the model is right, but for six deviations."""
-        return self.tested + _DEVIATIONS * np.sqrt(scores.spread)
+    def limit(self, scores: Scores, deviations: float = MOST) -> Array:
+        """Return what chi2 stays below where the model is right, but for so many deviations."""
+        return self.tested + deviations * np.sqrt(scores.spread)
 
     def chain(self, x: Array) -> Array:
         """Return how derivatives of PSFs, and flux and background, make those of images, (s, n, p, rows)."""

@@ -71,10 +71,14 @@ def _tiff(data: bytes) -> NDArray[Any]:
 
     reading.tiff(data)
     with reading.quietly(), tifffile.TiffFile(io.BytesIO(data)) as file:
-        pages = [page.asarray() for page in list[Any](file.pages) if not page.is_reduced]
-    if len({page.shape for page in pages}) > 1:
+        pages = [page for page in list[Any](file.pages) if not page.is_reduced]
+        if wrong := [page.axes for page in pages if page.axes not in ("YX", "SYX")]:
+            raise ValueError(f"a page has the axes {wrong[0]}, which is no grey image")
+        # Three images that were written without a word are planes of one page.
+        images = [page.asarray().reshape(-1, *page.shape[-2:]) for page in pages]
+    if len({image.shape[1:] for image in images}) > 1:
         raise ValueError("its pages are of several sizes")
-    values = np.stack(pages)
+    values = np.concatenate(images)
     return values.astype(values.dtype.newbyteorder("="), copy=False)
 
 

@@ -181,13 +181,13 @@ def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
         form = registry.identify(kind, data)
     except ValueError as error:
         raise PhotoError(f"{validation.line(source)} {error}") from None
-    what = f"{form.name} photograph" if kind == "photo" else kind
+    what = {"photo": f"a {form.name} photograph", "images": kind}.get(kind, f"a {kind}")
     try:
         yield form
     except ImportError:
         raise
     except Exception as error:
-        raise PhotoError(f"{validation.line(source)} cannot be read as a {what}: {reading.reason(error)}") from error
+        raise PhotoError(f"{validation.line(source)} cannot be read as {what}: {reading.reason(error)}") from error
 
 
 def upright(form: Format, data: bytes) -> tuple[NDArray[Any], Exif, bytes | None]:

@@ -63,7 +63,7 @@ def fit(
         each.set_xticks([])
         each.set_yticks([])
         each.set_facecolor("0.5")  # what was left out
-    pictures.colorbar(left, ax=axes[2].tolist(), label="residual (standard deviations)", shrink=0.9)
+    pictures.colorbar(left, ax=axes[2].tolist(), label="residual (deviations)", shrink=0.9)
     drawn = graph.subplots()
     at = np.arange(len(names))
     finite = [d if np.isfinite(d) else 0.0 for d in deviations]

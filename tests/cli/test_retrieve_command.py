@@ -1,0 +1,104 @@
+"""`lommel retrieve`, run as a user runs it."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import tifffile
+
+import lommel as lm
+
+LENS = """
+[lens]
+focal_length = "20 mm"
+f_number = 4.0
+wavelength = "550 nm"
+[sensor]
+pixel = "1.1 um"
+shape = 33
+"""
+NOISE = ["--read", "2", "--white", "0.5", "--offset", "100"]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A lens file and three images of a star, in files and as pages of one."""
+    (tmp_path / "lens.toml").write_text(LENS, encoding="utf-8")
+    light = lm.Pupil(lm.Wavefront([-4.0, 0.0, 4.0], nonradial={(3, 1): 0.6}), wavelength=550e-9, f_number=4.0)
+    mean = 5e4 * lm.psf(light, 33, 1.1e-6).values + 5.0
+    images = np.round(lm.Noise(white=0.5, read=2.0, offset=100.0).record(mean, seed=1)).astype(np.uint16)
+    for k, image in enumerate(images):
+        tifffile.imwrite(tmp_path / f"star-{k}.tif", image)
+    tifffile.imwrite(tmp_path / "pages.tif", images, photometric="minisblack")
+    np.save(tmp_path / "stack.npy", images)
+    return tmp_path
+
+
+def test_terms_come_with_deviations_and_the_verdict_last(folder, call_lommel):
+    result = call_lommel("retrieve", "star-*.tif", "lens.toml", "--defocus", -4, 0, 4, *NOISE, "--terms", 6,
+                         "-o", "wave.json", "--plot", "fit.png", folder=folder)  # fmt: skip
+    assert result.returncode == 0, result.stderr
+    lines = result.stdout.splitlines()
+    (coma,) = [line.split() for line in lines if "noll 8 coma x" in line]
+    true = 0.6 / np.sqrt(8.0)
+    assert float(coma[-2]) == pytest.approx(true, abs=5 * float(coma[-1]))
+    assert lines[-3].startswith("converged: chi2 ")
+    assert lines[-2:] == ["wrote wave.json", "wrote fit.png"]
+    assert (folder / "fit.png").stat().st_size > 10_000
+    # A lens file reads it back, and what it makes has the coma.
+    (folder / "again.toml").write_text(LENS + '[aberrations.zernike]\nfile = "wave.json"\n', encoding="utf-8")
+    assert call_lommel("psf", "again.toml", "-o", "psf.npz", folder=folder).returncode == 0
+    kept = lm.PSF.load(folder / "psf.npz").pupil.wavefront.to_zernike(order="noll")
+    assert float(kept[8]) == pytest.approx(true, abs=0.02)
+
+
+@pytest.mark.parametrize("files", [["pages.tif"], ["stack.npy"], ["star-0.tif", "star-1.tif", "star-2.tif"]])
+def test_the_same_images_have_the_same_answer_whatever_holds_them(files, folder, call_lommel):
+    options = ["lens.toml", "--defocus=-4 0 4", *NOISE, "--terms", "noll 4, noll 8", "--json"]
+    found = json.loads(call_lommel("retrieve", *files, *options, folder=folder).stdout)
+    expected = json.loads(call_lommel("retrieve", "star-*.tif", *options, folder=folder).stdout)
+    assert found == expected
+    assert found["converged"]
+    assert list(found["coefficients"]) == ["noll 4", "noll 8"]
+    assert np.shape(found["covariance"]) == (2, 2)
+    assert len(found["flux"]) == len(found["center"]) == 3
+    assert found["deviation"]["row"][0] > 0.0
+
+
+def test_what_images_do_not_tell_is_null(folder, call_lommel):
+    options = [*NOISE, "--terms", "spherical", "--also", "f_number, wavelength", "--json", "--starts", 1]
+    found = json.loads(call_lommel("retrieve", "star-2.tif", "lens.toml", *options, folder=folder).stdout)
+    assert found["deviation"]["wavelength"] is None
+
+
+def test_units_are_those_asked_for(folder, call_lommel):
+    options = ["--defocus", "-4", "0", "4", *NOISE, "--terms", "noll 8", "--also", "none"]
+    radians, nm = (
+        [line.split() for line in call_lommel("retrieve", "pages.tif", "lens.toml", *options, *more, folder=folder)
+         .stdout.splitlines() if "coma x" in line]
+        for more in ([], ["--unit", "nm"])
+    )  # fmt: skip
+    assert float(nm[0][-2]) == pytest.approx(float(radians[0][-2]) * 550 / (2 * np.pi), rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["star-0.tif", "lens.toml"], "Missing option '--read'"),
+        (["nix.tif", "lens.toml", "--read", "2"], "nix.tif: No such file or directory"),
+        (["nix-*.tif", "lens.toml", "--read", "2"], "nix-*.tif: No file is called so"),
+        (["pages.tif", "lens.toml", "--read", "2", "--defocus", "-4", "0"], "one for each of 3 images"),
+        (["pages.tif", "lens.toml", "--read", "2", "--defocus", "x"], "defocus must be numbers, one for each image"),
+        (["pages.tif", "lens.toml", "--read", "2", "--terms", "coma"], "terms must be one of 'defocus'"),
+        (["pages.tif", "lens.toml", "--read", "2", "-o", "wave.txt"], "--output must end in .json, .toml, .csv"),
+        (["pages.tif", "lens.toml", "--read", "2", "--plot", "fit.gif"], "a figure must end in .png"),
+        (["lens.toml", "lens.toml", "--read", "2"], "lens.toml is not a NPY, TIF"),
+    ],
+)
+def test_mistakes_are_told_in_a_line(words, said, folder, call_lommel):
+    result = call_lommel("retrieve", *words, folder=folder)
+    assert result.returncode == 2
+    assert said in result.stderr
+    assert not (folder / "wave.json").exists()

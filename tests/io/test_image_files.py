@@ -1,0 +1,66 @@
+"""Images as a sensor recorded them come from files as they are stored."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image
+
+from lommel.io.image_files import read_images
+from lommel.io.photos import PhotoError
+
+STACK = np.arange(24, dtype=np.uint16).reshape(2, 3, 4) * 100
+
+
+def test_pages_stacks_and_single_images_follow_each_other(tmp_path):
+    tifffile.imwrite(tmp_path / "pages.tif", STACK, photometric="minisblack")
+    np.save(tmp_path / "stack.npy", STACK)
+    np.save(tmp_path / "one.npy", STACK[1])
+    Image.fromarray(STACK[0]).save(tmp_path / "one.png")
+    found = read_images([tmp_path / name for name in ("pages.tif", "one.npy", "stack.npy", "one.png")])
+    assert found.dtype == np.uint16
+    assert np.array_equal(found, [*STACK, STACK[1], *STACK, STACK[0]])
+    # What some programs make of three images.
+    three = np.concatenate([STACK, STACK[:1]])
+    tifffile.imwrite(tmp_path / "planes.tif", three, photometric="rgb", planarconfig="separate")
+    assert np.array_equal(read_images([tmp_path / "planes.tif"]), three)
+    tifffile.imwrite(tmp_path / "colour.tif", np.moveaxis(three, 0, 2), photometric="rgb")
+    with pytest.raises(PhotoError, match="axes YXS"):
+        read_images([tmp_path / "colour.tif"])
+
+
+@pytest.mark.parametrize("dtype", ["float32", ">f4", "int16", ">u2"])
+def test_values_are_those_that_are_stored(tmp_path, dtype):
+    values = (STACK[0] - 50.0).astype(dtype) if "u" not in dtype else STACK[0].astype(dtype)
+    tifffile.imwrite(tmp_path / "x.tif", values, byteorder=">" if dtype.startswith(">") else "<")
+    found = read_images([str(tmp_path / "x.tif")])
+    assert np.array_equal(found[0], values)
+    assert found.dtype.isnative
+
+
+def test_what_is_no_grey_image_is_refused(tmp_path):
+    np.save(tmp_path / "a.npy", STACK[0])
+    np.save(tmp_path / "wide.npy", STACK[0, :, :3])
+    np.save(tmp_path / "float.npy", STACK[0].astype(float))
+    np.save(tmp_path / "line.npy", STACK[0, 0])
+    np.save(tmp_path / "complex.npy", STACK[0] * 1j)
+    Image.fromarray(np.zeros((3, 4, 3), np.uint8)).save(tmp_path / "colour.png")
+    (tmp_path / "text.tif").write_text("no image", encoding="utf-8")
+    with tifffile.TiffWriter(tmp_path / "sizes.tif") as file:
+        file.write(STACK[0], photometric="minisblack")
+        file.write(STACK[0, :, :3], photometric="minisblack")
+    for names, said in [
+        (("a.npy", "wide.npy"), r"wide.npy has images of 3 x 3 uint16, those before are of 3 x 4 uint16"),
+        (("a.npy", "float.npy"), r"images of 3 x 4 float64, those before are of 3 x 4 uint16"),
+        (("line.npy",), r"line.npy cannot be read as images: it holds uint16 of the shape \(4,\)"),
+        (("complex.npy",), "no grey images"),
+        (("text.tif",), "is not a"),
+        (("sizes.tif",), "its pages are of several sizes"),
+    ]:
+        with pytest.raises(PhotoError, match=said):
+            read_images([tmp_path / name for name in names])
+    with pytest.raises(PhotoError):
+        read_images([tmp_path / "colour.png", tmp_path / "a.npy"])
+    with pytest.raises(ValueError, match="paths must name a file"):
+        read_images([])

@@ -149,7 +149,7 @@ class Taps(NamedTuple):
     weights : ndarray, shape (2 k + 1,)
         Of the samples from k before to k after the middle of the pixel.
     error : float
-        Bound on ``|C(w) - sinc(a w / 2)|`` for ``|w| <= 2``, or from its derivative by ln a.
+        Bound on how far the response is from that which is wanted, for ``|w| <= 2``.
     gain : float
         Sum of the magnitudes of the weights: what errors of samples are multiplied by at most.
     """
@@ -175,31 +175,54 @@ def filtered_by(step: float, error: float, widest: float = _WIDEST, *, growing: 
     """Return the shortest filter for pixels of pitch `step` in v, samples at most `widest` apart, off by `error`.
 
     Where the pixel is `growing`, the response is the derivative by ln a, ``cos(a w / 2) - sinc(a w / 2)``.
+    """
 
-    Weights by least squares at Chebyshev points of the band. The error of the response is even and entire, of type
-    k h; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 k h + 48`` (its Chebyshev series falls below
-    ``e^-48`` there). As a trigonometric polynomial of the angle it falls from its largest value no faster than
+    def response(w: NDArray[np.float64]) -> NDArray[np.float64]:
+        mean = np.sinc(0.5 * step / math.pi * w)
+        return np.cos(0.5 * step * w) - mean if growing else mean
+
+    return _fitted(response, np.cos, step, error, widest, 3.0 if growing else 1.5)
+
+
+@lru_cache(maxsize=64)
+def sloping(step: float, error: float, *, averages: bool, widest: float = _WIDEST) -> Taps:
+    """Return the shortest filter for the derivative along an axis, of averages over pixels or at their centres.
+
+    The response, but for a factor i, is ``w sinc(a w / 2)`` or w.
+    """
+
+    def response(w: NDArray[np.float64]) -> NDArray[np.float64]:
+        return w * np.sinc(0.5 * step / math.pi * w) if averages else w
+
+    return _fitted(response, np.sin, step, error, widest, 6.0)
+
+
+def _fitted(response: Any, wave: Any, step: float, error: float, widest: float, most: float) -> Taps:
+    """Return the shortest filter of such waves with a response, or about the best there is, of a gain below `most`.
+
+    Weights by least squares at Chebyshev points of the band. The error of the response is even or odd, and entire, of
+    type k h; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 k h + 48`` (its Chebyshev series falls
+    below ``e^-48`` there). As a trigonometric polynomial of the angle it falls from its largest value no faster than
     ``cos(M s)`` (as in :func:`least_average`), and one of 2 M Chebyshev points is within ``pi / (4 M)`` of that: it
     is at most sqrt(2) times as large as at these points.
     """
     stride = samples_across(step, widest)
     h = step / stride
-    half = stride // 2 + 2
+    half, odd = stride // 2 + 2, wave is np.sin
     while True:
         degree = math.ceil(2.36 * half * h) + 48
         w = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
-        basis = 2.0 * np.cos(np.outer(w, h * np.arange(half + 1)))
-        basis[:, 0] = 1.0
-        wanted = np.sinc(0.5 * step / math.pi * w)
-        if growing:
-            wanted = np.cos(0.5 * step * w) - wanted
+        basis = 2.0 * wave(np.outer(w, h * np.arange(half + 1)))
+        basis[:, 0] *= 0.5
+        wanted = response(w)
         c, *_ = np.linalg.lstsq(basis, wanted, rcond=1e-13)
+        c[0] *= not odd  # which no odd response tells
         gain = float(abs(c[0]) + 2.0 * np.abs(c[1:]).sum())
         rounding = 2.0**-52 * (half + 4) * gain
         reached = math.sqrt(2.0) * (float(np.abs(basis @ c - wanted).max()) + rounding) + 1e-17
         # Few samples beyond the edge of a large pixel need large weights, which would magnify errors.
-        if (reached <= error and gain <= (3.0 if growing else 1.5)) or half > stride + 60:
-            return Taps(stride, np.concatenate([c[:0:-1], c]), reached, gain)
+        if (reached <= error and gain <= most) or half > stride + 60:
+            return Taps(stride, np.concatenate([-c[:0:-1] if odd else c[:0:-1], c]), reached, gain)
         half += 1
 
 

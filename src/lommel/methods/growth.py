@@ -9,14 +9,14 @@ the sinc by ln a, and along y by the sinc; there are two such terms.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
-from lommel.methods.averaging import Taps, blocks, filtered_by, finer, least_average, weighed
+from lommel.methods.averaging import Taps, blocks, filtered_by, finer, least_average, sloping, weighed
 from lommel.methods.choice import first_proven
 from lommel.methods.method import Method
 from lommel.optics.grid import Grid
@@ -68,27 +68,63 @@ def growth(
 def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Array, Array]:
     """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
     step = grid.step(pupil)
-    fine = engine.tightened(_FINER * engine.tol)
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
     plain, growing = _alike(filtered_by(step, response), filtered_by(step, response, growing=True))
-    count = math.prod(pupil.shape)
-    total, error = np.empty((count, *grid.shape)), np.empty(count)
     # Neither response is larger than 2.
     missed = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
     # A phase or an amplitude off by e changes U and its gradient by e int A at most, and u is half a diagonal.
     left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
     missed += math.sqrt(8.0) * step * left * (2.0 + left) * pupil.amplitude**2
-    rounded = (4 * plain.weights.size + 16) * 2.0**-53
-    for part, one, pixels in blocks(pupil, grid, plain):
-        samples = finer(pixels, plain)
+    count = math.prod(pupil.shape)
+    total, error = np.empty((count, *grid.shape)), np.empty(count)
+    for part, values, off in _sampled(engine, pupil, grid, plain, threads):
+        total[part] = weighed(values, plain, growing, threads)
+        total[part] += weighed(values, growing, plain, threads)
+        error[part] = 2.0 * plain.gain * growing.gain * off + missed
+    return total, error
+
+
+def tilted(engine: Method, pupil: Pupil, grid: Grid, threads: int = 0) -> list[tuple[Array, Array]]:
+    """Return the derivatives of I by the :data:`TILTS`, ``-grad I``, from samples of I alone.
+
+    Parameters
+    ----------
+    engine : Method
+        Of samples, with a bound.
+    pupil, grid
+    threads : int
+
+    Returns
+    -------
+    list of (ndarray, ndarray)
+        Each with bounds on its error, absolute, shape (n,).
+    """
+    step = grid.step(pupil)
+    response = max(1e-3 * engine.tol * (least_average(step) if grid.integrate else 1.0), 1e-13)
+    slope = sloping(step, response, averages=grid.integrate)
+    plain = filtered_by(step, response) if grid.integrate else Taps(slope.stride, np.ones(1), 0.0, 1.0)
+    slope, plain = _alike(slope, plain)
+    # The response to slopes is at most 2, that of averages 1.
+    missed = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * pupil.amplitude**2
+    count = math.prod(pupil.shape)
+    (across, down), error = np.empty((2, count, *grid.shape)), np.empty(count)
+    for part, values, off in _sampled(engine, pupil, grid, plain, threads):
+        across[part], down[part] = weighed(values, plain, slope, threads), weighed(values, slope, plain, threads)
+        error[part] = plain.gain * slope.gain * off + missed
+    return [(-across, error), (-down, error)]
+
+
+def _sampled(
+    engine: Method, pupil: Pupil, grid: Grid, taps: Taps, threads: int
+) -> Iterator[tuple[slice, Array, Array]]:
+    """Yield samples of I for such filters, some pupils at once, and bounds on their errors with those of sums."""
+    fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
+    for part, one, pixels in blocks(pupil, grid, taps):
         # Double precision may hold what is asked for, and no less.
-        _, made = first_proven((fine, engine), partial(_ask, one, samples, threads))
+        _, made = first_proven((fine, engine), partial(_ask, one, finer(pixels, taps), threads))
         assert made.error is not None
         assert made.peak is not None
-        total[part] = weighed(made.values, plain, growing, threads)
-        total[part] += weighed(made.values, growing, plain, threads)
-        error[part] = 2.0 * plain.gain * growing.gain * made.peak * (made.error + rounded) + missed
-    return total, error
+        yield part, made.values, made.peak * (made.error + rounded)
 
 
 def _ask(pupil: Pupil, grid: Grid, threads: int, way: Method) -> Images:

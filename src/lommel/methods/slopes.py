@@ -1,12 +1,14 @@
 """Images and their derivatives by what :mod:`lommel.methods.derivatives` names, each with a proven bound.
 
-Phases that are radially symmetric, of pupils that are too, are differentiated by the radial series, all else by the
-chordal rule. White light is the sum of what each wavelength makes.
+Phases that are radially symmetric, of pupils that are too, are differentiated by the radial series, whose samples
+tell of shifts and of growth as well; all else by the chordal rule. White light is the sum of what each wavelength
+makes.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,9 +16,10 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
+from lommel.methods.choice import first_proven
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.derivatives import Name, Parts, Term, parts
-from lommel.methods.growth import TILTS, growth
+from lommel.methods.growth import TILTS, growth, tilted
 from lommel.methods.method import Method, storing, widened
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
@@ -29,6 +32,7 @@ Key = int | Term
 """What engines differentiate by: the coefficient of rho^(2k), under k, or that of a Zernike term."""
 
 _MOST_POWERS = 4  # of rho^2, that the radial terms are taken as, whose powers cancel
+_MOST_CANCELLED = 321.0
 
 
 class Slope(NamedTuple):
@@ -98,7 +102,7 @@ def differentiated(
     powers = isinstance(engine, NijboerZernike)
     sums = [each._replace(phases=translated(each.phases, powers=powers)) for each in sums]
     # What is one derivative times a factor is stored by what makes the images, all else summed in double precision.
-    easy = [way is engine and _single(each) for each in sums]
+    easy = [way is engine and _single(each, engine) for each in sums]
     simple, others = (
         [each for each, is_one in zip(sums, easy, strict=True) if is_one is which] for which in (True, False)
     )
@@ -160,7 +164,7 @@ def engines(
         listed = ", ".join(map(repr, names))
         raise ValueError(
             f"derivatives by {listed} are not available from NijboerZernike, which has those by radially symmetric "
-            "terms, of pupils that are radially symmetric too; use ChordalGauss, or name no method"
+            "terms and by shifts, of pupils that are radially symmetric too; use ChordalGauss, or name no method"
         )
     elif not isinstance(engine, NijboerZernike | ChordalGauss):
         raise ValueError(
@@ -171,14 +175,18 @@ def engines(
 
 
 def _radial(each: Parts) -> bool:
-    """Return whether a derivative is by powers of rho, or by terms that are few of these."""
-    few = all(isinstance(key, int) or (key[1] == 0 and key[0] <= 2 * _MOST_POWERS) for key in each.phases)
-    return few and not (np.any(each.growth) or each.rim)
+    """Return whether a derivative is by powers of rho, terms that are few of these, or what samples of I tell."""
+
+    def known(key: Key) -> bool:
+        return isinstance(key, int) or key in TILTS or (key[1] == 0 and key[0] <= 2 * _MOST_POWERS)
+
+    return all(map(known, each.phases)) and not each.rim
 
 
-def _single(each: Parts) -> bool:
-    """Return whether a derivative is one by a coefficient, times a factor."""
-    return len(each.phases) == 1 and not (np.any(each.own) or np.any(each.growth) or each.rim)
+def _single(each: Parts, engine: Method) -> bool:
+    """Return whether a derivative is one by a coefficient, times a factor, as the engine has it along with images."""
+    tilt = isinstance(engine, NijboerZernike) and any(key in TILTS for key in each.phases)
+    return len(each.phases) == 1 and not (tilt or np.any(each.own) or np.any(each.growth) or each.rim)
 
 
 def translated(phases: Mapping[Key, Any], *, powers: bool) -> dict[Key, Any]:
@@ -198,7 +206,7 @@ def translated(phases: Mapping[Key, Any], *, powers: bool) -> dict[Key, Any]:
     found: dict[Key, Any] = {}
     for key, factor in phases.items():
         shares: dict[Key, float] = {key: 1.0}
-        if powers and isinstance(key, tuple):
+        if powers and isinstance(key, tuple) and key not in TILTS:
             column = zernike.legendre_to_powers(key[0] // 2)[:, -1]
             shares = {k: float(share) for k, share in enumerate(column, 1)}
         elif not powers and isinstance(key, int):
@@ -264,12 +272,15 @@ def _pieces(
     sums: Sequence[Parts],
 ) -> dict[Any, Piece]:
     """Return all that the derivatives of images are summed from but these, in double precision, over all light."""
-    size = max((sum(float(np.abs(f).max()) for f in each.phases.values()) for each in sums), default=0.0)
-    if isinstance(engine, NijboerZernike) and size > 2.0:
-        engine = engine.tightened(engine.tol / size)  # powers cancel
+    # Powers cancel, by those of the highest radial term 321 times at most.
+    size = max(
+        sum(float(np.abs(by).max()) for key, by in each.phases.items() if isinstance(key, int)) for each in sums
+    )
+    closer = engine.tightened(engine.tol / min(size, _MOST_CANCELLED)) if size > 2.0 else engine
     grows, rim = (any(np.any(getattr(each, part)) for each in sums) for part in ("growth", "rim"))
     keys = _keys(sums)
     asked = tuple(dict.fromkeys((*keys, *TILTS))) if grows else keys
+    by_samples = isinstance(engine, NijboerZernike)  # of radially symmetric pupils, whose tilts are not
     assert wanted.scale is not None
     faintest = float(_brightest(made).min()) / wanted.scale
     found: dict[Any, Piece] = {}
@@ -283,11 +294,15 @@ def _pieces(
         left = (part.pupil.wavefront.left_out + 2.0 * part.pupil.illumination.error) * part.pupil.amplitude**2
         add("unknown", np.zeros((1, 1, 1)), np.full(1, 2.0 * left), scale)
         slopes: dict[Key, Piece] = {}
-        if asked:
-            here = _asked(engine, part.pupil, grid, Wanted(threads=threads), asked)
+        if by_samples and any(key in TILTS for key in asked):
+            for term, (values, error) in zip(TILTS, tilted(engine, part.pupil, grid, threads), strict=True):
+                slopes[term] = Piece(values, error + 4.0 * left)
+        if rest := tuple(key for key in asked if key not in slopes):
+            ask = partial(_asked, pupil=part.pupil, grid=grid, wanted=Wanted(threads=threads), keys=rest)
+            _, here = first_proven((closer, engine), ask)
             assert here.slopes is not None
             assert here.peak is not None
-            for key, values, error in zip(asked, *here.slopes, strict=True):
+            for key, values, error in zip(rest, *here.slopes, strict=True):
                 slopes[key] = Piece(values, error * here.peak + 4.0 * left)
         for key in keys:
             # Phases are path differences: in radians they grow as the wavelength falls.

@@ -80,8 +80,9 @@ def psf(
         (C_s), "rho^6", "rho^8", and Zernike terms at the edge as (n, m), "noll 8", "ansi 8" or "fringe 7". Per pixel:
         "row", "column" of the axis. Per metre: "wavelength", of all light in proportion, path differences kept;
         "object_distance", and "focus_distance", for which the sensor moves, of a pupil by :meth:`Lens.pupil`. Per 1:
-        "f_number" of the pupil, its phases kept; "obscuration". Of round apertures, by `NijboerZernike` (radially
-        symmetric terms of such pupils), `ChordalGauss` or a `Polychromatic` of these, and not of "peak".
+        "f_number" of the pupil, its phases kept; "obscuration". Of round apertures, by `ChordalGauss`, of radially
+        symmetric pupils all but other terms and the obscuration by `NijboerZernike`, or by a `Polychromatic` of
+        these; and not of "peak".
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         A C-contiguous, writable array to put the values in.
     threads : int, optional

@@ -9,8 +9,9 @@ import pytest
 
 import lommel as lm
 from disk_quadrature import exact_field
-from lommel.methods.averaging import filtered_by
-from lommel.methods.growth import TILTS, growth
+from lommel.core.answers import Wanted
+from lommel.methods.averaging import filtered_by, sloping
+from lommel.methods.growth import TILTS, growth, tilted
 
 PUPIL = lm.Pupil(lm.Wavefront(1.5, 0.7, nonradial={(3, 1): 0.8, (2, -2): 0.5}), obscuration=0.25, apodization=0.4)
 
@@ -29,6 +30,33 @@ def test_the_response_of_a_growing_pixel_is_the_derivative_of_that_of_a_pixel(st
     assert taps.gain <= 3.0
 
 
+@pytest.mark.parametrize("step", [0.157, 0.785, 3.0, 11.0])
+@pytest.mark.parametrize("error", [1e-5, 1e-9, 1e-12])
+@pytest.mark.parametrize("averages", [False, True])
+def test_the_response_to_slopes_is_odd_and_that_of_a_derivative(step, error, averages):
+    taps = sloping(step, error, averages=averages)
+    k = np.arange(taps.weights.size) - taps.weights.size // 2
+    w = np.linspace(0.0, 2.0, 4001)
+    wave = np.exp(1j * np.outer(w, k * step / taps.stride)) @ taps.weights
+    wanted = w * (np.sinc(0.5 * step * w / math.pi) if averages else 1.0)
+    assert np.abs(wave - 1j * wanted).max() <= taps.error <= error
+    assert np.abs(taps.weights).sum() == pytest.approx(taps.gain)
+
+
+@pytest.mark.parametrize("integrate", [False, True])
+@pytest.mark.parametrize("pixel", [0.05, 0.5, 1.3])
+@pytest.mark.parametrize("tol", [1e-4, 1e-9])
+def test_slopes_from_samples_are_those_by_tilts(integrate, pixel, tol):
+    pupil = lm.Pupil(lm.Wavefront([2.0, -9.0], [1.0, 4.0]), obscuration=0.3, apodization=0.4)
+    for center in ((1.3, 2.6), (np.array([1.0, -3.0]), np.array([2.2, 9.0]))):
+        grid = lm.Grid((4, 5), pixel, center=center, integrate=integrate)
+        truth = lm.ChordalGauss(1e-9).images(pupil, grid, Wanted(terms=TILTS))
+        found = tilted(lm.NijboerZernike(tol), pupil, grid)
+        for (values, error), exact, known in zip(found, *truth.slopes, strict=True):
+            assert np.all(np.abs(values - exact).max(axis=(1, 2)) <= error + known * truth.peak)
+            assert np.all(error <= 20.0 * tol)
+
+
 @pytest.mark.parametrize("integrate", [False, True])
 @pytest.mark.parametrize("tol", [1e-5, 1e-11])
 def test_growth_is_that_of_quadrature(integrate, tol):
@@ -45,8 +73,6 @@ def test_growth_is_that_of_quadrature(integrate, tol):
     change = (0.75 * (i[3] - i[2]) - 0.15 * (i[4] - i[1]) + (i[5] - i[0]) / 60.0) / h
     weights = 0.25 * np.multiply.outer(weight, weight)
     exact = np.einsum("iajb,ab->ij", change.reshape(4, rule.size, 5, rule.size), weights)
-    from lommel.core.answers import Wanted
-
     made = method.images(PUPIL, grid, Wanted(terms=TILTS))
     tilts = [(slope, error * made.peak) for slope, error in zip(*made.slopes, strict=True)]
     found, bound = growth(method, PUPIL, grid, tilts)

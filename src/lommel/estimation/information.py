@@ -20,7 +20,7 @@ class Information:
     """How well parameters can be known from images: Fisher's information, and the Cramér-Rao bound drawn from it.
 
     No unbiased estimate from the same images scatters less than :attr:`deviation`; that of largest likelihood comes
-    close to it where there is light enough. Rows and columns of the matrices are :attr:`names`.
+    close to it where there is light enough. Rows and columns of the matrices are in the order of `names`.
 
     Attributes
     ----------

@@ -24,7 +24,7 @@ CALLS = {
     "far window": ("", "lm.psf(lm.Pupil(lm.Wavefront(np.linspace(2000.0, 2001.0, 99))), (1, 16384), 9.0, threads=1)"),
     "Zernike": ("", "lm.psf(lm.Pupil(lm.Wavefront(40.0, nonradial={(3, 1): 60.0})), 8192, 0.2, threads=1)"),
     "chordal": (
-        "way = lm.ChordalGauss(); coma = {(3, 1): np.linspace(1, 50, 20_000)}",
+        "way = lm.ChordalGauss(1e-10); coma = {(3, 1): np.linspace(1, 150, 20_000)}",
         "lm.psf(lm.Pupil(lm.Wavefront(0.0, nonradial=coma)), 33, 1.0, method=way, threads=2)",
     ),
     "nodes": (

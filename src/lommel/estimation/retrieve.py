@@ -14,7 +14,8 @@ from lommel.estimation import scoring
 from lommel.estimation.noise import Noise
 from lommel.estimation.retrieval import Retrieval, answered
 from lommel.estimation.star_images import SURE, StarImages
-from lommel.estimation.unknowns import TILTS, Unknowns
+from lommel.estimation.unknowns import Unknowns
+from lommel.methods.derivatives import SHIFTS
 from lommel.optics.pupil import Pupil, checked
 from lommel.psf import Plan
 
@@ -244,7 +245,7 @@ def _scattered(model: StarImages, first: Array, draw: np.random.Generator, count
     edge = model.base + (x[:, model.waves] @ model.directions)[:, None]
     own = model.own_of(x)
     for j, place in enumerate(model.unknowns.places):
-        m = TILTS[place][1]
+        m = SHIFTS[place][1]
         columns = [c for c, term in enumerate(model.terms) if term[1] == m]
         centred = (np.arange(count) + tries) % len(first) == 0
         own[centred, j] -= edge[centred][:, :, columns].sum(axis=-1)

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base.arrays import Array
-from lommel.estimation.unknowns import TILTS, Unknowns
+from lommel.estimation.unknowns import Unknowns
+from lommel.methods.derivatives import SHIFTS
 from lommel.optics.pupil import Pupil
 from lommel.optics.terms import symmetric_terms
 from lommel.optics.wavefront import Wavefront
@@ -76,7 +77,7 @@ class StarImages:
         self.pupil, self.unknowns, self.plan = pupil, unknowns, plan
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
         start = pupil.wavefront.edge_terms()
-        wanted = {*start, *unknowns.edge, *TILTS.values()}
+        wanted = {*start, *unknowns.edge, *SHIFTS.values()}
         radial = symmetric_terms(max(n // 2 for n, m in wanted if m == 0))
         self.terms = (*radial, *sorted(term for term in wanted if term[1]))
         edge = np.array([start.get(term, 0.0) for term in self.terms], dtype=np.float64)
@@ -91,7 +92,7 @@ class StarImages:
         # Half the window.
         halves = {"row": 0.5 * valid.shape[1], "column": 0.5 * valid.shape[2]}
         self.reach = [halves[place] * self.tilt_of_pixel for place in unknowns.places]
-        self.tilts = [self.terms.index(TILTS[place]) for place in unknowns.places]
+        self.tilts = [self.terms.index(SHIFTS[place]) for place in unknowns.places]
         # Of a parameter for each image those of all images follow each other.
         k, pupils, own = len(unknowns.terms), len(unknowns.pupil), len(unknowns.places) + 2
         self.shared = k + pupils

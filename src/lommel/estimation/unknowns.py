@@ -11,14 +11,13 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.methods.derivatives import POWERS, Name, checked, parts
+from lommel.methods.derivatives import POWERS, SHIFTS, Name, checked, parts
 from lommel.methods.slopes import translated
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 
 OF_PUPIL = ("f_number", "wavelength", "obscuration")
-OF_IMAGES = ("row", "column")
-TILTS = {"row": (1, -1), "column": (1, 1)}
+OF_IMAGES = tuple(SHIFTS)
 _FIRST = 4  # Noll's index of defocus, after piston and tilts
 
 
@@ -59,16 +58,16 @@ class Unknowns:
         if names and np.linalg.matrix_rank(directions) < len(names):
             raise ValueError(f"terms must not say one thing twice, got {validation.shown(terms)}")
         for place in places:
-            if TILTS[place] in edge:
+            if SHIFTS[place] in edge:
                 raise ValueError(
-                    f"terms must be without {TILTS[place]} where the {place} of each image is solved along (also)"
+                    f"terms must be without {SHIFTS[place]} where the {place} of each image is solved along (also)"
                 )
         return cls(names, edge, directions, pupil, places)
 
     @property
     def asked(self) -> tuple[Any, ...]:
         """By what derivatives of images are needed."""
-        return (*self.edge, *(TILTS[place] for place in self.places), *self.pupil)
+        return (*self.edge, *(SHIFTS[place] for place in self.places), *self.pupil)
 
     @property
     def shared(self) -> tuple[Any, ...]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field, replace
 from typing import Any, Self
 
@@ -71,9 +70,7 @@ class Answer:
 
     def positions(self) -> tuple[Array, Array]:
         """Return where columns and rows are, x and y from the axis, of each of the flattened stack."""
-        count = (math.prod(self.pupil.shape), -1)
-        x, y = (np.broadcast_to(part, (*self.pupil.shape, part.shape[-1])) for part in (self.grid.x, self.grid.y))
-        return x.reshape(count), y.reshape(count)
+        return self.grid.positions(self.pupil.shape)
 
     @property
     def radial_method(self) -> RadialMethod | None:

@@ -30,6 +30,9 @@ Name = str | Term
 POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
 """k of rho^(2k), by name; twice C_d is the coefficient of the first."""
 
+SHIFTS: dict[str, Term] = {"row": (1, -1), "column": (1, 1)}
+"""The tilt that moves the axis, by what it moves along; a pixel is its pitch in v."""
+
 _INDEXED = re.compile(r"(noll|ansi|fringe) +([0-9]{1,4})")
 
 
@@ -86,12 +89,12 @@ def checked(names: Sequence[Any], argument: str = "derivatives") -> tuple[Name, 
 
 def _name(argument: str, name: Any) -> Name:
     found: Name
-    if isinstance(name, str) and (name in POWERS or name in _OTHERS or _INDEXED.fullmatch(name)):
+    if isinstance(name, str) and (name in _TEXTS or _INDEXED.fullmatch(name)):
         found, term = name, _term(name)
     elif isinstance(name, tuple | list) and len(name) == 2:
         found = term = zernike.term(name, "nm")
     else:
-        known = ", ".join(map(repr, (*POWERS, *_OTHERS)))
+        known = ", ".join(map(repr, _TEXTS))
         raise ValueError(
             f"{argument} must be one of {known}, or a Zernike term such as (3, 1), 'noll 8', 'ansi 8' or 'fringe 7', "
             f"got {validation.shown(name)}"
@@ -138,23 +141,16 @@ def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
     assert isinstance(name, str)
     if name in POWERS:
         return Parts({POWERS[name]: 2.0 if name == "defocus" else 1.0})
-    return _OTHERS[name](_Values(pupil, step, -2.0 if energy else 0.0))
+    if name in SHIFTS:
+        return Parts({SHIFTS[name]: step})
+    return _OTHERS[name](_Values(pupil, -2.0 if energy else 0.0))
 
 
 class _Values(NamedTuple):
     """Of what derivatives are wanted: d ln scale / d ln N is `squeeze`."""
 
     pupil: Pupil
-    step: float
     squeeze: float
-
-
-def _column(of: _Values) -> Parts:
-    return Parts({(1, 1): of.step})
-
-
-def _row(of: _Values) -> Parts:
-    return Parts({(1, -1): of.step})
 
 
 def _f_number(of: _Values) -> Parts:
@@ -192,14 +188,13 @@ def _focus_distance(of: _Values) -> Parts:
 
 
 _OTHERS: dict[str, Callable[[_Values], Parts]] = {
-    "row": _row,
-    "column": _column,
     "wavelength": _wavelength,
     "f_number": _f_number,
     "obscuration": _obscuration,
     "object_distance": _object_distance,
     "focus_distance": _focus_distance,
 }
+_TEXTS = (*POWERS, *SHIFTS, *_OTHERS)
 
 
 def _metric(name: str, pupil: Pupil) -> tuple[float, float]:

@@ -18,11 +18,12 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
 from lommel.methods.averaging import Taps, blocks, filtered_by, finer, least_average, sloping, weighed
 from lommel.methods.choice import first_proven
+from lommel.methods.derivatives import SHIFTS
 from lommel.methods.method import Method
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
-TILTS = ((1, 1), (1, -1))
+TILTS = SHIFTS["column"], SHIFTS["row"]
 """Zernike terms that the growth is made of."""
 
 _FINER = 0.1  # of the tolerance, which samples are asked for: their errors are multiplied by some 4
@@ -50,10 +51,7 @@ def growth(
     """
     count, step = math.prod(pupil.shape), grid.step(pupil)
     total, error = np.zeros((count, *grid.shape)), np.zeros(count)
-    across, down = (
-        step / grid.pixel * np.broadcast_to(part, (*pupil.shape, part.shape[-1])).reshape(count, -1)
-        for part in (grid.x, grid.y)
-    )
+    across, down = (step / grid.pixel * part for part in grid.positions(pupil.shape))
     for v, (slope, off) in zip((across[:, None, :], down[:, :, None]), tilts, strict=True):
         total -= v * slope
         far = np.abs(v).max(axis=(1, 2))

@@ -71,10 +71,7 @@ def _light(pupil: Pupil) -> float:
 
 def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     amplitude, light, eps = pupil.amplitude, _light(pupil), pupil.obscuration
-    count, step = math.prod(pupil.shape), grid.step(pupil) / grid.pixel
-    across, down = (
-        step * np.broadcast_to(part, (*pupil.shape, part.shape[-1])).reshape(count, -1) for part in (grid.x, grid.y)
-    )
+    across, down = (grid.step(pupil) / grid.pixel * part for part in grid.positions(pupil.shape))
     reach = float(np.hypot(np.abs(across).max(axis=1), np.abs(down).max(axis=1)).max())
     aim = max(0.1 * error / (amplitude + light), 1e-15)
     terms = _amplitudes(pupil)
@@ -87,7 +84,7 @@ def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
     left += _rounding(pupil, reach, max(nodes, weight.size))
     of_disk, of_rim = aim + left * amplitude, aim + left * light
-    off = np.full(count, 2.0 * (amplitude * of_rim + light * of_disk + of_rim * of_disk))
+    off = np.full(len(across), 2.0 * (amplitude * of_rim + light * of_disk + of_rim * of_disk))
     return -2.0 * (disk.real * rim.real + disk.imag * rim.imag), off
 
 

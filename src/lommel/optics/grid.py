@@ -129,6 +129,12 @@ class Grid:
         """Row positions in the unit of `pixel`, rising downwards, 0 at the axis; shape ``stack + (height,)``."""
         return self._positions(0)
 
+    def positions(self, stack: tuple[int, ...]) -> tuple[Array, Array]:
+        """Return x and y of each of a flattened `stack` of images, shapes ``(n, width)`` and ``(n, height)``."""
+        count = math.prod(stack)
+        x, y = (np.broadcast_to(part, (*stack, part.shape[-1])).reshape(count, -1) for part in (self.x, self.y))
+        return x, y
+
     def _positions(self, side: int) -> Array:
         pixels = np.arange(self.shape[side], dtype=np.float64)
         return np.asarray(self.pixel * (pixels - np.asarray(self.center[side])[..., None]))

@@ -4,6 +4,7 @@ from lommel.imaging.blur import DepthBlur
 from lommel.imaging.chunks import depth_of_field_of_chunks
 from lommel.imaging.depth_of_field import depth_of_field
 from lommel.imaging.layers import Occlusion
+from lommel.imaging.linear import LinearBlur
 from lommel.imaging.plan import FocusPlan
 from lommel.imaging.scene import Photograph
 from lommel.imaging.settings import RED_GREEN_BLUE
@@ -16,6 +17,7 @@ __all__ = [
     "DepthBlur",
     "Exif",
     "FocusPlan",
+    "LinearBlur",
     "Occlusion",
     "PhotoError",
     "Photograph",

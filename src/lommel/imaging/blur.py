@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple, Unpack
 
 import numpy as np
@@ -14,6 +14,7 @@ from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
 from lommel.imaging.borders import folded, gathered
+from lommel.imaging.linear import LinearBlur
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
@@ -35,7 +36,7 @@ class Points(NamedTuple):
 
 
 @shares(BlurKeywords, Settings)
-class DepthBlur:
+class DepthBlur(LinearBlur):
     r"""What a lens makes of a scene, for one focus: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
 
     K is the PSF averaged over the pixels, at the defocus of each source point, cut to a window that holds `energy` of
@@ -134,7 +135,6 @@ class DepthBlur:
             If a distance is not a number above 0.
         """
         distances = _depth(depth)
-        self.shape = distances.shape
         self.defocus = self.lens.defocus(distances)
         self.defocus.flags.writeable = False
 
@@ -193,73 +193,16 @@ class DepthBlur:
             lambda channel, plane: next(self.collect(channel, plane, [Points(self._positions(channel, weight))])),
         )
 
-    def require(self, image: NDArray[Any]) -> None:
-        """Refuse what is no finite light of the shape of the depth.
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Height and width of the images."""
+        height, width = self.defocus.shape
+        return height, width
 
-        Parameters
-        ----------
-        image : ndarray
-
-        Raises
-        ------
-        TypeError, ValueError
-            If it has another shape, or holds anything but finite floats.
-        """
-        array = validation.array("image", image)
-        count = len(self.banks)
-        wanted = (*self.shape, count) if array.ndim == 3 or count > 1 else self.shape
-        if array.shape != wanted:
-            raise ValueError(f"image must have the shape {wanted}, got {array.shape}")
-        if array.dtype.kind != "f":
-            raise TypeError(f"image must hold floats in proportion to light, got {array.dtype}")
-        if not np.all(np.isfinite(array)):
-            raise ValueError(f"image must be finite, got {array[~np.isfinite(array)].flat[0]}")
-
-    def planes(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the channels of linear light, shape (channels, height, width), of the type of the sums.
-
-        Parameters
-        ----------
-        image : ndarray of float
-            Of the shape that :meth:`forward` takes.
-
-        Returns
-        -------
-        ndarray
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`require`.
-        """
-        self.require(image)
-        array = np.require(np.asarray(image), self.dtype, "A")  # without a mask, as require has seen
-        return np.moveaxis(array.reshape(*self.shape, len(self.banks)), 2, 0)
-
-    def by_channel(self, image: NDArray[Any], make: Callable[[int, NDArray[Any]], NDArray[Any]]) -> NDArray[Any]:
-        """Return the image whose channels are made one by one of those of linear light.
-
-        Parameters
-        ----------
-        image : ndarray of float
-            Of the shape that :meth:`forward` takes.
-        make : callable
-            From the place of a channel and its plane of light to the plane wanted, each of shape (height, width).
-
-        Returns
-        -------
-        ndarray
-            Of the shape of `image`, and of the type of the sums.
-
-        Raises
-        ------
-        TypeError, ValueError
-            As :meth:`require`, before anything is made.
-        """
-        out = np.empty((*self.shape, len(self.banks)), dtype=self.dtype)
-        for channel, plane in enumerate(self.planes(image)):
-            out[..., channel] = make(channel, plane)
-        return out.reshape(image.shape)
+    @property
+    def channels(self) -> int:
+        """How many channels an image has; one of a single channel may lack their axis."""
+        return len(self.banks)
 
     def spread(
         self, channel: int, sources: Sequence[tuple[NDArray[Any], Points]], seen: NDArray[Any] | None = None

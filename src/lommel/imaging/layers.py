@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from lommel.imaging.bank import Bank
 from lommel.imaging.blur import DepthBlur, Points
+from lommel.imaging.linear import LinearBlur
 from lommel.optics.pupil import ray_height
 
 MOST_LAYERS = 64
@@ -57,7 +58,7 @@ class _Shares(NamedTuple):
     sources: list[Points]
 
 
-class Occlusion:
+class Occlusion(LinearBlur):
     r"""What a lens makes of a scene in which near points hide far ones: a linear operator, with its transpose.
 
     Points are sorted into layers, within each of which the diameter of the blur changes by a pixel (or by a 64th of
@@ -115,8 +116,18 @@ class Occlusion:
     def __init__(self, blur: DepthBlur, reach: tuple[float, float] | None = None) -> None:
         if not isinstance(blur, DepthBlur):
             raise TypeError(f"blur must be a DepthBlur, got {type(blur).__name__}")
-        self.blur = blur
+        self.blur, self.dtype = blur, blur.dtype
         self._reach = reach
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Height and width of the images."""
+        return self.blur.shape
+
+    @property
+    def channels(self) -> int:
+        """How many channels an image has; one of a single channel may lack their axis."""
+        return self.blur.channels
 
     def forward(self, image: NDArray[Any]) -> NDArray[Any]:
         """Return the image that the lens makes of linear light.
@@ -144,7 +155,7 @@ class Occlusion:
             spread = self.blur.spread(channel, list(given), seen)
             return np.asarray((spread + _TRACE * plane) / (total + _TRACE))
 
-        return self.blur.by_channel(image, make)
+        return self.by_channel(image, make)
 
     def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
@@ -176,7 +187,7 @@ class Occlusion:
                 np.add.at(taken, np.unravel_index(edges.sources, taken.shape), given.reshape(-1)[edges.points])
             return taken
 
-        return self.blur.by_channel(image, make)
+        return self.by_channel(image, make)
 
     def _looked(self) -> tuple[_Edges, tuple[_Shares, ...]]:
         """Return what points hide, and the shares of each channel: kept for one depth map."""

@@ -1,0 +1,180 @@
+"""Blur as a linear operator on images: what every kind of it shares, and its face to solvers."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import validation
+
+if TYPE_CHECKING:
+    from scipy.sparse.linalg import LinearOperator
+
+
+class LinearBlur(ABC):
+    """What a lens makes of linear light, ``forward``, and its exact transpose, ``adjoint``.
+
+    Attributes
+    ----------
+    dtype : dtype
+        Of the sums, and of what they make.
+    """
+
+    dtype: np.dtype[Any]
+
+    @property
+    @abstractmethod
+    def shape(self) -> tuple[int, int]:
+        """Height and width of the images."""
+
+    @property
+    @abstractmethod
+    def channels(self) -> int:
+        """How many channels an image has; one of a single channel may lack their axis."""
+
+    @abstractmethod
+    def forward(self, image: NDArray[Any]) -> NDArray[Any]:
+        """Return the image that the lens makes of linear light.
+
+        Parameters
+        ----------
+        image : ndarray of float, shape (height, width) or (height, width, channels)
+            Light.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `image`, and of the type of the sums.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`require`.
+        """
+
+    @abstractmethod
+    def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
+        """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
+
+        Parameters
+        ----------
+        image : ndarray of float
+            Of the shape that :meth:`forward` takes.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `image`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`require`.
+        """
+
+    def as_linear_operator(self) -> LinearOperator:
+        """Return the operator as SciPy's solvers, and those of packages that take its operators, want it.
+
+        Images are vectors there: ``image.ravel()`` of those of shape `dims`, which is an attribute: (height, width),
+        or (height, width, channels) of several channels. A matrix has an image in each column.
+
+        Returns
+        -------
+        scipy.sparse.linalg.LinearOperator
+            Square, of the type of the sums.
+
+        Examples
+        --------
+        >>> lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+        >>> blur = lm.imaging.DepthBlur(lens, np.full((20, 30), 2.5), 8e-6, dtype=np.float64)
+        >>> operator = blur.as_linear_operator()
+        >>> operator.shape, operator.dims
+        ((600, 600), (20, 30))
+        >>> light = np.random.default_rng(0).random((20, 30))
+        >>> bool(np.all(operator @ light.ravel() == blur.forward(light).ravel()))
+        True
+        """
+        from scipy.sparse.linalg import LinearOperator
+
+        dims = self.shape if self.channels == 1 else (*self.shape, self.channels)
+        size = int(np.prod(dims))
+
+        def applied(way: Callable[[NDArray[Any]], NDArray[Any]]) -> Callable[[NDArray[Any]], NDArray[Any]]:
+            return lambda vector: way(np.asarray(vector, dtype=self.dtype).reshape(dims)).reshape(-1)
+
+        operator = LinearOperator(
+            (size, size), matvec=applied(self.forward), rmatvec=applied(self.adjoint), dtype=self.dtype
+        )
+        operator.dims = dims
+        return operator
+
+    def require(self, image: NDArray[Any]) -> None:
+        """Refuse what is no finite light of the shape of the operator.
+
+        Parameters
+        ----------
+        image : ndarray
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it has another shape, or holds anything but finite floats.
+        """
+        array = validation.array("image", image)
+        wanted = (*self.shape, self.channels) if array.ndim == 3 or self.channels > 1 else self.shape
+        if array.shape != wanted:
+            raise ValueError(f"image must have the shape {wanted}, got {array.shape}")
+        if array.dtype.kind != "f":
+            raise TypeError(f"image must hold floats in proportion to light, got {array.dtype}")
+        if not np.all(np.isfinite(array)):
+            raise ValueError(f"image must be finite, got {array[~np.isfinite(array)].flat[0]}")
+
+    def planes(self, image: NDArray[Any]) -> NDArray[Any]:
+        """Return the channels of linear light, shape (channels, height, width), of the type of the sums.
+
+        Parameters
+        ----------
+        image : ndarray of float
+            Of the shape that :meth:`forward` takes.
+
+        Returns
+        -------
+        ndarray
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`require`.
+        """
+        self.require(image)
+        array = np.require(np.asarray(image), self.dtype, "A")  # without a mask, as require has seen
+        return np.moveaxis(array.reshape(*self.shape, self.channels), 2, 0)
+
+    def by_channel(self, image: NDArray[Any], make: Callable[[int, NDArray[Any]], NDArray[Any]]) -> NDArray[Any]:
+        """Return the image whose channels are made one by one of those of linear light.
+
+        Parameters
+        ----------
+        image : ndarray of float
+            Of the shape that :meth:`forward` takes.
+        make : callable
+            From the place of a channel and its plane of light to the plane wanted, each of shape (height, width).
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `image`, and of the type of the sums.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`require`, before anything is made.
+        """
+        out = np.empty((*self.shape, self.channels), dtype=self.dtype)
+        for channel, plane in enumerate(self.planes(image)):
+            out[..., channel] = make(channel, plane)
+        return out.reshape(image.shape)

@@ -101,8 +101,8 @@ def against_fixed(settings: Settings, *, bank: bool) -> Measured:
     other = _fixed()
     result = race([mine, other], settings.rounds)
     count = ", ".join(f"{b.count} windows" for b in blur.banks)
-    halves = [np.interp(b.positions(blur.defocus), np.arange(b.count), b.halves) for b in blur.banks]
-    mean = np.mean([np.mean((2.0 * np.ceil(half) + 1.0) ** 2) for half in halves])
+    cuts = [np.interp(b.positions(blur.defocus), np.arange(b.count), b.cuts) for b in blur.banks]
+    mean = np.mean([np.mean((2.0 * np.ceil(cut) + 1.0) ** 2) for cut in cuts])
     note = (
         f"{mine.config}, {_THREADS} threads, {1e3 * result.median(mine.name):.0f} ms, {count}, {mean:.0f} pixels a "
         f"window in the mean; {other.config}, {1e3 * result.median(other.name):.0f} ms; error over the largest value "

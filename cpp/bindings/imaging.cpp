@@ -40,14 +40,14 @@ std::size_t levels(In<float, 1> light, In<float, 1> edges, float low, float high
 }
 
 template <class T>
-lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<double, 1>& halves, const In<double, 2>& energies) {
+lommel::WindowBank<T> bank_of(const In<T, 3>& windows, const In<std::int64_t, 1>& halves, const In<double, 1>& energies) {
     const std::size_t count = windows.shape(0), rows = windows.shape(1), stride = windows.shape(2), widest = rows - 1;
     // The last window is there to be loaded only.
     require(count >= 5 && rows >= 1 && stride == lommel::Spreader<T>::margin(widest), "windows must be padded, 5 or more");
-    require(halves.shape(0) == count - 1 && energies.shape(0) == count - 1 && energies.shape(1) == widest + 1,
-            "one half width and one row of energies a window");
+    require(halves.shape(0) == count - 1 && energies.shape(0) == count - 1, "one half width and one energy a window");
     for (std::size_t i = 0; i < halves.shape(0); ++i) {
-        require(halves.data()[i] >= 0.0 && halves.data()[i] <= static_cast<double>(widest), "halves must fit in the windows");
+        require(halves.data()[i] >= 0 && halves.data()[i] <= static_cast<std::int64_t>(widest),
+                "halves must fit in the windows");
     }
     return {windows.data(), halves.data(), energies.data(), count - 1, widest, stride};
 }
@@ -85,9 +85,9 @@ bool larger(const lommel::WindowBank<T>& bank, const lommel::Scene& scene, std::
 // Adds each pixel, spread over its window, to an image larger by half a window above and below, and by the next multiple of
 // 16 on either side.
 template <class T>
-void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<std::int64_t, 1> rows,
-            In<std::int64_t, 1> columns, Strided<T> image, int threads, Out<T, 2> out, std::optional<In<T, 2>> layers,
-            std::optional<In<T, 2>> seen) {
+void spread(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies, In<double, 2> positions,
+            In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, Strided<T> image, int threads, Out<T, 2> out,
+            std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen, bool slopes) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
     const lommel::Scene scene = scene_of(positions, rows, columns);
     require(image.shape(0) == positions.shape(0) && image.shape(1) == positions.shape(1) && threads >= 0,
@@ -95,22 +95,23 @@ void spread(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<d
     require(larger(bank, scene, out.shape(0), out.shape(1)), "out must be larger than the image by a window");
     const lommel::Screen<T> screen = screen_of<T>(layers, seen, positions, out.shape(0), out.shape(1));
     released([&] {
-        lommel::Spreader<T>(bank, scene, threads, screen).forward(image.data(), image.stride(0), image.stride(1), out.data());
+        lommel::Spreader<T>(bank, scene, threads, screen, slopes)
+            .forward(image.data(), image.stride(0), image.stride(1), out.data());
     });
 }
 
 // The transpose of spread(), but that what is beyond the edges stays there.
 template <class T>
-void collect(In<T, 3> windows, In<double, 1> halves, In<double, 2> energies, In<double, 2> positions, In<std::int64_t, 1> rows,
-             In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out, std::optional<In<T, 2>> layers,
-             std::optional<In<T, 2>> seen) {
+void collect(In<T, 3> windows, In<std::int64_t, 1> halves, In<double, 1> energies, In<double, 2> positions,
+             In<std::int64_t, 1> rows, In<std::int64_t, 1> columns, In<T, 2> image, int threads, Out<T, 2> out,
+             std::optional<In<T, 2>> layers, std::optional<In<T, 2>> seen, bool slopes) {
     const lommel::WindowBank<T> bank = bank_of<T>(windows, halves, energies);
     const lommel::Scene scene = scene_of(positions, rows, columns);
     require(larger(bank, scene, image.shape(0), image.shape(1)) && threads >= 0,
             "the image must be larger than the positions by a window");
     require(out.shape(0) == scene.height && out.shape(1) == scene.width, "out must match the positions");
     const lommel::Screen<T> screen = screen_of<T>(layers, seen, positions, image.shape(0), image.shape(1));
-    released([&] { lommel::Spreader<T>(bank, scene, threads, screen).adjoint(image.data(), out.data()); });
+    released([&] { lommel::Spreader<T>(bank, scene, threads, screen, slopes).adjoint(image.data(), out.data()); });
 }
 
 }  // namespace
@@ -123,10 +124,11 @@ void bindings::define_imaging(nb::module_& m) {
         using T = decltype(pixel);
         m.def("spread", &spread<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
               "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(),
-              "seen"_a.noconvert() = nb::none(),
-              "Adds each pixel times the window at its position in the bank to an image larger by a window.");
+              "seen"_a.noconvert() = nb::none(), "slopes"_a = false,
+              "Adds each pixel times the window at its position in the bank, or its derivative by that, to an image larger by "
+              "a window.");
         m.def("collect", &collect<T>, "windows"_a.noconvert(), "halves"_a, "energies"_a, "positions"_a, "rows"_a, "columns"_a,
               "image"_a.noconvert(), "threads"_a, "out"_a.noconvert(), "layers"_a.noconvert() = nb::none(),
-              "seen"_a.noconvert() = nb::none(), "The transpose of spread().");
+              "seen"_a.noconvert() = nb::none(), "slopes"_a = false, "The transpose of spread().");
     });
 }

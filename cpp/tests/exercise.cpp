@@ -263,23 +263,20 @@ void spreading_and_collecting(std::mt19937& random, std::size_t height, std::siz
     std::vector<std::int64_t> down(height), right(width);
     std::iota(down.begin(), down.end(), 0);
     std::iota(right.begin(), right.end(), 0);
-    std::vector<double> halves(count);
-    std::vector<double> energies(count * (widest + 1), 0.0), positions(height * width);
+    std::vector<std::int64_t> halves(count);
+    std::vector<double> positions(height * width), energies(count);
     for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t half = random() % rows;
+        halves[i] = static_cast<std::int64_t>(half);
         // One quadrant is stored; the others are alike.
-        for (std::size_t y = 0; y < rows; ++y) {
-            for (std::size_t x = 0; x < rows; ++x) {
+        double sum = 0.0;
+        for (std::size_t y = 0; y <= half; ++y) {
+            for (std::size_t x = 0; x <= half; ++x) {
                 const T value = windows[(i * rows + y) * margin + x] = static_cast<T>(share(random));
-                for (std::size_t half = std::max(y, x); half <= widest; ++half) {
-                    energies[i * (widest + 1) + half] +=
-                        (y == 0 ? 1.0 : 2.0) * (x == 0 ? 1.0 : 2.0) * static_cast<double>(value);
-                }
+                sum += (y == 0 ? 1.0 : 2.0) * (x == 0 ? 1.0 : 2.0) * static_cast<double>(value);
             }
         }
-    }
-    for (double& half : halves) {
-        half =
-            random() % 2 ? static_cast<double>(random() % (widest + 1)) : (share(random) - 0.5) * static_cast<double>(widest);
+        energies[i] = sum;
     }
     double light = 0.0, arrived = 0.0, one = 0.0, two = 0.0;
     for (std::size_t i = 0; i < image.size(); ++i) {

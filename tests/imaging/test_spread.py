@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lommel import _core
-from lommel.imaging.bank import Bank
+from lommel.imaging.bank import Bank, shares_used
 
 LEVELS = ["portable", "avx2", "avx512"]
 SIZES = [(1, 1, 0), (1, 7, 1), (9, 1, 3), (5, 4, 8), (40, 3, 2), (33, 35, 5), (2, 70, 17)]
@@ -27,14 +27,13 @@ def level(request: pytest.FixtureRequest) -> Iterator[str]:
 
 def bank(rng: np.random.Generator, half: int, count: int = 6, dtype: type = np.float64) -> Bank:
     """A bank of noise, without symmetries that would hide a fault but those that banks build on."""
-    windows = np.zeros((count + 1, half + 1, margin(half)), dtype)
-    windows[:-1, :, : half + 1] = rng.uniform(0.5, 1.5, (count, half + 1, half + 1))
-    halves = np.minimum(rng.integers(0, half + 1, count) + rng.choice([0.0, 0.3, 0.9], count), half)
+    cuts = np.minimum(rng.integers(0, half + 1, count) + rng.choice([0.0, 0.3, 0.9], count), half)
     away = np.abs(np.arange(-half, half + 1))
-    ring = np.maximum(away[:, None], away)
-    whole = windows[:-1, away[:, None], away]
-    energies = np.stack([[w[ring <= h].sum(dtype=np.float64) for h in range(half + 1)] for w in whole])
-    return Bank(0.0, 1.0, windows, halves, energies, 0.0, 0.0)
+    values = rng.uniform(0.5, 1.5, (count, half + 1, half + 1)) * shares_used(cuts, half)
+    windows = np.zeros((count + 1, half + 1, margin(half)), dtype)
+    windows[:-1, :, : half + 1] = values
+    energies = values[:, away[:, None], away].sum(axis=(1, 2))
+    return Bank(0.0, 1.0, windows, cuts, energies, 0.0, 0.0)
 
 
 def margin(half: int) -> int:
@@ -118,7 +117,7 @@ def test_threads_add_up_in_the_same_sequence_however_wide_the_windows():
     """Windows wider than the narrowest tiles: side by side on threads, nothing is lost and nothing added in turn."""
     rng = np.random.default_rng(1)
     b, positions, image = bank(rng, 100), rng.uniform(0.0, 5.0, (8, 448)), rng.standard_normal((8, 448))
-    b = replace(b, halves=np.full(6, 100.0))
+    b = replace(b, cuts=np.full(6, 100.0))
     alone, together = spread(b, positions, image, 1), spread(b, positions, image, 2)
     assert np.array_equal(alone, together)
 
@@ -149,6 +148,26 @@ def test_pixels_see_points_by_their_layers(level, height, width, half, dtype):
     allowed = 1e-5 if dtype is np.float32 else 1e-12
     assert np.abs(out[:, beyond:-beyond] - total).max() <= allowed * max(1.0, np.abs(total).max())
     assert np.abs(taken - back).max() <= allowed * max(1.0, np.abs(back).max())
+
+
+@pytest.mark.parametrize(("height", "width", "half"), SIZES)
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_slopes_are_what_windows_change_by(level, height, width, half, dtype):
+    """Central differences of cubics err by a sixth of the third derivative times the step squared."""
+    rng, step = np.random.default_rng(height * width + half), 1e-5
+    b, positions = bank(rng, half, count=9, dtype=dtype), rng.integers(0, 8, (height, width)) + 0.5
+    image, other = rng.standard_normal((2, height, width)).astype(dtype)
+    out, beyond, taken = room(b, image), margin(b.half) - b.half, np.empty_like(image)
+    _core.spread(b.windows, b.halves, b.energies, positions, *places(positions), image, 2, out, slopes=True)
+    double = replace(b, windows=b.windows.astype(np.float64))
+    there, here = (spread(double, positions + s, image.astype(np.float64)) for s in (step, -step))
+    slope, allowed = (there - here) / (2.0 * step), 1e-4 if dtype is np.float32 else 2e-6
+    size = max(1.0, np.abs(slope).max())
+    assert np.abs(out[:, beyond:-beyond] - slope).max() <= allowed * size
+    larger = np.pad(other, ((half, half), (margin(half), margin(half)))).astype(dtype)
+    _core.collect(b.windows, b.halves, b.energies, positions, *places(positions), larger, 2, taken, slopes=True)
+    wanted = np.vdot(out.astype(np.float64), larger)
+    assert abs(np.vdot(image.astype(np.float64), taken) - wanted) <= allowed * size * np.abs(other).sum()
 
 
 def test_light_is_held():
@@ -215,9 +234,11 @@ def test_what_does_not_fit_is_refused():
         with pytest.raises(ValueError, match="rows and columns must be of positions"):
             call(columns=columns + 1)
         with pytest.raises(ValueError, match="halves must fit in the windows"):
-            call(halves=b.halves + 3.0)
-        with pytest.raises(ValueError, match="one half width and one row of energies a window"):
+            call(halves=b.halves + 3)
+        with pytest.raises(ValueError, match="one half width and one energy a window"):
             call(halves=b.halves[1:].copy())
+        with pytest.raises(ValueError, match="one half width and one energy a window"):
+            call(energies=b.energies[1:].copy())
         with pytest.raises(ValueError, match="windows must be padded, 5 or more"):
             call(windows=b.windows[:4].copy())
         with pytest.raises(ValueError, match="windows must be padded, 5 or more"):

@@ -8,12 +8,14 @@ from lommel.imaging.linear import LinearBlur
 from lommel.imaging.plan import FocusPlan
 from lommel.imaging.scene import Photograph
 from lommel.imaging.settings import RED_GREEN_BLUE
+from lommel.imaging.slopes import BlurSlopes
 from lommel.imaging.tiles import depth_of_field_by_tiles
 from lommel.io.depthmaps import read_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
 
 __all__ = [
     "RED_GREEN_BLUE",
+    "BlurSlopes",
     "DepthBlur",
     "Exif",
     "FocusPlan",

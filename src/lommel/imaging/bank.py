@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel.imaging.defocus_nodes import DefocusNodes, Parabola
-from lommel.imaging.pixel_rule import pixel_rule, quarters, sums_of_windows
-from lommel.methods.choice import of_profiles
-from lommel.optics.pupil import Pupil
-from lommel.optics.spectrum import in_light
-from lommel.optics.wavefront import Wavefront
+from lommel.imaging.defocus_nodes import DefocusNodes
+from lommel.imaging.pixel_rule import quarters, sums_of_windows
+from lommel.imaging.sensor_light import SensorLight
 
 _MAX_WINDOWS = 20_000
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
 _GAPS = 12  # between the windows that are tried first, or twice as many and so on: a radian apart at most
-_METHOD = of_profiles(1e-7)
 
 
 @dataclass(frozen=True)
@@ -34,11 +29,12 @@ class Bank:
     windows : ndarray, shape (count + 1, half + 1, stride)
         Share of the light of a point that each pixel receives, from the middle row down and the middle column on: the
         other quadrants mirror this one. Columns beyond the window and the last window are room for the compiled core.
-    halves : ndarray, shape (count,)
-        How many pixels from the middle are used, a real number h, interpolated linearly between windows: of the
-        ring at the Chebyshev distance k the share ``h + 1 - k``, from 0 to 1. So nothing jumps as a point moves.
-    energies : ndarray, shape (count, side // 2 + 1)
-        Sum of each window up to a whole distance; what is used is divided by its sum.
+    cuts : ndarray, shape (count,)
+        How many pixels from the middle are used of each window, a real number h: of the ring at the Chebyshev
+        distance k the share ``h + 1 - k``, from 0 to 1, averaged over the neighbours (1/6, 2/3, 1/6). So nothing
+        jumps as a point moves.
+    energies : ndarray, shape (count,)
+        What each window sums to; what is interpolated is divided by its sum.
     lost : float
         Largest share of light beyond the pixels used, spread over these instead.
     error : float
@@ -48,7 +44,7 @@ class Bank:
     start: float
     spacing: float
     windows: NDArray[np.floating[Any]]
-    halves: NDArray[np.float64]
+    cuts: NDArray[np.float64]
     energies: NDArray[np.float64]
     lost: float
     error: float
@@ -56,12 +52,18 @@ class Bank:
     @property
     def count(self) -> int:
         """Number of windows."""
-        return len(self.energies)
+        return len(self.cuts)
 
     @property
     def half(self) -> int:
         """Pixels from the middle of the largest window to its edge."""
-        return int(self.energies.shape[1]) - 1
+        return int(self.windows.shape[1]) - 1
+
+    @property
+    def halves(self) -> NDArray[np.int64]:
+        """Pixels from the middle of each window to the last one used, shape (count,)."""
+        padded = np.ceil(np.pad(self.cuts, 1, mode="edge")).astype(np.int64)
+        return np.maximum(np.maximum(padded[:-2], padded[2:]), padded[1:-1])
 
     @property
     def beyond(self) -> tuple[int, int]:
@@ -85,7 +87,7 @@ class Bank:
         return positions
 
     def used(self, defocus: float) -> NDArray[np.float64]:
-        """Return how much of each pixel is used for one defocus, 0 to 1, shape (side, side).
+        """Return how much of each pixel is used for one defocus, 0 to 1 but for the cubics, shape (side, side).
 
         Parameters
         ----------
@@ -96,9 +98,8 @@ class Bank:
         -------
         ndarray
         """
-        half = np.interp(self.positions(defocus), np.arange(self.count), self.halves)
-        away = np.abs(np.arange(-self.half, self.half + 1))
-        return np.asarray(np.clip(half + 1.0 - np.maximum(away[:, None], away), 0.0, 1.0))
+        first, weights = self._mixture(defocus)
+        return self._spread_out(np.tensordot(weights, shares_used(self.cuts, self.half)[first : first + 4], axes=1))
 
     def window(self, defocus: float) -> NDArray[np.float64]:
         """Return the window that the compiled core makes of the bank for one defocus, shape (side, side).
@@ -112,91 +113,38 @@ class Bank:
         -------
         ndarray
         """
+        first, weights = self._mixture(defocus)
+        made = self._spread_out(np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1))
+        return made / (weights @ self.energies[first : first + 4])
+
+    def _mixture(self, defocus: float) -> tuple[int, NDArray[np.float64]]:
+        """Return the first of the four windows between which one defocus is interpolated, and their weights."""
         position = float(np.clip(self.positions(defocus), 0.0, self.count - 1))
         interval = min(int(position), self.count - 2)
         first = min(max(interval - 1, 0), self.count - 4)
         t = position - first
-        weights = [math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)]
+        return first, np.array([math.prod((t - k) / (j - k) for k in range(4) if k != j) for j in range(4)])
+
+    def _spread_out(self, quarter: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return all quadrants of what is stored as one."""
         away = np.abs(np.arange(-self.half, self.half + 1))
-        mixed = np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1)
-        made = mixed[away[:, None], away] * self.used(defocus)
-        return np.asarray(made / made.sum())
-
-
-@dataclass(frozen=True)
-class _Channel:
-    """The light of a point on the pixels of a sensor, at any defocus: what :func:`build_bank` is given of it."""
-
-    pupil: Pupil
-    phase: Callable[[NDArray[np.float64]], Wavefront]
-    spectrum: Sequence[tuple[float, float]]
-    pixel: float
-    threads: int
-
-    def defocused(self, defocus: NDArray[np.float64]) -> Pupil:
-        """Return the pupil at each defocus."""
-        return self.pupil.carrying(self.phase(defocus) + self.pupil.wavefront, None)
-
-    def shares(self, pupil: Pupil, half: int) -> NDArray[np.float64]:
-        """Return the share of the light of a point in each pixel of the octant, shape ``(n, cells)``."""
-        total: Any = 0.0
-        for wavelength, weight in self.spectrum:
-            there = in_light(pupil, wavelength)
-            step = math.pi * self.pixel / there.scale
-            rule = pixel_rule(half, step)
-            share = weight * step**2 / (4.0 * math.pi * there.transmission)
-            total += share * _METHOD.means(there, step * rule.radii, rule.matrix, self.threads)
-        return np.asarray(total)
-
-    def enough(self, defocus: tuple[float, float], energy: float, largest: int) -> tuple[int, Parabola]:
-        """Return half of a window that holds `energy` of the light at both ends of the range and in its middle.
-
-        And what is nearly 1 over the peaks.
-        """
-        ends = np.linspace(*defocus, 3)
-        pupil = self.defocused(ends)
-        half = math.ceil(float(pupil.geometric_radius().max()) / self.pixel) + 1
-        while True:
-            if half > largest:
-                raise ValueError(
-                    f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of "
-                    f"the light; stop down, allow larger windows (largest={half} or more), or ask for less of it "
-                    "(energy=)"
-                )
-            shares = self.shares(pupil, half)
-            sums = sums_of_windows(shares, half)
-            if sums[:, -1].min() >= energy:
-                half = int((sums >= energy).argmax(axis=1).max()) + 1
-                return half, Parabola.through(ends, shares.max(axis=1))
-            half = math.ceil(1.3 * half) + 1
+        return quarter[away[:, None], away]
 
 
 def build_bank(
-    pupil: Pupil,
-    phase: Callable[[NDArray[np.float64]], Wavefront],
-    spectrum: Sequence[tuple[float, float]],
-    pixel: float,
+    light: SensorLight,
     defocus: tuple[float, float],
     *,
     tol: float,
     energy: float,
     largest: int,
     dtype: DTypeLike = np.float32,
-    threads: int = 0,
-    rate: Callable[[float], float] = lambda _: 2.0,
 ) -> Bank:
     """Compute the bank of one channel.
 
     Parameters
     ----------
-    pupil : Pupil
-        In focus, with the aberrations of the lens, at its wavelength; radially symmetric.
-    phase : callable
-        Makes wavefronts of defocus, as :meth:`lommel.Lens.phase`.
-    spectrum : sequence of (wavelength, weight)
-        Of the channel; weights sum to 1.
-    pixel : float
-        Metres.
+    light : SensorLight
     defocus : (float, float)
         Range of C_d, radians at the wavelength of the pupil.
     tol : float
@@ -206,10 +154,6 @@ def build_bank(
     largest : int
         Largest half width allowed, pixels.
     dtype : float32 or float64
-    threads : int
-        At most so many, 0 for as many as there are processors. The result does not depend on it.
-    rate : callable, optional
-        As :meth:`lommel.Lens.phase_rate`, of `phase`; by default that of a paraxial lens.
 
     Returns
     -------
@@ -221,22 +165,20 @@ def build_bank(
         If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
     """
     low, high = defocus
-    channel = _Channel(pupil, phase, spectrum, pixel, threads)
-    half, parabola = channel.enough(defocus, energy, largest)
+    half, parabola = light.enough(defocus, energy, largest)
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / _GAPS, 0.05)
     spacing *= 0.5 ** max(0, math.ceil(math.log2(spacing)))
-    assert pupil.wavelength is not None
-    shortest = min(wavelength for wavelength, _ in spectrum)
-    per_radian = pupil.wavelength / shortest
+    assert light.pupil.wavelength is not None
+    per_radian = light.pupil.wavelength / min(wavelength for wavelength, _ in light.spectrum)
     at = DefocusNodes.of(
-        lambda nodes: channel.shares(channel.defocused(nodes), half),
+        lambda nodes: light.shares(light.defocused(nodes), half),
         low - spacing,
         high + 2.0 * spacing,
         parabola,
-        rate=lambda reach: per_radian * rate(reach),
-        bound=math.pi * (pixel * per_radian / pupil.scale) ** 2 / 4.0,
-        threads=threads,
+        rate=lambda reach: per_radian * (2.0 if light.rate is None else light.rate(reach)),
+        bound=math.pi * (light.pixel * per_radian / light.pupil.scale) ** 2 / 4.0,
+        threads=light.threads,
     )
     while True:
         count, side = max(1, math.ceil((high - low) / spacing)) + 3, 2 * half + 1
@@ -254,34 +196,85 @@ def build_bank(
             break
         # The error falls sixteenfold where windows are twice as close, more slowly where they are far apart.
         spacing *= 0.5 ** max(1, math.ceil(math.log(error / tol, 16.0)))
-    # The windows are cut to what holds `energy`, and leave the compiled core the room it needs.
-    sums = sums_of_windows(exact, half)
-    enough = np.pad(_enough_of(sums, energy + 1e-12), 1, mode="edge")  # rounding is not to leave less
-    # Those on either side count, so that what is interpolated holds enough as well.
-    halves = np.maximum(np.maximum(enough[:-2], enough[2:]), enough[1:-1])
-    used = math.ceil(halves.max())
-    windows = _at_cache_lines((len(exact) + 1, used + 1, (used // 16 + 1) * 16), np.dtype(dtype))
-    windows[:-1, :, : used + 1] = quarters(exact.astype(dtype), used)
-    kept = np.ascontiguousarray(sums[:, : used + 1])
-    # Half-way between windows the sums and the half widths are what the core makes of them.
-    between = (9.0 * (kept[1:-2] + kept[2:-1]) - kept[:-3] - kept[3:]) / 16.0
-    held = min(_held(kept, halves), _held(between, 0.5 * (halves[1:-2] + halves[2:-1])))
-    return Bank(start, spacing, windows, halves, kept, 1.0 - held, error)
+    quarter, cuts, energies = cut_windows(exact, half, energy + 1e-12)  # rounding is not to leave less
+    between = (9.0 * (energies[1:-2] + energies[2:-1]) - energies[:-3] - energies[3:]) / 16.0
+    held = min(float(energies.min()), float(between.min()))
+    return Bank(start, spacing, stored_windows(quarter, dtype), cuts, energies, 1.0 - held, error)
 
 
-def _held(sums: NDArray[np.float64], halves: NDArray[np.float64]) -> float:
-    """Return the least that so much of a window holds, from the sums up to whole distances."""
-    rows, outer = np.arange(len(sums)), np.ceil(halves).astype(np.int64)
+def cut_windows(
+    octants: NDArray[np.float64], half: int, energy: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return windows of a bank cut to what holds enough of the light.
+
+    Parameters
+    ----------
+    octants : ndarray, shape (count, cells)
+        What the pixels of the octant hold of it.
+    half : int
+        Pixels from the middle one to the edge.
+    energy : float
+        What each window is to hold of it, if it does.
+
+    Returns
+    -------
+    quarters : ndarray, shape (count, used + 1, used + 1)
+        From the middle row down and the middle column on.
+    cuts : ndarray, shape (count,)
+        As :attr:`Bank.cuts`.
+    energies : ndarray, shape (count,)
+        What they hold of it.
+    """
+    sums = sums_of_windows(octants, half)
+    enough = sums >= np.clip(energy, sums[:, :1], sums[:, -1:])
+    rows, outer = np.arange(len(sums)), enough.argmax(axis=1)
     ring = sums[rows, outer] - sums[rows, outer - 1]
-    return float((sums[rows, outer] - (outer - halves) * ring).min())
+    over = np.maximum(0.0, sums[rows, outer] - energy)
+    own = outer - np.divide(over, ring, out=np.zeros(len(sums)), where=outer > 0)
+    # What the neighbours take counts: those between are to hold enough as well.
+    cuts = np.max([own[np.clip(rows + k, 0, len(own) - 1)] for k in (-1, 0, 1)], axis=0)
+    used = math.ceil(cuts.max())
+    windows = quarters(octants, used) * shares_used(cuts, used)
+    alike = np.minimum(np.arange(used + 1), 1) + 1.0
+    return windows, cuts, windows @ alike @ alike
 
 
-def _enough_of(sums: NDArray[np.float64], energy: float) -> NDArray[np.float64]:
-    """Return the half width of each window that holds `energy`, or all of it where it holds less."""
-    asked = np.minimum(energy, sums[:, -1])
-    rows, outer = np.arange(len(sums)), (sums >= asked[:, None]).argmax(axis=1)
-    ring = sums[rows, outer] - sums[rows, outer - 1]
-    return np.asarray(outer - np.divide(sums[rows, outer] - asked, ring, out=np.zeros(len(sums)), where=outer > 0))
+def stored_windows(quarter: NDArray[np.float64], dtype: DTypeLike) -> NDArray[Any]:
+    """Return windows as the compiled core takes them, with the room that it needs.
+
+    Parameters
+    ----------
+    quarter : ndarray, shape (count, half + 1, half + 1)
+    dtype : float32 or float64
+
+    Returns
+    -------
+    ndarray, shape (count + 1, half + 1, stride)
+    """
+    count, side, _ = quarter.shape
+    windows = _at_cache_lines((count + 1, side, ((side - 1) // 16 + 1) * 16), np.dtype(dtype))
+    windows[:-1, :, :side] = quarter
+    return windows
+
+
+def shares_used(cuts: NDArray[np.float64], half: int) -> NDArray[np.float64]:
+    """Return how much is used of each pixel of the windows of a bank, 0 to 1, from the middle row and column on.
+
+    Parameters
+    ----------
+    cuts : ndarray, shape (count,)
+        As :attr:`Bank.cuts`.
+    half : int
+        At least the largest of them.
+
+    Returns
+    -------
+    ndarray, shape (count, half + 1, half + 1)
+    """
+    padded, away = np.pad(cuts, 1, mode="edge"), np.arange(half + 1)
+    ring = np.clip(padded[:, None] + 1.0 - away, 0.0, 1.0)
+    smooth = (ring[:-2] + 4.0 * ring[1:-1] + ring[2:]) / 6.0
+    return np.asarray(smooth[:, np.maximum(away[:, None], away)])
 
 
 def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:

@@ -9,15 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
-from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
 from lommel.imaging.borders import folded, gathered
 from lommel.imaging.linear import LinearBlur
+from lommel.imaging.sensor_light import SensorLight
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.optics.lens import Lens
-from lommel.optics.pupil import Pupil
 
 
 class Points(NamedTuple):
@@ -59,6 +58,8 @@ class DepthBlur(LinearBlur):
     ----------
     banks : tuple of Bank
         One a channel.
+    spectra : tuple
+        Of each channel pairs of a wavelength (metres) and a weight.
     lost : float
         Largest share of light beyond the windows, of any point and channel.
 
@@ -92,34 +93,23 @@ class DepthBlur(LinearBlur):
         self.pixel = validation.pixel(pixel, metric=True)
         validation.pixel_on(self.pixel, lens.wavelength * lens.working_f_number, metric=True)
         settings = Settings.of(DepthBlur, options, BlurKeywords)
-        self.border, self.dtype, self.threads = settings.border, np.dtype(settings.dtype), settings.threads or 0
+        self.border, self.energy = settings.border, settings.energy
+        self.dtype, self.threads = np.dtype(settings.dtype), settings.threads or 0
         self.place(depth)
-        pupil = Pupil(
-            lens.aberrations,
-            obscuration=lens.obscuration,
-            wavelength=lens.wavelength,
-            f_number=lens.working_f_number,
-            apodization=lens.illumination,
-        )
         reach = (float(self.defocus.min()), float(self.defocus.max()))
-        colours = spectra("channels", [lens.wavelength] if channels is None else channels)
+        self.spectra = spectra("channels", [lens.wavelength] if channels is None else channels)
         known: dict[tuple[tuple[float, float], ...], Bank] = {}
-        for spectrum in colours:
+        for spectrum in self.spectra:
             if spectrum not in known:
                 known[spectrum] = build_bank(
-                    pupil,
-                    lens.phase,
-                    spectrum,
-                    self.pixel,
+                    SensorLight.of(lens, spectrum, self.pixel, self.threads),
                     reach,
                     tol=settings.tol,
                     energy=settings.energy,
                     largest=settings.largest or max(1, min(self.shape) // 2),
                     dtype=self.dtype,
-                    threads=self.threads,
-                    rate=lens.phase_rate,
                 )
-        self.banks = tuple(known[spectrum] for spectrum in colours)
+        self.banks = tuple(known[spectrum] for spectrum in self.spectra)
 
     def place(self, depth: ArrayLike) -> None:
         """Put the points at other depths, within the range of those given first.
@@ -205,7 +195,12 @@ class DepthBlur(LinearBlur):
         return len(self.banks)
 
     def spread(
-        self, channel: int, sources: Sequence[tuple[NDArray[Any], Points]], seen: NDArray[Any] | None = None
+        self,
+        channel: int,
+        sources: Sequence[tuple[NDArray[Any], Points]],
+        seen: NDArray[Any] | None = None,
+        *,
+        slopes: bool = False,
     ) -> NDArray[Any]:
         """Return the sum of what light of several sources makes of one channel.
 
@@ -217,24 +212,43 @@ class DepthBlur(LinearBlur):
             A plane of light, shape (height, width), and the points that spread it.
         seen : ndarray, shape (height, width), optional
             How many layers of points each pixel sees, a real number, if not all.
+        slopes : bool, default False
+            Of windows, take their derivatives by positions in the bank.
 
         Returns
         -------
         ndarray, shape (height, width)
         """
-        rows, columns, around = self._room(channel)
+        bank, (rows, columns, around) = self.banks[channel], self._room(channel)
         room = np.zeros([side + sum(more) for side, more in zip(self.shape, around, strict=True)], dtype=self.dtype)
         shown = self._shown(seen, around)
         for plane, points in sources:
             where = points.positions, rows, columns
-            engine.spread(*self._bank(channel), *where, plane, self.threads, room, points.layers, shown)
+            engine.spread(
+                bank.windows,
+                bank.halves,
+                bank.energies,
+                *where,
+                plane,
+                self.threads,
+                room,
+                points.layers,
+                shown,
+                slopes,
+            )
         if self.border == "reflect":  # The mirrored image sends in what leaves this one.
             return folded(folded(room, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
         (top, _), (left, _) = around
         return room[top:, left:][: self.shape[0], : self.shape[1]]
 
     def collect(
-        self, channel: int, plane: NDArray[Any], sources: Sequence[Points], seen: NDArray[Any] | None = None
+        self,
+        channel: int,
+        plane: NDArray[Any],
+        sources: Sequence[Points],
+        seen: NDArray[Any] | None = None,
+        *,
+        slopes: bool = False,
     ) -> Iterator[NDArray[Any]]:
         """Yield for each source what the transpose of :meth:`spread` gives to it.
 
@@ -244,26 +258,33 @@ class DepthBlur(LinearBlur):
             Its place among `banks`.
         plane : ndarray, shape (height, width)
         sources : sequence of Points
-        seen : ndarray, shape (height, width), optional
+        seen, slopes
             As of :meth:`spread`.
 
         Yields
         ------
         ndarray, shape (height, width)
         """
-        rows, columns, around = self._room(channel)
+        bank, (rows, columns, around) = self.banks[channel], self._room(channel)
         room = np.pad(plane, around, mode="symmetric" if self.border == "reflect" else "constant")
         shown = self._shown(seen, around)
         for points in sources:
             taken = np.empty((rows.size, columns.size), dtype=self.dtype)
             where = points.positions, rows, columns
-            engine.collect(*self._bank(channel), *where, room, self.threads, taken, points.layers, shown)
+            engine.collect(
+                bank.windows,
+                bank.halves,
+                bank.energies,
+                *where,
+                room,
+                self.threads,
+                taken,
+                points.layers,
+                shown,
+                slopes,
+            )
             # What points beyond the edges took goes to those that they are copies of.
             yield gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
-
-    def _bank(self, channel: int) -> tuple[NDArray[Any], Array, Array]:
-        bank = self.banks[channel]
-        return bank.windows, bank.halves, bank.energies
 
     def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
         """Return rows and columns of the image with copies of its edges, and what their windows need around it."""

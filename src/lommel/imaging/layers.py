@@ -246,7 +246,7 @@ def _shares(blur: DepthBlur, channel: int, layer: NDArray[Any], edges: _Edges) -
         here = np.full(blur.shape, -1.0)
         for points in sources:
             np.copyto(here, points.positions, where=(points.layers == level) & (points.positions >= 0.0))
-        covered = np.maximum(cover.spread(channel, [(white, Points(here))]), 0.0)
+        covered = cover.spread(channel, [(white, Points(here))])
         left, wanted = 1.0 - total, seen == beyond
         full = wanted & (covered > left - rounding)
         part = np.divide(left, covered, out=np.ones_like(white), where=full & (covered > left + rounding))

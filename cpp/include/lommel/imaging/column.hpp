@@ -23,13 +23,11 @@ struct Rows {
     static_assert(lanes <= reach, "room for a vector");
     const T* windows_at[windows];
     std::size_t stride, half, from;
-    V weight[Points][windows], last[Points], layer[Points];
+    V weight[Points][windows], layer[Points];
     bool apart;  // in two layers
 
     LOMMEL_INLINE Rows(const WindowBank<T>& bank, const Mixture<T>* pixels, std::size_t column)
         : stride(bank.stride), half(pixels->half), from(column), apart(pixels[0].layer != pixels[Points - 1].layer) {
-        const std::size_t inner = std::min(half - from, lanes), used = std::min(half + 1 - from, lanes);
-        const V within = load<V>(mask(inner)), rim = load<V>(mask(used)) - within;
         const std::size_t first = std::min(pixels[0].first, pixels[Points - 1].first);
         for (std::size_t j = 0; j < windows; ++j) {
             windows_at[j] = bank.windows + (first + j) * bank.room() + from;
@@ -37,10 +35,8 @@ struct Rows {
         for (std::size_t p = 0; p < Points; ++p) {
             const T* const weights = pixels[p].weights + 1 - (pixels[p].first - first);
             layer[p] = splat<V>(pixels[p].layer);
-            const V share = splat<V>(pixels[p].rim), cut = within + rim * share;
-            last[p] = within * share + rim;
             for (std::size_t j = 0; j < windows; ++j) {
-                weight[p][j] = splat<V>(weights[j]) * cut;
+                weight[p][j] = splat<V>(weights[j]);
             }
         }
     }
@@ -91,9 +87,6 @@ struct Rows {
         }
         for (std::size_t p = 0; p < Points; ++p) {
             mixed[p] = mixed[p] + odd[p];
-            if (row == half) {
-                mixed[p] = mixed[p] * last[p];
-            }
         }
     }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -12,41 +11,39 @@
 
 namespace lommel {
 
-// Windows of 2 widest + 1 pixels a side, equally spaced in defocus, alike in their four quadrants. Of window i the
-// pixels up to halves[i] from the middle are used, and of the ring at k the share halves[i] + 1 - k, from 0 to 1; between two
-// windows the half width is interpolated, so that what is used never jumps. energies[i][half] is the sum of window i up to a
-// whole half width: the mixture is divided by what is used of it.
+// Windows of 2 widest + 1 pixels a side, equally spaced in defocus, alike in their four quadrants: zeros but for the
+// halves[i] pixels on either side of the middle of window i, which sums to energies[i]. Mixtures are divided by what theirs
+// would sum to.
 template <class T>
 struct WindowBank {
     const T* windows;  // [window and one more][row from the middle one down][column from the middle one on, zeros last]
-    const double* halves;  // [window]
-    const double* energies;  // [window][widest + 1]
+    const std::int64_t* halves;  // [window]
+    const double* energies;  // [window]
     std::size_t count, widest, stride;
 
     std::size_t room() const { return (widest + 1) * stride; }
 };
 
-// The four windows of a pixel, from `first`, and their weights: cubic Lagrange in the middle interval, divided by the sum. Up
-// to `half` pixels from the middle are used, of the last ring the share `rim`.
+// The four windows of a pixel, from `first`, and their weights: cubic Lagrange in the middle interval. None reaches more
+// than `half` pixels from the middle.
 template <class T>
 struct Mixture {
     std::uint32_t first, half;
-    T rim, layer;
+    T layer;
     T weights[6];  // between zeros: those of the windows before and after
     bool any;     // else nothing is spread
     bool hidden;  // in part
 };
 
-// Makes mixtures of a bank, whose energies it keeps in such a sequence that those of four windows are a vector.
+// Makes mixtures of a bank, or their derivatives by the position in it.
 template <class T>
 class Mixer {
    public:
-    explicit Mixer(const WindowBank<T>& bank)
-        : halves_(bank.halves), last_(static_cast<std::ptrdiff_t>(bank.count) - 1), energies_((bank.widest + 2) * bank.count) {
-        for (std::size_t half = 0; half <= bank.widest; ++half) {
-            for (std::size_t i = 0; i < bank.count; ++i) {
-                energies_[(half + 1) * bank.count + i] = static_cast<T>(bank.energies[i * (bank.widest + 1) + half]);
-            }
+    explicit Mixer(const WindowBank<T>& bank, bool slopes = false)
+        : slopes_(slopes), last_(static_cast<std::ptrdiff_t>(bank.count) - 1), halves_(bank.count - 3),
+          energies_(bank.energies, bank.energies + bank.count) {
+        for (std::size_t i = 0; i < halves_.size(); ++i) {
+            halves_[i] = static_cast<std::uint32_t>(*std::max_element(bank.halves + i, bank.halves + i + 4));
         }
     }
 
@@ -59,16 +56,17 @@ class Mixer {
         const double inside = std::min(position, static_cast<double>(last_));
         const std::ptrdiff_t interval = std::min(static_cast<std::ptrdiff_t>(inside), last_ - 1);
         const std::ptrdiff_t first = std::min(std::max<std::ptrdiff_t>(interval - 1, 0), last_ - 3);
-        const double part = inside - static_cast<double>(interval);
-        const double wide = (1.0 - part) * halves_[interval] + part * halves_[interval + 1];
-        const std::ptrdiff_t half = static_cast<std::ptrdiff_t>(std::ceil(wide));
-        m.first = static_cast<std::uint32_t>(first), m.half = static_cast<std::uint32_t>(half);
-        m.rim = static_cast<T>(wide + 1.0 - static_cast<double>(half));
+        m.first = static_cast<std::uint32_t>(first), m.half = halves_[static_cast<std::size_t>(first)];
         const V t = splat<V>(static_cast<T>(inside - static_cast<double>(first)));
-        const V weights = load<V>(powers[0]) + t * (load<V>(powers[1]) + t * (load<V>(powers[2]) + t * load<V>(powers[3])));
-        const T* energy = energies_.data() + half * (last_ + 1) + first;
-        const V held = weights * (splat<V>(m.rim) * load<V>(energy + last_ + 1) + splat<V>(T(1) - m.rim) * load<V>(energy));
-        store(m.weights + 1, weights * splat<V>(value / ((held[0] + held[1]) + (held[2] + held[3]))));
+        const V a = load<V>(powers[0]), b = load<V>(powers[1]), c = load<V>(powers[2]), d = load<V>(powers[3]);
+        const V energies = load<V>(energies_.data() + first), weights = a + t * (b + t * (c + t * d));
+        const T held = total(weights * energies);
+        if (!slopes_) {
+            store(m.weights + 1, weights * splat<V>(value / held));
+            return;
+        }
+        const V changes = b + t * (splat<V>(T(2)) * c + t * (splat<V>(T(3)) * d));
+        store(m.weights + 1, (changes - weights * splat<V>(total(changes * energies) / held)) * splat<V>(value / held));
     }
 
    private:
@@ -77,9 +75,12 @@ class Mixer {
                                        {T(-11.0 / 6.0), T(3), T(-1.5), T(1.0 / 3.0)},
                                        {T(1), T(-2.5), T(2), T(-0.5)},
                                        {T(-1.0 / 6.0), T(0.5), T(-0.5), T(1.0 / 6.0)}};
-    const double* halves_;
+    LOMMEL_INLINE static T total(V of_four) { return (of_four[0] + of_four[1]) + (of_four[2] + of_four[3]); }
+
+    bool slopes_;
     std::ptrdiff_t last_;
-    std::vector<T, AlignedAllocator<T>> energies_;  // [half width, before the first one zeros][window]
+    std::vector<std::uint32_t> halves_;  // of the widest of four windows
+    std::vector<T, AlignedAllocator<T>> energies_;
 };
 
 }  // namespace lommel

@@ -55,9 +55,10 @@ struct Screen {
 template <class T>
 class Spreader {
    public:
-    Spreader(const WindowBank<T>& bank, const Scene& scene, int threads, const Screen<T>& screen = {})
+    // With `slopes` windows are the derivatives by positions in the bank.
+    Spreader(const WindowBank<T>& bank, const Scene& scene, int threads, const Screen<T>& screen = {}, bool slopes = false)
         : bank_(bank), scene_(scene), screen_(screen), height_(scene.height), width_(scene.width), threads_(threads),
-          margin_(margin(bank.widest)), mixture_(bank) {}
+          margin_(margin(bank.widest)), mixture_(bank, slopes) {}
 
     // Values in the longest vector; columns that vectors reach to on either side of a pixel.
     static constexpr std::size_t reach = 16;

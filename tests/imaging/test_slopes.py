@@ -1,0 +1,133 @@
+"""Derivatives of photographs by depth and by focus: Taylor's theorem, transposes, and what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.imaging import BlurSlopes, DepthBlur
+
+LENS = lm.Lens(focal_length=35e-3, f_number=4.0, focus_distance=2.2, wavelength=540e-9)
+SINE = lm.Lens(
+    focal_length=35e-3,
+    f_number=4.0,
+    focus_distance=2.2,
+    wavelength=540e-9,
+    obscuration=0.3,
+    aberrations=lm.Wavefront(0.0, 2.0),
+    model="aplanatic",
+)
+CHANNELS = (600e-9, ((540e-9, 0.5), (500e-9, 0.5)))
+SHAPE = (30, 41)
+
+
+def scene(lens: lm.Lens, border: str = "reflect", **options: float) -> tuple[DepthBlur, np.ndarray, np.ndarray]:
+    """A blur of points at random depths, the depths, and the light of two channels."""
+    rng = np.random.default_rng(0)
+    depth = rng.uniform(1.6, 4.7, SHAPE)
+    ends = np.array([[1.5, 5.5]] * 200)
+    blur = DepthBlur(lens, ends, 6e-6, channels=CHANNELS, border=border, largest=60, dtype=np.float64, **options)
+    blur.place(depth)
+    return blur, depth, rng.random((*SHAPE, 2))
+
+
+@pytest.mark.parametrize(
+    ("lens", "border", "options"),
+    [
+        (LENS, "reflect", {}),
+        (LENS, "zero", {"energy": 0.9}),
+        (SINE, "extend", {"tol": 1e-6}),
+        (LENS.stopped(8.0), "reflect", {"energy": 0.995, "tol": 1e-3}),
+    ],
+)
+def test_what_is_left_of_a_change_of_depth_is_of_second_order(lens, border, options):
+    """Steps of C_d from 0.1 to 0.001 rad, at random at each point."""
+    blur, depth, light = scene(lens, border, **options)
+    slopes, before = BlurSlopes(blur, light), blur.forward(light)
+    rate = float(lens.defocus(1.0) - lens.defocus(np.inf))
+    change = np.random.default_rng(1).standard_normal(SHAPE)
+    # To first order in C_d, which is what the blur is a function of.
+    predicted, left = slopes.forward(-change * depth**2 / rate), []
+    for step in (1e-1, 1e-2, 1e-3):
+        blur.place(1.0 / (1.0 / depth + step * change / rate))
+        left.append(np.linalg.norm(blur.forward(light) - before - step * predicted))
+    assert left[0] < 0.03 * np.linalg.norm(predicted)
+    assert np.log10(left[0] / left[1]) >= 1.95
+    assert np.log10(left[1] / left[2]) >= 1.95
+
+
+@pytest.mark.parametrize("lens", [LENS, SINE])
+def test_what_is_left_of_a_change_of_focus_is_of_second_order(lens):
+    blur, depth, light = scene(lens, tol=1e-6)
+    slope = BlurSlopes(blur, light).focus()
+
+    def seen(sensor_distance: float) -> np.ndarray:
+        there = replace(lens, sensor_distance=sensor_distance)
+        options = {"channels": CHANNELS, "largest": 60, "dtype": np.float64, "tol": 1e-7}
+        return DepthBlur(there, depth, 6e-6, **options).forward(light)
+
+    at = lens.sensor_distance
+    left = [np.linalg.norm((seen(at * (1.0 + step)) - seen(at)) / (at * step) - slope) for step in (1e-4, 1e-5)]
+    assert left[0] <= 0.1 * np.linalg.norm(slope)
+    assert left[1] <= 0.2 * left[0]
+
+
+def test_the_focus_moves_as_the_lens_says():
+    """Distances in focus, by the chain rule that the docstring states."""
+    blur, depth, light = scene(LENS, tol=1e-6)
+    by_sensor = BlurSlopes(blur, light).focus()
+    by_distance = -((LENS.sensor_distance / LENS.focus_distance) ** 2) * by_sensor
+    options = {"channels": CHANNELS, "largest": 60, "dtype": np.float64, "tol": 1e-7}
+    near, far = (DepthBlur(LENS.focused(2.2 + step), depth, 6e-6, **options) for step in (-2e-4, 2e-4))
+    found = (far.forward(light) - near.forward(light)) / 4e-4
+    assert np.abs(found - by_distance).max() <= 3e-3 * np.abs(by_distance).max()
+
+
+@pytest.mark.parametrize("border", ["reflect", "extend", "zero"])
+def test_the_transpose_is_exact_and_solvers_take_both(border):
+    blur, _, light = scene(LENS, border)
+    slopes, rng = BlurSlopes(blur, light), np.random.default_rng(2)
+    change, other = rng.standard_normal(SHAPE), rng.standard_normal((*SHAPE, 2))
+    one, two = np.vdot(slopes.forward(change), other), np.vdot(change, slopes.adjoint(other))
+    assert one == pytest.approx(two, rel=1e-11)
+    operator = slopes.as_linear_operator()
+    assert operator.shape == (2 * SHAPE[0] * SHAPE[1], SHAPE[0] * SHAPE[1])
+    np.testing.assert_array_equal(operator @ change.ravel(), slopes.forward(change).ravel())
+    np.testing.assert_array_equal(operator.T @ other.ravel(), slopes.adjoint(other).ravel())
+
+
+def test_what_is_at_infinity_does_not_move_and_darkness_neither():
+    depth = np.where(np.arange(20) < 9, np.inf, 3.0) * np.ones((20, 1))
+    blur = DepthBlur(LENS, depth, 6e-6, dtype=np.float64, largest=20)
+    slopes = BlurSlopes(blur, np.where(np.arange(20) < 14, 1.0, 0.0) * np.ones((20, 1)))
+    gradient = slopes.adjoint(np.random.default_rng(3).random((20, 20)))
+    assert not gradient[:, :9].any()
+    assert gradient[:, 9:14].all()
+    assert not gradient[:, 14:].any()
+
+
+def test_the_operator_keeps_the_depth_and_the_light_that_it_was_made_with():
+    blur, depth, light = scene(LENS)
+    slopes, change = BlurSlopes(blur, light), np.ones(SHAPE)
+    before = slopes.forward(change)
+    light[:] = 0.0
+    blur.place(depth + 0.2)
+    np.testing.assert_array_equal(slopes.forward(change), before)
+
+
+def test_what_does_not_fit_is_refused():
+    blur, _, light = scene(LENS)
+    slopes = BlurSlopes(blur, light)
+    with pytest.raises(TypeError, match="blur must be"):
+        BlurSlopes(lm.imaging.Occlusion(blur), light)
+    with pytest.raises(ValueError, match=r"image must have the shape \(30, 41, 2\)"):
+        BlurSlopes(blur, light[..., 0])
+    with pytest.raises(ValueError, match=r"change must have the shape of the depth, \(30, 41\), got \(30, 40\)"):
+        slopes.forward(np.ones((30, 40)))
+    with pytest.raises(ValueError, match="change must be finite"):
+        slopes.forward(np.full(SHAPE, np.nan))
+    with pytest.raises(ValueError, match="image must be finite"):
+        slopes.adjoint(np.full((*SHAPE, 2), np.inf))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import product
 from typing import Any
 
 import numpy as np
@@ -84,15 +83,15 @@ class PointLight:
                 out[part] += weight * psf(light, side, self.pixel, tol=self.tol, **given).values
         return out
 
-    def enough(self, spans: Sequence[Span], energy: float, largest: int) -> int:
-        """Return half of a window that holds `energy` of the light at places all over the spans."""
+    def enough(self, spans: Sequence[Span], energy: float, largest: int) -> tuple[int, int]:
+        """Return half of a window that holds `energy` of the light at places all over the spans, and of its core."""
         places = _lattice([np.linspace(*span, 5 if axis < 2 else 3) for axis, span in enumerate(spans)])
         half = math.ceil(float(self.pupil(*places.T).geometric_radius().max()) / self.pixel) + 1
         while True:
             half = min(half, largest)
             windows = self.windows(places, half)
             if windows.sum(axis=(1, 2)).min() >= energy:
-                return _least(windows, energy)
+                return _least(windows, energy), _least(windows, min(energy, _CORE))
             if half == largest:
                 raise too_large(largest, energy)
             half = math.ceil(1.3 * half) + 1
@@ -175,8 +174,8 @@ def build_field_bank(
     ValueError
         If windows would exceed `largest`, or if the bank would hold more than 2^27 values.
     """
-    half = light.enough(spans, energy, largest)
-    axes = _axes(light, spans, min(half, light.enough(spans, min(energy, _CORE), largest)), tol)
+    half, core = light.enough(spans, energy, largest)
+    axes = _axes(light, spans, core, tol)
     while True:
         side = 2 * half + 1
         if math.prod(nodes.count for nodes in axes) * side * side > _MAX_VALUES:
@@ -228,7 +227,7 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
     share = _SHARE * tol / max(1, sum(first != last for first, last in spans))
     found = []
     for axis, span in enumerate(spans):
-        others = [np.unique(np.linspace(*other, 5 if axis < 2 else 3)) for other in spans]
+        others = [np.unique(np.linspace(*other, 3)) for other in spans]
 
         def sample(
             along: NDArray[np.float64], axis: int = axis, others: list[NDArray[np.float64]] = others
@@ -257,15 +256,9 @@ def _lattice(ticks: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
 
 
 def _half_way(axes: Sequence[Nodes]) -> NDArray[np.float64]:
-    """Return places half-way between nodes along one axis or several, shape (n, 3), some of them if they are many."""
-    kinds = [choice for choice in product((False, True), repeat=3) if any(choice)]
-    ticks = [
-        [np.asarray(n.between if middle else n.places) for n, middle in zip(axes, choice, strict=True)]
-        for choice in kinds
-    ]
-    if all(nodes.count == 1 for nodes in axes):  # one window for all: where it is farthest from
-        return _lattice([np.unique([nodes.first, nodes.last]) for nodes in axes])
-    places = np.concatenate([_lattice(part) for part in ticks])
+    """Return the middles between nodes, shape (n, 3), some of them if they are many."""
+    ticks = [nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes]
+    places = _lattice(ticks)
     if len(places) <= _CHECKED:
         return places
     return places[np.random.default_rng(0).choice(len(places), _CHECKED, replace=False)]

@@ -3,6 +3,7 @@
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.chunks import depth_of_field_of_chunks
 from lommel.imaging.depth_of_field import depth_of_field
+from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.layers import Occlusion
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.plan import FocusPlan
@@ -18,6 +19,7 @@ __all__ = [
     "BlurSlopes",
     "DepthBlur",
     "Exif",
+    "FieldBlur",
     "FocusPlan",
     "LinearBlur",
     "Occlusion",

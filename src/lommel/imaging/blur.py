@@ -124,7 +124,7 @@ class DepthBlur(LinearBlur):
         TypeError, ValueError
             If a distance is not a number above 0.
         """
-        distances = _depth(depth)
+        distances = require_depth(depth)
         self.defocus = self.lens.defocus(distances)
         self.defocus.flags.writeable = False
 
@@ -338,7 +338,8 @@ def require_lens(lens: Any, order: str) -> None:
         raise TypeError(f"lens must be a Lens, got {type(lens).__name__}; the order is {order}")
 
 
-def _depth(depth: ArrayLike) -> NDArray[np.float64]:
+def require_depth(depth: ArrayLike) -> NDArray[np.float64]:
+    """Return depth as float64; raise TypeError or ValueError unless it is an image of metres above 0."""
     distances = validation.array("depth", depth)
     if distances.dtype.kind not in "iuf":
         raise TypeError(f"depth must hold metres, got {distances.dtype}")

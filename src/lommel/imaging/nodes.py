@@ -1,0 +1,181 @@
+"""Nodes along an axis, close enough for splines between them, and what a value at any place takes of each."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.cached import cached_property
+
+MOST = 513
+"""Most nodes along one axis."""
+
+UNEVEN = 1.1
+"""A spline errs most half-way between nodes, or, near the ends, by at most so much more elsewhere."""
+
+_DEGREE = 3
+_ENDS = (0.5, 0.8)  # of the distances elsewhere: splines err by five times as much at ends without
+_GRADED = 6  # cells, from which on there is room for that
+
+
+@dataclass(frozen=True)
+class Nodes:
+    """Places along an axis, closer at its ends, and the splines through values at them: cubic, not-a-knot.
+
+    Of up to three places the splines are of what degree these allow.
+
+    Attributes
+    ----------
+    first, last : float
+        The outermost places; the same if there is one only.
+    count : int
+    """
+
+    first: float
+    last: float
+    count: int
+
+    @property
+    def places(self) -> NDArray[np.float64]:
+        """Where the nodes are, shape (count,)."""
+        return np.asarray(self.first + (self.last - self.first) * self._along)
+
+    @property
+    def between(self) -> NDArray[np.float64]:
+        """The places half-way, shape (count - 1,)."""
+        return np.asarray(0.5 * (self.places[1:] + self.places[:-1]))
+
+    @cached_property
+    def _along(self) -> NDArray[np.float64]:
+        """Where the nodes are, from 0 to 1."""
+        cells = np.ones(max(0, self.count - 1))
+        if len(cells) >= _GRADED:
+            cells[: len(_ENDS)] = _ENDS
+            cells[-len(_ENDS) :] = _ENDS[::-1]
+        ends = np.concatenate([[0.0], np.cumsum(cells)])
+        return np.asarray(ends / max(1.0, ends[-1]))
+
+    @cached_property
+    def _spline(self) -> Any:
+        """Splines that are 1 at one node and 0 at all others."""
+        from scipy.interpolate import make_interp_spline
+
+        return make_interp_spline(self._along, np.eye(self.count), k=min(_DEGREE, self.count - 1))
+
+    def coefficients(self, values: NDArray[Any], axis: int) -> NDArray[Any]:
+        """Return coefficients of splines from values at the nodes, which lie along `axis`.
+
+        Parameters
+        ----------
+        values : ndarray
+        axis : int
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `values`.
+        """
+        if self.count == 1:
+            return values
+        return np.moveaxis(np.tensordot(self._spline.c, values, axes=(1, axis)), 0, axis)
+
+    def weights(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return how much each coefficient counts at some places, which sums to 1.
+
+        Parameters
+        ----------
+        places : ndarray, shape (n,)
+            Between the first and the last node; what is beyond them counts as at these.
+
+        Returns
+        -------
+        ndarray, shape (n, count)
+            At most four of a row are not 0.
+        """
+        return np.ones((len(places), 1)) if self.count == 1 else np.asarray(self._matrix(places).toarray())
+
+    def shares(self, places: NDArray[np.float64]) -> list[tuple[int, NDArray[np.float64]]]:
+        """Return the columns of :meth:`weights` that are not 0, each with its number.
+
+        Parameters
+        ----------
+        places : ndarray
+            Of any shape.
+
+        Returns
+        -------
+        list of (int, ndarray)
+            The arrays are of the shape of `places`.
+        """
+        if self.count == 1:
+            return [(0, np.ones(places.shape))]
+        matrix, found = self._matrix(places.ravel()).tocsc(), []
+        for node in range(self.count):
+            part = slice(matrix.indptr[node], matrix.indptr[node + 1])
+            if part.stop > part.start:
+                column = np.zeros(places.size)
+                column[matrix.indices[part]] = matrix.data[part]
+                found.append((node, column.reshape(places.shape)))
+        return found
+
+    def _matrix(self, places: NDArray[np.float64]) -> Any:
+        from scipy.interpolate import BSpline
+
+        along = np.clip((places - self.first) / (self.last - self.first), 0.0, 1.0)
+        return BSpline.design_matrix(along, self._spline.t, self._spline.k)
+
+    def finer(self, times: float) -> Nodes:
+        """Return nodes whose distances are smaller by a factor, and at least one node more."""
+        cells = max(1, self.count - 1)
+        return Nodes(self.first, self.last, max(self.count, math.ceil(cells * times)) + 1)
+
+
+def off(one: NDArray[Any], other: NDArray[Any]) -> float:
+    """Return the largest sum of absolute differences between windows, which are the last two axes."""
+    return float(np.abs(one - other).sum(axis=(-2, -1)).max(initial=0.0))
+
+
+def enough(
+    sample: Callable[[NDArray[np.float64]], NDArray[np.float64]], first: float, last: float, tol: float
+) -> Nodes | None:
+    """Return nodes from `first` to `last` for splines to err by no more than `tol` along some lines.
+
+    Parameters
+    ----------
+    sample : callable
+        From places, shape (n,), to windows at them, shape (lines, n, height, width).
+    first, last : float
+    tol : float
+        Bound on the sum of absolute differences of a window, half-way between nodes.
+
+    Returns
+    -------
+    Nodes or None
+        None if it takes more than :data:`MOST`.
+    """
+    if first == last:
+        return Nodes(first, first, 1)
+    nodes = Nodes(first, last, 3)
+    known = sample(nodes.places)
+    if off(known, known[:, :1]) <= tol:
+        return Nodes(first, last, 1)
+    while nodes.count <= MOST:
+        known, middle = sample(nodes.places), sample(nodes.between)
+        error = UNEVEN * off(interpolated(nodes, known, nodes.between), middle)
+        if error <= tol:
+            # The error falls sixteenfold where nodes are twice as close; they need not be closer than enough.
+            cells = (nodes.count - 1) * max(0.5, (error / tol) ** (1.0 / (_DEGREE + 1)))
+            return Nodes(first, last, math.ceil(cells) + 1)
+        nodes = Nodes(first, last, 2 * nodes.count - 1)
+    return None
+
+
+def interpolated(nodes: Nodes, values: NDArray[Any], places: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return what splines along the second axis make of values at nodes."""
+    made = np.tensordot(nodes.weights(places), nodes.coefficients(values, 1), axes=(1, 1))
+    return np.moveaxis(made, 0, 1)

@@ -30,6 +30,7 @@ try:
         save_figure,
     )
     from lommel.cli.photo_commands import blur, focus_pull
+    from lommel.cli.restore_command import restore
     from lommel.cli.retrieve_command import retrieve
 except ImportError as missing:  # pragma: no cover
     sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
@@ -78,12 +79,13 @@ def main() -> None:
       lommel methods                                    # what they are, and their options
       lommel paper   out                                # every figure and number of the paper
       lommel blur    photo.jpg depth.tif lens.toml --focus "2 m" -o out.jpg    # a photograph
+      lommel restore photo.tif depth.tif lens.toml --white 5000 --read 3 -o sharp.tif    # and back
       lommel retrieve star-*.tif lens.toml --defocus -4 0 4 --read 2   # the wavefront behind images of a star
       lommel live    lens.toml                          # the PSF in the browser, with every slider
     """  # noqa: D301 (\b is meant)
 
 
-for command in (blur, focus_pull, live, methods, retrieve):
+for command in (blur, focus_pull, live, methods, restore, retrieve):
     main.add_command(command)
 
 

@@ -34,8 +34,8 @@ class _Wavelengths(click.ParamType[tuple[float, ...]]):
         return tuple(Length().convert(part.strip(), param, ctx) for part in value.split(","))
 
 
-def _photo_command(command: Callable[..., None]) -> Callable[..., None]:
-    """Add what both commands take."""
+def photo_command(command: Callable[..., None]) -> Callable[..., None]:
+    """Add what all commands take that are about a photograph, its depth and its lens."""
     parts = [
         click.argument("photo", type=FILE),
         click.argument("depth", type=FILE),
@@ -78,7 +78,7 @@ def _of_settings(name: str, *flags: str, **more: Any) -> Callable[..., Any]:
 
 
 @click.command()
-@_photo_command
+@photo_command
 @click.option("-o", "--output", required=True, type=FILE, help=".png, .jpg or .tif.")
 @click.option("--focus", type=Length(), help='Distance in focus: "1.5 m", "inf"; instead of the lens file\'s.')
 @one_line_errors
@@ -98,7 +98,7 @@ def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> No
     """  # noqa: D301 (\b is meant)
     request = Request.of(options)
     find(output, "--output")
-    with _terminated_as_interrupted(), progress("reading") as started:
+    with terminated_as_interrupted(), progress("reading") as started:
         job = request.job(output)
         find(output, "--output", holding=f"of {job.dtype}")
         lens = job.lens(focus, "--focus")
@@ -115,13 +115,13 @@ def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> No
             quality=request.quality,
             profile=job.picture.profile if same else None,
         )
-    facts = job.facts(lens) | {"focus_distance": _finite(lens.focus_distance), "seconds": seconds}
+    facts = job.facts(lens) | {"focus_distance": finite(lens.focus_distance), "seconds": seconds}
     facts |= _quality([made], [clipped]) | {"files": [str(output)]}
     _tell(facts, as_json)
 
 
 @click.command("focus-pull")
-@_photo_command
+@photo_command
 @click.option("-o", "--output", required=True, type=FILE,
               help="Numbered, as out-%03d.png (.jpg, .tif), or one .gif, .png, .webp or .tif.")  # fmt: skip
 @click.option("--from", "first", type=Length(), required=True, help="Distance in focus of the first frame.")
@@ -150,7 +150,7 @@ def focus_pull(
     steps = [1.0 / first + (1.0 / last - 1.0 / first) * k / (frames - 1) for k in range(frames)]
     photographs: list[Photograph] = []
     shares: list[float] = []
-    with _terminated_as_interrupted(), progress("reading", total=frames) as started:
+    with terminated_as_interrupted(), progress("reading", total=frames) as started:
         job = request.job(output)
         if is_animation(output) and job.dtype.itemsize > 1:
             raise ValueError(f"{output.suffix} holds 8 bits; give --bits 8, a .tif, or a number such as %03d")
@@ -172,7 +172,7 @@ def focus_pull(
         seconds = time.perf_counter() - start
     facts = job.facts(lenses[0]) | {
         "frames": frames,
-        "focus_distances": [_finite(lens.focus_distance) for lens in lenses],
+        "focus_distances": [finite(lens.focus_distance) for lens in lenses],
         "seconds": seconds,
     }
     _tell(facts | _quality(photographs, shares) | {"files": [str(path) for path in files]}, as_json)
@@ -187,7 +187,7 @@ def _quality(photographs: list[Photograph], clipped: list[float]) -> dict[str, A
     }
 
 
-def _finite(distance: float) -> float | str:
+def finite(distance: float) -> float | str:
     """Return a distance as JSON can hold it."""
     return distance if math.isfinite(distance) else "infinity"
 
@@ -212,7 +212,7 @@ def _tell(facts: dict[str, Any], as_json: bool) -> None:
 
 
 @contextmanager
-def _terminated_as_interrupted() -> Iterator[None]:
+def terminated_as_interrupted() -> Iterator[None]:
     """Have a SIGTERM clean up as Ctrl-C does."""
 
     def interrupt(*_: Any) -> None:

@@ -7,10 +7,14 @@ from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.layers import Occlusion
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.plan import FocusPlan
+from lommel.imaging.restoration import Restoration, restore_with
+from lommel.imaging.restore import restore
+from lommel.imaging.richardson_lucy import RichardsonLucy
 from lommel.imaging.scene import Photograph
 from lommel.imaging.settings import RED_GREEN_BLUE
 from lommel.imaging.slopes import BlurSlopes
 from lommel.imaging.tiles import depth_of_field_by_tiles
+from lommel.imaging.total_variation import TotalVariation
 from lommel.io.depthmaps import read_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
 
@@ -26,10 +30,15 @@ __all__ = [
     "PhotoError",
     "Photograph",
     "Picture",
+    "Restoration",
+    "RichardsonLucy",
+    "TotalVariation",
     "depth_of_field",
     "depth_of_field_by_tiles",
     "depth_of_field_of_chunks",
     "read_depth",
     "read_photo",
+    "restore",
+    "restore_with",
     "write_photo",
 ]

@@ -1,0 +1,126 @@
+"""`lommel restore`, run as a user runs it, and its files read back."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image
+
+import lommel as lm
+from lommel.base.encoding import from_light, to_light
+from lommel.imaging import RichardsonLucy, TotalVariation, depth_of_field, restore
+
+LENS = """\
+[lens]
+focal_length = "50 mm"
+f_number = 2.8
+focus_distance = "2 m"
+wavelength = "550 nm"
+[sensor]
+pixel = "8 um"
+shape = 33
+"""
+OPTICS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+DEPTH = np.where(np.arange(56) < 26, 2.5, 2.1) * np.ones((48, 1))
+SCENE = np.random.default_rng(0).uniform(0.05, 0.8, (6, 7, 3)).repeat(8, axis=0).repeat(8, axis=1)
+NOISE = lm.Noise(white=5000.0, read=3.0)
+GIVEN = ("--white", 5000, "--read", 3)
+
+
+def error(light: np.ndarray) -> float:
+    return float(np.sqrt(np.mean((light - SCENE)[6:-6, 6:-6] ** 2)))
+
+
+@pytest.fixture
+def folder(tmp_path):
+    light = depth_of_field(SCENE, DEPTH, OPTICS, 8e-6, encoding="linear", energy=0.995).values
+    photo = np.moveaxis(NOISE.record(np.moveaxis(5000.0 * light, 2, 0), seed=1), 0, 2)
+    tifffile.imwrite(tmp_path / "photo.tif", photo.astype(np.float32), photometric="rgb")
+    Image.fromarray(from_light(np.clip(photo, 0.0, 1.0), "srgb", np.uint8)).save(tmp_path / "photo.png")
+    np.save(tmp_path / "depth.npy", DEPTH)
+    np.save(tmp_path / "small.npy", DEPTH[1:])
+    (tmp_path / "lens.toml").write_text(LENS)
+    return tmp_path
+
+
+def ran(result: subprocess.CompletedProcess[str]) -> str:
+    assert result.returncode == 0, result.stderr
+    assert result.stderr == ""
+    return result.stdout
+
+
+@pytest.mark.parametrize("way", [RichardsonLucy(), TotalVariation()])
+def test_a_shell_restores_a_photo_as_python_does(call_lommel, folder, way):
+    options = ("--method", "total-variation") if isinstance(way, TotalVariation) else ()
+    arguments = ("restore", "photo.tif", "depth.npy", "lens.toml", *GIVEN, *options)
+    told = ran(call_lommel(*arguments, "-o", "sharp.tif", folder=folder))
+    photo, sharp = (tifffile.imread(folder / name) for name in ("photo.tif", "sharp.tif"))
+    same = restore(photo, DEPTH, OPTICS, 8e-6, encoding="linear", noise=NOISE, method=way)
+    np.testing.assert_array_equal(sharp, same.values)
+    assert error(sharp) < 0.8 * error(photo)
+    assert f"discrepancy {same.before:.3g} of the photo, {same.discrepancy:.3g} of the result" in told
+    assert f"stopped after {same.steps} steps: the rest is noise" in told
+    assert ("strength of the total variation" in told) == isinstance(way, TotalVariation)
+    assert told.splitlines()[-1] == "wrote sharp.tif"
+    facts = json.loads(ran(call_lommel(*arguments, "--json", "-o", "sharp.tif", folder=folder)))
+    assert facts["discrepancy"] == pytest.approx(
+        {"photo": same.before, "result": same.discrepancy, "by_channel": pytest.approx(same.by_channel)}
+    )
+    assert (facts["steps"], facts["stopped"], facts["strength"]) == (same.steps, "noise", same.strength)
+    assert (facts["unknown"], facts["files"]) == (0.0, ["sharp.tif"])
+
+
+def test_pictures_of_eight_bits_stay_such(call_lommel, folder):
+    ran(call_lommel("restore", "photo.png", "depth.npy", "lens.toml", *GIVEN, "-o", "sharp.png", folder=folder))
+    sharp, photo = (np.asarray(Image.open(folder / name)) for name in ("sharp.png", "photo.png"))
+    assert sharp.dtype == np.uint8
+    assert error(to_light("a", sharp, "srgb", np.float64)) < 0.85 * error(to_light("a", photo, "srgb", np.float64))
+
+
+def test_a_focus_that_is_wrong_is_told(call_lommel, folder):
+    wrong = ("--white", 80000, "--read", 3, "--focus", "1.9 m")
+    told = ran(call_lommel("restore", "photo.tif", "depth.npy", "lens.toml", *wrong, "-o", "a.tif", folder=folder))
+    assert "misfit: depth, lens or noise do not fit" in told
+
+
+def test_steps_target_and_strength_are_those_of_the_method(call_lommel, folder):
+    arguments = ("restore", "photo.tif", "depth.npy", "lens.toml", *GIVEN, "--json", "-o", "sharp.tif")
+    facts = json.loads(ran(call_lommel(*arguments, "--steps", 3, "--target", 0, folder=folder)))
+    assert (facts["steps"], facts["stopped"]) == (3, "steps")
+    more = ("--method", "total-variation", "--strength", "0.01", "--steps", 20, "--no-occlusion")
+    facts = json.loads(ran(call_lommel(*arguments, *more, "--saturation", 0.5, folder=folder)))
+    assert (facts["steps"], facts["strength"]) == (20, 0.01)
+    photo = tifffile.imread(folder / "photo.tif")
+    assert facts["unknown"] == pytest.approx(np.mean(photo >= 0.5))
+
+
+FULL = "restore photo.tif depth.npy lens.toml --white 5000 --read 3 -o sharp.tif"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (FULL.replace("--white 5000 ", ""), "Missing option '--white'"),
+        (FULL.replace("--read 3 ", ""), "Missing option '--read'"),
+        (FULL.replace("5000", "0"), "white must be > 0 electrons"),
+        (FULL.replace("depth.npy", "small.npy"), "must have the size of the upright photo"),
+        (FULL.replace("sharp.tif", "sharp.bmp"), "--output must end in"),
+        (f"{FULL} --strength 0.1", "--strength has a meaning with --method total-variation only"),
+        (f"{FULL} --method total-variation --target 0", "target must be > 0"),
+        (f"{FULL} --steps 0", "steps must be from 1"),
+        (f"{FULL} --saturation -1", "saturation must be > 0"),
+        (f"{FULL} --saturation 1e-6 --offset -1", "photo must have pixels that are neither NaN nor saturated"),
+    ],
+)
+def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(call_lommel, folder, arguments, said):
+    before = sorted(folder.rglob("*"))
+    result = call_lommel(*arguments.split(), folder=folder)
+    assert (result.returncode, result.stdout) == (2, "")
+    last = [line for line in result.stderr.splitlines() if line][-1]
+    assert last.startswith("Error: ")
+    assert said in last
+    assert sorted(folder.rglob("*")) == before

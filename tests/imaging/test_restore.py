@@ -1,0 +1,190 @@
+"""From a photograph, its depth and its lens to the sharp scene."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from lommel import Lens, Noise
+from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy, TotalVariation, depth_of_field, restore, restore_with
+from lommel.imaging.restore import recorded
+
+LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+PIXEL = 8e-6
+DEPTH = np.full((48, 64), 2.5)
+DEPTH[:, 28:] = 2.1
+NOISE = Noise(white=5000.0, read=3.0)
+
+
+def _scene(*channels: int) -> np.ndarray:
+    """Return light with edges."""
+    levels = np.random.default_rng(0).uniform(0.05, 0.8, (6, 8, *channels))
+    return levels.repeat(8, axis=0).repeat(8, axis=1)
+
+
+def _photo(scene: np.ndarray, seed: int = 1, noise: Noise = NOISE, **options: Any) -> np.ndarray:
+    """Return what a sensor records of it, linear, made of windows with more of their light."""
+    light = depth_of_field(scene, DEPTH, LENS, PIXEL, encoding="linear", energy=0.995, **options).values
+    electrons = np.moveaxis(np.atleast_3d(5000.0 * np.maximum(light, 0.0)), 2, 0)
+    return np.moveaxis(noise.record(electrons, seed), 0, 2).reshape(scene.shape)
+
+
+def _error(light: np.ndarray, scene: np.ndarray) -> float:
+    """Return the rms error away from the edges."""
+    return float(np.sqrt(np.mean((light - scene)[6:-6, 6:-6] ** 2)))
+
+
+@pytest.mark.parametrize(("method", "gain"), [(RichardsonLucy(), 0.85), (TotalVariation(), 0.6)])
+@pytest.mark.parametrize("channels", [(), (3,)])
+@pytest.mark.parametrize("occlusion", [True, False])
+def test_a_photograph_comes_nearer_to_its_scene(method, gain, channels, occlusion):
+    scene = _scene(*channels)
+    photo = _photo(scene, occlusion=occlusion)
+    found = restore(photo, DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, method=method, occlusion=occlusion)
+    assert found.stopped == "noise"
+    assert 0.8 < found.discrepancy < 1.05 < found.before
+    assert _error(found.values, scene) < gain * _error(photo, scene)
+
+
+def test_points_that_hide_others_must_be_known_to():
+    scene = _scene()
+    photo = _photo(scene)
+    seen, added = (
+        restore(photo, DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, occlusion=on) for on in (True, False)
+    )
+    near = np.s_[6:-6, 22:34]  # the edge of what is near
+    assert np.abs(seen.values - scene)[near].mean() < 0.8 * np.abs(added.values - scene)[near].mean()
+
+
+def test_it_is_the_operator_of_photographs_with_the_noise_that_is_named():
+    photo = _photo(_scene())
+    options = {"energy": 0.95, "tol": 1e-3, "border": "extend", "dtype": np.float64}
+    found = restore(photo, DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, saturation=np.inf, **options)
+    same = restore_with(Occlusion(DepthBlur(LENS, DEPTH, PIXEL, **options)), photo, NOISE)
+    np.testing.assert_array_equal(found.values, same.values)
+    assert found.values.dtype == np.float64
+
+
+@pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float32])
+def test_the_result_is_stored_as_the_photograph_is(dtype):
+    scene = _scene(3)
+    stored = depth_of_field(scene.astype(np.float32), DEPTH, LENS, PIXEL, encoding="linear").values
+    srgb = 1.055 * np.maximum(stored, 0.0) ** (1 / 2.4) - 0.055
+    photo = np.rint(srgb * np.iinfo(dtype).max).astype(dtype) if np.dtype(dtype).kind == "u" else srgb.astype(dtype)
+    found = restore(
+        photo, DEPTH, LENS, PIXEL, encoding="srgb", noise=NOISE, method=RichardsonLucy(steps=20, target=0.3)
+    )
+    assert found.values.dtype == dtype
+    values = found.values / np.iinfo(dtype).max if np.dtype(dtype).kind == "u" else found.values
+    light = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+    np.testing.assert_allclose(
+        light, np.clip(found.light, 0.0, 1.0 if np.dtype(dtype).kind == "u" else None), atol=5e-3
+    )
+    assert _error(found.light, scene) < 0.8 * _error(stored, scene)
+
+
+def test_the_pedestal_of_a_sensor_is_taken_off():
+    noise = Noise(white=5000.0, read=3.0, offset=0.1)
+    scene = 0.8 * _scene()
+    plain = restore(_photo(scene), DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE)
+    raised = restore(_photo(scene, noise=noise), DEPTH, LENS, PIXEL, encoding="linear", noise=noise)
+    np.testing.assert_allclose(raised.values, plain.values, atol=1e-4)
+
+
+def test_what_is_saturated_or_unknown_teaches_nothing():
+    scene = _scene()
+    scene[18:24, 10:16] = 6.0  # a lamp
+    photo = np.minimum(_photo(scene), 1.0)
+    photo[40:42, 40:50] = np.nan
+    found = restore(photo, DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE)
+    assert found.unknown == pytest.approx(np.mean(~(photo < 1.0)))
+    assert np.isfinite(found.values).all()
+    assert found.stopped == "noise"
+    # Believing what the sensor could not hold draws rings round the lamp, and never fits.
+    trusted = restore(
+        np.nan_to_num(photo, nan=0.3), DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, saturation=np.inf
+    )
+    assert trusted.discrepancy > 1.2
+    # What surrounds it still says that the lamp is brighter than white.
+    assert found.light[18:24, 10:16].mean() > 1.5
+
+
+@pytest.mark.parametrize("method", [RichardsonLucy(), TotalVariation()])
+@pytest.mark.parametrize("dtype", [np.uint8, np.float32])
+@pytest.mark.parametrize("read", [0.0, 3.0])
+def test_darkness_stays_dark(method, dtype, read):
+    found = restore(
+        np.zeros((48, 64, 3), dtype),
+        DEPTH,
+        LENS,
+        PIXEL,
+        encoding="srgb",
+        noise=Noise(white=5000.0, read=read),
+        method=method,
+    )
+    assert not found.values.any()
+    assert np.isfinite([found.discrepancy, found.before]).all()
+    assert found.stopped == "noise"
+
+
+@pytest.mark.parametrize("method", [RichardsonLucy(), TotalVariation()])
+def test_one_bright_point_in_the_dark_is_gathered(method):
+    scene = np.zeros((48, 64))
+    scene[24, 14] = 40.0
+    found = restore(_photo(scene), DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, method=method)
+    assert np.isfinite(found.values).all()
+    assert np.unravel_index(np.argmax(found.light), scene.shape) == (24, 14)
+    assert found.light.max() > 2.0 * _photo(scene).max()
+
+
+@pytest.mark.parametrize("method", [RichardsonLucy(), TotalVariation()])
+def test_depth_that_is_wrong_is_told(method):
+    noise = Noise(white=40000.0, read=3.0)
+    scene = _scene()
+    light = depth_of_field(scene, DEPTH, LENS, PIXEL, encoding="linear", energy=0.995).values
+    photo = noise.record(40000.0 * light, seed=3)
+    found = restore(photo, 1.05 * DEPTH, LENS, PIXEL, encoding="linear", noise=noise, method=method)
+    assert found.stopped == "misfit: depth, lens or noise do not fit"
+    assert found.discrepancy > 1.5
+
+
+def test_light_is_recorded_below_white():
+    photo = np.array([[0, 128, 254, 255]], np.uint8)
+    np.testing.assert_allclose(recorded(photo, "linear"), [[0.0, 128 / 255, 254 / 255, np.nan]])
+    np.testing.assert_allclose(recorded(photo, "linear", 0.6), [[0.0, 128 / 255, np.nan, np.nan]])
+    np.testing.assert_allclose(recorded(photo, "linear", np.inf), [[0.0, 128 / 255, 254 / 255, np.nan]])
+    floats = np.array([[0.2, 1.0, 3.0, np.nan]])
+    np.testing.assert_array_equal(recorded(floats, "linear"), [[0.2, np.nan, np.nan, np.nan]])
+    np.testing.assert_array_equal(recorded(floats, "linear", 2.0), [[0.2, 1.0, np.nan, np.nan]])
+    np.testing.assert_array_equal(recorded(floats, "linear", np.inf), [[0.2, 1.0, 3.0, np.nan]])
+
+
+@pytest.mark.parametrize(
+    ("changes", "kind", "said"),
+    [
+        ({"photo": np.ones(7)}, ValueError, r"photo must have the shape \(height, width\)"),
+        ({"photo": np.full((48, 64), np.nan)}, ValueError, "photo must have pixels"),
+        ({"photo": np.full((48, 64), 300.0)}, ValueError, "none below 1; .* saturation="),
+        ({"photo": np.full((48, 64), -np.inf)}, ValueError, "photo must be finite"),
+        ({"photo": np.ones((48, 64), np.int32)}, TypeError, "unsigned integers or floats"),
+        ({"photo": np.full((48, 64, 4), 0.5)}, ValueError, "alpha"),
+        ({"depth": None}, ValueError, "depth must be the distance"),
+        ({"depth": np.ones((3, 4))}, ValueError, r"depth must have the shape of the photo, \(48, 64\)"),
+        ({"depth": np.where(DEPTH < 2.2, np.nan, DEPTH)}, ValueError, "`missing`"),
+        ({"lens": 3.0}, TypeError, "lens must be a Lens"),
+        ({"encoding": "gamma"}, ValueError, "encoding"),
+        ({"noise": (5000, 3)}, TypeError, "noise must be a Noise"),
+        ({"method": "RL"}, TypeError, "method must be"),
+        ({"saturation": 0.0}, ValueError, "saturation"),
+        ({"saturation": "white"}, TypeError, "saturation"),
+        ({"progress": "yes"}, TypeError, "progress"),
+        ({"energie": 0.9}, TypeError, "energy"),
+    ],
+)
+def test_bad_arguments_are_refused_by_name(changes, kind, said):
+    given = {"photo": np.full((48, 64), 0.5), "depth": DEPTH, "lens": LENS, "encoding": "linear", "noise": NOISE}
+    given |= changes
+    with pytest.raises(kind, match=said):
+        restore(given.pop("photo"), given.pop("depth"), given.pop("lens"), PIXEL, **given)

@@ -70,6 +70,22 @@ def test_what_is_unknown_counts_nowhere() -> None:
     np.testing.assert_allclose(part.image[~known], light[known].mean(), rtol=1e-12)
 
 
+def test_a_saturated_pixel_asks_for_at_least_so_much() -> None:
+    light = np.full((20, 24), 0.5)
+    light[5:9, 5:9] = [[0.8, 0.9, 1.0, 7.0]]
+    noise = Noise(white=1000.0, read=2.0)
+    found = Observed.of(_blur(), light, noise, 0.8)
+    added = 4.0 / 1000.0
+    assert found.known.tolist() == [20 * 24 - 16]
+    np.testing.assert_allclose(found.counts[5:9, 5:9], 0.8 + added)
+    model = np.full((20, 24), 0.5 + added)
+    model[5:9, 5:9] = [[0.3, 0.8 + added, 2.0, 9.0]]
+    ratio = found.ratio(model)
+    np.testing.assert_allclose(ratio[5:9, 5:9], [[(0.8 + added) / 0.3, 1.0, 1.0, 1.0]] * 4)
+    wanted = 4 * 2.0 * kl_div(1000.0 * (0.8 + added), 300.0) / found.known[0]
+    assert found.discrepancies(model, ratio)[0] == pytest.approx(wanted)
+
+
 def test_darkness_is_counted_without_a_fault() -> None:
     found = Observed.of(_blur(), np.zeros((20, 24)), Noise(white=1000.0, read=0.0))
     assert _deviance(found, found.model(np.zeros((20, 24))))[0] == pytest.approx(0.0, abs=1e-20)
@@ -82,5 +98,7 @@ def test_darkness_is_counted_without_a_fault() -> None:
 def test_a_photograph_of_which_nothing_is_known_is_refused() -> None:
     with pytest.raises(ValueError, match="no pixel"):
         Observed.of(_blur(), np.full((20, 24), np.nan), Noise(read=1.0))
+    with pytest.raises(ValueError, match="no pixel"):
+        Observed.of(_blur(), np.ones((20, 24)), Noise(read=1.0), 0.5)
     with pytest.raises(ValueError, match="read"):
         Observed.of(_blur(), np.ones((20, 24)), Noise(read=np.ones((3, 3))))

@@ -93,22 +93,23 @@ def test_the_pedestal_of_a_sensor_is_taken_off():
     np.testing.assert_allclose(raised.values, plain.values, atol=1e-4)
 
 
-def test_what_is_saturated_or_unknown_teaches_nothing():
+@pytest.mark.parametrize("method", [RichardsonLucy(), TotalVariation()])
+def test_what_is_saturated_was_at_least_so_bright(method):
     scene = _scene()
-    scene[18:24, 10:16] = 6.0  # a lamp
+    scene[18:26, 8:20] = 6.0  # a lamp
     photo = np.minimum(_photo(scene), 1.0)
     photo[40:42, 40:50] = np.nan
-    found = restore(photo, DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE)
+    found = restore(photo, DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, method=method)
     assert found.unknown == pytest.approx(np.mean(~(photo < 1.0)))
     assert np.isfinite(found.values).all()
     assert found.stopped == "noise"
-    # Believing what the sensor could not hold draws rings round the lamp, and never fits.
-    trusted = restore(
-        np.nan_to_num(photo, nan=0.3), DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, saturation=np.inf
-    )
-    assert trusted.discrepancy > 1.2
-    # What surrounds it still says that the lamp is brighter than white.
-    assert found.light[18:24, 10:16].mean() > 1.5
+    # What surrounds the lamp says that it is brighter than white, and its middle, of which nothing is seen, is.
+    assert found.light[18:26, 8:20].mean() > 1.5
+    assert found.light[18:26, 8:20].min() > 0.9
+    # Believing what the sensor could not hold never fits.
+    believed = np.nan_to_num(photo, nan=0.3)
+    trusted = restore(believed, DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, method=method, saturation=np.inf)
+    assert trusted.discrepancy > 1.2 > 1.0 > found.discrepancy
 
 
 @pytest.mark.parametrize("method", [RichardsonLucy(), TotalVariation()])
@@ -150,15 +151,17 @@ def test_depth_that_is_wrong_is_told(method):
     assert found.discrepancy > 1.5
 
 
-def test_light_is_recorded_below_white():
-    photo = np.array([[0, 128, 254, 255]], np.uint8)
-    np.testing.assert_allclose(recorded(photo, "linear"), [[0.0, 128 / 255, 254 / 255, np.nan]])
-    np.testing.assert_allclose(recorded(photo, "linear", 0.6), [[0.0, 128 / 255, np.nan, np.nan]])
-    np.testing.assert_allclose(recorded(photo, "linear", np.inf), [[0.0, 128 / 255, 254 / 255, np.nan]])
+def test_light_is_known_below_white():
+    photo = np.array([[0, 128, 255]], np.uint8)
+    for given, limit in ((None, 1.0), (0.6, 0.6), (2.0, 1.0), (np.inf, 1.0)):
+        light, found = recorded(photo, "linear", given)
+        np.testing.assert_allclose(light, [[0.0, 128 / 255, 1.0]])
+        assert found == limit
     floats = np.array([[0.2, 1.0, 3.0, np.nan]])
-    np.testing.assert_array_equal(recorded(floats, "linear"), [[0.2, np.nan, np.nan, np.nan]])
-    np.testing.assert_array_equal(recorded(floats, "linear", 2.0), [[0.2, 1.0, np.nan, np.nan]])
-    np.testing.assert_array_equal(recorded(floats, "linear", np.inf), [[0.2, 1.0, 3.0, np.nan]])
+    for given, limit in ((None, 1.0), (2.0, 2.0), (np.inf, np.inf)):
+        light, found = recorded(floats, "linear", given)
+        np.testing.assert_array_equal(light, floats)
+        assert found == limit
 
 
 @pytest.mark.parametrize(

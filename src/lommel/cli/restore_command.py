@@ -29,9 +29,7 @@ _METHODS = ("richardson-lucy", "total-variation")
 @click.option(
     "--offset", type=float, default=0.0, show_default=True, help="Light of a pixel that counted none; white is 1."
 )
-@click.option(
-    "--saturation", type=float, help="Pixels from this light on are left out; white, which is 1, always is."
-)
+@click.option("--saturation", type=float, help="Light from which on pixels are full, below white, which is 1.")
 @click.option(
     "--method",
     type=click.Choice(_METHODS),

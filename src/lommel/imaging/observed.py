@@ -54,6 +54,8 @@ class Observed:
     weight : ndarray
         Gain over its mean, `white`; 0 of a pixel that is not known.
     white : float
+    full : ndarray of bool, or None
+        Pixels that are saturated: they counted at least so much.
     """
 
     blur: LinearBlur
@@ -61,9 +63,10 @@ class Observed:
     added: NDArray[Any]
     weight: NDArray[Any]
     white: float
+    full: NDArray[np.bool_] | None = None
 
     @classmethod
-    def of(cls, blur: LinearBlur, light: NDArray[Any], noise: Noise) -> Self:
+    def of(cls, blur: LinearBlur, light: NDArray[Any], noise: Noise, saturation: float = math.inf) -> Self:
         """Return what was observed of light as it was recorded, NaN where it is unknown.
 
         Parameters
@@ -71,6 +74,8 @@ class Observed:
         blur : LinearBlur
         light : ndarray of float, shape (height, width) or (height, width, channels)
         noise : Noise
+        saturation : float
+            Light from which on pixels are saturated.
 
         Returns
         -------
@@ -82,10 +87,11 @@ class Observed:
             If no pixel is known, or parameters of the noise fit no image of this shape.
         """
         known = np.isfinite(light)
-        if not known.any():
+        full = known & (light >= saturation)
+        if not (known & ~full).any():
             raise ValueError("no pixel of the photograph is known: all are NaN or saturated")
         # Channels come last in images and first in what a sensor's maps are made for.
-        planes = np.moveaxis(np.where(known, light, 0.0).reshape(*light.shape[:2], -1), 2, 0)
+        planes = np.moveaxis(np.where(known, np.minimum(light, saturation), 0.0).reshape(*light.shape[:2], -1), 2, 0)
         electrons = noise.electrons(planes)
         gain = np.broadcast_to(1.0 if noise.white is None else noise.white, planes.shape)
         added = (noise.variance(np.zeros(planes.shape)) / gain).astype(blur.dtype)
@@ -96,12 +102,16 @@ class Observed:
         weight = np.where(known, image(gain), 0.0)
         white = float(weight.sum(dtype=np.float64) / known.sum())
         counts = np.where(known, np.maximum(image(electrons / gain + added), 0.0), 0.0)
-        return cls(blur, counts.astype(blur.dtype), image(added), (weight / white).astype(blur.dtype), white)
+        parts = counts.astype(blur.dtype), image(added), (weight / white).astype(blur.dtype), white
+        return cls(blur, *parts, full if full.any() else None)
 
     @cached_property
     def known(self) -> NDArray[np.int64]:
-        """How many pixels of each channel are known."""
-        return np.asarray(np.count_nonzero(self.weight.reshape(*self.blur.shape, -1), axis=(0, 1)))
+        """How many pixels of each channel are known and not saturated."""
+        known = self.weight > 0.0
+        if self.full is not None:
+            known &= ~self.full
+        return np.asarray(np.count_nonzero(known.reshape(*self.blur.shape, -1), axis=(0, 1)))
 
     @cached_property
     def seen(self) -> NDArray[Any]:
@@ -136,11 +146,14 @@ class Observed:
         return made
 
     def ratio(self, model: NDArray[Any]) -> NDArray[Any]:
-        """Return counts over those of a model."""
-        return np.asarray(np.divide(self.counts, model))
+        """Return counts over those of a model; 1 of a saturated pixel for which the model has enough."""
+        found = np.divide(self.counts, model)
+        if self.full is not None:
+            np.maximum(found, 1.0, out=found, where=self.full)
+        return np.asarray(found)
 
     def discrepancies(self, model: NDArray[Any], ratio: NDArray[Any]) -> NDArray[np.float64]:
-        """Return the Poisson deviance a pixel of each channel: about 1 where the model is right."""
+        """Return the Poisson deviance a known pixel of each channel: about 1 where the model is right."""
         terms = np.log(np.maximum(ratio, _TINY))
         # m - y + y ln(y/m), by q = y/m: what cancels, 1 - q, is exact where q is near 1.
         terms *= ratio

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -44,7 +45,7 @@ class Restoration:
     strength : float or None
         Of the total variation.
     unknown : float
-        Share of the values of the photograph that were saturated or NaN, which nothing was learnt from.
+        Share of the values of the photograph that were NaN, of which nothing, or saturated, of which little is known.
     clipped : float
         Share of the values that are brighter than white, and are white now; 0 where the type holds them.
     """
@@ -71,6 +72,7 @@ def restore_with(
     noise: Noise,
     *,
     method: Method | None = None,
+    saturation: float = math.inf,
     progress: Progress | None = None,
 ) -> Restoration:
     """Restore light that any linear blur has spread.
@@ -81,11 +83,13 @@ def restore_with(
         :class:`lommel.imaging.Occlusion`, :class:`lommel.imaging.DepthBlur`, or one of your own; no entry of its
         matrix may be negative.
     light : array_like of float, shape (height, width) or (height, width, channels)
-        As it was recorded, in proportion to light but for the offset. NaN where a pixel is saturated or unknown.
+        As it was recorded, in proportion to light but for the offset. NaN where a pixel is unknown.
     noise : Noise
         Of the values of `light`.
     method : RichardsonLucy or TotalVariation, optional
         By default ``RichardsonLucy()``.
+    saturation : float, default infinity
+        Values from here on are saturated: they tell that there was at least so much.
     progress : callable, optional
         Called as ``progress(step, discrepancy, seconds_left)`` at each step; what it raises ends the work.
 
@@ -123,7 +127,8 @@ def restore_with(
     wanted = (*blur.shape, blur.channels) if recorded.ndim == 3 or blur.channels > 1 else blur.shape
     if recorded.shape != wanted:
         raise ValueError(f"light must have the shape of the blur, {wanted}, got {recorded.shape}")
-    observed = Observed.of(blur, recorded, noise)
+    limit = saturation if saturation == math.inf else validation.real("saturation", saturation)
+    observed = Observed.of(blur, recorded, noise, limit)
     before = _discrepancies(observed, observed.image)
     found = method.solve(observed, progress or (lambda *_: None))
     after = _discrepancies(observed, found.light)

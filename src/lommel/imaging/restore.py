@@ -61,8 +61,8 @@ def restore(
     method : RichardsonLucy or TotalVariation, optional
         By default ``RichardsonLucy()``.
     saturation : float, optional
-        Pixels as bright as this are left out: light, 1 being white. By default 1; of integers their largest value is
-        left out always. Infinity leaves out none.
+        Light, 1 being white, from which on pixels are saturated: they tell only that there was at least so much. By
+        default 1; of integers the largest value always is. Infinity for floats that are right beyond.
     progress : callable, optional
         Called as ``progress(step, discrepancy, seconds_left)`` at each step; what it raises ends the work.
     {options}
@@ -94,15 +94,15 @@ def restore(
     checked_progress(progress)
     validation.instance("noise", noise, Noise)
     given = validation.array("photo", photo)
-    light = recorded(given, encoding, saturation)
+    light, limit = recorded(given, encoding, saturation)
     blur = blur_of(given.shape, depth, lens, pixel, settings)
-    found = restore_with(blur, light, noise, method=method, progress=progress)
+    found = restore_with(blur, light, noise, method=method, saturation=limit, progress=progress)
     values, clipped = stored(found.light, encoding, given.dtype, settings.threads or 0)
     return replace(found, values=values, clipped=clipped)
 
 
-def recorded(photo: NDArray[Any], encoding: str, saturation: float | None = None) -> NDArray[Any]:
-    """Return the light of a photograph, NaN where it is saturated or unknown.
+def recorded(photo: NDArray[Any], encoding: str, saturation: float | None = None) -> tuple[NDArray[Any], float]:
+    """Return the light of a photograph, NaN where it is unknown, and the light from which on it is saturated.
 
     Parameters
     ----------
@@ -113,7 +113,8 @@ def recorded(photo: NDArray[Any], encoding: str, saturation: float | None = None
 
     Returns
     -------
-    ndarray of float64, of the shape of `photo`
+    light : ndarray of float64, of the shape of `photo`
+    saturation : float
 
     Raises
     ------
@@ -123,21 +124,19 @@ def recorded(photo: NDArray[Any], encoding: str, saturation: float | None = None
     if photo.ndim not in (2, 3) or 0 in photo.shape:
         raise ValueError(f"photo must have the shape (height, width) or (height, width, channels), got {photo.shape}")
     limit = 1.0
-    if saturation is not None and not (isinstance(saturation, float) and saturation == np.inf):
-        limit = validation.real("saturation", saturation, above=0.0)
-    elif saturation is not None:
-        limit = np.inf
+    if saturation is not None:
+        limit = np.inf if saturation == np.inf else validation.real("saturation", saturation, above=0.0)
     unknown = np.isnan(photo) if photo.dtype.kind == "f" else np.zeros(photo.shape, dtype=bool)
     light = to_light("photo", np.where(unknown, np.asarray(0, photo.dtype), photo), encoding, np.float64)
     if photo.dtype.kind == "u":
         limit = min(limit, 1.0)
-    light[unknown | (light >= limit)] = np.nan
-    if np.isnan(light).all():
+    light[unknown] = np.nan
+    if not np.any(light < limit):
         raise ValueError(
             f"photo must have pixels that are neither NaN nor saturated, got none below {limit:g}; white is 1, "
             "and saturation= says where else pixels are full"
         )
-    return light
+    return light, limit
 
 
 def blur_of(

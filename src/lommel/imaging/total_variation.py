@@ -14,8 +14,8 @@ from lommel.base import validation
 from lommel.imaging.observed import MISFIT, NOISE, STEPS, Observed, Solution, Tell
 
 _STEP = 40.0  # of the light over that of its dual, over the rms of the light
-_SEARCHES = 8  # strengths that are tried at most
-_NEAR = 0.03  # of the discrepancy at the target
+_SEARCHES = 6  # strengths that are tried at most
+_NEAR = (-0.1, 0.03)  # logarithms of the discrepancy over the target that are near enough
 _WEAKEST = 8.0  # of what noise asks for over what is tried; right depths take half to double of it
 _SETTLED, _EVERY = 3e-3, 25  # change of the discrepancy over so many steps
 
@@ -89,7 +89,7 @@ class TotalVariation:
         strength = first
         for _ in range(_SEARCHES):
             tried.append((math.log(strength), math.log(walk.settle(strength) / self.target)))
-            if abs(tried[-1][1]) <= _NEAR:
+            if _NEAR[0] <= tried[-1][1] <= _NEAR[1]:
                 break
             following = min(max(_next(tried), least), most)
             if math.isclose(following, strength, rel_tol=1e-6):
@@ -110,7 +110,7 @@ def _next(tried: list[tuple[float, float]]) -> float:
     above = [point for point in tried if point[1] >= 0.0]
     if below and above:
         (a, u), (b, v) = max(below), min(above)
-        share = min(max(-u / (v - u), 0.1), 0.9) if b > a else 0.5
+        share = min(max(-u / (v - u), 0.3), 0.7) if b > a else 0.5
         return math.exp(a + share * (b - a))
     slope = 0.3  # usually
     if len(tried) > 1 and tried[-1][0] != tried[-2][0]:
@@ -169,6 +169,8 @@ class _Walk:
         np.sqrt(fit, out=fit)
         np.subtract(model + observed.weight, fit, out=fit)
         fit *= 0.5
+        if observed.full is not None:
+            np.minimum(fit, 0.0, out=fit, where=observed.full)
         self.fit = fit
         self.slopes += self.pace_slopes * _gradient(self.ahead)
         _shorten(self.slopes, strength)

@@ -130,7 +130,17 @@ class Nodes:
         return BSpline.design_matrix(along, self._spline.t, self._spline.k)
 
     def finer(self, times: float) -> Nodes:
-        """Return nodes whose distances are smaller by a factor, and at least one node more."""
+        """Return nodes that are closer, and at least one more of them.
+
+        Parameters
+        ----------
+        times : float
+            How much smaller their distances are.
+
+        Returns
+        -------
+        Nodes
+        """
         cells = max(1, self.count - 1)
         return replace(self, count=max(self.count, math.ceil(cells * times)) + 1)
 

@@ -28,7 +28,7 @@ from lommel.page import module
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
 # Packages that the pages speak of and the environment of the tests has not.
-ELSEWHERE = ("optiland",)
+ELSEWHERE = ("optiland", "pylops", "pyxu", "deepinv")
 
 
 def blocks(path: Path, language: str) -> list[tuple[str, str]]:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-_KEPT = 2**28  # bytes of spectra that are kept, 256 MiB
+_KEPT = 2**29  # bytes of spectra that are kept, 512 MiB
 _LONGEST = 512  # side of a transform, where windows do not make it longer
 _OVERHEAD = 20_000  # of a block, in samples of a transform
 
@@ -174,7 +174,7 @@ def _sides(down: tuple[int, ...], across: tuple[int, ...], window: int) -> tuple
     for fy, by, ny in ((f, b, math.ceil(down[0] / b)) for f, b in rows):
         for fx, bx, nx in ((f, b, math.ceil(across[0] / b)) for f, b in columns):
             each = 2.0 + math.prod(
-                min(count, 1.0 if count == 1 else 3.0 + block * (count - 1) / points)
+                min(count, 4.0 + block * (count - 1) / points)
                 for block, (points, count) in ((by, down), (bx, across))
             )
             best = min(best, (ny * nx * (fy * fx * each * math.log2(fy * fx) + _OVERHEAD * 10.0), (fy, fx)))

@@ -20,6 +20,7 @@ from lommel.psf import psf
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
 _AT_ONCE = 2**24  # values that are computed at once
 _CHECKED = 1500  # places half-way between nodes that are looked at, where there are more
+_FINE = 3e-4  # tolerances below which splines of degree 5 are quicker than cubic ones
 _CORE = 0.9  # of the light, which tells how close nodes must be
 _SHARE = 0.85  # of the tolerance that the axes share: their errors add up to no more than they promise
 
@@ -175,7 +176,9 @@ def build_field_bank(
         If windows would exceed `largest`, or if the bank would hold more than 2^27 values.
     """
     half, core = light.enough(spans, energy, largest)
-    axes = _axes(light, spans, core, tol)
+    axes, before = _axes(light, spans, core, tol), math.inf
+    if all(nodes.count == 1 for nodes in axes):
+        before = 0.0
     while True:
         side = 2 * half + 1
         if math.prod(nodes.count for nodes in axes) * side * side > _MAX_VALUES:
@@ -200,8 +203,13 @@ def build_field_bank(
         if error <= tol:
             lost = 1.0 - float(min(held.min(), between.min()))
             return FieldBank(axes, coefficients.astype(dtype), lost, error)
-        times = max(1.05, (error / (_SHARE * tol)) ** 0.25)
-        y, x, defocus = (nodes if nodes.first == nodes.last else nodes.finer(times) for nodes in axes)
+        times = max(1.05, (error / (_SHARE * tol)) ** (1.0 / (axes[0].degree + 1)))
+        # Where nodes that are closer do not help, axes of a single one may need more.
+        single, before = error > 0.9 * before, error
+        y, x, defocus = (
+            nodes.finer(times) if nodes.first < nodes.last and (single or nodes.count > 1) else nodes
+            for nodes in axes
+        )
         axes = y, x, defocus
 
 
@@ -224,6 +232,8 @@ def _too_many(axes: Sequence[Nodes], side: int, tol: float) -> ValueError:
 
 def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tuple[Nodes, Nodes, Nodes]:
     """Return nodes that are close enough along lines through the spans."""
+    # Fewer nodes, of which more count at each place: worth it where there are many.
+    degree = 5 if tol < _FINE or spans[2][0] < spans[2][1] else 3
     share = _SHARE * tol / max(1, sum(first != last for first, last in spans))
     found = []
     for axis, span in enumerate(spans):
@@ -238,7 +248,7 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
             shaped = windows.reshape(*(len(tick) for tick in ticks), *windows.shape[1:])
             return np.moveaxis(shaped, axis, 2).reshape(-1, len(along), *windows.shape[1:])
 
-        nodes = enough(sample, *span, share)
+        nodes = enough(sample, *span, share, degree)
         if nodes is None:
             what = ("down the image", "across the image", "over the depth")[axis]
             raise ValueError(
@@ -270,10 +280,10 @@ def _mixed(
     """Yield the windows that splines make at places, shape (n, 3)."""
     weights = [nodes.weights(along) for nodes, along in zip(axes, places.T, strict=True)]
     for shares in zip(*weights, strict=True):
-        found: NDArray[Any] = coefficients
-        for share in shares:
-            used = np.flatnonzero(share)
-            found = np.tensordot(share[used], found[used], axes=(0, 0))
+        used = [np.flatnonzero(share) for share in shares]
+        found: NDArray[Any] = coefficients[np.ix_(*used)]
+        for share, these in zip(shares, used, strict=True):
+            found = np.tensordot(share[these], found, axes=(0, 0))
         yield found.astype(np.float64, copy=False)
 
 

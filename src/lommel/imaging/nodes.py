@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -15,30 +15,30 @@ from lommel.base.cached import cached_property
 MOST = 513
 """Most nodes along one axis."""
 
-UNEVEN = 1.1
+UNEVEN = 1.2
 """A spline errs most half-way between nodes, or, near the ends, by at most so much more elsewhere."""
 
-_DEGREE = 3
-_ENDS = (0.5, 0.8)  # of the distances elsewhere: splines err by five times as much at ends without
-_GRADED = 6  # cells, from which on there is room for that
+_ENDS = {3: (0.5, 0.8), 5: (0.35, 0.6, 0.8)}
+"""Distances near the ends over those elsewhere, by the degree: splines err by five times as much there without."""
 
 
 @dataclass(frozen=True)
 class Nodes:
-    """Places along an axis, closer at its ends, and the splines through values at them: cubic, not-a-knot.
-
-    Of up to three places the splines are of what degree these allow.
+    """Places along an axis, closer at its ends, and the splines through values at them, not-a-knot.
 
     Attributes
     ----------
     first, last : float
         The outermost places; the same if there is one only.
     count : int
+    degree : int, default 3
+        3 or 5, of the splines; of fewer places they are of what degree these allow.
     """
 
     first: float
     last: float
     count: int
+    degree: int = 3
 
     @property
     def places(self) -> NDArray[np.float64]:
@@ -53,10 +53,10 @@ class Nodes:
     @cached_property
     def _along(self) -> NDArray[np.float64]:
         """Where the nodes are, from 0 to 1."""
-        cells = np.ones(max(0, self.count - 1))
-        if len(cells) >= _GRADED:
-            cells[: len(_ENDS)] = _ENDS
-            cells[-len(_ENDS) :] = _ENDS[::-1]
+        cells, closer = np.ones(max(0, self.count - 1)), _ENDS[self.degree]
+        if len(cells) > 2 * len(closer):
+            cells[: len(closer)] = closer
+            cells[-len(closer) :] = closer[::-1]
         ends = np.concatenate([[0.0], np.cumsum(cells)])
         return np.asarray(ends / max(1.0, ends[-1]))
 
@@ -65,7 +65,7 @@ class Nodes:
         """Splines that are 1 at one node and 0 at all others."""
         from scipy.interpolate import make_interp_spline
 
-        return make_interp_spline(self._along, np.eye(self.count), k=min(_DEGREE, self.count - 1))
+        return make_interp_spline(self._along, np.eye(self.count), k=min(self.degree, self.count - 1))
 
     def coefficients(self, values: NDArray[Any], axis: int) -> NDArray[Any]:
         """Return coefficients of splines from values at the nodes, which lie along `axis`.
@@ -95,7 +95,7 @@ class Nodes:
         Returns
         -------
         ndarray, shape (n, count)
-            At most four of a row are not 0.
+            At most ``degree + 1`` of a row are not 0.
         """
         return np.ones((len(places), 1)) if self.count == 1 else np.asarray(self._matrix(places).toarray())
 
@@ -130,9 +130,19 @@ class Nodes:
         return BSpline.design_matrix(along, self._spline.t, self._spline.k)
 
     def finer(self, times: float) -> Nodes:
-        """Return nodes whose distances are smaller by a factor, and at least one node more."""
+        """Return nodes that are closer, and at least one more of them.
+
+        Parameters
+        ----------
+        times : float
+            How much smaller their distances are.
+
+        Returns
+        -------
+        Nodes
+        """
         cells = max(1, self.count - 1)
-        return Nodes(self.first, self.last, max(self.count, math.ceil(cells * times)) + 1)
+        return replace(self, count=max(self.count, math.ceil(cells * times)) + 1)
 
 
 def off(one: NDArray[Any], other: NDArray[Any]) -> float:
@@ -141,7 +151,11 @@ def off(one: NDArray[Any], other: NDArray[Any]) -> float:
 
 
 def enough(
-    sample: Callable[[NDArray[np.float64]], NDArray[np.float64]], first: float, last: float, tol: float
+    sample: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+    first: float,
+    last: float,
+    tol: float,
+    degree: int = 3,
 ) -> Nodes | None:
     """Return nodes from `first` to `last` for splines to err by no more than `tol` along some lines.
 
@@ -152,6 +166,8 @@ def enough(
     first, last : float
     tol : float
         Bound on the sum of absolute differences of a window, half-way between nodes.
+    degree : int, default 3
+        Of the splines.
 
     Returns
     -------
@@ -159,19 +175,19 @@ def enough(
         None if it takes more than :data:`MOST`.
     """
     if first == last:
-        return Nodes(first, first, 1)
-    nodes = Nodes(first, last, 3)
+        return Nodes(first, first, 1, degree)
+    nodes = Nodes(first, last, 3, degree)
     known = sample(nodes.places)
     if off(known, known[:, :1]) <= tol:
-        return Nodes(first, last, 1)
+        return replace(nodes, count=1)
     while nodes.count <= MOST:
         known, middle = sample(nodes.places), sample(nodes.between)
         error = UNEVEN * off(interpolated(nodes, known, nodes.between), middle)
         if error <= tol:
-            # The error falls sixteenfold where nodes are twice as close; they need not be closer than enough.
-            cells = (nodes.count - 1) * max(0.5, (error / tol) ** (1.0 / (_DEGREE + 1)))
-            return Nodes(first, last, math.ceil(cells) + 1)
-        nodes = Nodes(first, last, 2 * nodes.count - 1)
+            # The error falls by 2^(degree + 1) where nodes are twice as close; they need not be closer than enough.
+            cells = (nodes.count - 1) * max(0.5, (error / tol) ** (1.0 / (degree + 1)))
+            return replace(nodes, count=math.ceil(cells) + 1)
+        nodes = replace(nodes, count=2 * nodes.count - 1)
     return None
 
 

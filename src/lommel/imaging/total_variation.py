@@ -76,8 +76,8 @@ class TotalVariation:
         if self.strength is not None:
             found = walk.settle(self.strength, last=True)
             return Solution(walk.light, walk.taken, NOISE if found <= 1.0 + observed.slack else STEPS, self.strength)
-        if walk.discrepancy() <= 1.0 + observed.slack:
-            return Solution(walk.light, 0, NOISE)
+        if _discrepancy(observed, observed.flat) <= 1.0 + observed.slack:
+            return Solution(observed.flat, 0, NOISE)
         return self._search(walk, observed)
 
     def _search(self, walk: _Walk, observed: Observed) -> Solution:
@@ -86,9 +86,11 @@ class TotalVariation:
         first = 0.15 / math.sqrt(max(electrons, 1e-6))
         least, most = first / _WEAKEST, 64.0 * first
         tried: list[tuple[float, float]] = []
-        strength = first
+        strength, kept = first, walk.light
         for _ in range(_SEARCHES):
             tried.append((math.log(strength), math.log(walk.settle(strength) / self.target)))
+            if strength == first:
+                kept = walk.light
             if _NEAR[0] <= tried[-1][1] <= _NEAR[1]:
                 break
             following = min(max(_next(tried), least), most)
@@ -98,8 +100,7 @@ class TotalVariation:
         found = self.target * math.exp(tried[-1][1])
         if found > 1.0 + observed.slack and strength <= least * 1.001:
             # Hardly smoothed it fits no better: what is left is no noise, and must not be drawn into the picture.
-            walk.settle(first, last=True)
-            return Solution(walk.light, walk.taken, MISFIT, first)
+            return Solution(kept, walk.taken, MISFIT, first)
         return Solution(walk.light, walk.taken, NOISE if found <= 1.0 + observed.slack else STEPS, strength)
 
 
@@ -123,7 +124,7 @@ class _Walk:
 
     def __init__(self, observed: Observed, tell: Tell, most: int) -> None:
         self.observed, self.tell, self.most = observed, tell, most
-        self.light = observed.flat
+        self.light = observed.image.astype(observed.counts.dtype)
         self.ahead = self.light
         self.fit = np.zeros_like(self.light)
         self.slopes = np.zeros((2, *self.light.shape), dtype=self.light.dtype)
@@ -139,11 +140,6 @@ class _Walk:
         self.settled: list[int] = []
         self.start = time.perf_counter()
 
-    def discrepancy(self) -> float:
-        """Return that of the light."""
-        model = self.observed.model(self.light)
-        return self.observed.discrepancy(model, self.observed.ratio(model))
-
     def settle(self, strength: float, last: bool = False) -> float:
         """Walk with one strength, the last one to the end, and return the discrepancy of the light."""
         history: list[float] = []
@@ -153,7 +149,7 @@ class _Walk:
             if not last and step > 2 * _EVERY and abs(history[-1] / history[-1 - _EVERY] - 1.0) < _SETTLED:
                 break
         self.settled.append(len(history))
-        return self.discrepancy()
+        return _discrepancy(self.observed, self.light)
 
     def _step(self, strength: float) -> float:
         """Walk one step, and return the discrepancy of the light ahead of it."""
@@ -187,6 +183,12 @@ class _Walk:
         """Return about how many seconds are left: a search tries three or four strengths, later ones for shorter."""
         more = 0 if last else max(3 - len(self.settled), 0) * 2 * _EVERY
         return (here + more) * (time.perf_counter() - self.start) / self.taken
+
+
+def _discrepancy(observed: Observed, light: NDArray[Any]) -> float:
+    """Return that of light."""
+    model = observed.model(light)
+    return observed.discrepancy(model, observed.ratio(model))
 
 
 def _gradient(image: NDArray[Any]) -> NDArray[Any]:

@@ -2,6 +2,7 @@
 
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.chunks import depth_of_field_of_chunks
+from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
 from lommel.imaging.depth_of_field import depth_of_field
 from lommel.imaging.layers import Occlusion
 from lommel.imaging.linear import LinearBlur
@@ -9,11 +10,12 @@ from lommel.imaging.plan import FocusPlan
 from lommel.imaging.scene import Photograph
 from lommel.imaging.settings import RED_GREEN_BLUE
 from lommel.imaging.tiles import depth_of_field_by_tiles
-from lommel.io.depthmaps import read_depth
+from lommel.io.depthmaps import read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
 
 __all__ = [
     "RED_GREEN_BLUE",
+    "DefocusDepth",
     "DepthBlur",
     "Exif",
     "FocusPlan",
@@ -22,10 +24,12 @@ __all__ = [
     "PhotoError",
     "Photograph",
     "Picture",
+    "depth_from_defocus",
     "depth_of_field",
     "depth_of_field_by_tiles",
     "depth_of_field_of_chunks",
     "read_depth",
     "read_photo",
+    "write_depth",
     "write_photo",
 ]

@@ -218,8 +218,8 @@ def depth_from_defocus(
             light = np.maximum(light, 0.0)
         return from_light(light, encoding, first.dtype)
 
-    maps = (np.asarray(each, dtype=np.float64) for each in (depth, sigma, misfit))
-    return DefocusDepth(*maps, distances, exposed.exposures, sharpen)
+    maps = [np.asarray(each, dtype=np.float64) for each in (depth, sigma, misfit)]
+    return DefocusDepth(maps[0], maps[1], maps[2], distances, exposed.exposures, sharpen)
 
 
 def _lenses(lenses: Sequence[Lens]) -> list[Lens]:

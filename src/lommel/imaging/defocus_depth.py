@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
-from lommel.base.encoding import from_light
+from lommel.base.encoding import from_light, to_light
 from lommel.estimation.noise import Noise
 from lommel.imaging.defocus_depth_photos import expose
 from lommel.imaging.defocus_depth_tiles import Tiling
@@ -23,6 +23,10 @@ from lommel.imaging.scene import fill_missing
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depthmaps import write_depth
 from lommel.optics.lens import Lens
+from lommel.show import depth_maps
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 _USUAL, _MOST = 61, 2001  # candidates
 _STEP, _LARGEST_STEP = 1.0, 2.0  # radians of defocus from one candidate to the next
@@ -46,6 +50,8 @@ class DefocusDepth:
         Distances that were tried, metres.
     exposures : tuple of float
         Light of each photograph over that of the first, as it was stated or measured.
+    encoding : {"srgb", "linear"}
+        Of the photographs, and of `sharp`.
     """
 
     depth: Array
@@ -53,6 +59,7 @@ class DefocusDepth:
     misfit: Array
     candidates: Array
     exposures: tuple[float, ...]
+    encoding: str
     _sharpen: Callable[[Array], NDArray[Any]] = field(repr=False)
 
     @property
@@ -82,6 +89,21 @@ class DefocusDepth:
             If the file cannot be written.
         """
         write_depth(Path(path), self.depth)
+
+    def plot(self) -> Figure:
+        """Draw depth, deviation and the sharp image, where there is one, on a figure of matplotlib."""
+        light = to_light("sharp", self.sharp, self.encoding, np.float64) if self.known else None
+        return depth_maps.maps(self.depth, self.deviation, light)
+
+    def __repr__(self) -> str:
+        if not self.known:
+            return "<DefocusDepth: no depth is known>"
+        inner = np.isfinite(self.deviation)
+        low, high = np.percentile(self.depth[inner], [5.0, 95.0])
+        return (
+            f"<DefocusDepth: known at {100.0 * self.known:.3g} %, {low:.4g} m to {high:.4g} m (5 to 95 %), "
+            f"+- {1e3 * np.median(self.deviation[inner]):.3g} mm>"
+        )
 
 
 def depth_from_defocus(
@@ -219,7 +241,7 @@ def depth_from_defocus(
         return from_light(light, encoding, first.dtype)
 
     maps = [np.asarray(each, dtype=np.float64) for each in (depth, sigma, misfit)]
-    return DefocusDepth(maps[0], maps[1], maps[2], distances, exposed.exposures, sharpen)
+    return DefocusDepth(maps[0], maps[1], maps[2], distances, exposed.exposures, encoding, sharpen)
 
 
 def _lenses(lenses: Sequence[Lens]) -> list[Lens]:

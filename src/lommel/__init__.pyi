@@ -17,6 +17,7 @@ from lommel import (
     special as special,
 )
 from lommel.core.answers import ToleranceError as ToleranceError
+from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision
 from lommel.estimation.fisher import fisher as fisher
 from lommel.estimation.information import Information as Information
 from lommel.estimation.noise import Noise as Noise

@@ -16,6 +16,7 @@ from lommel.methods import METHODS, ClosedForm
 try:
     import click
 
+    from lommel.cli.depth_commands import depth, precision
     from lommel.cli.live_command import live
     from lommel.cli.methods import build_method, methods
     from lommel.cli.parts import (
@@ -80,12 +81,14 @@ def main() -> None:
       lommel paper   out                                # every figure and number of the paper
       lommel blur    photo.jpg depth.tif lens.toml --focus "2 m" -o out.jpg    # a photograph
       lommel restore photo.tif depth.tif lens.toml --white 5000 --read 3 -o sharp.tif    # and back
+      lommel depth   near.tif far.tif lens.toml --focus "1.3 m" --focus "2 m" --between "1 m" "3 m" \\
+                     --white 5000 --read 3 -o depth.tif         # depth by defocus
       lommel retrieve star-*.tif lens.toml --defocus -4 0 4 --read 2   # the wavefront behind images of a star
       lommel live    lens.toml                          # the PSF in the browser, with every slider
     """  # noqa: D301 (\b is meant)
 
 
-for command in (blur, focus_pull, live, methods, restore, retrieve):
+for command in (blur, depth, focus_pull, live, methods, precision, restore, retrieve):
     main.add_command(command)
 
 

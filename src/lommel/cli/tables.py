@@ -325,6 +325,16 @@ def print_retrieval(found: Retrieval, unit: str) -> None:
     console.print(found.message)
 
 
+def print_precision(rows: Iterable[tuple[float, float]]) -> None:
+    """Print distances and how well each can be known, metres."""
+    table = _table("distance", "+-", "of it")
+    for distance, deviation in rows:
+        known = math.isfinite(deviation)
+        share = f"{100.0 * deviation / distance:.2g} %" if known else ""
+        table.add_row(format_length(distance), format_length(deviation, digits=3) if known else "inf", share)
+    _console().print(table)
+
+
 def _with_deviation(value: float, deviation: float) -> tuple[str, str]:
     """Return a number and its deviation, which has two digits, to the same place."""
     if not 0.0 < deviation < math.inf:

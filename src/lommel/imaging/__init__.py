@@ -2,6 +2,7 @@
 
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.chunks import depth_of_field_of_chunks
+from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
 from lommel.imaging.depth_of_field import depth_of_field
 from lommel.imaging.field_blur import FieldBlur
 from lommel.imaging.layers import Occlusion
@@ -15,12 +16,13 @@ from lommel.imaging.settings import RED_GREEN_BLUE
 from lommel.imaging.slopes import BlurSlopes
 from lommel.imaging.tiles import depth_of_field_by_tiles
 from lommel.imaging.total_variation import TotalVariation
-from lommel.io.depthmaps import read_depth
+from lommel.io.depthmaps import read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
 
 __all__ = [
     "RED_GREEN_BLUE",
     "BlurSlopes",
+    "DefocusDepth",
     "DepthBlur",
     "Exif",
     "FieldBlur",
@@ -33,6 +35,7 @@ __all__ = [
     "Restoration",
     "RichardsonLucy",
     "TotalVariation",
+    "depth_from_defocus",
     "depth_of_field",
     "depth_of_field_by_tiles",
     "depth_of_field_of_chunks",
@@ -40,5 +43,6 @@ __all__ = [
     "read_photo",
     "restore",
     "restore_with",
+    "write_depth",
     "write_photo",
 ]

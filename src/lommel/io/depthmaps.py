@@ -1,17 +1,20 @@
-"""Depth maps from files: TIFF, NPY, PFM and 16-bit PNG, in metres."""
+"""Depth maps from files and to them: TIFF, NPY, PFM, and from 16-bit PNG, in metres."""
 
 from __future__ import annotations
 
 import re
+from functools import partial
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import reading, validation
+from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array
 from lommel.io import registry
+from lommel.io.photo_formats import write_tiff
 from lommel.io.photos import JPEG, PNG, TIFF, PhotoError, told, upright
 from lommel.io.registry import Format
 
@@ -53,6 +56,37 @@ def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is
     with told(source, "depth map", data) as form:
         values = form.read(data, scale)
     return _metres(validation.line(source), values, scale is not None, factor, zero_is_unknown)
+
+
+def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
+    """Write a map of distances, or of how uncertain they are, that :func:`read_depth` reads; in single precision.
+
+    The file is written under a temporary name and moved into place.
+
+    Parameters
+    ----------
+    path : path
+        .tif, .npy or .pfm.
+    depth : array_like, shape (height, width)
+        Metres; NaN where it is not known, may be infinite.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `depth` is no such map or holds negative values, or `path` has another suffix.
+    OSError
+        If the file cannot be written.
+    """
+    target = Path(path)
+    write = find(target).write
+    metres = validation.array("depth", depth)
+    if metres.dtype.kind not in "iuf" or metres.ndim != 2 or 0 in metres.shape:
+        raise ValueError(f"depth must be numbers of the shape (height, width), got {metres.dtype} {metres.shape}")
+    if np.any(metres < 0.0):
+        raise ValueError(f"depth must be >= 0 metres, got {metres[metres < 0.0].flat[0]:g}")
+    with np.errstate(over="ignore"):
+        data: bytes = write(np.asarray(metres, dtype=np.float32))
+    atomic.write(target, data)
 
 
 def _metres(source: str, values: NDArray[Any], scaled: bool, factor: float, zero_is_unknown: bool) -> Array:
@@ -99,9 +133,23 @@ def _raster(data: bytes, _scale: float | None) -> NDArray[Any]:
     return upright(registry.identify("photo", data), data)[0]
 
 
+def _write_pfm(values: NDArray[np.float32]) -> bytes:
+    height, width = values.shape
+    return f"Pf\n{width} {height}\n-1.0\n".encode() + values[::-1].astype("<f4").tobytes()
+
+
+def _write_npy(values: NDArray[np.float32]) -> bytes:
+    return atomic.contents(np.save, values)
+
+
+def _write_tiff(values: NDArray[np.float32]) -> bytes:
+    return write_tiff(values, 100, None)
+
+
 registry.register(
-    Format("depth map", (".npy",), read=_npy, starts=(b"\x93NUMPY",)),
-    Format("depth map", (".pfm",), read=_pfm, starts=(b"Pf", b"PF")),
-    Format("depth map", (".tif", ".tiff"), read=_raster, starts=TIFF),
+    Format("depth map", (".npy",), _write_npy, _npy, (b"\x93NUMPY",)),
+    Format("depth map", (".pfm",), _write_pfm, _pfm, (b"Pf", b"PF")),
+    Format("depth map", (".tif", ".tiff"), _write_tiff, _raster, TIFF, library="tifffile", extra="images"),
     Format("depth map", (".png",), read=_raster, starts=PNG),
 )
+find = partial(registry.find, "depth map")

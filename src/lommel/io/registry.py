@@ -57,7 +57,7 @@ class Format:
     - "field": (PSFGrid, description, path), which writes by itself; (path, class of PSF) to (PSF, description)
     - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
     - "frames": (list of values, milliseconds each, quality) to bytes
-    - "depth map": read only, (bytes, metres a level or None) to values
+    - "depth map": values of float32 to bytes; (bytes, metres a level or None) to values
     - "images": read only, bytes to values, shape (height, width) or (n, height, width)
 
     What is written as bytes is moved into place whole. What cannot be held, or is damaged, is a ValueError. A

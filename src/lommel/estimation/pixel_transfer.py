@@ -1,0 +1,115 @@
+r"""The transfer function of a lens and its pixels together: the discrete Fourier transform of pixel-averaged PSFs.
+
+Photographs are samples of averages over pixels. What relates them to a scene of pixels, and in all their computed
+models of this package does, is the transform of the averages themselves, in which frequencies beyond that of Nyquist
+are folded: not the transfer function of the lens times a sinc, which knows none of these.
+
+The PSFs are computed on windows. Beyond them the light of a round aperture falls as ``r^-3`` on average, whatever
+the defocus; what a window lacks is added so.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.optics.lens import Lens
+from lommel.optics.spectrum import in_light
+from lommel.psf import psf
+
+_MARGIN = 20
+"""Pixels of a window beyond the cone of rays, at least."""
+
+
+def half_window(lenses: Sequence[Lens], distances: Array, pixel: float) -> int:
+    """Return half of a window, in pixels, that shows the blur of all lenses at all distances."""
+    radius = max(float(lens.pupil(distances).geometric_radius().max()) for lens in lenses)
+    return math.ceil(1.1 * radius / pixel) + _MARGIN
+
+
+def pixel_transfer(
+    lens: Lens,
+    distances: Array,
+    spectrum: Sequence[tuple[float, float]],
+    pixel: float,
+    shape: tuple[int, int],
+    half: int,
+) -> NDArray[np.float32]:
+    """Return transfer functions at the frequencies of a discrete Fourier transform.
+
+    Parameters
+    ----------
+    lens : Lens
+        With a round aperture and radially symmetric aberrations, which make them real and even.
+    distances : ndarray, shape (count,)
+        Of the objects, metres.
+    spectrum : sequence of (wavelength, weight)
+        Weights sum to 1.
+    pixel : float
+        Metres.
+    shape : (int, int)
+        Of the images that are transformed, each side at least ``2 half + 1``.
+    half : int
+        Of the windows, pixels from the middle to the edge.
+
+    Returns
+    -------
+    ndarray, shape (count, height // 2 + 1, width // 2 + 1)
+        At 0, 1, 2, ... cycles an image down and across; 1 at the first.
+    """
+    across, down = _cosines(shape[1], half), _cosines(shape[0], half)
+    total = np.zeros((len(distances), len(down), len(across)))
+    pupil = lens.pupil(distances)
+    for wavelength, weight in spectrum:
+        values = psf(in_light(pupil, wavelength), 2 * half + 1, pixel, integrate=True, dtype=np.float64).values
+        beyond = 1.0 - values.sum(axis=(1, 2))
+        total += weight * (down @ values[:, half:, half:] @ across.T)
+        total += weight * beyond[:, None, None] * _beyond(shape, half)
+    return total.astype(np.float32)
+
+
+def squared_frequency(shape: tuple[int, int]) -> Array:
+    """Return the square of each frequency of :func:`pixel_transfer`, cycles a pixel."""
+    down, across = (np.arange(side // 2 + 1) / side for side in shape)
+    return np.asarray(down[:, None] ** 2 + across**2)
+
+
+def multiplicity(shape: tuple[int, int]) -> Array:
+    """Return for how many of all frequencies each of :func:`pixel_transfer` stands, as a share of these."""
+
+    def times(side: int) -> Array:
+        count = np.full(side // 2 + 1, 2.0)
+        count[0] = 1.0
+        if side % 2 == 0:
+            count[-1] = 1.0
+        return count / side
+
+    return np.asarray(times(shape[0])[:, None] * times(shape[1]))
+
+
+@lru_cache(maxsize=8)
+def _cosines(side: int, half: int) -> Array:
+    """Return what transforms the pixels from the middle on of an even window."""
+    angle = 2.0 * math.pi / side * np.outer(np.arange(side // 2 + 1), np.arange(half + 1))
+    made = np.cos(angle)
+    made[:, 1:] *= 2.0
+    return np.asarray(made)
+
+
+@lru_cache(maxsize=4)
+def _beyond(shape: tuple[int, int], half: int) -> Array:
+    """Return the transform of light that falls as ``r^-3`` beyond a window, and sums to 1."""
+    from scipy.fft import rfft2
+
+    down, across = (np.minimum(np.arange(side), side - np.arange(side)) for side in shape)
+    outside = np.maximum(down[:, None], across) > half
+    if not outside.any():
+        return np.ones((shape[0] // 2 + 1, shape[1] // 2 + 1))
+    square = (down[:, None] ** 2 + across**2).astype(np.float64)
+    tail = np.where(outside, np.maximum(square, 1.0) ** -1.5, 0.0)
+    return np.asarray(rfft2(tail / tail.sum()).real[: shape[0] // 2 + 1])

@@ -1,0 +1,265 @@
+r"""The depth of the parts of a scene from several photographs of it: what is searched, and how sure the answer is.
+
+Photographs y_i of one texture x are ``y_i = h_i(u) x + n_i`` at each frequency, h_i the transfer function at the
+vergence u = 1 / depth, n_i noise. Whatever x is, at the right u what is orthogonal to h in the vector y is noise: of
+two photographs, ``(h_2 y_1 - h_1 y_2) / sqrt(h_1^2 + h_2^2)``. Its energy within a window, less that of noise, is
+least there on average, of every texture, and half of it is minus the logarithm of the likelihood. Frequencies that
+noise hides get the weight ``S |h|^2 / (1 + S |h|^2)``, S the power of texture over that of noise, which makes the
+least variance: a wrong S makes the answer less exact, not wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.estimation.pixel_transfer import multiplicity, squared_frequency
+
+_LEVELS = (0.3, 0.01)
+"""Powers of texture that weights are made for, over that of the tile; a factor of ten more or less costs little."""
+_BETWEEN = 0.05
+"""Below this power over that of the tile a window is served by the second."""
+_COARSE = 4
+"""At every so many candidates is the texture measured."""
+_MODEL = 0.001
+"""What transfer functions may be off: no more than this much of the light of large structures is relied on."""
+_SURE = 4.0
+"""Texture is what exceeds noise by so many standard deviations of its energy."""
+
+Floats = NDArray[np.floating[Any]]
+
+
+@dataclass(frozen=True, eq=False)
+class Transform:
+    """Several images of one channel at the frequencies of their transfer functions, in both halves.
+
+    Attributes
+    ----------
+    shape : (int, int)
+        Of the images.
+    top, bottom : ndarray, shape (images, height // 2 + 1, width // 2 + 1)
+        At rising and at falling frequencies down.
+    """
+
+    shape: tuple[int, int]
+    top: NDArray[np.complex64]
+    bottom: NDArray[np.complex64]
+
+    @classmethod
+    def of(cls, images: Floats) -> Transform:
+        """Transform images of shape (images, height, width)."""
+        from scipy.fft import rfft2
+
+        made = rfft2(images.astype(np.float32, copy=False))
+        rows = np.arange(images.shape[1] // 2 + 1)
+        return cls(images.shape[1:], made[:, rows], made[:, -rows])
+
+    def sum(self, filters: Floats) -> NDArray[np.float32]:
+        """Return the sum of the images, each through an even filter of the shape of `top`."""
+        from scipy.fft import irfft2
+
+        height, width = self.shape
+        half, rest = len(filters[0]), height - len(filters[0])
+        out = np.empty((height, width // 2 + 1), dtype=np.complex64)
+        np.multiply(filters[0], self.top[0], out=out[:half])
+        np.multiply(filters[0][rest:0:-1], self.bottom[0, rest:0:-1], out=out[half:])
+        for one, top, bottom in zip(filters[1:], self.top[1:], self.bottom[1:], strict=True):
+            out[:half] += one * top
+            out[half:] += one[rest:0:-1] * bottom[rest:0:-1]
+        made: NDArray[np.float32] = irfft2(out, s=self.shape, overwrite_x=True)
+        return made
+
+    def level(self, transfers: Floats) -> float:
+        """Return the power S of texture over that of noise at 1 cycle a pixel, the same all over, ``S / f^2``."""
+        times, square = multiplicity(self.shape), squared_frequency(self.shape)
+        square[0, 0] = np.inf
+        size = self.shape[0] * self.shape[1]
+
+        def excess(log_level: float, hh: Floats, power: Floats) -> float:
+            return float((times * power / (1.0 + np.exp(log_level) / square * hh)).sum()) - 1.0
+
+        found = []
+        for h in np.moveaxis(transfers[:, :: 3 * _COARSE], 1, 0):
+            hh = (h**2).sum(axis=0) + 1e-12
+            halves = [np.abs((h * part).sum(axis=0)) ** 2 for part in (self.top, self.bottom)]
+            power = 0.5 * (halves[0] + halves[1]) / (hh * size)
+            power[0, 0] = 0.0
+            low, high = -23.0, 46.0
+            for _ in range(40):
+                middle = 0.5 * (low + high)
+                low, high = (middle, high) if excess(middle, hh, power) > 0.0 else (low, middle)
+            found.append(low)
+        return float(np.exp(np.median(found)))
+
+
+def residuals(h: Floats) -> Iterator[Floats]:
+    """Return filters that take from images what is orthogonal to their transfer functions, by Givens' rotations.
+
+    Parameters
+    ----------
+    h : ndarray, shape (images, ...)
+        Transfer functions over the rms noise of each image.
+
+    Yields
+    ------
+    ndarray, shape (images, ...)
+        Unit vectors orthogonal to `h` and to one another, one less than there are images.
+    """
+    # Signed, for a filter whose sign jumps from frequency to frequency spreads over the image.
+    length, unit = h[0], np.ones_like(h[:1])
+    for k in range(1, len(h)):
+        more = np.sqrt(length**2 + h[k] ** 2 + np.float32(1e-12))
+        out = np.zeros_like(h)
+        out[:k] = unit * (h[k] / more)
+        out[k] = -length / more
+        yield out
+        unit = np.concatenate([unit * (length / more), [h[k] / more]])
+        length = more
+
+
+class Weights(NamedTuple):
+    """Windows of Gaussian weight, as products with a matrix on either side, which leave out what is beyond the tile.
+
+    Attributes
+    ----------
+    down, across : ndarray
+        From the pixels of a tile with its margins to those that it answers for; rows sum to 1.
+    """
+
+    down: NDArray[np.float32]
+    across: NDArray[np.float32]
+
+    @classmethod
+    def of(cls, sides: tuple[int, int], margin: int, core: tuple[int, int], window: float) -> Weights:
+        """Return windows of an rms width."""
+
+        def matrix(side: int, inner: int) -> NDArray[np.float32]:
+            away = np.arange(side) - np.arange(margin, margin + inner)[:, None]
+            made = np.exp(-0.5 * (away / window) ** 2)
+            return np.asarray(made / made.sum(axis=1, keepdims=True), dtype=np.float32)
+
+        return cls(matrix(sides[0], core[0]), matrix(sides[1], core[1]))
+
+    def __call__(self, image: Floats) -> NDArray[np.float32]:
+        """Return the weighted mean round each pixel that the tile answers for."""
+        return np.asarray(self.down @ image @ self.across.T)
+
+
+def whitened(images: Floats, variances: Floats, transfers: Floats) -> tuple[Transform, Floats, Floats]:
+    """Return images and transfer functions over the noise of each image, and where there is how much of it.
+
+    The noise of one photograph over that of another is taken to be the same all over; how much there is, is not.
+    Over the root of the mean of the last, the first is white.
+    """
+    ratio = variances.mean(axis=(1, 2))
+    ratio = ratio / ratio.mean()
+    local = (variances / ratio[:, None, None]).mean(axis=0)
+    scale = 1.0 / np.sqrt(ratio * local.mean())
+    transform = Transform.of((images - images.mean(axis=(1, 2), keepdims=True)) * scale[:, None, None])
+    return transform, transfers * (1.0 / np.sqrt(ratio)).astype(np.float32)[:, None, None, None], local
+
+
+class Costs:
+    """The costs of all candidates in one channel of a tile, by the weights for each level of texture.
+
+    Attributes
+    ----------
+    power : float
+        Of the texture of the tile at 1 cycle a pixel, over that of noise.
+    values : ndarray, shape (levels, candidates, height, width)
+        Half of the energy that is left, less that of noise.
+    known, spread : ndarray, shape (levels, candidates)
+        The energy of noise, and the variance of a cost by noise for one independent pixel.
+    curvature, by_texture, by_noise : ndarray, shape (levels, candidates)
+        What is expected of texture as strong as that of the tile: the second derivative of the cost by the candidate,
+        the variance of the first for one independent pixel, and the part of that by noise, which is always there.
+    coverage : ndarray, shape (height, width)
+        Share of each window that is known.
+    """
+
+    def __init__(self, images: Floats, variances: Floats, valid: Floats, transfers: Floats, weigh: Weights) -> None:
+        self._images, h, local = whitened(images, variances, transfers)
+        self._trust = (valid * (float(local.mean()) / local)).astype(np.float32)
+        self._weigh, self.coverage = weigh, np.maximum(weigh(valid), 1e-6)
+        self.power = self._images.level(h)
+        self._times = multiplicity(self._images.shape).astype(np.float32)
+        square = squared_frequency(self._images.shape).astype(np.float32)
+        square[0, 0] = np.inf
+        count, core = h.shape[1], (len(weigh.down), len(weigh.across))
+        self.values = np.empty((len(_LEVELS), count, *core), dtype=np.float32)
+        self.known, self.spread, self.curvature, self.by_texture, self.by_noise = np.empty((5, len(_LEVELS), count))
+        coarse = -(-count // _COARSE)
+        self._textures = np.empty((len(_LEVELS), coarse, *core), dtype=np.float32)
+        self._of_texture = np.empty((3, len(_LEVELS), coarse))
+        slopes = np.gradient(h, axis=1)
+        for c in range(count):
+            self._candidate(c, h[:, c], slopes[:, c], self.power / square)
+
+    def _candidate(self, c: int, h: Floats, slope: Floats, spectrum: Floats) -> None:
+        """Compute all of one candidate, from its transfer functions and their slope."""
+        hh = (h * h).sum(axis=0) + np.float32(1e-12)
+        across = np.maximum((slope * slope).sum(axis=0) - (h * slope).sum(axis=0) ** 2 / hh, 0.0)
+        filters = list(residuals(h))
+        for k, share in enumerate(_LEVELS):
+            signal = np.float32(share) * spectrum * hh
+            weight = signal / ((1.0 + signal) * (1.0 + np.float32(_MODEL**2) * spectrum * hh))
+            root = np.sqrt(weight)
+            self.known[k, c] = len(filters) * self._mean(weight)
+            self.spread[k, c] = 0.5 * len(filters) * self._mean(weight**2)
+            energy = sum(self._energy(one * root) for one in filters)
+            self.values[k, c] = 0.5 * (energy - self.known[k, c])
+            self.curvature[k, c] = self._mean(weight * spectrum * across)
+            self.by_noise[k, c] = self._mean(weight**2 * across / hh)
+            self.by_texture[k, c] = self._mean(weight**2 * spectrum * across)
+            if c % _COARSE == 0:
+                filtered = signal / (1.0 + signal) ** 2  # of the least variance for texture of this level
+                self._textures[k, c // _COARSE] = self._energy(h * np.sqrt(filtered / hh))
+                moments = filtered, filtered * spectrum * hh, filtered**2
+                self._of_texture[:, k, c // _COARSE] = [self._mean(values) for values in moments]
+
+    def _mean(self, values: Floats) -> float:
+        """Return the mean over all frequencies."""
+        return float(np.vdot(self._times, values))
+
+    def _energy(self, filters: Floats) -> Floats:
+        """Return the energy of the sum of the images through filters, over that of white noise, in each window."""
+        values = self._images.sum(filters)
+        values *= values
+        values *= self._trust
+        return np.asarray(self._weigh(values) / self.coverage)
+
+    def texture(
+        self, at: NDArray[np.int64], misfit: Floats | float, independent: Floats
+    ) -> tuple[Floats, NDArray[np.int64]]:
+        """Return the power of the texture over that of the tile, 0 where it may be noise, and the level for it.
+
+        Parameters
+        ----------
+        at : ndarray of int, shape (height, width)
+            Of each pixel, the candidate.
+        misfit : ndarray or float
+            Energy of noise over what it should be.
+        independent : ndarray
+            How many independent pixels there are in each window.
+        """
+        place = np.minimum((at + _COARSE // 2) // _COARSE, self._textures.shape[1] - 1)
+        powers = []
+        for energies, (noise, signal, spread) in zip(
+            self._textures, np.moveaxis(self._of_texture, 1, 0), strict=True
+        ):
+            energy = np.take_along_axis(energies, place[None], axis=0)[0]
+            mean = misfit * noise[place]
+            # The quantile of chi squared, by Wilson and Hilferty.
+            part = 2.0 / 9.0 * spread[place] / (noise[place] ** 2 * independent)
+            least = mean * (1.0 - part + _SURE * np.sqrt(part)) ** 3
+            powers.append(np.where(energy > least, (energy - mean) / signal[place], 0.0))
+        level = (powers[0] < _BETWEEN).astype(np.int64)
+        return np.where(level, powers[1], powers[0]), level
+
+    def of_level(self, level: NDArray[np.int64]) -> Floats:
+        """Return the costs, each pixel's by the weights of its level."""
+        return np.asarray(np.where(level, self.values[1], self.values[0]))

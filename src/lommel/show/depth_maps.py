@@ -1,0 +1,112 @@
+"""Pictures of depth: maps of what photographs tell, and curves of how well they can."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.base.optional import library
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_UNKNOWN = "0.55"  # the colour of what is not known
+
+
+def maps(depth: Array, deviation: Array, light: NDArray[Any] | None) -> Figure:
+    """Draw depth, its deviation, and the light of the sharp image, beside one another.
+
+    Parameters
+    ----------
+    depth, deviation : ndarray, shape (height, width)
+        Metres; what is not known is grey.
+    light : ndarray, shape (height, width) or (height, width, 3), or None
+        In proportion to light; drawn up to what all but 0.5 % reach, as sRGB.
+
+    Returns
+    -------
+    matplotlib Figure
+
+    Raises
+    ------
+    ImportError
+        If matplotlib is not installed.
+    """
+    pyplot: Any = library("matplotlib.pyplot", "plots need", "plot")
+    height, width = depth.shape
+    count = 2 if light is None else 3
+    side = 4.4
+    figure: Figure = pyplot.figure(
+        figsize=(count * side, side * min(max(height / width, 0.4), 2.0) + 0.9), layout="constrained"
+    )
+    axes: Any = figure.subplots(1, count)
+    known = np.isfinite(deviation)
+    low, high = np.percentile(depth[known], [0.5, 99.5]) if known.any() else (0.0, 1.0)
+    shown = axes[0].imshow(depth, cmap="viridis_r", vmin=low, vmax=high, interpolation="nearest")
+    figure.colorbar(shown, ax=axes[0], label="depth (m)", extend="both", shrink=0.85)
+    axes[0].set_title(f"depth, known at {100.0 * known.mean():.3g} %", fontsize=10)
+    norm: Any = None
+    millimetres = np.where(known, 1e3 * deviation, np.nan)
+    if known.any():
+        ends = np.percentile(millimetres[known], [0.5, 99.5])
+        norm = library("matplotlib.colors", "plots need", "plot").LogNorm(*(ends * [0.99, 1.01]))
+    shown = axes[1].imshow(millimetres, cmap="magma", norm=norm, interpolation="nearest")
+    figure.colorbar(shown, ax=axes[1], label="deviation (mm)", extend="both", shrink=0.85)
+    axes[1].set_title("how well", fontsize=10)
+    if light is not None:
+        top = float(np.percentile(light, 99.5))
+        within = np.clip(light / top if top > 0.0 else light, 0.0, 1.0) ** (1.0 / 2.2)
+        axes[2].imshow(within, cmap="gray" if light.ndim == 2 else None, interpolation="nearest")
+        axes[2].set_title("in focus everywhere", fontsize=10)
+    for each in axes:
+        each.set_xticks([])
+        each.set_yticks([])
+        each.set_facecolor(_UNKNOWN)
+    return figure
+
+
+def precision(distance: Array, curves: Mapping[str, Array], title: str) -> Axes:
+    """Draw deviations of depth over the distance, metres, on a logarithmic scale; infinite ones are gaps.
+
+    Parameters
+    ----------
+    distance : ndarray, shape (n,)
+    curves : mapping of str to ndarray, shape (n,)
+    title : str
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    ImportError
+        If matplotlib is not installed.
+    """
+    pyplot: Any = library("matplotlib.pyplot", "plots need", "plot")
+    figure = pyplot.figure(figsize=(7.0, 4.4), layout="constrained")
+    axes: Axes = figure.subplots()
+    finite = np.concatenate([curve[np.isfinite(curve)] for curve in curves.values()])
+    for name, curve in curves.items():
+        axes.semilogy(distance, np.where(np.isfinite(curve), 1e3 * curve, np.nan), label=name)
+    if finite.size:
+        # Poles would leave no room for what matters.
+        least = 1e3 * float(finite.min())
+        axes.set_ylim(0.7 * least, min(1.5e3 * float(finite.max()), 300.0 * least))
+    axes.set_xlabel("distance (m)")
+    axes.set_ylabel("deviation of depth (mm)")
+    axes.set_title(title, fontsize=10)
+    axes.grid(which="both", alpha=0.3)
+    if len(curves) > 1:
+        axes.legend(fontsize=9)
+    plain = library("matplotlib.ticker", "plots need", "plot").FuncFormatter(lambda value, _: f"{value:g}")
+    axes.yaxis.set_major_formatter(plain)
+    if finite.size and math.log10(axes.get_ylim()[1] / axes.get_ylim()[0]) < 1.5:
+        axes.yaxis.set_minor_formatter(plain)
+    return axes

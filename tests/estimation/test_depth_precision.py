@@ -1,0 +1,130 @@
+"""How well depth can be known, against the trace of covariances, by transfer functions of the wavefront."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+PIXEL = 4e-6
+LENS = lm.Lens(focal_length=35e-3, f_number=8.0, focus_distance=1.35, wavelength=540e-9)
+PAIR = [LENS, LENS.focused(1.8)]
+NOISE = lm.Noise(white=1e4, read=3.0)
+
+
+def traces(lenses, distance, photons, contrast=0.35, window=4.0, side=128):
+    """Half the trace of C^-1 C' C^-1 C', summed over frequencies, C of two photographs; and what two ratios tell."""
+    f = np.fft.fftfreq(side)
+    fx, fy = np.meshgrid(f, f)
+    square = fx**2 + fy**2
+    square[0, 0] = np.inf
+    power = contrast**2 / square / (1.0 / square).mean()
+    noise = (photons + 3.0**2) / photons**2
+    radius = np.linspace(0.0, 3.6, 1500)
+    step = 2e-4
+
+    def transfer(lens, u):
+        on_axis = lm.otf(lens.pupil(1.0 / u), radius / PIXEL, tol=1e-8).real
+        return sum(
+            np.interp(np.hypot(fx + a, fy + b), radius, on_axis) * np.sinc(fx + a) * np.sinc(fy + b)
+            for a in range(-2, 3)
+            for b in range(-2, 3)
+        )
+
+    u = 1.0 / distance
+    h = np.array([transfer(lens, u) for lens in lenses])
+    slope = np.array([(transfer(lens, u + step) - transfer(lens, u - step)) / (2.0 * step) for lens in lenses])
+    outer = np.einsum("i...,j...->...ij", h, h)
+    change = np.einsum("i...,j...->...ij", slope, h)
+    change = change + np.swapaxes(change, -1, -2)
+    covariance = power[..., None, None] * outer + noise * np.eye(len(lenses))
+    solved = np.linalg.solve(covariance, power[..., None, None] * change)
+    whole = 0.5 * np.einsum("...ij,...ji->...", solved, solved).mean()
+    ratio = h[0] * slope[1] - h[1] * slope[0]
+    hh = (h**2).sum(axis=0)
+    compared = (power**2 * ratio**2 / (noise * (noise + power * hh))).mean()
+    return [distance**2 / math.sqrt(each * 4.0 * math.pi * window**2) for each in (whole, compared)]
+
+
+@pytest.mark.parametrize(("f_number", "distance"), [(8.0, 1.5), (8.0, 1.7), (4.0, 1.45)])
+def test_it_is_the_bound_of_the_covariances(f_number, distance):
+    pair = [lens.stopped(f_number) for lens in PAIR]
+    whole, compared = traces(pair, distance, 1e4)
+    known = lm.depth_precision(pair, distance, PIXEL, noise=NOISE, known_texture=True)
+    assert known == pytest.approx(whole, rel=2e-3)
+    assert lm.depth_precision(pair, distance, PIXEL, noise=NOISE) == pytest.approx(compared, rel=2e-3)
+    assert known <= compared
+
+
+def test_arrays_of_distances_give_arrays_and_windows_and_light_count_as_they_should():
+    here = lm.depth_precision(PAIR, [[1.4], [1.6]], PIXEL, noise=NOISE)
+    assert here.shape == (2, 1)
+    wide = lm.depth_precision(PAIR, [1.4, 1.6], PIXEL, noise=NOISE, window=8.0)
+    assert wide == pytest.approx(here[:, 0] / 2.0)
+    # Without reading noise, more light and more contrast are alike: S over noise is contrast^2 photons.
+    quiet = lm.Noise(read=0.0)
+    bright = lm.depth_precision(PAIR, 1.5, PIXEL, noise=quiet, photons=4e4)
+    assert lm.depth_precision(PAIR, 1.5, PIXEL, noise=quiet, photons=1e4, contrast=0.7) == pytest.approx(bright)
+    each = lm.depth_precision(PAIR, 1.5, PIXEL, noise=NOISE, photons=[1e4, 1e4])
+    assert each == lm.depth_precision(PAIR, 1.5, PIXEL, noise=NOISE)
+
+
+def test_what_cannot_be_known_is_infinite():
+    for nothing in (
+        lm.depth_precision(PAIR, np.inf, PIXEL, noise=NOISE),
+        lm.depth_precision(PAIR, 1.5, PIXEL, noise=NOISE, contrast=0.0),
+        lm.depth_precision(PAIR, 1.5, PIXEL, noise=NOISE, photons=0.0),
+        lm.depth_precision(PAIR, 1.5, PIXEL, noise=NOISE, photons=[0.0, 1e4]),
+        lm.depth_precision([LENS, LENS], 1.5, PIXEL, noise=NOISE),
+        lm.depth_precision([LENS], 1.5, PIXEL, noise=NOISE),
+        lm.depth_precision([LENS, LENS.stopped(16.0)], 1.35, PIXEL, noise=NOISE),  # both in focus
+        lm.depth_precision([LENS], 1.35, PIXEL, noise=NOISE, known_texture=True),
+    ):
+        assert nothing == math.inf
+    assert lm.depth_precision([LENS], 1.5, PIXEL, noise=NOISE, known_texture=True) < 0.02
+    assert lm.depth_precision([LENS, LENS.stopped(16.0)], 1.5, PIXEL, noise=NOISE) < 0.01
+
+
+def test_the_best_foci_are_better_than_those_beside_them():
+    best = lm.best_foci(LENS, 1.5, PIXEL, noise=NOISE)
+    assert best.near < 1.5 < best.far
+    assert best.deviation == lm.depth_precision(best.lenses, 1.5, PIXEL, noise=NOISE)
+    for near, far in ((0.97, 1.0), (1.03, 1.0), (1.0, 0.97), (1.0, 1.03)):
+        other = [LENS.focused(best.near * near), LENS.focused(best.far * far)]
+        assert lm.depth_precision(other, 1.5, PIXEL, noise=NOISE) > best.deviation * 0.9999
+    assert best.deviation < lm.depth_precision(PAIR, 1.5, PIXEL, noise=NOISE)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"distance": 0.0}, "must be > 0"),
+        ({"lenses": LENS}, "lenses must be a sequence of Lens"),
+        ({"lenses": []}, "lenses must be a sequence of Lens"),
+        ({"pixel": -1.0}, "pixel must be"),
+        ({"noise": 3.0}, "noise must be a Noise"),
+        ({"noise": lm.Noise(read=3.0)}, "photons must be given"),
+        ({"noise": lm.Noise(white=1.0, read=np.ones((2, 2)))}, "noise must be the same for all pixels"),
+        ({"photons": [1.0, 2.0, 3.0]}, "photons must be a number or 2 of them"),
+        ({"contrast": -0.1}, "contrast must be"),
+        ({"window": 0.5}, "window must be >= 1"),
+        ({"known_texture": 1}, "known_texture must be True or False"),
+    ],
+)
+def test_what_is_out_of_range_is_told(change, message):
+    given = {"lenses": PAIR, "distance": 1.5, "pixel": PIXEL, "noise": NOISE} | change
+    with pytest.raises((TypeError, ValueError), match=message):
+        lm.depth_precision(given.pop("lenses"), given.pop("distance"), given.pop("pixel"), **given)
+
+
+def test_lenses_that_are_not_round_and_foci_that_there_are_none_of_are_told():
+    astigmatic = lm.Lens(
+        focal_length=35e-3, f_number=8.0, wavelength=540e-9, aberrations=lm.Wavefront(nonradial={(2, 2): 1.0})
+    )
+    with pytest.raises(ValueError, match="radially symmetric"):
+        lm.depth_precision([astigmatic, astigmatic], 1.5, PIXEL, noise=NOISE)
+    with pytest.raises(ValueError, match="no pair of foci"):
+        lm.best_foci(LENS, 1.5, PIXEL, noise=NOISE, contrast=0.0)

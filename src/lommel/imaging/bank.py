@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.imaging.defocus_nodes import DefocusNodes, Parabola
 from lommel.imaging.pixel_rule import pixel_rule, quarters, sums_of_windows
+from lommel.imaging.remainder import INNER, Remainder, fit, reach_of
 from lommel.methods.choice import of_profiles
 from lommel.optics.pupil import Pupil
 from lommel.optics.spectrum import in_light
@@ -38,11 +39,14 @@ class Bank:
         How many pixels from the middle are used, a real number h, interpolated linearly between windows: of the
         ring at the Chebyshev distance k the share ``h + 1 - k``, from 0 to 1. So nothing jumps as a point moves.
     energies : ndarray, shape (count, side // 2 + 1)
-        Sum of each window up to a whole distance; what is used is divided by its sum.
+        Sum of each window up to a whole distance; what is used is divided by its sum. Ones where there is a
+        remainder: then nothing is divided.
     lost : float
         Largest share of light beyond the pixels used, spread over these instead.
     error : float
         Largest difference found between interpolated windows and exact ones half-way, over the peak of these.
+    remainder : Remainder, optional
+        What lies beyond the windows, if nothing is to be lost; the windows then hold the PSF less this.
     """
 
     start: float
@@ -52,6 +56,7 @@ class Bank:
     energies: NDArray[np.float64]
     lost: float
     error: float
+    remainder: Remainder | None = None
 
     @property
     def count(self) -> int:
@@ -120,7 +125,7 @@ class Bank:
         away = np.abs(np.arange(-self.half, self.half + 1))
         mixed = np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1)
         made = mixed[away[:, None], away] * self.used(defocus)
-        return np.asarray(made / made.sum())
+        return np.asarray(made if self.remainder else made / made.sum())
 
 
 @dataclass(frozen=True)
@@ -202,7 +207,7 @@ def build_bank(
     tol : float
         Windows are put closer together until interpolation errs by less, over the peak.
     energy : float
-        Share of light that the pixels used must hold.
+        Share of light that the pixels used must hold; 1 for as much as is best, and a remainder that holds the rest.
     largest : int
         Largest half width allowed, pixels.
     dtype : float32 or float64
@@ -222,7 +227,10 @@ def build_bank(
     """
     low, high = defocus
     channel = _Channel(pupil, phase, spectrum, pixel, threads)
-    half, parabola = channel.enough(defocus, energy, largest)
+    whole = energy == 1.0
+    inner = INNER if whole else energy
+    half, parabola = channel.enough(defocus, inner, largest)
+    reach = reach_of(half) if whole else half
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / _GAPS, 0.05)
     spacing *= 0.5 ** max(0, math.ceil(math.log2(spacing)))
@@ -230,7 +238,7 @@ def build_bank(
     shortest = min(wavelength for wavelength, _ in spectrum)
     per_radian = pupil.wavelength / shortest
     at = DefocusNodes.of(
-        lambda nodes: channel.shares(channel.defocused(nodes), half),
+        lambda nodes: channel.shares(channel.defocused(nodes), reach),
         low - spacing,
         high + 2.0 * spacing,
         parabola,
@@ -238,6 +246,7 @@ def build_bank(
         bound=math.pi * (pixel * per_radian / pupil.scale) ** 2 / 4.0,
         threads=threads,
     )
+    everywhere, at = at, at.of_first((half + 1) * (half + 2) // 2) if whole else at
     while True:
         count, side = max(1, math.ceil((high - low) / spacing)) + 3, 2 * half + 1
         if count > _MAX_WINDOWS or count * side * side > _MAX_VALUES:
@@ -256,12 +265,20 @@ def build_bank(
         spacing *= 0.5 ** max(1, math.ceil(math.log(error / tol, 16.0)))
     # The windows are cut to what holds `energy`, and leave the compiled core the room it needs.
     sums = sums_of_windows(exact, half)
-    enough = np.pad(_enough_of(sums, energy + 1e-12), 1, mode="edge")  # rounding is not to leave less
+    enough = np.pad(_enough_of(sums, inner + 1e-12), 1, mode="edge")  # rounding is not to leave less
     # Those on either side count, so that what is interpolated holds enough as well.
     halves = np.maximum(np.maximum(enough[:-2], enough[2:]), enough[1:-1])
     used = math.ceil(halves.max())
+    remainder = None
+    if whole:
+        cells = (used + 1) * (used + 2) // 2
+        exact, middle = exact[:, :cells], together[3:-3:2, :cells]
+        remainder, within = fit(everywhere, start, spacing, exact, middle, halves, reach, tol)
+        exact = exact - within
     windows = _at_cache_lines((len(exact) + 1, used + 1, (used // 16 + 1) * 16), np.dtype(dtype))
     windows[:-1, :, : used + 1] = quarters(exact.astype(dtype), used)
+    if remainder:
+        return Bank(start, spacing, windows, halves, np.ones((len(exact), used + 1)), 0.0, error, remainder)
     kept = np.ascontiguousarray(sums[:, : used + 1])
     # Half-way between windows the sums and the half widths are what the core makes of them.
     between = (9.0 * (kept[1:-2] + kept[2:-1]) - kept[:-3] - kept[3:]) / 16.0

@@ -13,6 +13,7 @@ from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
+from lommel.imaging.beyond import Beyond
 from lommel.imaging.borders import folded, gathered
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
@@ -40,8 +41,9 @@ class DepthBlur(LinearBlur):
     r"""What a lens makes of a scene, for one focus: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
 
     K is the PSF averaged over the pixels, at the defocus of each source point, cut to a window that holds `energy` of
-    its light and divided by what the window holds, so that light is conserved. Between the windows of a bank it is
-    interpolated by cubics. Points do not hide one another: for that see :func:`lommel.imaging.depth_of_field`.
+    its light and divided by what the window holds, so that light is conserved; or, with ``energy=1``, the whole of
+    it, a window and a smooth remainder without end. Between the windows of a bank it is interpolated by cubics.
+    Points do not hide one another: for that see :func:`lommel.imaging.depth_of_field`.
 
     Parameters
     ----------
@@ -60,7 +62,10 @@ class DepthBlur(LinearBlur):
     banks : tuple of Bank
         One a channel.
     lost : float
-        Largest share of light beyond the windows, of any point and channel.
+        Largest share of light beyond the windows, of any point and channel; 0 for the whole PSF.
+    error : float
+        Largest error of interpolated windows over their peak that was found. For the whole PSF instead a bound on the
+        sum over pixels of what K is off, so that no pixel is off by more than this times the brightest point.
 
     Raises
     ------
@@ -120,6 +125,7 @@ class DepthBlur(LinearBlur):
                     rate=lens.phase_rate,
                 )
         self.banks = tuple(known[spectrum] for spectrum in colours)
+        self.beyond = Beyond(self.banks, settings.tol) if settings.energy == 1.0 else None
 
     def place(self, depth: ArrayLike) -> None:
         """Put the points at other depths, within the range of those given first.
@@ -143,6 +149,11 @@ class DepthBlur(LinearBlur):
         """Largest share of light beyond the windows, of any point and channel."""
         return max(bank.lost for bank in self.banks)
 
+    @property
+    def error(self) -> float:
+        """Largest error of interpolated windows over their peak; or bound on the sum of what the whole K is off."""
+        return max(bank.error for bank in self.banks) if self.beyond is None else self.beyond.error(self)
+
     def forward(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
         """Return the image that the lens makes of linear light, shape (height, width) or (height, width, channels).
 
@@ -163,10 +174,16 @@ class DepthBlur(LinearBlur):
         TypeError, ValueError
             If `image` is not finite light of the shape of the depth, or `weight` does not fit.
         """
-        return self.by_channel(
+        out = self.by_channel(
             image,
             lambda channel, plane: self.spread(channel, [(plane, Points(self._positions(channel, weight)))]),
         )
+        if self.beyond is not None:
+            light = list(self.planes(image if weight is None else (image.T * weight.T).T))
+            made = self.beyond.spread(self, range(self.channels), light)
+            for onto, more in zip(self.planes(out), made, strict=True):
+                onto += more
+        return out
 
     def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
@@ -188,10 +205,15 @@ class DepthBlur(LinearBlur):
         TypeError, ValueError
             As :meth:`forward`.
         """
-        return self.by_channel(
+        taken = self.by_channel(
             image,
             lambda channel, plane: next(self.collect(channel, plane, [Points(self._positions(channel, weight))])),
         )
+        if self.beyond is not None:
+            made = self.beyond.collect(self, range(self.channels), list(self.planes(image)))
+            for onto, more in zip(self.planes(taken), made, strict=True):
+                onto += more if weight is None else more * weight
+        return taken
 
     @property
     def shape(self) -> tuple[int, int]:

@@ -85,6 +85,9 @@ class Occlusion(LinearBlur):
     call, layer by layer, and again when `blur` is given other depths. Time after that, over
     :meth:`lommel.imaging.DepthBlur.forward`: 1.0 to 1.6 where few points hide something, up to 2.6 where most do.
 
+    With ``energy=1`` this is what becomes of the windows. The remainder, the one percent of the light of a point that
+    lies beyond its window, is of all points of the scene, and nothing hides it.
+
     Memory: what is kept takes 8 bytes a point, 16 a point and channel (16 and 24 in float64) and 16 for each point
     that has another behind it, never more.
 
@@ -153,6 +156,8 @@ class Occlusion(LinearBlur):
             seen, total, sources = shares[channel]
             given = zip((plane, edges.behind(plane)), sources, strict=False)
             spread = self.blur.spread(channel, list(given), seen)
+            if (beyond := self.blur.beyond) is not None:
+                spread += beyond.spread(self.blur, [channel], [plane])[0]
             return np.asarray((spread + _TRACE * plane) / (total + _TRACE))
 
         return self.by_channel(image, make)
@@ -182,6 +187,8 @@ class Occlusion(LinearBlur):
             even = plane / (total + _TRACE)
             taken, *hidden = self.blur.collect(channel, even, sources, seen)
             taken += _TRACE * even
+            if (beyond := self.blur.beyond) is not None:
+                taken += beyond.collect(self.blur, [channel], [even])[0]
             for given in hidden:
                 # One point may stand for several.
                 np.add.at(taken, np.unravel_index(edges.sources, taken.shape), given.reshape(-1)[edges.points])
@@ -240,13 +247,19 @@ def _shares(blur: DepthBlur, channel: int, layer: NDArray[Any], edges: _Edges) -
     cover.border = "extend" if blur.border == "zero" else blur.border
     white, beyond = np.ones(blur.shape, dtype=blur.dtype), layer.max() + 1
     total, seen = np.zeros_like(white), np.full_like(white, beyond)
+    # As much light as makes every window hold all of the aperture.
+    lights = [white] * len(sources)
+    if blur.beyond is not None:
+        lights = [(1.0 / blur.beyond.held(channel, points.positions)).astype(blur.dtype) for points in sources]
     rounding = 16.0 * float(np.finfo(blur.dtype).eps)
     for level in np.unique(layer):
         # What is hidden is in a farther layer than what hides it, so no pixel has two points in one.
-        here = np.full(blur.shape, -1.0)
-        for points in sources:
-            np.copyto(here, points.positions, where=(points.layers == level) & (points.positions >= 0.0))
-        covered = np.maximum(cover.spread(channel, [(white, Points(here))]), 0.0)
+        here, light = np.full(blur.shape, -1.0), np.zeros_like(white)
+        for points, given in zip(sources, lights, strict=True):
+            among = (points.layers == level) & (points.positions >= 0.0)
+            np.copyto(here, points.positions, where=among)
+            np.copyto(light, given, where=among)
+        covered = np.maximum(cover.spread(channel, [(light, Points(here))]), 0.0)
         left, wanted = 1.0 - total, seen == beyond
         full = wanted & (covered > left - rounding)
         part = np.divide(left, covered, out=np.ones_like(white), where=full & (covered > left + rounding))
@@ -254,6 +267,9 @@ def _shares(blur: DepthBlur, channel: int, layer: NDArray[Any], edges: _Edges) -
         np.copyto(total, total + part * covered, where=wanted)
         if np.all(seen < beyond):
             break
+    if blur.beyond is not None:  # What the windows hold, and the remainder, which nothing hides.
+        total = cover.spread(channel, [(white, points) for points in sources], seen)
+        total += blur.beyond.spread(cover, [channel], [white])[0]
     return _Shares(seen, total, sources)
 
 

@@ -45,7 +45,7 @@ class Photograph:
 def photograph(values: NDArray[Any], blur: DepthBlur, clipped: float) -> Photograph:
     """Return values as a photograph, with what is known of their error and the share that was clipped."""
     half = max(bank.half for bank in blur.banks)
-    return Photograph(values, blur.lost, max(bank.error for bank in blur.banks), 2 * half + 1, clipped)
+    return Photograph(values, blur.lost, blur.error, 2 * half + 1, clipped)
 
 
 def fill_missing(depth: ArrayLike, missing: str) -> NDArray[Any]:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.imaging.defocus_nodes import DefocusNodes, Parabola
 from lommel.imaging.pixel_rule import pixel_rule, quarters, sums_of_windows
-from lommel.imaging.remainder import INNER, Remainder, fit, reach_of
+from lommel.imaging.remainder import Remainder, fit, inner_energy, reach_of
 from lommel.methods.choice import of_profiles
 from lommel.optics.pupil import Pupil
 from lommel.optics.spectrum import in_light
@@ -47,6 +47,8 @@ class Bank:
         Largest difference found between interpolated windows and exact ones half-way, over the peak of these.
     remainder : Remainder, optional
         What lies beyond the windows, if nothing is to be lost; the windows then hold the PSF less this.
+    filled : ndarray, optional
+        What the remainder holds where the windows are, as `windows` are stored.
     """
 
     start: float
@@ -57,6 +59,7 @@ class Bank:
     lost: float
     error: float
     remainder: Remainder | None = None
+    filled: NDArray[np.floating[Any]] | None = None
 
     @property
     def count(self) -> int:
@@ -227,16 +230,16 @@ def build_bank(
     """
     low, high = defocus
     channel = _Channel(pupil, phase, spectrum, pixel, threads)
+    assert pupil.wavelength is not None
+    per_radian = pupil.wavelength / min(wavelength for wavelength, _ in spectrum)
     whole = energy == 1.0
-    inner = INNER if whole else energy
+    step = math.pi * per_radian * pixel / pupil.scale
+    inner = inner_energy(step) if whole else energy
     half, parabola = channel.enough(defocus, inner, largest)
-    reach = reach_of(half) if whole else half
+    reach = reach_of(half, step) if whole else half
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / _GAPS, 0.05)
     spacing *= 0.5 ** max(0, math.ceil(math.log2(spacing)))
-    assert pupil.wavelength is not None
-    shortest = min(wavelength for wavelength, _ in spectrum)
-    per_radian = pupil.wavelength / shortest
     at = DefocusNodes.of(
         lambda nodes: channel.shares(channel.defocused(nodes), reach),
         low - spacing,
@@ -269,21 +272,26 @@ def build_bank(
     # Those on either side count, so that what is interpolated holds enough as well.
     halves = np.maximum(np.maximum(enough[:-2], enough[2:]), enough[1:-1])
     used = math.ceil(halves.max())
-    remainder = None
+    shape = (len(exact) + 1, used + 1, (used // 16 + 1) * 16)
     if whole:
         cells = (used + 1) * (used + 2) // 2
         exact, middle = exact[:, :cells], together[3:-3:2, :cells]
         remainder, within = fit(everywhere, start, spacing, exact, middle, halves, reach, tol)
-        exact = exact - within
-    windows = _at_cache_lines((len(exact) + 1, used + 1, (used // 16 + 1) * 16), np.dtype(dtype))
-    windows[:-1, :, : used + 1] = quarters(exact.astype(dtype), used)
-    if remainder:
-        return Bank(start, spacing, windows, halves, np.ones((len(exact), used + 1)), 0.0, error, remainder)
+        windows, filled = (_stored(quarters(part.astype(dtype), used), shape) for part in (exact - within, within))
+        return Bank(start, spacing, windows, halves, np.ones((len(exact), used + 1)), 0.0, error, remainder, filled)
+    windows = _stored(quarters(exact.astype(dtype), used), shape)
     kept = np.ascontiguousarray(sums[:, : used + 1])
     # Half-way between windows the sums and the half widths are what the core makes of them.
     between = (9.0 * (kept[1:-2] + kept[2:-1]) - kept[:-3] - kept[3:]) / 16.0
     held = min(_held(kept, halves), _held(between, 0.5 * (halves[1:-2] + halves[2:-1])))
     return Bank(start, spacing, windows, halves, kept, 1.0 - held, error)
+
+
+def energies_of(bank: Bank) -> NDArray[np.float64]:
+    """Return what :attr:`Bank.energies` are where windows are divided by what they hold."""
+    once = np.where(np.arange(bank.half + 1) == 0, 1.0, 2.0)
+    windows = bank.windows[:-1, :, : bank.half + 1].astype(np.float64) * (once[:, None] * once)
+    return np.ascontiguousarray(np.diagonal(windows.cumsum(axis=1).cumsum(axis=2), axis1=1, axis2=2))
 
 
 def _held(sums: NDArray[np.float64], halves: NDArray[np.float64]) -> float:
@@ -301,12 +309,15 @@ def _enough_of(sums: NDArray[np.float64], energy: float) -> NDArray[np.float64]:
     return np.asarray(outer - np.divide(sums[rows, outer] - asked, ring, out=np.zeros(len(sums)), where=outer > 0))
 
 
-def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:
-    """Return zeros whose rows begin at cache lines where the stride lets them: vectors then are loaded faster."""
-    size = math.prod(shape) * dtype.itemsize
+def _stored(quarter: NDArray[Any], shape: tuple[int, int, int]) -> NDArray[Any]:
+    """Return windows, zeros after them; rows begin at cache lines where the stride lets them: loading is faster."""
+    size = math.prod(shape) * quarter.itemsize
     room = np.zeros(size + 64, dtype=np.uint8)
     first = -room.ctypes.data % 64
-    return room[first : first + size].view(dtype).reshape(shape)
+    made = room[first : first + size].view(quarter.dtype).reshape(shape)
+    count, height, width = quarter.shape
+    made[:count, :height, :width] = quarter
+    return made
 
 
 def _interpolation_error(exact: NDArray[np.float64], middle: NDArray[np.float64]) -> float:

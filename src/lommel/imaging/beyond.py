@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from typing import Any, Protocol
 
 import numpy as np
@@ -45,6 +46,7 @@ class Beyond:
 
     def __init__(self, banks: Sequence[Bank], tol: float) -> None:
         self._remainders = [bank.remainder for bank in banks]
+        self._banks = list(banks)
         self._tol = tol
         self._kernels: dict[tuple[int, tuple[int, int], str], MirroredKernels] = {}
         self._factors: dict[int, tuple[NDArray[np.float64], NDArray[Any]]] = {}
@@ -54,11 +56,11 @@ class Beyond:
         found = max(self._kernels_of(blur, channel).error for channel in range(len(self._remainders)))
         return found + _ROUNDING * float(np.finfo(blur.dtype).eps)
 
-    def held(self, channel: int, positions: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the share of the light of points that their windows hold, from where they are in the bank."""
-        remainder = self._remainders[channel]
-        assert remainder is not None
-        return np.asarray(1.0 - np.tensordot(remainder.sums, remainder.factors(positions), axes=1))
+    def apart(self, channel: int) -> tuple[Bank, Bank]:
+        """Return banks of what a PSF is within its windows, and of what the remainder holds there."""
+        bank = self._banks[channel]
+        assert bank.filled is not None
+        return replace(bank, windows=bank.windows + bank.filled), replace(bank, windows=bank.filled)
 
     def spread(self, blur: Blur, channels: Sequence[int], planes: Sequence[NDArray[Any]]) -> list[NDArray[Any]]:
         """Return what planes of light, of these channels, make beyond the windows.

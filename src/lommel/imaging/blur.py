@@ -227,7 +227,11 @@ class DepthBlur(LinearBlur):
         return len(self.banks)
 
     def spread(
-        self, channel: int, sources: Sequence[tuple[NDArray[Any], Points]], seen: NDArray[Any] | None = None
+        self,
+        channel: int,
+        sources: Sequence[tuple[NDArray[Any], Points]],
+        seen: NDArray[Any] | None = None,
+        bank: Bank | None = None,
     ) -> NDArray[Any]:
         """Return the sum of what light of several sources makes of one channel.
 
@@ -239,6 +243,8 @@ class DepthBlur(LinearBlur):
             A plane of light, shape (height, width), and the points that spread it.
         seen : ndarray, shape (height, width), optional
             How many layers of points each pixel sees, a real number, if not all.
+        bank : Bank, optional
+            Another than that of the channel, with windows alike.
 
         Returns
         -------
@@ -249,14 +255,21 @@ class DepthBlur(LinearBlur):
         shown = self._shown(seen, around)
         for plane, points in sources:
             where = points.positions, rows, columns
-            engine.spread(*self._bank(channel), *where, plane, self.threads, room, points.layers, shown)
+            engine.spread(
+                *_parts(bank or self.banks[channel]), *where, plane, self.threads, room, points.layers, shown
+            )
         if self.border == "reflect":  # The mirrored image sends in what leaves this one.
             return folded(folded(room, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
         (top, _), (left, _) = around
         return room[top:, left:][: self.shape[0], : self.shape[1]]
 
     def collect(
-        self, channel: int, plane: NDArray[Any], sources: Sequence[Points], seen: NDArray[Any] | None = None
+        self,
+        channel: int,
+        plane: NDArray[Any],
+        sources: Sequence[Points],
+        seen: NDArray[Any] | None = None,
+        bank: Bank | None = None,
     ) -> Iterator[NDArray[Any]]:
         """Yield for each source what the transpose of :meth:`spread` gives to it.
 
@@ -266,7 +279,7 @@ class DepthBlur(LinearBlur):
             Its place among `banks`.
         plane : ndarray, shape (height, width)
         sources : sequence of Points
-        seen : ndarray, shape (height, width), optional
+        seen, bank : optional
             As of :meth:`spread`.
 
         Yields
@@ -279,13 +292,11 @@ class DepthBlur(LinearBlur):
         for points in sources:
             taken = np.empty((rows.size, columns.size), dtype=self.dtype)
             where = points.positions, rows, columns
-            engine.collect(*self._bank(channel), *where, room, self.threads, taken, points.layers, shown)
+            engine.collect(
+                *_parts(bank or self.banks[channel]), *where, room, self.threads, taken, points.layers, shown
+            )
             # What points beyond the edges took goes to those that they are copies of.
             yield gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
-
-    def _bank(self, channel: int) -> tuple[NDArray[Any], Array, Array]:
-        bank = self.banks[channel]
-        return bank.windows, bank.halves, bank.energies
 
     def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
         """Return rows and columns of the image with copies of its edges, and what their windows need around it."""
@@ -331,6 +342,10 @@ class DepthBlur(LinearBlur):
             got = f"{given.dtype} of the shape {given.shape}"
             raise TypeError(f"weight must be an array of bool of the shape {self.shape}, got {got}")
         return np.where(weight, positions, -1.0)
+
+
+def _parts(bank: Bank) -> tuple[NDArray[Any], Array, Array]:
+    return bank.windows, bank.halves, bank.energies
 
 
 def require_lens(lens: Any, order: str) -> None:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import copy
 import math
+from dataclasses import replace
 from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.imaging.bank import Bank
+from lommel.imaging.bank import Bank, energies_of
 from lommel.imaging.blur import DepthBlur, Points
+from lommel.imaging.groups import Group, collect_groups, groups_of_whole, spread_groups
 from lommel.imaging.linear import LinearBlur
 from lommel.optics.pupil import ray_height
 
@@ -49,13 +51,13 @@ class _Shares(NamedTuple):
         Layers, from the front: of the one that this number lies in only a part, of those behind it nothing.
     total : ndarray, shape (height, width)
         What a scene that is white makes.
-    sources : list of Points
+    groups : list of Group
         The points of the scene and, if any, those behind them.
     """
 
     seen: NDArray[Any]
     total: NDArray[Any]
-    sources: list[Points]
+    groups: list[Group]
 
 
 class Occlusion(LinearBlur):
@@ -85,11 +87,11 @@ class Occlusion(LinearBlur):
     call, layer by layer, and again when `blur` is given other depths. Time after that, over
     :meth:`lommel.imaging.DepthBlur.forward`: 1.0 to 1.6 where few points hide something, up to 2.6 where most do.
 
-    With ``energy=1`` this is what becomes of the windows. The remainder, the one percent of the light of a point that
-    lies beyond its window, is of all points of the scene, and nothing hides it.
+    With ``energy=1`` this is what becomes of the windows of all points. What lies beyond the window of a point, one
+    percent of its light, nothing hides. Points that are hidden somewhere cost twice.
 
     Memory: what is kept takes 8 bytes a point, 16 a point and channel (16 and 24 in float64) and 16 for each point
-    that has another behind it, never more.
+    that has another behind it, never more; with ``energy=1`` 16 more a point and channel.
 
     Parameters
     ----------
@@ -153,11 +155,8 @@ class Occlusion(LinearBlur):
 
         def make(channel: int, plane: NDArray[Any]) -> NDArray[Any]:
             edges, shares = self._looked()
-            seen, total, sources = shares[channel]
-            given = zip((plane, edges.behind(plane)), sources, strict=False)
-            spread = self.blur.spread(channel, list(given), seen)
-            if (beyond := self.blur.beyond) is not None:
-                spread += beyond.spread(self.blur, [channel], [plane])[0]
+            seen, total, groups = shares[channel]
+            spread = spread_groups(self.blur, channel, (plane, edges.behind(plane)), seen, groups)
             return np.asarray((spread + _TRACE * plane) / (total + _TRACE))
 
         return self.by_channel(image, make)
@@ -183,15 +182,12 @@ class Occlusion(LinearBlur):
 
         def make(channel: int, plane: NDArray[Any]) -> NDArray[Any]:
             edges, shares = self._looked()
-            seen, total, sources = shares[channel]
+            seen, total, groups = shares[channel]
             even = plane / (total + _TRACE)
-            taken, *hidden = self.blur.collect(channel, even, sources, seen)
+            taken, hidden = collect_groups(self.blur, channel, even, seen, groups)
             taken += _TRACE * even
-            if (beyond := self.blur.beyond) is not None:
-                taken += beyond.collect(self.blur, [channel], [even])[0]
-            for given in hidden:
-                # One point may stand for several.
-                np.add.at(taken, np.unravel_index(edges.sources, taken.shape), given.reshape(-1)[edges.points])
+            # One point may stand for several.
+            np.add.at(taken, np.unravel_index(edges.sources, taken.shape), hidden.reshape(-1)[edges.points])
             return taken
 
         return self.by_channel(image, make)
@@ -242,24 +238,22 @@ def _shares(blur: DepthBlur, channel: int, layer: NDArray[Any], edges: _Edges) -
         behind = np.full(blur.shape, -1.0)
         behind.reshape(-1)[edges.points] = positions.reshape(-1)[edges.sources]
         sources.append(Points(behind, edges.behind(layer)))
-    cover = copy.copy(blur)
+    covering, cover = None, copy.copy(blur)
+    if blur.beyond is not None:
+        # Windows that hold all of the aperture.
+        within, _ = blur.beyond.apart(channel)
+        covering = replace(within, energies=energies_of(within))
     # Darkness beyond the edges is no hole: it is as far away as the last points are.
     cover.border = "extend" if blur.border == "zero" else blur.border
     white, beyond = np.ones(blur.shape, dtype=blur.dtype), layer.max() + 1
     total, seen = np.zeros_like(white), np.full_like(white, beyond)
-    # As much light as makes every window hold all of the aperture.
-    lights = [white] * len(sources)
-    if blur.beyond is not None:
-        lights = [(1.0 / blur.beyond.held(channel, points.positions)).astype(blur.dtype) for points in sources]
     rounding = 16.0 * float(np.finfo(blur.dtype).eps)
     for level in np.unique(layer):
         # What is hidden is in a farther layer than what hides it, so no pixel has two points in one.
-        here, light = np.full(blur.shape, -1.0), np.zeros_like(white)
-        for points, given in zip(sources, lights, strict=True):
-            among = (points.layers == level) & (points.positions >= 0.0)
-            np.copyto(here, points.positions, where=among)
-            np.copyto(light, given, where=among)
-        covered = np.maximum(cover.spread(channel, [(light, Points(here))]), 0.0)
+        here = np.full(blur.shape, -1.0)
+        for points in sources:
+            np.copyto(here, points.positions, where=(points.layers == level) & (points.positions >= 0.0))
+        covered = np.maximum(cover.spread(channel, [(white, Points(here))], bank=covering), 0.0)
         left, wanted = 1.0 - total, seen == beyond
         full = wanted & (covered > left - rounding)
         part = np.divide(left, covered, out=np.ones_like(white), where=full & (covered > left + rounding))
@@ -267,10 +261,12 @@ def _shares(blur: DepthBlur, channel: int, layer: NDArray[Any], edges: _Edges) -
         np.copyto(total, total + part * covered, where=wanted)
         if np.all(seen < beyond):
             break
-    if blur.beyond is not None:  # What the windows hold, and the remainder, which nothing hides.
-        total = cover.spread(channel, [(white, points) for points in sources], seen)
-        total += blur.beyond.spread(cover, [channel], [white])[0]
-    return _Shares(seen, total, sources)
+    groups = [Group(list(enumerate(sources)))]
+    if blur.beyond is not None:
+        groups = groups_of_whole(blur, channel, sources, seen)
+        whites = [(points.positions >= 0.0).astype(blur.dtype) for points in sources]
+        total = spread_groups(cover, channel, whites, seen, groups)
+    return _Shares(seen, total, groups)
 
 
 def reach_behind(blur: DepthBlur, reach: tuple[float, float]) -> int:

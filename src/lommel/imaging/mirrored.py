@@ -52,19 +52,16 @@ class MirroredKernels:
     ) -> None:
         self.remainder, self.border, self.dtype, self.error = remainder, border, dtype, remainder.error
         self._around = [(0, 0), (0, 0)]
-        if border != "reflect":
+        if border == "extend":
+            self._around = [(max(1, side // 2),) * 2 for side in shape]
+        elif border == "zero":
             from scipy.fft import next_fast_len
 
             tail = float(np.abs(remainder.knots @ remainder.smooth[:, 0]).max())
             light = _COPIES * math.prod(shape) * tail
             dark = max(math.ceil(0.5 * math.cbrt(light / (0.5 * tol))), remainder.table.shape[1])
-            margins = [dark if border == "zero" else max(1, side // 2) for side in shape]
-            self._around = [
-                (margin, next_fast_len(side + 2 * margin, real=True) - side - margin)
-                for side, margin in zip(shape, margins, strict=True)
-            ]
-            if border == "zero":
-                self.error += light / (2.0 * dark) ** 3
+            self._around = [(dark, next_fast_len(side + 2 * dark, real=True) - side - dark) for side in shape]
+            self.error += light / (2.0 * dark) ** 3
         (top, _), (left, _) = self._around
         self._image = slice(top, top + shape[0]), slice(left, left + shape[1])
         self._sides = [side + sum(more) for side, more in zip(shape, self._around, strict=True)]

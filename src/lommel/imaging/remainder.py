@@ -27,18 +27,28 @@ from lommel.base.arrays import Array
 from lommel.imaging.defocus_nodes import DefocusNodes
 from lommel.imaging.pixel_rule import cells_alike, octant, quarters
 
-INNER = 0.99
-"""Share of the light that windows hold if the remainder holds the rest."""
-
+_GAP = 3.0  # pixels between the shadow of the aperture and the edges of windows, about
 _MOST = 16  # products
 _TURNS = 4  # of the alternation: more change the error by less than one product more does
-_SAMPLES = 48  # defocus that the products are found from
+_SAMPLES = 4  # defocus that the products are found from, for each pixel that windows reach
 _FINE = 32  # steps of a table of factors between two windows
 
 
-def reach_of(half: int) -> int:
-    """Return how many pixels from the middle the remainder is known pixel by pixel, for windows up to `half`."""
-    return max(48, half + 24)
+def inner_energy(step: float) -> float:
+    """Return the share of the light that windows hold if a remainder holds the rest, for pixels `step` in v wide.
+
+    Of each of the two edges of a shadow there is a share of ``1 / (pi v)`` farther than v from it. So windows end
+    about as many pixels from it, where the tail has become smooth enough for few products.
+    """
+    return float(np.clip(1.0 - 1.0 / (math.pi * _GAP * step), 0.98, 0.9975))
+
+
+def reach_of(half: int, step: float) -> int:
+    """Return how many pixels from the middle the remainder is known pixel by pixel, for windows up to `half`.
+
+    Farther away its fine rings are left out: of fine pixels there are more, at as much cost.
+    """
+    return max(half + 24, int(np.clip(math.cbrt(1.2e6 / step), 48.0, 96.0)))
 
 
 @dataclass(frozen=True)
@@ -167,7 +177,7 @@ def fit(
     """
     near, distance, alike = exact.shape[1], octant(reach)[0], cells_alike(reach)
     at = start + spacing * np.arange(len(exact), dtype=np.float64)
-    some = np.linspace(0, len(exact) - 1, _SAMPLES).astype(np.int64)
+    some = np.linspace(0, len(exact) - 1, 32 + math.ceil(_SAMPLES * np.ptp(halves))).astype(np.int64)
     some = np.unique(np.append(some, [halves.argmin(), halves.argmax()]))
     shown, left = nodes.values(at[some]), _left(distance, halves[some])
     typical = np.maximum((left * shown).sum(axis=0), 1e-300) / np.maximum(left.sum(axis=0), 1e-300)
@@ -185,7 +195,9 @@ def fit(
         (left * alike[:near]) @ first.T + last @ alike[near:] + held,
         1.0 - ((1.0 - left) * exact) @ alike[:near],
     )
-    smooth, scale = _far(kernels, held, distance > max(float(halves.max()), 0.5 * reach), alike, reach)
+    begin = (3 * reach) // 4
+    ring = distance > begin
+    smooth, scale = _far(kernels, held, ring, alike, reach)
     column, row = octant(reach)
     squared = (column**2 + row**2).astype(np.float64)
     table = quarters(kernels - smooth @ _smooth(squared, scale), reach)
@@ -202,8 +214,6 @@ def fit(
     )
     # Beyond the reach the misfit falls with r as the tail does, or faster: its sum is to that of a ring as 1 / reach
     # to 1 / begin - 1 / reach.
-    begin = (3 * reach) // 4
-    ring = distance > begin
     misfit = knots[some] @ (smooth @ _smooth(squared[ring], scale)) - shown[:, ring]
     wrong += _largest(misfit, alike[ring]) * begin / (reach - begin)
     return Remainder(knots, spacing, table, smooth, scale, wrong), within
@@ -228,12 +238,13 @@ def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float
     # Those of greatest weight come last.
     sizes, basis = np.linalg.eigh(common @ common.T)
     basis = basis[:, ::-1]
-    most = min(_MOST, len(shown))
+    most, factors = min(_MOST, len(shown)), basis[:, :0]
     for rank in range(1, most + 1):
         # A product that is left out is missed by little less than its size.
         if rank < most and sizes[-rank - 1] > (10.0 * tol) ** 2:
+            factors = basis[:, :rank]
             continue
-        factors = basis[:, :rank]
+        factors = np.column_stack([factors, basis[:, rank - 1]])
         for _ in range(_TURNS):
             # Turn by turn the one is linear in the other.
             found = _solved(_normal(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
@@ -344,8 +355,8 @@ def _looked_up(table: Array, positions: ArrayLike, dtype: DTypeLike) -> NDArray[
     at = np.clip(np.asarray(positions, dtype=np.float64) * _FINE, 0.0, table.shape[1] - 1)
     column = np.minimum(at.astype(np.int32), table.shape[1] - 2)
     part = (at - column).astype(dtype)
+    rows, steps = table.astype(dtype), np.diff(table).astype(dtype)
     out = np.empty((len(table), *at.shape), dtype=dtype)
-    for row, made in zip(table, out, strict=True):
-        np.multiply(np.diff(row).astype(dtype)[column], part, out=made)
-        made += row.astype(dtype)[column]
+    for r in range(len(table)):
+        out[r] = rows[r][column] + steps[r][column] * part
     return out

@@ -146,7 +146,7 @@ def test_gaps_in_the_depth_are_filled_as_asked():
         ({"depth": np.full(SCENE.shape, True)}, TypeError, "depth must hold metres, got bool"),
         ({"image": SCENE.astype(np.int64)}, TypeError, "image must hold unsigned integers or floats, got int64"),
         ({"dtype": np.float16}, TypeError, "dtype must be float32 or float64"),
-        ({"energy": 1.0}, ValueError, "energy must be"),
+        ({"energy": 0.99995}, ValueError, "energy must be <= 0.9999, or 1 for the whole PSF, got 0.99995"),
         ({"tol": 0.0}, ValueError, "tol must be"),
         ({"pixel": -1e-6}, ValueError, "pixel must be"),
         ({"largest": 0}, ValueError, "largest must be"),

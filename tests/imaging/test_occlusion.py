@@ -101,6 +101,10 @@ def test_the_product_of_two_images_does_not_tell_which_was_blurred(seed, border,
     assert np.abs(both - forth).max() <= allowed * 30.0
 
 
+def points_of(shares):
+    return [points for group in shares.groups for _, points in group.sources]
+
+
 def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     rng, made = np.random.default_rng(7), []
     one, other = torn(rng), torn(rng)
@@ -119,7 +123,7 @@ def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     # No more is kept than is said.
     edges, shares = operator._made[2:]
     arrays = {id(array): array for found in shares for array in (found.seen, found.total)}
-    arrays |= {id(a): a for found in shares for points in found.sources for a in points if a is not None}
+    arrays |= {id(a): a for found in shares for points in points_of(found) for a in points if a is not None}
     own = {id(blur.positions(channel)) for channel in range(3)}
     kept = sum(array.nbytes for name, array in arrays.items() if name not in own) + sum(a.nbytes for a in edges)
     assert kept <= (16 + 3 * 24) * one.size + 16 * edges.points.size

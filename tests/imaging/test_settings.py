@@ -69,7 +69,7 @@ def doors(**given):
         ({"strength": 0.9}, TypeError, r"\(\) has no option 'strength'; known are .*energy, tol, largest"),
         ({"border": "wrap"}, ValueError, "border must be one of 'reflect', 'extend', 'zero', got 'wrap'"),
         ({"energy": 0.4}, ValueError, "energy must be >= 0.5"),
-        ({"energy": 1.0}, ValueError, "energy must be"),
+        ({"energy": 0.99995}, ValueError, "energy must be <= 0.9999, or 1 for the whole PSF, got 0.99995"),
         ({"tol": 1e-8}, ValueError, "tol must be >= 1e-07"),
         ({"tol": 0.15}, ValueError, "tol must be"),
         ({"tol": "fine"}, TypeError, "tol must be a real number"),

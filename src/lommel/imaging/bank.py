@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from lommel.imaging.cuts import cut, find_cuts, shares_used, sums_of_quarters
 from lommel.imaging.defocus_nodes import DefocusNodes
-from lommel.imaging.pixel_rule import quarters, sums_of_windows
+from lommel.imaging.remainder import Remainder, fit, inner_energy, reach_of
 from lommel.imaging.sensor_light import SensorLight
 
 _MAX_WINDOWS = 20_000
@@ -34,11 +35,16 @@ class Bank:
         distance k the share ``h + 1 - k``, from 0 to 1, averaged over the neighbours (1/6, 2/3, 1/6). So nothing
         jumps as a point moves.
     energies : ndarray, shape (count,)
-        What each window sums to; what is interpolated is divided by its sum.
+        What each window sums to; what is interpolated is divided by its sum. Ones where there is a remainder: then
+        nothing is divided.
     lost : float
         Largest share of light beyond the pixels used, spread over these instead.
     error : float
         Largest difference found between interpolated windows and exact ones half-way, over the peak of these.
+    remainder : Remainder, optional
+        What lies beyond the windows, if nothing is to be lost; the windows then hold the PSF less this.
+    filled : ndarray, optional
+        What the remainder holds where the windows are, as `windows` are stored.
     """
 
     start: float
@@ -48,6 +54,8 @@ class Bank:
     energies: NDArray[np.float64]
     lost: float
     error: float
+    remainder: Remainder | None = None
+    filled: NDArray[np.floating[Any]] | None = None
 
     @property
     def count(self) -> int:
@@ -150,7 +158,7 @@ def build_bank(
     tol : float
         Windows are put closer together until interpolation errs by less, over the peak.
     energy : float
-        Share of light that the pixels used must hold.
+        Share of light that the pixels used must hold; 1 for as much as is best, and a remainder that holds the rest.
     largest : int
         Largest half width allowed, pixels.
     dtype : float32 or float64
@@ -165,14 +173,18 @@ def build_bank(
         If windows would exceed `largest`, or if the bank would hold more than 20 000 windows or 2^28 values.
     """
     low, high = defocus
-    half, parabola = light.enough(defocus, energy, largest)
+    assert light.pupil.wavelength is not None
+    per_radian = light.pupil.wavelength / min(wavelength for wavelength, _ in light.spectrum)
+    whole = energy == 1.0
+    step = math.pi * per_radian * light.pixel / light.pupil.scale
+    inner = inner_energy(step) if whole else energy
+    half, parabola = light.enough(defocus, inner, largest)
+    reach = reach_of(half, step) if whole else half
     # A window beyond either end, so that every pixel is in the middle of four.
     spacing = max((high - low) / _GAPS, 0.05)
     spacing *= 0.5 ** max(0, math.ceil(math.log2(spacing)))
-    assert light.pupil.wavelength is not None
-    per_radian = light.pupil.wavelength / min(wavelength for wavelength, _ in light.spectrum)
     at = DefocusNodes.of(
-        lambda nodes: light.shares(light.defocused(nodes), half),
+        lambda nodes: light.shares(light.defocused(nodes), reach),
         low - spacing,
         high + 2.0 * spacing,
         parabola,
@@ -180,6 +192,7 @@ def build_bank(
         bound=math.pi * (light.pixel * per_radian / light.pupil.scale) ** 2 / 4.0,
         threads=light.threads,
     )
+    everywhere, at = at, at.of_first((half + 1) * (half + 2) // 2) if whole else at
     while True:
         count, side = max(1, math.ceil((high - low) / spacing)) + 3, 2 * half + 1
         if count > _MAX_WINDOWS or count * side * side > _MAX_VALUES:
@@ -196,47 +209,19 @@ def build_bank(
             break
         # The error falls sixteenfold where windows are twice as close, more slowly where they are far apart.
         spacing *= 0.5 ** max(1, math.ceil(math.log(error / tol, 16.0)))
-    quarter, cuts, energies = cut_windows(exact, half, energy + 1e-12)  # rounding is not to leave less
+    cuts = find_cuts(exact, half, inner + 1e-12)  # rounding is not to leave less
+    if whole:
+        used = math.ceil(cuts.max())
+        cells = (used + 1) * (used + 2) // 2
+        exact, middle = exact[:, :cells], together[3:-3:2, :cells]
+        remainder, within = fit(everywhere, start, spacing, exact, middle, cuts, reach, tol)
+        windows, filled = (stored_windows(cut(part, cuts), dtype) for part in (exact - within, within))
+        return Bank(start, spacing, windows, cuts, np.ones(count), 0.0, error, remainder, filled)
+    quarter = cut(exact, cuts)
+    energies = sums_of_quarters(quarter)
     between = (9.0 * (energies[1:-2] + energies[2:-1]) - energies[:-3] - energies[3:]) / 16.0
     held = min(float(energies.min()), float(between.min()))
     return Bank(start, spacing, stored_windows(quarter, dtype), cuts, energies, 1.0 - held, error)
-
-
-def cut_windows(
-    octants: NDArray[np.float64], half: int, energy: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return windows of a bank cut to what holds enough of the light.
-
-    Parameters
-    ----------
-    octants : ndarray, shape (count, cells)
-        What the pixels of the octant hold of it.
-    half : int
-        Pixels from the middle one to the edge.
-    energy : float
-        What each window is to hold of it, if it does.
-
-    Returns
-    -------
-    quarters : ndarray, shape (count, used + 1, used + 1)
-        From the middle row down and the middle column on.
-    cuts : ndarray, shape (count,)
-        As :attr:`Bank.cuts`.
-    energies : ndarray, shape (count,)
-        What they hold of it.
-    """
-    sums = sums_of_windows(octants, half)
-    enough = sums >= np.clip(energy, sums[:, :1], sums[:, -1:])
-    rows, outer = np.arange(len(sums)), enough.argmax(axis=1)
-    ring = sums[rows, outer] - sums[rows, outer - 1]
-    over = np.maximum(0.0, sums[rows, outer] - energy)
-    own = outer - np.divide(over, ring, out=np.zeros(len(sums)), where=outer > 0)
-    # What the neighbours take counts: those between are to hold enough as well.
-    cuts = np.max([own[np.clip(rows + k, 0, len(own) - 1)] for k in (-1, 0, 1)], axis=0)
-    used = math.ceil(cuts.max())
-    windows = quarters(octants, used) * shares_used(cuts, used)
-    alike = np.minimum(np.arange(used + 1), 1) + 1.0
-    return windows, cuts, windows @ alike @ alike
 
 
 def stored_windows(quarter: NDArray[np.float64], dtype: DTypeLike) -> NDArray[Any]:
@@ -255,26 +240,6 @@ def stored_windows(quarter: NDArray[np.float64], dtype: DTypeLike) -> NDArray[An
     windows = _at_cache_lines((count + 1, side, ((side - 1) // 16 + 1) * 16), np.dtype(dtype))
     windows[:-1, :, :side] = quarter
     return windows
-
-
-def shares_used(cuts: NDArray[np.float64], half: int) -> NDArray[np.float64]:
-    """Return how much is used of each pixel of the windows of a bank, 0 to 1, from the middle row and column on.
-
-    Parameters
-    ----------
-    cuts : ndarray, shape (count,)
-        As :attr:`Bank.cuts`.
-    half : int
-        At least the largest of them.
-
-    Returns
-    -------
-    ndarray, shape (count, half + 1, half + 1)
-    """
-    padded, away = np.pad(cuts, 1, mode="edge"), np.arange(half + 1)
-    ring = np.clip(padded[:, None] + 1.0 - away, 0.0, 1.0)
-    smooth = (ring[:-2] + 4.0 * ring[1:-1] + ring[2:]) / 6.0
-    return np.asarray(smooth[:, np.maximum(away[:, None], away)])
 
 
 def _at_cache_lines(shape: tuple[int, ...], dtype: np.dtype[Any]) -> NDArray[Any]:

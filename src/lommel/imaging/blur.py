@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
+from lommel.imaging.beyond import Beyond
 from lommel.imaging.borders import folded, gathered
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.sensor_light import SensorLight
@@ -39,8 +41,9 @@ class DepthBlur(LinearBlur):
     r"""What a lens makes of a scene, for one focus: ``out[q] = sum_p image[p] K(q - p; C_d(depth[p]))``.
 
     K is the PSF averaged over the pixels, at the defocus of each source point, cut to a window that holds `energy` of
-    its light and divided by what the window holds, so that light is conserved. Between the windows of a bank it is
-    interpolated by cubics. Points do not hide one another: for that see :func:`lommel.imaging.depth_of_field`.
+    its light and divided by what the window holds, so that light is conserved; or, with ``energy=1``, the whole of
+    it, a window and a smooth remainder without end. Between the windows of a bank it is interpolated by cubics.
+    Points do not hide one another: for that see :func:`lommel.imaging.depth_of_field`.
 
     Parameters
     ----------
@@ -61,7 +64,10 @@ class DepthBlur(LinearBlur):
     spectra : tuple
         Of each channel pairs of a wavelength (metres) and a weight.
     lost : float
-        Largest share of light beyond the windows, of any point and channel.
+        Largest share of light beyond the windows, of any point and channel; 0 for the whole PSF.
+    error : float
+        Largest error of interpolated windows over their peak that was found. For the whole PSF instead a bound on the
+        sum over pixels of what K is off, so that no pixel is off by more than this times the brightest point.
 
     Raises
     ------
@@ -110,6 +116,7 @@ class DepthBlur(LinearBlur):
                     dtype=self.dtype,
                 )
         self.banks = tuple(known[spectrum] for spectrum in self.spectra)
+        self.beyond = Beyond(self.banks, settings.tol) if settings.energy == 1.0 else None
 
     def place(self, depth: ArrayLike) -> None:
         """Put the points at other depths, within the range of those given first.
@@ -133,6 +140,11 @@ class DepthBlur(LinearBlur):
         """Largest share of light beyond the windows, of any point and channel."""
         return max(bank.lost for bank in self.banks)
 
+    @property
+    def error(self) -> float:
+        """Largest error of interpolated windows over their peak; or bound on the sum of what the whole K is off."""
+        return max(bank.error for bank in self.banks) if self.beyond is None else self.beyond.error(self)
+
     def forward(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
         """Return the image that the lens makes of linear light, shape (height, width) or (height, width, channels).
 
@@ -153,10 +165,16 @@ class DepthBlur(LinearBlur):
         TypeError, ValueError
             If `image` is not finite light of the shape of the depth, or `weight` does not fit.
         """
-        return self.by_channel(
+        out = self.by_channel(
             image,
             lambda channel, plane: self.spread(channel, [(plane, Points(self._positions(channel, weight)))]),
         )
+        if self.beyond is not None:
+            light = list(self.planes(image if weight is None else (image.T * weight.T).T))
+            made = self.beyond.spread(self, range(self.channels), light)
+            for onto, more in zip(self.planes(out), made, strict=True):
+                onto += more
+        return out
 
     def adjoint(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:
         """Return the transpose of :meth:`forward` applied to an image: ``<forward(a), b> = <a, adjoint(b)>``.
@@ -178,10 +196,15 @@ class DepthBlur(LinearBlur):
         TypeError, ValueError
             As :meth:`forward`.
         """
-        return self.by_channel(
+        taken = self.by_channel(
             image,
             lambda channel, plane: next(self.collect(channel, plane, [Points(self._positions(channel, weight))])),
         )
+        if self.beyond is not None:
+            made = self.beyond.collect(self, range(self.channels), list(self.planes(image)))
+            for onto, more in zip(self.planes(taken), made, strict=True):
+                onto += more if weight is None else more * weight
+        return taken
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -200,6 +223,7 @@ class DepthBlur(LinearBlur):
         sources: Sequence[tuple[NDArray[Any], Points]],
         seen: NDArray[Any] | None = None,
         *,
+        bank: Bank | None = None,
         slopes: bool = False,
     ) -> NDArray[Any]:
         """Return the sum of what light of several sources makes of one channel.
@@ -212,6 +236,8 @@ class DepthBlur(LinearBlur):
             A plane of light, shape (height, width), and the points that spread it.
         seen : ndarray, shape (height, width), optional
             How many layers of points each pixel sees, a real number, if not all.
+        bank : Bank, optional
+            Another than that of the channel, with windows alike.
         slopes : bool, default False
             Of windows, take their derivatives by positions in the bank.
 
@@ -219,22 +245,13 @@ class DepthBlur(LinearBlur):
         -------
         ndarray, shape (height, width)
         """
-        bank, (rows, columns, around) = self.banks[channel], self._room(channel)
+        rows, columns, around = self._room(channel)
         room = np.zeros([side + sum(more) for side, more in zip(self.shape, around, strict=True)], dtype=self.dtype)
         shown = self._shown(seen, around)
         for plane, points in sources:
             where = points.positions, rows, columns
             engine.spread(
-                bank.windows,
-                bank.halves,
-                bank.energies,
-                *where,
-                plane,
-                self.threads,
-                room,
-                points.layers,
-                shown,
-                slopes,
+                *_parts(bank or self.banks[channel]), *where, plane, self.threads, room, points.layers, shown, slopes
             )
         if self.border == "reflect":  # The mirrored image sends in what leaves this one.
             return folded(folded(room, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
@@ -248,6 +265,7 @@ class DepthBlur(LinearBlur):
         sources: Sequence[Points],
         seen: NDArray[Any] | None = None,
         *,
+        bank: Bank | None = None,
         slopes: bool = False,
     ) -> Iterator[NDArray[Any]]:
         """Yield for each source what the transpose of :meth:`spread` gives to it.
@@ -258,30 +276,21 @@ class DepthBlur(LinearBlur):
             Its place among `banks`.
         plane : ndarray, shape (height, width)
         sources : sequence of Points
-        seen, slopes
+        seen, bank, slopes
             As of :meth:`spread`.
 
         Yields
         ------
         ndarray, shape (height, width)
         """
-        bank, (rows, columns, around) = self.banks[channel], self._room(channel)
+        rows, columns, around = self._room(channel)
         room = np.pad(plane, around, mode="symmetric" if self.border == "reflect" else "constant")
         shown = self._shown(seen, around)
         for points in sources:
             taken = np.empty((rows.size, columns.size), dtype=self.dtype)
             where = points.positions, rows, columns
             engine.collect(
-                bank.windows,
-                bank.halves,
-                bank.energies,
-                *where,
-                room,
-                self.threads,
-                taken,
-                points.layers,
-                shown,
-                slopes,
+                *_parts(bank or self.banks[channel]), *where, room, self.threads, taken, points.layers, shown, slopes
             )
             # What points beyond the edges took goes to those that they are copies of.
             yield gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
@@ -330,6 +339,10 @@ class DepthBlur(LinearBlur):
             got = f"{given.dtype} of the shape {given.shape}"
             raise TypeError(f"weight must be an array of bool of the shape {self.shape}, got {got}")
         return np.where(weight, positions, -1.0)
+
+
+def _parts(bank: Bank) -> tuple[NDArray[Any], NDArray[np.int64], Array]:
+    return bank.windows, bank.halves, bank.energies
 
 
 def require_lens(lens: Any, order: str) -> None:

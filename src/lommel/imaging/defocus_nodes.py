@@ -20,7 +20,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 
@@ -111,12 +112,24 @@ class DefocusNodes:
 
     def __call__(self, defocus: Array) -> tuple[Array, float]:
         """Return the windows at each defocus of the range, and a bound on their errors over their peaks."""
+        made = self.values(defocus)
+        return made, _ERROR / float((self.parabola(defocus) * made.max(axis=1)).min())
+
+    def values(self, defocus: Array) -> Array:
+        """Return the windows at each defocus of the range."""
         angle = np.arccos(np.clip((2.0 * defocus - self.low - self.high) / (self.high - self.low), -1.0, 1.0))
-        parabola = self.parabola(defocus)
         basis = _cosines(angle, len(self.coefficients))
-        basis /= parabola
-        made = engine.product(np.ascontiguousarray(basis.T), self.coefficients, self.threads)
-        return made, _ERROR / float((parabola * made.max(axis=1)).min())
+        basis /= self.parabola(defocus)
+        return engine.product(np.ascontiguousarray(basis.T), self.coefficients, self.threads)
+
+    def of_first(self, cells: int) -> Self:
+        """Return the same for the first pixels alone."""
+        return replace(self, coefficients=np.ascontiguousarray(self.coefficients[:, :cells]))
+
+    def sums(self, weights: Array) -> Self:
+        """Return the same for sums over the last pixels times weights, shape (sums, pixels)."""
+        last = self.coefficients[:, self.coefficients.shape[1] - weights.shape[1] :]
+        return replace(self, coefficients=np.ascontiguousarray(last @ weights.T))
 
 
 def _cosines(angle: Array, count: int) -> Array:

@@ -66,6 +66,21 @@ def sums_of_windows(means: NDArray[np.float64], half: int) -> NDArray[np.float64
     return np.asarray(np.cumsum(np.add.reduceat(means * alike, rings, axis=1), axis=1))
 
 
+def cells_alike(half: int) -> NDArray[np.float64]:
+    """Return how many pixels of a window each cell of the octant stands for, shape ``(cells,)``.
+
+    Parameters
+    ----------
+    half : int
+        Pixels from the middle one to the edge.
+
+    Returns
+    -------
+    ndarray
+    """
+    return _rings(half)[0]
+
+
 @lru_cache(maxsize=16)
 def _rings(half: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """Return how many pixels of the window each cell of the octant stands for, and where its columns begin."""

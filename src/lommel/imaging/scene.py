@@ -22,9 +22,14 @@ class Photograph:
     values : ndarray
         Of the shape, type and encoding of the image that was given.
     lost : float
-        Largest share of the light of a point that its window did not hold, and that was spread over the window.
+        Largest share of the light of a point that its window did not hold, and that was spread over the window; 0
+        with ``energy=1``.
     error : float
-        Largest error of interpolated windows over their peak that was found.
+        Largest error of interpolated windows over their peak that was found. With ``energy=1`` a bound on the sum
+        over all pixels of what the PSF of a point is off, of any point and channel: where light is only added, no
+        pixel is off by more than this times the brightest point of the scene, in light. It is what was found at all
+        windows and half-way between them, with an estimate of what is off far away, and of rounding. Levels of
+        integers come on top.
     window : int
         Side of the largest window, pixels.
     clipped : float
@@ -45,7 +50,7 @@ class Photograph:
 def photograph(values: NDArray[Any], blur: DepthBlur, clipped: float) -> Photograph:
     """Return values as a photograph, with what is known of their error and the share that was clipped."""
     half = max(bank.half for bank in blur.banks)
-    return Photograph(values, blur.lost, max(bank.error for bank in blur.banks), 2 * half + 1, clipped)
+    return Photograph(values, blur.lost, blur.error, 2 * half + 1, clipped)
 
 
 def fill_missing(depth: ArrayLike, missing: str) -> NDArray[Any]:

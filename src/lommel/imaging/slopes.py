@@ -18,8 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.imaging.bank import Bank, cut_windows, stored_windows
+from lommel.imaging.bank import Bank, stored_windows
 from lommel.imaging.blur import DepthBlur, Points
+from lommel.imaging.cuts import cut, find_cuts, sums_of_quarters
 from lommel.imaging.sensor_light import SensorLight
 
 if TYPE_CHECKING:
@@ -189,8 +190,9 @@ def _by_sensor(blur: DepthBlur, bank: Bank, spectrum: tuple[tuple[float, float],
         there = replace(lens, sensor_distance=lens.sensor_distance * (1.0 + steps * step))
         light = SensorLight.of(there, spectrum, blur.pixel, blur.threads)
         pupils = light.defocused(defocus + (float(there.defocus(math.inf)) - infinite))
-        quarter, _, energies = cut_windows(light.shares(pupils, bank.half + 2), bank.half + 2, blur.energy)
-        made.append(weight / step * quarter / energies[:, None, None])
+        octants = light.shares(pupils, bank.half + 2)
+        quarter = cut(octants, find_cuts(octants, bank.half + 2, blur.energy))
+        made.append(weight / step * quarter / sums_of_quarters(quarter)[:, None, None])
     widest = max(quarter.shape[1] for quarter in made)
     sums = sum(np.pad(quarter, ((0, 0), *[(0, widest - quarter.shape[1])] * 2)) for quarter in made)
     whole, ones = np.full(bank.count, widest - 1.0), np.ones(bank.count)

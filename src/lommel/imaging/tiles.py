@@ -57,6 +57,11 @@ class TileBlur:
     ) -> None:
         require_lens(lens, "shape, depths, lens, pixel")
         settings = Settings.of(TileBlur, {"occlusion": False, **options}, Keywords)
+        if settings.energy == 1.0:
+            raise ValueError(
+                "energy must be below 1 for tiles and chunks, since with all of its light a point reaches the whole "
+                "image: ask for 0.9999, or for the whole image at once"
+            )
         self.missing = "raise" if settings.missing == "nearest" else settings.missing
         self.encoding = encoding
         keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}

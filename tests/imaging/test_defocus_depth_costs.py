@@ -85,8 +85,9 @@ def test_the_level_of_the_texture_and_its_depth_are_found():
         chance = np.sqrt(costs.spread[k, at] / independent.mean())
         assert abs(costs.values[k, at].mean()) < chance
         assert costs.values[k, at].std() == pytest.approx(chance, rel=0.3)
-    texture, level = costs.texture(np.full((64, 64), at), 1.0, independent)
+    texture, level, sure = costs.texture(np.full((64, 64), at), 1.0, independent)
     assert not level.any()
+    assert sure.all()
     assert texture.mean() * costs.power == pytest.approx(power, rel=0.1)
 
 
@@ -97,7 +98,8 @@ def test_noise_is_no_texture():
     weigh = Weights.of((96, 96), 16, (64, 64), 4.0)
     valid = np.ones((96, 96), dtype=np.float32)
     costs = Costs(images, np.ones_like(images), valid, transfers, weigh)
-    texture, level = costs.texture(np.full((64, 64), at), 1.0, 4.0 * np.pi * 16.0 * np.ones((64, 64)))
-    assert np.all(texture[:, :8] > 0.0)
-    assert np.mean(texture[:, 44:] > 0.0) < 0.02
+    texture, level, sure = costs.texture(np.full((64, 64), at), 1.0, 4.0 * np.pi * 16.0 * np.ones((64, 64)))
+    assert np.all(sure[:, :8])
+    assert np.mean(sure[:, 44:]) < 0.02
+    assert texture[:, 44:].max() < 0.1
     assert level[:, 44:].all()

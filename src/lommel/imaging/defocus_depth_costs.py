@@ -234,8 +234,8 @@ class Costs:
 
     def texture(
         self, at: NDArray[np.int64], misfit: Floats | float, independent: Floats
-    ) -> tuple[Floats, NDArray[np.int64]]:
-        """Return the power of the texture over that of the tile, 0 where it may be noise, and the level for it.
+    ) -> tuple[Floats, NDArray[np.int64], NDArray[np.bool_]]:
+        """Return the power of the texture over that of the tile, the level for it, and where it is more than noise.
 
         Parameters
         ----------
@@ -247,7 +247,7 @@ class Costs:
             How many independent pixels there are in each window.
         """
         place = np.minimum((at + _COARSE // 2) // _COARSE, self._textures.shape[1] - 1)
-        powers = []
+        powers, sure = [], []
         for energies, (noise, signal, spread) in zip(
             self._textures, np.moveaxis(self._of_texture, 1, 0), strict=True
         ):
@@ -256,9 +256,10 @@ class Costs:
             # The quantile of chi squared, by Wilson and Hilferty.
             part = 2.0 / 9.0 * spread[place] / (noise[place] ** 2 * independent)
             least = mean * (1.0 - part + _SURE * np.sqrt(part)) ** 3
-            powers.append(np.where(energy > least, (energy - mean) / signal[place], 0.0))
+            powers.append(np.maximum(energy - mean, 0.0) / signal[place])
+            sure.append(energy > least)
         level = (powers[0] < _BETWEEN).astype(np.int64)
-        return np.where(level, powers[1], powers[0]), level
+        return np.where(level, powers[1], powers[0]), level, np.where(level, sure[1], sure[0])
 
     def of_level(self, level: NDArray[np.int64]) -> Floats:
         """Return the costs, each pixel's by the weights of its level."""

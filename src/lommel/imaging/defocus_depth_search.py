@@ -84,11 +84,10 @@ def search(tile: Tile, transfers: list[NDArray[np.float32]], weigh: Weights, win
     ]
     share = channels[0].coverage
     independent = 4.0 * np.pi * window**2 * share
-    levels = [one.texture(one.values[0].argmin(axis=0), 1.0, independent)[1] for one in channels]
-    cost = np.zeros(channels[0].values.shape[1:], dtype=np.float32)
-    for one, level in zip(channels, levels, strict=True):
-        cost += one.of_level(level)
-    at = cost.argmin(axis=0)
+    levels = [one.choose(_least(one.values[0]), independent) for one in channels]
+    parts = [one.of_level(level) for one, level in zip(channels, levels, strict=True)]
+    cost = parts[0] if len(parts) == 1 else np.sum(parts, axis=0)
+    at = _least(cost)
     position, curvature, least = _minimum(cost, at)
     noise = sum(one.known[level, at] for one, level in zip(channels, levels, strict=True))
     misfit = np.maximum(1.0 + 2.0 * least / np.maximum(noise, 1e-30), 0.0)
@@ -100,7 +99,7 @@ def search(tile: Tile, transfers: list[NDArray[np.float32]], weigh: Weights, win
     slope, expected, power = np.zeros((3, *at.shape))
     steepest = sum(one.curvature[level, at] for one, level in zip(channels, levels, strict=True))
     for one, level in zip(channels, levels, strict=True):
-        texture, _, more = one.texture(at, np.minimum(worse, _NOISIER), independent)
+        texture, more = one.texture(at, level, np.minimum(worse, _NOISIER), independent)
         # Where the minimum is clear it tells the texture better than the texture does.
         texture = np.where(clear, np.maximum(curvature / steepest, 0.0), texture)
         sure |= more
@@ -119,6 +118,16 @@ def search(tile: Tile, transfers: list[NDArray[np.float32]], weigh: Weights, win
     outside = (at == 0) | (at == len(cost) - 1)
     variance[outside], position[outside] = np.inf, np.nan
     return Found(position, variance, misfit, power)
+
+
+def _least(cost: Floats) -> NDArray[np.int64]:
+    """Return the place of the least along the first axis, as argmin does ten times as slowly."""
+    at, least = np.zeros(cost.shape[1:], dtype=np.int64), cost[0].copy()
+    for c, one in enumerate(cost[1:], 1):
+        less = one < least
+        at[less] = c
+        np.minimum(least, one, out=least)
+    return at
 
 
 def _spread(cost: Floats, at: NDArray[np.int64], independent: Floats) -> Floats:

@@ -79,15 +79,19 @@ def test_the_level_of_the_texture_and_its_depth_are_found():
     valid = np.ones((96, 96), dtype=np.float32)
     costs = Costs(images, np.ones_like(images), valid, transfers, weigh)
     assert np.mean(costs.values[0].argmin(axis=0) == at) > 0.99
-    # At the depth, what is left is noise, by either weight.
     independent = 4.0 * np.pi * 16.0 * np.ones((64, 64))
+    place = np.full((64, 64), at)
+    assert not costs.choose(place, independent).any()
+    assert len(costs.values) == 1
+    costs._level()
+    # At the depth, what is left is noise, by either weight.
     for k in range(2):
         chance = np.sqrt(costs.spread[k, at] / independent.mean())
-        assert abs(costs.values[k, at].mean()) < chance
-        assert costs.values[k, at].std() == pytest.approx(chance, rel=0.3)
-    texture, level = costs.texture(np.full((64, 64), at), 1.0, independent)
-    assert not level.any()
-    assert texture.mean() * costs.power == pytest.approx(power, rel=0.1)
+        assert abs(costs.values[k][at].mean()) < chance
+        assert costs.values[k][at].std() == pytest.approx(chance, rel=0.3)
+        texture, sure = costs.texture(place, np.full((64, 64), k), np.ones((64, 64)), independent)
+        assert sure.all()
+        assert texture.mean() * costs.power == pytest.approx(power, rel=0.15)
 
 
 def test_noise_is_no_texture():
@@ -97,7 +101,13 @@ def test_noise_is_no_texture():
     weigh = Weights.of((96, 96), 16, (64, 64), 4.0)
     valid = np.ones((96, 96), dtype=np.float32)
     costs = Costs(images, np.ones_like(images), valid, transfers, weigh)
-    texture, level = costs.texture(np.full((64, 64), at), 1.0, 4.0 * np.pi * 16.0 * np.ones((64, 64)))
-    assert np.all(texture[:, :8] > 0.0)
-    assert np.mean(texture[:, 44:] > 0.0) < 0.02
+    place, independent = np.full((64, 64), at), 4.0 * np.pi * 16.0 * np.ones((64, 64))
+    level = costs.choose(place, independent)
     assert level[:, 44:].all()
+    assert not level[:, :8].any()
+    texture, sure = costs.texture(place, level, np.ones((64, 64)), independent)
+    assert np.all(sure[:, :8])
+    assert np.mean(sure[:, 44:]) < 0.02
+    assert texture[:, 44:].max() < 0.1
+    assert np.array_equal(costs.of_level(level)[:, :, 50], costs.values[1][:, :, 50])
+    assert np.array_equal(costs.of_level(level)[:, :, 4], costs.values[0][:, :, 4])

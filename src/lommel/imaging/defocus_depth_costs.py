@@ -10,6 +10,7 @@ least variance: a wrong S makes the answer less exact, not wrong.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -27,6 +28,10 @@ _COARSE = 4
 """At every so many candidates is the texture measured."""
 _MODEL = 0.001
 """What transfer functions may be off: no more than this much of the light of large structures is relied on."""
+_FEW = 0.01
+"""Less than this share of a tile is served by the first level whatever its texture."""
+_PART = 64
+"""Pixels down or across whose windows are computed by one product."""
 _SURE = 4.0
 """Texture is what exceeds noise by so many standard deviations of its energy."""
 
@@ -122,31 +127,45 @@ def residuals(h: Floats) -> Iterator[Floats]:
 
 
 class Weights(NamedTuple):
-    """Windows of Gaussian weight, as products with a matrix on either side, which leave out what is beyond the tile.
+    """Windows of Gaussian weight, as products with narrow matrices on either side.
 
     Attributes
     ----------
-    down, across : ndarray
-        From the pixels of a tile with its margins to those that it answers for; rows sum to 1.
+    down, across : list of (slice, ndarray)
+        For some pixels that a tile answers for after the others, which pixels with its margins they are made of, and
+        how much of each; rows sum to 1.
     """
 
-    down: NDArray[np.float32]
-    across: NDArray[np.float32]
+    down: list[tuple[slice, NDArray[np.float32]]]
+    across: list[tuple[slice, NDArray[np.float32]]]
 
     @classmethod
     def of(cls, sides: tuple[int, int], margin: int, core: tuple[int, int], window: float) -> Weights:
-        """Return windows of an rms width."""
+        """Return windows of an rms width, which end after five of it, and with the tile."""
+        reach = math.ceil(5.0 * window)
 
-        def matrix(side: int, inner: int) -> NDArray[np.float32]:
-            away = np.arange(side) - np.arange(margin, margin + inner)[:, None]
-            made = np.exp(-0.5 * (away / window) ** 2)
-            return np.asarray(made / made.sum(axis=1, keepdims=True), dtype=np.float32)
+        def matrices(side: int, inner: int) -> list[tuple[slice, NDArray[np.float32]]]:
+            out = []
+            for first in range(margin, margin + inner, _PART):
+                last = min(first + _PART, margin + inner)
+                taken = slice(max(first - reach, 0), min(last + reach, side))
+                away = np.arange(taken.start, taken.stop) - np.arange(first, last)[:, None]
+                made = np.exp(-0.5 * (away / window) ** 2)
+                out.append((taken, np.asarray(made / made.sum(axis=1, keepdims=True), dtype=np.float32)))
+            return out
 
-        return cls(matrix(sides[0], core[0]), matrix(sides[1], core[1]))
+        return cls(matrices(sides[0], core[0]), matrices(sides[1], core[1]))
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """How many pixels the tile answers for, down and across."""
+        rows, columns = (sum(len(matrix) for _, matrix in side) for side in self)
+        return rows, columns
 
     def __call__(self, image: Floats) -> NDArray[np.float32]:
         """Return the weighted mean round each pixel that the tile answers for."""
-        return np.asarray(self.down @ image @ self.across.T)
+        rows = np.concatenate([matrix @ image[taken] for taken, matrix in self.down])
+        return np.concatenate([rows[:, taken] @ matrix.T for taken, matrix in self.across], axis=1)
 
 
 def whitened(images: Floats, variances: Floats, transfers: Floats) -> tuple[Transform, Floats, Floats]:
@@ -170,8 +189,8 @@ class Costs:
     ----------
     power : float
         Of the texture of the tile at 1 cycle a pixel, over that of noise.
-    values : ndarray, shape (levels, candidates, height, width)
-        Half of the energy that is left, less that of noise.
+    values : list of ndarray, shape (candidates, height, width)
+        For each level that has been computed, half of the energy that is left, less that of noise.
     known, spread : ndarray, shape (levels, candidates)
         The energy of noise, and the variance of a cost by noise for one independent pixel.
     curvature, by_texture, by_noise : ndarray, shape (levels, candidates)
@@ -189,37 +208,45 @@ class Costs:
         self._times = multiplicity(self._images.shape).astype(np.float32)
         square = squared_frequency(self._images.shape).astype(np.float32)
         square[0, 0] = np.inf
-        count, core = h.shape[1], (len(weigh.down), len(weigh.across))
-        self.values = np.empty((len(_LEVELS), count, *core), dtype=np.float32)
+        count = h.shape[1]
+        self._h, self._slopes, self._spectrum = h, np.gradient(h, axis=1), self.power / square
         self.known, self.spread, self.curvature, self.by_texture, self.by_noise = np.empty((5, len(_LEVELS), count))
-        coarse = -(-count // _COARSE)
-        self._textures = np.empty((len(_LEVELS), coarse, *core), dtype=np.float32)
-        self._of_texture = np.empty((3, len(_LEVELS), coarse))
-        slopes = np.gradient(h, axis=1)
-        for c in range(count):
-            self._candidate(c, h[:, c], slopes[:, c], self.power / square)
+        self._of_texture = np.empty((3, len(_LEVELS), -(-count // _COARSE)))
+        self.values: list[NDArray[np.float32]] = []
+        self._textures: list[NDArray[np.float32]] = []
+        self._level()
 
-    def _candidate(self, c: int, h: Floats, slope: Floats, spectrum: Floats) -> None:
+    def _level(self) -> None:
+        """Compute all candidates by the weights of the next level."""
+        k, count = len(self.values), self._h.shape[1]
+        self.values.append(np.empty((count, *self._weigh.shape), dtype=np.float32))
+        self._textures.append(np.empty((self._of_texture.shape[2], *self._weigh.shape), dtype=np.float32))
+        for c in range(count):
+            self._candidate(k, c, self._h[:, c], self._slopes[:, c])
+
+    def _candidate(self, k: int, c: int, h: Floats, slope: Floats) -> None:
         """Compute all of one candidate, from its transfer functions and their slope."""
         hh = (h * h).sum(axis=0) + np.float32(1e-12)
         across = np.maximum((slope * slope).sum(axis=0) - (h * slope).sum(axis=0) ** 2 / hh, 0.0)
         filters = list(residuals(h))
-        for k, share in enumerate(_LEVELS):
-            signal = np.float32(share) * spectrum * hh
-            weight = signal / ((1.0 + signal) * (1.0 + np.float32(_MODEL**2) * spectrum * hh))
-            root = np.sqrt(weight)
-            self.known[k, c] = len(filters) * self._mean(weight)
-            self.spread[k, c] = 0.5 * len(filters) * self._mean(weight**2)
-            energy = sum(self._energy(one * root) for one in filters)
-            self.values[k, c] = 0.5 * (energy - self.known[k, c])
-            self.curvature[k, c] = self._mean(weight * spectrum * across)
-            self.by_noise[k, c] = self._mean(weight**2 * across / hh)
-            self.by_texture[k, c] = self._mean(weight**2 * spectrum * across)
-            if c % _COARSE == 0:
-                filtered = signal / (1.0 + signal) ** 2  # of the least variance for texture of this level
-                self._textures[k, c // _COARSE] = self._energy(h * np.sqrt(filtered / hh))
-                moments = filtered, filtered * spectrum * hh, filtered**2
-                self._of_texture[:, k, c // _COARSE] = [self._mean(values) for values in moments]
+        full = self._spectrum * hh
+        signal = np.float32(_LEVELS[k]) * full
+        weight = signal / ((1.0 + signal) * (1.0 + np.float32(_MODEL**2) * full))
+        root = np.sqrt(weight)
+        self.known[k, c] = len(filters) * self._mean(weight)
+        self.spread[k, c] = 0.5 * len(filters) * self._mean(weight**2)
+        energy = sum(self._energy(one * root) for one in filters)
+        self.values[k][c] = 0.5 * (energy - self.known[k, c])
+        moved = weight * across
+        self.curvature[k, c] = self._mean(moved * self._spectrum)
+        self.by_texture[k, c] = self._mean(moved * weight * self._spectrum)
+        self.by_noise[k, c] = self._mean(moved * weight / hh)
+        if c % _COARSE == 0:
+            filtered = signal / (1.0 + signal) ** 2  # of the least variance for texture of this level
+            self._textures[k][c // _COARSE] = self._energy(h * np.sqrt(filtered / hh))
+            self._of_texture[:, k, c // _COARSE] = [
+                self._mean(values) for values in (filtered, filtered * full, filtered**2)
+            ]
 
     def _mean(self, values: Floats) -> float:
         """Return the mean over all frequencies."""
@@ -232,34 +259,52 @@ class Costs:
         values *= self._trust
         return np.asarray(self._weigh(values) / self.coverage)
 
-    def texture(
-        self, at: NDArray[np.int64], misfit: Floats | float, independent: Floats
-    ) -> tuple[Floats, NDArray[np.int64]]:
-        """Return the power of the texture over that of the tile, 0 where it may be noise, and the level for it.
+    def choose(self, at: NDArray[np.int64], independent: Floats) -> NDArray[np.int64]:
+        """Return the level that serves each pixel, and compute its costs; the second for few pixels is not worth it.
 
         Parameters
         ----------
         at : ndarray of int, shape (height, width)
             Of each pixel, the candidate.
-        misfit : ndarray or float
+        independent : ndarray
+            How many independent pixels there are in each window.
+        """
+        weak = self._texture(0, at, 1.0, independent)[0] < _BETWEEN
+        if weak.mean() < _FEW:
+            return np.zeros(at.shape, dtype=np.int64)
+        self._level()
+        return weak.astype(np.int64)
+
+    def texture(
+        self, at: NDArray[np.int64], level: NDArray[np.int64], misfit: Floats, independent: Floats
+    ) -> tuple[Floats, NDArray[np.bool_]]:
+        """Return the power of the texture over that of the tile, and where it is more than noise.
+
+        Parameters
+        ----------
+        at, level : ndarray of int, shape (height, width)
+            Of each pixel, the candidate and the level.
+        misfit : ndarray
             Energy of noise over what it should be.
         independent : ndarray
             How many independent pixels there are in each window.
         """
-        place = np.minimum((at + _COARSE // 2) // _COARSE, self._textures.shape[1] - 1)
-        powers = []
-        for energies, (noise, signal, spread) in zip(
-            self._textures, np.moveaxis(self._of_texture, 1, 0), strict=True
-        ):
-            energy = np.take_along_axis(energies, place[None], axis=0)[0]
-            mean = misfit * noise[place]
-            # The quantile of chi squared, by Wilson and Hilferty.
-            part = 2.0 / 9.0 * spread[place] / (noise[place] ** 2 * independent)
-            least = mean * (1.0 - part + _SURE * np.sqrt(part)) ** 3
-            powers.append(np.where(energy > least, (energy - mean) / signal[place], 0.0))
-        level = (powers[0] < _BETWEEN).astype(np.int64)
-        return np.where(level, powers[1], powers[0]), level
+        found = [self._texture(k, at, misfit, independent) for k in range(len(self.values))]
+        power, sure = (np.choose(level, each) for each in zip(*found, strict=True))
+        return power, sure
+
+    def _texture(
+        self, k: int, at: NDArray[np.int64], misfit: Floats | float, independent: Floats
+    ) -> tuple[Floats, NDArray[np.bool_]]:
+        """Return power and certainty by the weights of one level."""
+        place = np.minimum((at + _COARSE // 2) // _COARSE, len(self._textures[k]) - 1)
+        noise, signal, spread = (each[place] for each in self._of_texture[:, k])
+        energy = np.take_along_axis(self._textures[k], place[None], axis=0)[0]
+        mean = misfit * noise
+        # The quantile of chi squared, by Wilson and Hilferty.
+        part = 2.0 / 9.0 * spread / (noise**2 * independent)
+        return np.maximum(energy - mean, 0.0) / signal, energy > mean * (1.0 - part + _SURE * np.sqrt(part)) ** 3
 
     def of_level(self, level: NDArray[np.int64]) -> Floats:
-        """Return the costs, each pixel's by the weights of its level."""
-        return np.asarray(np.where(level, self.values[1], self.values[0]))
+        """Return the costs, shape (candidates, height, width), each pixel's by the weights of its level."""
+        return self.values[0] if len(self.values) == 1 else np.where(level, self.values[1], self.values[0])

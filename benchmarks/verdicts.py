@@ -189,6 +189,13 @@ TARGETS = [
         depth.against_points,
         depth.TOL,
     ),
+    Target(
+        "the same, its windows made, of which nothing is lost (energy=1)",
+        "energy=0.98",
+        *(2, 1.3, "", False),
+        depth.whole,
+        1e-5,
+    ),
     Target("the same through focus, 30 frames", "nothing", 28, 40, " frames/s", True, depth.focus_pull),
     Target(
         "occlusion, forward after the first at one depth, the worst of five scenes",

@@ -52,7 +52,7 @@ class Beyond:
         self._factors: dict[int, tuple[NDArray[np.float64], NDArray[Any]]] = {}
 
     def error(self, blur: Blur) -> float:
-        """Return a bound on the sum over pixels of what K is off, of any point and channel."""
+        """Return the sum over pixels of the most that K is off there, of any channel."""
         found = max(self._kernels_of(blur, channel).error for channel in range(len(self._remainders)))
         return found + _ROUNDING * float(np.finfo(blur.dtype).eps)
 

@@ -66,8 +66,8 @@ class DepthBlur(LinearBlur):
     lost : float
         Largest share of light beyond the windows, of any point and channel; 0 for the whole PSF.
     error : float
-        Largest error of interpolated windows over their peak that was found. For the whole PSF instead a bound on the
-        sum over pixels of what K is off, so that no pixel is off by more than this times the brightest point.
+        Largest error of interpolated windows over their peak that was found. For the whole PSF the sum over pixels of
+        the most that K is off there: no pixel is off by more than this times the brightest point.
 
     Raises
     ------
@@ -142,7 +142,7 @@ class DepthBlur(LinearBlur):
 
     @property
     def error(self) -> float:
-        """Largest error of interpolated windows over their peak; or bound on the sum of what the whole K is off."""
+        """Largest error of interpolated windows over their peak; or what the whole K is off, summed over pixels."""
         return max(bank.error for bank in self.banks) if self.beyond is None else self.beyond.error(self)
 
     def forward(self, image: NDArray[Any], weight: NDArray[Any] | None = None) -> NDArray[Any]:

@@ -69,8 +69,8 @@ class Remainder:
     scale : float
         s, pixels.
     error : float
-        Bound on the sum over all pixels of what K is off, as checked at each window and half-way between windows:
-        times the brightest point of a scene, it bounds what any pixel is off.
+        Sum over all pixels of the most that K is off there, of any defocus, as checked at each window and half-way
+        between windows: times the brightest point of a scene, it bounds what any pixel is off.
     """
 
     knots: Array
@@ -168,7 +168,7 @@ def fit(
     reach : int
         Pixels.
     tol : float
-        There are as many products as it takes for the sum of what a PSF is off to be less.
+        There are as many products as it takes for what a PSF is off beyond its window to sum to less, up to 16.
 
     Returns
     -------
@@ -206,23 +206,20 @@ def fit(
     # What is off is looked for at each window and half-way between them; far away, where all is smooth, at some.
     within, halfway = knots @ first, _halfway(knots)
     missed = left * (within - exact)
-    wrong = max(_largest(missed, alike[:near]), _largest(_halfway(exact + missed) - middle, alike[:near]))
+    wrong = _sum_of_largest(alike[:near], missed, _halfway(exact + missed) - middle)
     inner = some[(some > 0) & (some < len(at) - 2)]
     there = nodes.values(at[inner] + 0.5 * spacing)
-    wrong += max(
-        _largest(knots[some] @ last - shown[:, near:], alike[near:]),
-        _largest(halfway[inner - 1] @ last - there[:, near:], alike[near:]),
-    )
+    far = (knots[some] @ last - shown[:, near:], halfway[inner - 1] @ last - there[:, near:])
+    wrong += _sum_of_largest(alike[near:], *far)
     # Beyond the reach the misfit falls with r as the tail does, or faster: its sum is to that of a ring as 1 / reach
     # to 1 / begin - 1 / reach.
     misfit = knots[some] @ (smooth @ _smooth(squared[ring], scale)) - shown[:, ring]
-    wrong += _largest(misfit, alike[ring]) * begin / (reach - begin)
+    wrong += _sum_of_largest(alike[ring], misfit) * begin / (reach - begin)
     return Remainder(knots, spacing, table, smooth, scale, wrong), within
 
 
-def _largest(wrong: Array, alike: Array) -> float:
-    """Return the largest sum over pixels of what is wrong."""
-    return float((np.abs(wrong) @ alike).max())
+    missed = left * (within - exact)
+    wrong = _sum_of_largest(alike[:near], missed, _halfway(exact + missed) - middle)
 
 
 def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:
@@ -245,7 +242,7 @@ def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float
             # Turn by turn the one is linear in the other.
             found = _solved(_normal(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
             factors = _solved(_normal(weights, found, 1e-14), (weights * values) @ found.T)
-            wrong = _largest((factors @ found - values) * parts, many)
+            wrong = float((np.abs((factors @ found - values) * parts) @ many).max())
             if wrong <= tol:
                 break
             factors = np.linalg.qr(factors)[0]

@@ -25,11 +25,11 @@ class Photograph:
         Largest share of the light of a point that its window did not hold, and that was spread over the window; 0
         with ``energy=1``.
     error : float
-        Largest error of interpolated windows over their peak that was found. With ``energy=1`` a bound on the sum
-        over all pixels of what the PSF of a point is off, of any point and channel: where light is only added, no
-        pixel is off by more than this times the brightest point of the scene, in light. It is what was found at all
-        windows and half-way between them, with an estimate of what is off far away, and of rounding. Levels of
-        integers come on top.
+        Largest error of interpolated windows over their peak that was found. With ``energy=1`` the sum over
+        all pixels of the most that the PSF of a point is off there, at any depth and in any channel: where light is
+        only added, no pixel is off by more than this times the brightest point of the scene, in light. It is what was
+        found at all windows and half-way between them, with an estimate of what is off far away, and of rounding.
+        Levels of integers come on top.
     window : int
         Side of the largest window, pixels.
     clipped : float

@@ -218,8 +218,9 @@ def fit(
     return Remainder(knots, spacing, table, smooth, scale, wrong), within
 
 
-    missed = left * (within - exact)
-    wrong = _sum_of_largest(alike[:near], missed, _halfway(exact + missed) - middle)
+def _sum_of_largest(alike: Array, *wrong: Array) -> float:
+    """Return the sum over pixels of the most that each is wrong by, of all defocus."""
+    return float(np.max([np.abs(part).max(axis=0) for part in wrong if len(part)], axis=0) @ alike)
 
 
 def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:

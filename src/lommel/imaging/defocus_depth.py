@@ -45,7 +45,7 @@ class DefocusDepth:
     deviation : ndarray, shape (height, width)
         Its standard deviation, metres; infinite where it is not known.
     misfit : ndarray, shape (height, width)
-        What the photographs differ by beyond the depth found, over noise: 1 where lens, noise and registration hold,
+        What the photographs differ by beyond the depth found, over noise: 1 where registration and noise hold,
         more at steps of depth, at borders, where something moved. The deviation has grown with it.
     candidates : ndarray, shape (count,)
         Distances that were tried, metres.

@@ -230,9 +230,9 @@ def _tell(facts: dict[str, Any], options: dict[str, Any]) -> None:
         )
     told = f"misfit {facts['misfit']:.3g}"
     if facts["misfit"] > _MISFIT:
-        click.echo(f"{told}: lens, noise or registration do not fit the photos; depths may be wrong")
+        click.echo(f"{told}: registration, noise or lens do not fit the photos; depths may be wrong")
     else:
-        click.echo(f"{told} (about 1 where lens, noise and registration hold)")
+        click.echo(f"{told} (about 1 where registration and noise hold)")
 
 
 @click.command()

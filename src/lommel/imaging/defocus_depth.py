@@ -17,8 +17,9 @@ from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
 from lommel.estimation.noise import Noise
+from lommel.estimation.pixel_transfer import pixel_transfer
 from lommel.imaging.defocus_depth_photos import expose
-from lommel.imaging.defocus_depth_tiles import Tiling
+from lommel.imaging.defocus_depth_tiles import Tiling, Transfer
 from lommel.imaging.scene import fill_missing
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depthmaps import write_depth
@@ -44,7 +45,7 @@ class DefocusDepth:
     deviation : ndarray, shape (height, width)
         Its standard deviation, metres; infinite where it is not known.
     misfit : ndarray, shape (height, width)
-        What the photographs differ by beyond the depth found, over noise: 1 where lens, noise and registration hold,
+        What the photographs differ by beyond the depth found, over noise: 1 where registration and noise hold,
         more at steps of depth, at borders, where something moved. The deviation has grown with it.
     candidates : ndarray, shape (count,)
         Distances that were tried, metres.
@@ -196,6 +197,49 @@ def depth_from_defocus(
     >>> round(float(np.median(found.depth)), 2)
     1.5
     """
+    return depth_by(
+        pixel_transfer, photographs, lenses, pixel, encoding=encoding, noise=noise, between=between, window=window,
+        candidates=candidates, wavelengths=wavelengths, exposures=exposures, magnification=magnification,
+        saturation=saturation, progress=progress,
+    )  # fmt: skip
+
+
+def depth_by(
+    transfer: Transfer,
+    photographs: Sequence[ArrayLike],
+    lenses: Sequence[Lens],
+    pixel: float,
+    *,
+    encoding: str,
+    noise: Noise,
+    between: tuple[float, float],
+    window: float = 4.0,
+    candidates: int | None = None,
+    wavelengths: Sequence[Spectrum] | None = None,
+    exposures: Sequence[float] | None = None,
+    magnification: str = "registered",
+    saturation: float | None = None,
+    progress: Callable[[int, int], object] | None = None,
+) -> DefocusDepth:
+    """Do as :func:`depth_from_defocus` by other PSFs than those of the lenses.
+
+    Parameters
+    ----------
+    transfer : callable
+        Makes transfer functions as :func:`lommel.estimation.pixel_transfer.pixel_transfer` does, of its arguments.
+    photographs, lenses, pixel, encoding, noise, between, window, candidates, wavelengths, exposures, magnification, \
+    saturation, progress
+        As of :func:`depth_from_defocus`.
+
+    Returns
+    -------
+    DefocusDepth
+
+    Raises
+    ------
+    TypeError, ValueError
+        As :func:`depth_from_defocus`.
+    """
     lights = _lenses(lenses)
     if not isinstance(photographs, Sequence | np.ndarray) or len(photographs) != len(lights):
         raise ValueError(f"photographs must be as many as lenses, {len(lights)}, got {_count(photographs)}")
@@ -220,7 +264,7 @@ def depth_from_defocus(
         ((channel, 1.0),) if isinstance(channel, float) else tuple(channel)
         for channel in settings.channels(first.shape, lights[0])
     ]
-    tiling = Tiling.of(exposed, lights, distances, spectra, pitch, width)
+    tiling = Tiling.of(exposed, lights, distances, spectra, pitch, width, transfer)
     position, variance, misfit, level = tiling.search(progress)
     deviation = np.sqrt(variance) * step
     unknown = ~(deviation <= _KNOWN * (vergence[-1] - vergence[0])) | ~np.isfinite(position)

@@ -20,14 +20,15 @@ from numpy.typing import NDArray
 
 from lommel.estimation.pixel_transfer import multiplicity, squared_frequency
 
-_LEVELS = (0.3, 0.01)
-"""Powers of texture that weights are made for, over that of the tile; a factor of ten more or less costs little."""
-_BETWEEN = 0.05
+_LEVELS = (0.1, 0.005)
+"""Powers of texture that weights are made for, over that of the tile; a factor of ten more or less costs little.
+
+Less than there is, for filters then end sooner, and so do the errors of what changes with the depth.
+"""
+_BETWEEN = 0.03
 """Below this power over that of the tile a window is served by the second."""
 _COARSE = 4
 """At every so many candidates is the texture measured."""
-_MODEL = 0.001
-"""What transfer functions may be off: no more than this much of the light of large structures is relied on."""
 _FEW = 0.01
 """Less than this share of a tile is served by the first level whatever its texture."""
 _PART = 64
@@ -231,7 +232,7 @@ class Costs:
         filters = list(residuals(h))
         full = self._spectrum * hh
         signal = np.float32(_LEVELS[k]) * full
-        weight = signal / ((1.0 + signal) * (1.0 + np.float32(_MODEL**2) * full))
+        weight = signal / (1.0 + signal)
         root = np.sqrt(weight)
         self.known[k, c] = len(filters) * self._mean(weight)
         self.spread[k, c] = 0.5 * len(filters) * self._mean(weight**2)

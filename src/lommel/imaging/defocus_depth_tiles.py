@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.estimation.pixel_transfer import half_window, pixel_transfer
+from lommel.estimation.pixel_transfer import half_window
 from lommel.imaging.defocus_depth_costs import Weights
 from lommel.imaging.defocus_depth_photos import Exposures
 from lommel.imaging.defocus_depth_search import Found, Tile, search, sharpen
@@ -56,7 +56,7 @@ class Tiling:
         spectra: Sequence[Sequence[tuple[float, float]]],
         pixel: float,
         window: float,
-        transfer: Transfer = pixel_transfer,
+        transfer: Transfer,
     ) -> Tiling:
         """Return tiles, with the transfer functions of all lenses at all distances in all channels."""
         from scipy.fft import next_fast_len

@@ -1,0 +1,135 @@
+"""`lommel depth` and `lommel precision`, run as a user runs them."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+import tifffile
+
+import lommel as lm
+from planes import PAIR, PIXEL, shoot, texture
+
+LENS = """
+name = "35 mm lens"
+[lens]
+focal_length = "35 mm"
+f_number = 8.0
+wavelength = "540 nm"
+[sensor]
+pixel = "4 um"
+shape = 33
+"""
+FOCI = ["--focus", "1.35 m", "--focus", "1.8 m"]
+CAMERA = ["--between", "1.2 m", "2 m", "--white", 1e4, "--read", 3]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A lens file and two photographs of a plane at 1.5 m."""
+    (tmp_path / "lens.toml").write_text(LENS, encoding="utf-8")
+    for name, image in zip(("near", "far"), shoot(texture(), 1.5, PAIR), strict=True):
+        tifffile.imwrite(tmp_path / f"{name}.tif", image.astype(np.float32))
+    return tmp_path
+
+
+def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, call_lommel):
+    result = call_lommel(
+        "depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "-o", "depth.tif", "-o", "deviation.npy",
+        "--sharp", "sharp.tif", "--plot", "found.png", folder=folder,
+    )  # fmt: skip
+    assert result.returncode == 0, result.stderr
+    lines = result.stdout.splitlines()
+    assert lines[0] == "80 x 80 pixels of 4 um; focus 1.35 m at f/8, 1.8 m at f/8"
+    assert lines[1] == "61 distances from 1.2 m to 2 m, windows of 4 pixels rms"
+    assert lines[2].startswith("depth known at 100 % of the pixels: 1.4")
+    assert "(about 1 where" in lines[3]
+    assert lines[4:] == [f"wrote {name}" for name in ("depth.tif", "deviation.npy", "sharp.tif", "found.png")]
+    depth, deviation = lm.imaging.read_depth(folder / "depth.tif"), lm.imaging.read_depth(folder / "deviation.npy")
+    assert np.median(depth) == pytest.approx(1.5, abs=2e-3)
+    assert 5e-4 < np.median(deviation) < 1e-2
+    assert tifffile.imread(folder / "sharp.tif").shape == (80, 80)
+    found = lm.imaging.depth_from_defocus(
+        [tifffile.imread(folder / f"{name}.tif") for name in ("near", "far")], PAIR, PIXEL, encoding="linear",
+        noise=lm.Noise(white=1e4, read=3.0), between=(1.2, 2.0),
+    )  # fmt: skip
+    assert np.array_equal(depth, found.depth.astype(np.float32), equal_nan=True)
+
+
+def test_json_has_all_facts(folder, call_lommel):
+    found = json.loads(
+        call_lommel("depth", "near.tif", "far.tif", "lens.toml", *FOCI, *CAMERA, "--json", folder=folder).stdout
+    )
+    assert found["known"] > 0.99
+    assert found["depth"]["50 %"] == pytest.approx(1.5, abs=2e-3)
+    assert found["focus_distances"] == pytest.approx([1.35, 1.8])
+    assert found["exposures"][0] == 1.0
+    assert found["misfit"] == pytest.approx(1.0, abs=0.2)
+
+
+def test_photos_that_do_not_fit_are_told(folder, call_lommel):
+    tifffile.imwrite(folder / "moved.tif", np.roll(tifffile.imread(folder / "far.tif"), 2, axis=1))
+    result = call_lommel("depth", "near.tif", "moved.tif", "lens.toml", *FOCI, *CAMERA, folder=folder)
+    assert "registration, noise or lens do not fit the photos" in result.stdout
+    flat = np.full((64, 64), 0.5, dtype=np.float32)
+    tifffile.imwrite(
+        folder / "flat.tif", flat + 0.007 * np.random.default_rng(0).normal(size=flat.shape).astype("f4")
+    )
+    result = call_lommel("depth", "flat.tif", "flat.tif", "lens.toml", *FOCI, *CAMERA, folder=folder)
+    assert "no depth is known" in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["near.tif", "lens.toml", *FOCI], "--focus must be given once, or for each of 1 photos, got 2"),
+        (["near.tif", "lens.toml"], "lenses must be two or more"),
+        (["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "depth.png"], "--output must end in .npy, .pfm, .tif"),
+        (["near.tif", "far.tif", "lens.toml", *FOCI, *["-o", "a.tif"] * 3], "--output must be the depth and its"),
+        (["near.tif", "far.tif", "lens.toml", *FOCI, "--sharp", "a.gif"], "--sharp must end in .png"),
+        (["near.tif", "far.tif", "lens.toml", *FOCI, "--plot", "a.gif"], "a figure must end in .png"),
+        (["near.tif", "nix.tif", "lens.toml", *FOCI], "nix.tif: No such file or directory"),
+        (["near.tif", "far.tif", "lens.toml", "--focus", "1 cm"], "focus_distance must exceed the focal length"),
+    ],
+)
+def test_mistakes_are_told_in_a_line(words, said, folder, call_lommel):
+    result = call_lommel("depth", *words, *CAMERA, folder=folder)
+    assert result.returncode == 2
+    assert said in result.stderr
+    assert not (folder / "depth.png").exists()
+
+
+def test_precision_is_a_table_and_a_picture(folder, call_lommel):
+    options = ["lens.toml", "--focus", "1.5 m", "--photons", 1e4]
+    result = call_lommel("precision", *options, "--pair", 0.1, "--plot", "precision.png", folder=folder)
+    assert result.returncode == 0, result.stderr
+    assert "f = 35 mm, f/8, focus 1.304 m, 1.765 m" in result.stdout
+    assert (folder / "precision.png").stat().st_size > 10_000
+    found = json.loads(call_lommel("precision", *options, "--pair", 0.1, "--json", folder=folder).stdout)
+    lens = PAIR[0]
+    foci = [1.0 / (1.0 / 1.5 + 0.1), 1.0 / (1.0 / 1.5 - 0.1)]
+    expected = lm.depth_precision(
+        [lens.focused(focus) for focus in foci], found["distance"], PIXEL, noise=lm.Noise(read=3.0), photons=1e4
+    )
+    assert found["deviation"] == pytest.approx(expected.tolist(), rel=1e-6)
+    best = json.loads(call_lommel("precision", *options, "--best", "--json", folder=folder).stdout)
+    assert best["focus_distances"] == pytest.approx(
+        lm.best_foci(lens, 1.5, PIXEL, noise=lm.Noise(read=3.0), photons=1e4)[:2]
+    )
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--focus", "1.5 m"], "give --focus twice or more"),
+        (["--focus", "1.5 m", "--pair", 0.1, "--best"], "give --focus twice or more"),
+        (["--focus", "1.5 m", "--pair", 0.7], "--pair must be > 0 and at most 0.6667 dioptres"),
+        (["--focus", "1.5 m", "--best", "--between", "2 m", "1 m"], "--between must be the nearest"),
+        (["--focus", "1.5 m", "--best", "--plot", "a.gif"], "a figure must end in .png"),
+    ],
+)
+def test_mistakes_about_precision_are_told_in_a_line(words, said, folder, call_lommel):
+    result = call_lommel("precision", "lens.toml", *words, "--photons", 1e4, folder=folder)
+    assert result.returncode == 2
+    assert said in result.stderr

@@ -2,9 +2,9 @@
 A photograph restored
 =====================
 
-A noisy photograph whose depth and lens are known gives back much of what the blur took: by the iteration of Richardson
-and Lucy, and by total variation, both of which stop where only noise is left. With discs or Gaussians for PSFs they give
-back less, and with one average PSF for all of the picture, less than nothing.
+A noisy photograph whose depth and lens are known gives back much of what the blur took: by the iteration of
+Richardson and Lucy, and by total variation, both of which stop where only noise is left. With discs or Gaussians for
+PSFs they give back less, and with one average PSF for all of the picture, less than nothing.
 
 The scene is the motorcycle of the Middlebury benchmark (Scharstein et al., GCPR 2014,
 `doi:10.1007/978-3-319-11752-2_3 <https://doi.org/10.1007/978-3-319-11752-2_3>`__), as it comes with scikit-image. The
@@ -85,8 +85,8 @@ places[0, 0].set_ylabel("y (pixels)")
 # %%
 # The same with other PSFs, by filling the same windows: discs of the radius of the cone of rays, Gaussians of their
 # second moment, and the average of all PSFs of the picture. Without aberration a disc is nearly right at f/2. Three
-# waves of spherical aberration, which fast lenses have, make it wrong: it draws edges twice, gains a third of what the
-# exact PSF does, and the discrepancy says so.
+# waves of spherical aberration, which fast lenses have, make it wrong: it draws edges twice, gains a third of what
+# the exact PSF does, and the discrepancy says so.
 
 
 def imitated(exact: DepthBlur, kind: str) -> DepthBlur:

@@ -80,7 +80,7 @@ def main() -> None:
       lommel methods                                    # what they are, and their options
       lommel paper   out                                # every figure and number of the paper
       lommel blur    photo.jpg depth.tif lens.toml --focus "2 m" -o out.jpg    # a photograph
-      lommel restore photo.tif depth.tif lens.toml --white 5000 --read 3 -o sharp.tif    # and back
+      lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 -o sharp.jpg    # and back
       lommel depth   near.tif far.tif lens.toml --focus "1.3 m" --focus "2 m" --between "1 m" "3 m" \\
                      --white 5000 --read 3 -o depth.tif         # depth by defocus
       lommel retrieve star-*.tif lens.toml --defocus -4 0 4 --read 2   # the wavefront behind images of a star

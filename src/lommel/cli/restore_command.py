@@ -67,8 +67,7 @@ def restore(
     \b
     Examples:
       lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 -o sharp.jpg
-      lommel restore photo.tif depth.tif --focus "2.2 m" --pixel 6um --f-number 2 --focal-length 35mm \\
-        --white 5000 --read 3 --method total-variation -o sharp.tif
+      lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """  # noqa: D301 (\b is meant)
     from lommel.estimation.noise import Noise
     from lommel.imaging.restore import restore as restored

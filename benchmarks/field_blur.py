@@ -60,7 +60,7 @@ def by_depth(half: int, pixel: float, energy: float) -> DepthBlur:
 
 
 def off(blur: FieldBlur, count: int, depth: NDArray[np.float64] | None = None) -> tuple[NDArray[np.float64], float]:
-    """Return sums of absolute differences to exact PSFs at random sources: of windows; and the largest of all light."""
+    """Return sums of absolute differences to exact PSFs at random sources: of windows, and the most of all light."""
     rng, half = np.random.default_rng(1), blur.banks[0].half
     rows, columns = rng.integers(0, SHAPE[0], count), rng.integers(0, SHAPE[1], count)
     within: list[float] = []

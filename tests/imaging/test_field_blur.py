@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.sparse.linalg import lsqr
 
 import lommel as lm
 from lommel.imaging import DepthBlur, FieldBlur
@@ -236,6 +237,21 @@ def test_light_that_distortion_moves_is_followed():
     away = np.arange(-half, half + 1)
     made = np.array([window.sum(axis=0) @ away, window.sum(axis=1) @ away])
     assert np.abs(made - exact).max() < 0.1
+
+
+def test_solvers_take_it():
+    """Those of SciPy, and of PyLops where that is installed, whose own test of the transpose passes."""
+    blur = FieldBlur(STEEP, SHAPE, PIXEL, dtype=np.float64, energy=0.9, largest=40)
+    operator, light = blur.as_linear_operator(), np.random.default_rng(0).random(960)
+    image = operator @ light
+    np.testing.assert_array_equal(image.reshape(SHAPE), blur.forward(light.reshape(SHAPE)))
+    before, after = (
+        np.linalg.norm(lsqr(operator, image, atol=0.0, btol=0.0, iter_lim=steps)[0] - light) for steps in (3, 60)
+    )
+    assert after < 0.3 * before
+    pylops = pytest.importorskip("pylops", reason="pylops is not installed")
+    theirs = pylops.LinearOperator(operator, dims=operator.dims, dimsd=operator.dims)
+    assert pylops.utils.dottest(theirs, *theirs.shape, rtol=1e-12)
 
 
 def test_any_aperture_will_do_in_units_of_the_spot_too():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.sparse.linalg import lsqr
 
 import lommel as lm
 from lommel.imaging import DepthBlur, FieldBlur
@@ -160,6 +161,8 @@ def test_a_white_wall_stays_white_and_light_is_kept(border):
     blur = FieldBlur(same, SHAPE, PIXEL, dtype=np.float64, border=border, largest=40)
     assert np.abs(blur.forward(np.ones(SHAPE)) - 1.0).max() < 1e-12
     # A part of a sensor over which the PSF hardly changes: tails of coma point beyond the edges, and are not missed.
+    whole = FieldBlur(same, SHAPE, PIXEL, dtype=np.float64, border=border, energy=1.0)
+    assert np.abs(whole.forward(np.ones(SHAPE)) - 1.0).max() < 1e-12
     corner = FieldBlur(SENSOR, SHAPE, PIXEL, dtype=np.float64, border=border, largest=40, center=(3000.0, 4000.0))
     assert np.abs(corner.forward(np.ones(SHAPE)) - 1.0).max() < 2e-3
     star = np.zeros((60, 70))
@@ -183,6 +186,48 @@ def test_tails_of_coma_point_away_from_the_axis_and_a_crop_is_part_of_the_whole(
     assert 0.0 < np.abs(off).max() < 2e-3  # windows of a crop may be smaller
 
 
+@pytest.mark.parametrize("deep", [False, True])
+def test_of_the_whole_psf_nothing_is_lost(deep):
+    """Windows, and beyond them as much for each point as it has there, of one far light."""
+    depth = np.random.default_rng(5).uniform(1.9, 2.2, SHAPE)
+    more = {"depth": depth, "lens": LENS} if deep else {}
+    blur = FieldBlur(OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=4e-3, largest=60, **more)
+    bank, rng = blur.banks[0], np.random.default_rng(4)
+    assert bank.half < bank.far.reach
+    rows, columns = rng.integers(0, SHAPE[0], 60), rng.integers(0, SHAPE[1], 60)
+    pupil = OF_LENS.pupil(PIXEL * (columns - 19.5), PIXEL * (rows - 11.5))
+    if deep:
+        there = pupil.wavefront + LENS.pupil(depth[rows, columns]).wavefront
+        pupil = lm.Pupil(there, wavelength=550e-9, f_number=LENS.working_f_number)
+    reach = bank.far.reach
+    whole = lm.psf(pupil, 2 * reach + 1, PIXEL, dtype=np.float64).values
+    made = np.stack([blur.window(row, column) for row, column in zip(rows, columns, strict=True)])
+    assert np.abs(made.sum(axis=(1, 2)) - 1.0).max() < 1e-12
+    beyond = 1.0 - whole.sum(axis=(1, 2))
+    assert beyond.max() <= 1.05 * blur.lost <= 5e-3
+    off = np.abs(made - whole).sum(axis=(1, 2))
+    assert off.max() <= blur.error + blur.lost
+    assert blur.error <= 4e-3
+    assert off.max() + beyond.max() < 0.5 * FieldBlur(OF_LENS, SHAPE, PIXEL, largest=60, **more).lost
+    star = np.zeros(SHAPE)
+    star[rows[0], columns[0]] = 1.0
+    zero = FieldBlur(
+        OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=4e-3, largest=60, border="zero", **more
+    ).forward(star)
+    first = reach - rows[0], reach - columns[0]
+    part = made[0][first[0] : first[0] + SHAPE[0], first[1] : first[1] + SHAPE[1]]
+    assert np.abs(zero - part).max() < 1e-12
+    for border in ("reflect", "extend") if not deep else ():
+        blur = FieldBlur(OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=0.02, largest=60, border=border)
+        one, other = dot(blur)
+        assert one == pytest.approx(other, rel=1e-12)
+
+
+def test_far_light_that_is_not_alike_is_refused():
+    with pytest.raises(ValueError, match=r"light farther than 9 pixels .*larger windows than largest=9.*larger tol"):
+        FieldBlur(STEEP, SHAPE, PIXEL, energy=1.0, largest=9, tol=1e-3)
+
+
 def test_light_that_distortion_moves_is_followed():
     field = lm.FieldMap.from_seidel(100e-6, W311=-2.0, **SCALE)
     blur = FieldBlur(field, (60, 80), PIXEL, tol=1e-2, dtype=np.float64)
@@ -192,6 +237,21 @@ def test_light_that_distortion_moves_is_followed():
     away = np.arange(-half, half + 1)
     made = np.array([window.sum(axis=0) @ away, window.sum(axis=1) @ away])
     assert np.abs(made - exact).max() < 0.1
+
+
+def test_solvers_take_it():
+    """Those of SciPy, and of PyLops where that is installed, whose own test of the transpose passes."""
+    blur = FieldBlur(STEEP, SHAPE, PIXEL, dtype=np.float64, energy=0.9, largest=40)
+    operator, light = blur.as_linear_operator(), np.random.default_rng(0).random(960)
+    image = operator @ light
+    np.testing.assert_array_equal(image.reshape(SHAPE), blur.forward(light.reshape(SHAPE)))
+    before, after = (
+        np.linalg.norm(lsqr(operator, image, atol=0.0, btol=0.0, iter_lim=steps)[0] - light) for steps in (3, 60)
+    )
+    assert after < 0.3 * before
+    pylops = pytest.importorskip("pylops", reason="pylops is not installed")
+    theirs = pylops.LinearOperator(operator, dims=operator.dims, dimsd=operator.dims)
+    assert pylops.utils.dottest(theirs, *theirs.shape, rtol=1e-12)
 
 
 def test_any_aperture_will_do_in_units_of_the_spot_too():

@@ -3,99 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.field.maps import FieldMap
+from lommel.imaging.far_light import FarLight, far_light
+from lommel.imaging.field_light import CORE, PointLight, Span, lattice, too_large
 from lommel.imaging.nodes import MOST, UNEVEN, Nodes, enough, off
-from lommel.optics.pupil import Pupil
-from lommel.optics.spectrum import in_light
-from lommel.optics.wavefront import Wavefront
-from lommel.psf import psf
 
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
-_AT_ONCE = 2**24  # values that are computed at once
 _CHECKED = 1500  # places half-way between nodes that are looked at, where there are more
 _FINE = 3e-4  # tolerances below which splines of degree 5 are quicker than cubic ones
-_CORE = 0.9  # of the light, which tells how close nodes must be
 _SHARE = 0.85  # of the tolerance that the axes share: their errors add up to no more than they promise
-
-Spectrum = Sequence[tuple[float, float]]
-Span = tuple[float, float]
-
-
-@dataclass(frozen=True)
-class PointLight:
-    """The light of a point on the pixels of a sensor, anywhere in the field, at any defocus.
-
-    Attributes
-    ----------
-    field_map : FieldMap
-    phase : callable, optional
-        Makes wavefronts of defocus, as :meth:`lommel.Lens.phase`.
-    spectrum : sequence of (wavelength, weight), optional
-        Metres; weights sum to 1. By default the wavelength of the map.
-    pixel : float
-        In the unit of the map.
-    tol : float
-        Of each PSF, over its peak.
-    threads : int, optional
-    """
-
-    field_map: FieldMap
-    phase: Callable[[NDArray[np.float64]], Wavefront] | None
-    spectrum: Spectrum | None
-    pixel: float
-    tol: float
-    threads: int | None
-
-    def pupil(self, y: NDArray[np.float64], x: NDArray[np.float64], defocus: NDArray[np.float64]) -> Pupil:
-        """Return what some places see at a defocus each, arrays of one shape: a stack."""
-        pupil = self.field_map.pupil(x, y)
-        return pupil if self.phase is None else pupil.carrying(pupil.wavefront + self.phase(defocus), None)
-
-    def windows(self, places: NDArray[np.float64], half: int) -> NDArray[np.float64]:
-        """Return the share of light in each pixel of windows of points.
-
-        Parameters
-        ----------
-        places : ndarray, shape (n, 3)
-            y and x in the field, and the defocus C_d, radians.
-        half : int
-            Pixels from the middle of a window to its edge.
-
-        Returns
-        -------
-        ndarray, shape (n, 2 half + 1, 2 half + 1)
-        """
-        side = 2 * half + 1
-        out = np.zeros((len(places), side, side))
-        step = max(1, _AT_ONCE // side**2)
-        for first in range(0, len(places), step):
-            part = slice(first, first + step)
-            pupil = self.pupil(*places[part].T)
-            for wavelength, weight in self.spectrum or ((None, 1.0),):
-                light = pupil if wavelength is None else in_light(pupil, wavelength)
-                given: dict[str, Any] = {"integrate": True, "dtype": np.float64, "threads": self.threads}
-                out[part] += weight * psf(light, side, self.pixel, tol=self.tol, **given).values
-        return out
-
-    def enough(self, spans: Sequence[Span], energy: float, largest: int) -> tuple[int, int]:
-        """Return half of a window that holds `energy` of the light at places all over the spans, and of its core."""
-        places = _lattice([np.linspace(*span, 5 if axis < 2 else 3) for axis, span in enumerate(spans)])
-        half = math.ceil(float(self.pupil(*places.T).geometric_radius().max()) / self.pixel) + 1
-        while True:
-            half = min(half, largest)
-            windows = self.windows(places, half)
-            if windows.sum(axis=(1, 2)).min() >= energy:
-                return _least(windows, energy), _least(windows, min(energy, _CORE))
-            if half == largest:
-                raise too_large(largest, energy)
-            half = math.ceil(1.3 * half) + 1
+_FAR = 0.4  # of the tolerance for the light beyond the windows, where that counts
 
 
 @dataclass(frozen=True)
@@ -107,16 +30,19 @@ class FieldBank:
     axes : tuple of three Nodes
         Along y and x in the field, and along defocus (radians at the wavelength of the map).
     coefficients : ndarray, shape (y, x, defocus, side, side)
-        Of splines along these axes. Every window that they make has the sum 1.
+        Of splines along these axes. Every window that they make has the sum 1, or what the far light leaves of it.
+    far : FarLight or None
+        What holds the light beyond the windows of the whole PSF.
     lost : float
-        Largest share of light beyond the windows that was found, spread over these instead.
+        Largest share of light beyond these that was found, spread over them instead.
     error : float
-        Largest sum of absolute differences between interpolated windows and exact ones, from what was found half-way
-        between nodes.
+        Largest sum of absolute differences between what points spread and exact PSFs, but for this, from what was
+        found half-way between nodes.
     """
 
     axes: tuple[Nodes, Nodes, Nodes]
     coefficients: NDArray[Any]
+    far: FarLight | None
     lost: float
     error: float
 
@@ -131,7 +57,7 @@ class FieldBank:
         return math.prod(self.coefficients.shape[:3])
 
     def window(self, y: float, x: float, defocus: float = 0.0) -> NDArray[np.float64]:
-        """Return the window of one point.
+        """Return what one point spreads.
 
         Parameters
         ----------
@@ -144,11 +70,24 @@ class FieldBank:
         -------
         ndarray, shape (side, side)
         """
-        return next(_mixed(self.axes, self.coefficients, np.array([[y, x, defocus]])))
+        made = next(_mixed(self.axes, self.coefficients, np.array([[y, x, defocus]])))
+        if self.far is None:
+            return made
+        middle = self.far.reach - self.half
+        whole = np.asarray((1.0 - made.sum()) * self.far.kernel)
+        whole[middle : middle + len(made), middle : middle + len(made)] += made
+        return whole
 
 
 def build_field_bank(
-    light: PointLight, spans: Sequence[Span], *, tol: float, energy: float, largest: int, dtype: np.dtype[Any]
+    light: PointLight,
+    spans: Sequence[Span],
+    *,
+    tol: float,
+    energy: float,
+    largest: int,
+    farthest: int,
+    dtype: np.dtype[Any],
 ) -> FieldBank:
     """Compute the bank of one channel.
 
@@ -160,9 +99,11 @@ def build_field_bank(
     tol : float
         Nodes are put closer together until interpolated windows err by less, by the sum of absolute differences.
     energy : float
-        Share of light that windows must hold.
+        Share of light that windows must hold; 1 for the whole PSF, with what is beyond them.
     largest : int
         Largest half width allowed, pixels.
+    farthest : int
+        How far from a point its light counts, pixels, of the whole PSF.
     dtype : dtype
         Of the coefficients.
 
@@ -175,35 +116,43 @@ def build_field_bank(
     ValueError
         If windows would exceed `largest`, or if the bank would hold more than 2^27 values.
     """
-    half, core = light.enough(spans, energy, largest)
-    axes, before = _axes(light, spans, core, tol), math.inf
+    half, core = light.enough(spans, CORE if energy == 1.0 else energy, largest)
+    far = far_light(light, spans, _FAR * tol, largest, farthest) if energy == 1.0 else None
+    room = tol
+    if far is not None:
+        half, room = far.half, tol - far.error
+    axes, before = _axes(light, spans, min(core, half), room), math.inf
     if all(nodes.count == 1 for nodes in axes):
         before = 0.0
     while True:
         side = 2 * half + 1
         if math.prod(nodes.count for nodes in axes) * side * side > _MAX_VALUES:
             raise _too_many(axes, side, tol)
-        windows = light.windows(_lattice([nodes.places for nodes in axes]), half)
+        windows = light.windows(lattice([nodes.places for nodes in axes]), half)
         held = windows.sum(axis=(1, 2))
-        if held.min() < energy:  # between the places that were looked at
+        if far is None and held.min() < energy:  # between the places that were looked at
             if half == largest:
                 raise too_large(largest, energy)
             half = min(largest, math.ceil(1.05 * half) + 1)
             continue
-        coefficients = (windows / held[:, None, None]).reshape(*(nodes.count for nodes in axes), side, side)
+        if far is None:
+            windows /= held[:, None, None]
+        coefficients = windows.reshape(*(nodes.count for nodes in axes), side, side)
         for axis, nodes in enumerate(axes):
             coefficients = nodes.coefficients(coefficients, axis)
         places = _half_way(axes)
         exact = light.windows(places, half)
         between = exact.sum(axis=(1, 2))
-        exact /= between[:, None, None]
-        error = UNEVEN * max(
-            off(made, one) for made, one in zip(_mixed(axes, coefficients, places), exact, strict=True)
+        if far is None:
+            exact /= between[:, None, None]
+        error = UNEVEN * max(  # what a window holds too much, the far light lacks
+            off(made, one) + abs(float((made - one).sum()))
+            for made, one in zip(_mixed(axes, coefficients, places), exact, strict=True)
         )
-        if error <= tol:
-            lost = 1.0 - float(min(held.min(), between.min()))
-            return FieldBank(axes, coefficients.astype(dtype), lost, error)
-        times = max(1.05, (error / (_SHARE * tol)) ** (1.0 / (axes[0].degree + 1)))
+        if error <= room:
+            lost = 1.0 - float(min(held.min(), between.min())) if far is None else far.lost
+            return FieldBank(axes, coefficients.astype(dtype), far, lost, error + tol - room)
+        times = max(1.05, (error / (_SHARE * room)) ** (1.0 / (axes[0].degree + 1)))
         # Where nodes that are closer do not help, axes of a single one may need more.
         single, before = error > 0.9 * before, error
         y, x, defocus = (
@@ -211,14 +160,6 @@ def build_field_bank(
             for nodes in axes
         )
         axes = y, x, defocus
-
-
-def too_large(largest: int, energy: float) -> ValueError:
-    """Return what tells that windows would be too large."""
-    return ValueError(
-        f"the blur takes windows of more than {2 * largest + 1} pixels a side to hold {energy:g} of the light; stop "
-        f"down, allow larger windows (largest={largest + 1} or more), or ask for less of it (energy=)"
-    )
 
 
 def _too_many(axes: Sequence[Nodes], side: int, tol: float) -> ValueError:
@@ -243,7 +184,7 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
             along: NDArray[np.float64], axis: int = axis, others: list[NDArray[np.float64]] = others
         ) -> NDArray[np.float64]:
             ticks = [along if k == axis else other for k, other in enumerate(others)]
-            windows = light.windows(_lattice(ticks), half)
+            windows = light.windows(lattice(ticks), half)
             windows /= windows.sum(axis=(1, 2), keepdims=True)
             shaped = windows.reshape(*(len(tick) for tick in ticks), *windows.shape[1:])
             return np.moveaxis(shaped, axis, 2).reshape(-1, len(along), *windows.shape[1:])
@@ -260,15 +201,10 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
     return y, x, defocus
 
 
-def _lattice(ticks: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
-    """Return all places of a lattice, shape (n, 3), the last coordinate fastest."""
-    return np.stack([part.ravel() for part in np.meshgrid(*ticks, indexing="ij")], axis=1)
-
-
 def _half_way(axes: Sequence[Nodes]) -> NDArray[np.float64]:
     """Return the middles between nodes, shape (n, 3), some of them if they are many."""
     ticks = [nodes.between if nodes.count > 1 else np.unique([nodes.first, nodes.last]) for nodes in axes]
-    places = _lattice(ticks)
+    places = lattice(ticks)
     if len(places) <= _CHECKED:
         return places
     return places[np.random.default_rng(0).choice(len(places), _CHECKED, replace=False)]
@@ -285,14 +221,3 @@ def _mixed(
         for share, these in zip(shares, used, strict=True):
             found = np.tensordot(share[these], found, axes=(0, 0))
         yield found.astype(np.float64, copy=False)
-
-
-def _least(windows: NDArray[np.float64], energy: float) -> int:
-    """Return half of the least windows, of the same middles, that hold so much."""
-    half = int(windows.shape[-1]) // 2
-    while half > 0:
-        inner = windows[:, 1:-1, 1:-1]
-        if inner.sum(axis=(1, 2)).min() < energy:
-            break
-        windows, half = inner, half - 1
-    return half

@@ -13,10 +13,10 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.field.maps import FieldMap
-from lommel.imaging.blocks import Blocks
 from lommel.imaging.blur import require_depth, require_lens
-from lommel.imaging.borders import gathered
-from lommel.imaging.field_bank import FieldBank, PointLight, build_field_bank
+from lommel.imaging.field_bank import FieldBank, build_field_bank
+from lommel.imaging.field_light import PointLight
+from lommel.imaging.field_part import Part
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.settings import Settings, Spectrum, spectra
 from lommel.measures.answer import sides
@@ -40,7 +40,8 @@ class FieldBlur(LinearBlur):
     K_p is the PSF of the source point p, averaged over the pixels: that of its place in the field, and of its
     distance where a depth is given. It is cut to a window that holds `energy` of its light, of one size for all
     points, and divided by what the window holds. Between nodes over the field (and over defocus) it is interpolated
-    by cubic splines; the nodes are chosen so that K_p errs by less than `tol`.
+    by cubic splines; the nodes are chosen so that K_p errs by less than `tol`. With ``energy=1`` it is the whole PSF:
+    beyond the windows, which then are as large as it takes, that is for each point its share of one far light.
 
     Parameters
     ----------
@@ -66,8 +67,8 @@ class FieldBlur(LinearBlur):
     channels : sequence, default (wavelength of the map,)
         For each channel a wavelength (metres), or its spectrum, pairs of wavelength and weight.
     tol : float, default 1e-3
-        Bound on the sum of absolute differences between an interpolated window and the exact one, which each have
-        the sum 1; 1e-6 to 1e-1. Checked half-way between nodes.
+        Bound on the sum of absolute differences between K_p and the exact window, which each have the sum 1; 1e-6
+        to 1e-1. Checked half-way between nodes.
     {options}
 
     Attributes
@@ -125,7 +126,8 @@ class FieldBlur(LinearBlur):
         self.pixel = validation.pixel(pixel, metric=metric)
         validation.pixel_on(self.pixel, light.scale, metric=metric)
         validation.real("tol", tol, least=1e-6, below=0.1 + 1e-12)
-        settings = Settings.of(FieldBlur, options, FieldKeywords)
+        whole = isinstance(options.get("energy"), int | float) and options["energy"] == 1.0
+        settings = Settings.of(FieldBlur, {**options, "energy": 0.98} if whole else options, FieldKeywords)
         self.border, self.dtype = settings.border, np.dtype(settings.dtype)
         self.threads = settings.threads or os.cpu_count() or 1
         self.y, self.x = self._places(center, sensor)
@@ -135,7 +137,7 @@ class FieldBlur(LinearBlur):
         if channels is not None and not metric:
             raise ValueError("channels need a map with a wavelength, to which theirs are related")
         colours = (None,) if channels is None else spectra("channels", channels)
-        known: dict[Any, tuple[FieldBank, Blocks]] = {}
+        known: dict[Any, tuple[FieldBank, tuple[Part, ...]]] = {}
         for spectrum in colours:
             if spectrum not in known:
                 bank = build_field_bank(
@@ -149,13 +151,14 @@ class FieldBlur(LinearBlur):
                     ),
                     spans,
                     tol=tol,
-                    energy=settings.energy,
+                    energy=1.0 if whole else settings.energy,
                     largest=settings.largest or max(1, min(self.shape) // 2),
+                    farthest=max(self.shape),
                     dtype=self.dtype,
                 )
-                known[spectrum] = bank, self._blocks(bank)
+                known[spectrum] = bank, self._made(bank)
         self.banks = tuple(known[spectrum][0] for spectrum in colours)
-        self._engines = tuple(known[spectrum][1] for spectrum in colours)
+        self._parts = tuple(known[spectrum][1] for spectrum in colours)
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -223,10 +226,8 @@ class FieldBlur(LinearBlur):
         """
 
         def spread(channel: int, plane: NDArray[Any]) -> NDArray[Any]:
-            (rows, columns), beyond = self._points(self.banks[channel])
-            made = self._engines[channel].spread(plane[rows[:, None], columns], self._shares(channel, rows, columns))
-            height, width = self.shape
-            return made[beyond:, beyond:][:height, :width]
+            first, *more = (part.spread(plane) for part in self._parts[channel])
+            return sum(more, first)
 
         return self.by_channel(image, spread)
 
@@ -250,11 +251,8 @@ class FieldBlur(LinearBlur):
         """
 
         def collect(channel: int, plane: NDArray[Any]) -> NDArray[Any]:
-            (rows, columns), beyond = self._points(self.banks[channel])
-            room = np.pad(plane, beyond)
-            taken = self._engines[channel].collect(room, self._shares(channel, rows, columns))
-            # What points beyond the edges took goes to those that they are copies of.
-            return gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
+            first, *more = (part.collect(plane) for part in self._parts[channel])
+            return sum(more, first)
 
         return self.by_channel(image, collect)
 
@@ -308,29 +306,28 @@ class FieldBlur(LinearBlur):
         defocus.flags.writeable = False
         return lens, defocus
 
-    def _points(self, bank: FieldBank) -> tuple[tuple[Any, Any], int]:
-        """Return rows and columns of the points that spread light, with copies of those at the edges.
-
-        And where the first pixel of the image is in what they make.
-        """
-        margin = 0 if self.border == "zero" else bank.half
-        mode: Any = "symmetric" if self.border == "reflect" else "edge"
-        rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode=mode) for side in self.shape)
-        return (rows, columns), margin + bank.half
-
-    def _blocks(self, bank: FieldBank) -> Blocks:
-        (rows, columns), _ = self._points(bank)
-        down, across, _ = bank.axes
-        return Blocks(bank.coefficients, down.weights(self.y[rows]), across.weights(self.x[columns]), self.threads)
-
-    def _shares(self, channel: int, rows: NDArray[np.int64], columns: NDArray[np.int64]) -> Any:
-        """Return what the points of a block take of the windows over defocus, as :class:`Blocks` asks for it."""
-        if self.defocus is None:
-            return None
-        nodes, defocus = self.banks[channel].axes[2], self.defocus
-
-        def shares(down: slice, across: slice) -> list[tuple[int, NDArray[Any]]]:
-            places = defocus[rows[down][:, None], columns[across]]
-            return [(place, share.astype(self.dtype)) for place, share in nodes.shares(places)]
-
-        return shares
+    def _made(self, bank: FieldBank) -> tuple[Part, ...]:
+        """Return what a channel is made of: what windows hold, and what is beyond them."""
+        down, across, focus = bank.axes
+        near = Part(
+            bank.coefficients,
+            (down.weights(self.y), across.weights(self.x)),
+            border=self.border,
+            threads=self.threads,
+            focus=focus,
+            defocus=self.defocus,
+        )
+        if bank.far is None:
+            return (near,)
+        held = np.asarray(bank.coefficients, dtype=np.float64).sum(axis=(-2, -1))
+        inside = [down.weights(self.y) @ plane @ across.weights(self.x).T for plane in np.moveaxis(held, 2, 0)]
+        places = [(0, np.ones(()))] if self.defocus is None else focus.shares(self.defocus)
+        beyond = 1.0 - sum(share * inside[place] for place, share in places)
+        far = Part(
+            bank.far.kernel.astype(self.dtype)[None, None, None],
+            (np.ones((len(self.y), 1)), np.ones((len(self.x), 1))),
+            border=self.border,
+            threads=self.threads,
+            share=np.asarray(beyond, dtype=self.dtype),
+        )
+        return near, far

@@ -41,6 +41,8 @@ def scene(lens: lm.Lens, border: str = "reflect", **options: float) -> tuple[Dep
         (LENS, "zero", {"energy": 0.9}),
         (SINE, "extend", {"tol": 1e-6}),
         (LENS.stopped(8.0), "reflect", {"energy": 0.995, "tol": 1e-3}),
+        (LENS, "reflect", {"energy": 1.0}),
+        (LENS, "zero", {"energy": 1.0}),
     ],
 )
 def test_what_is_left_of_a_change_of_depth_is_of_second_order(lens, border, options):
@@ -87,8 +89,9 @@ def test_the_focus_moves_as_the_lens_says():
 
 
 @pytest.mark.parametrize("border", ["reflect", "extend", "zero"])
-def test_the_transpose_is_exact_and_solvers_take_both(border):
-    blur, _, light = scene(LENS, border)
+@pytest.mark.parametrize("energy", [0.98, 1.0])
+def test_the_transpose_is_exact_and_solvers_take_both(border, energy):
+    blur, _, light = scene(LENS, border, energy=energy)
     slopes, rng = BlurSlopes(blur, light), np.random.default_rng(2)
     change, other = rng.standard_normal(SHAPE), rng.standard_normal((*SHAPE, 2))
     one, two = np.vdot(slopes.forward(change), other), np.vdot(change, slopes.adjoint(other))
@@ -121,6 +124,8 @@ def test_the_operator_keeps_the_depth_and_the_light_that_it_was_made_with():
 def test_what_does_not_fit_is_refused():
     blur, _, light = scene(LENS)
     slopes = BlurSlopes(blur, light)
+    with pytest.raises(ValueError, match="energy must be below 1 for the derivative by focus"):
+        BlurSlopes(scene(LENS, energy=1.0)[0], light).focus()
     with pytest.raises(TypeError, match="blur must be"):
         BlurSlopes(lm.imaging.Occlusion(blur), light)
     with pytest.raises(ValueError, match=r"image must have the shape \(30, 41, 2\)"):

@@ -62,7 +62,9 @@ class Beyond:
         assert bank.filled is not None
         return replace(bank, windows=bank.windows + bank.filled), replace(bank, windows=bank.filled)
 
-    def spread(self, blur: Blur, channels: Sequence[int], planes: Sequence[NDArray[Any]]) -> list[NDArray[Any]]:
+    def spread(
+        self, blur: Blur, channels: Sequence[int], planes: Sequence[NDArray[Any]], *, slopes: bool = False
+    ) -> list[NDArray[Any]]:
         """Return what planes of light, of these channels, make beyond the windows.
 
         Parameters
@@ -70,12 +72,14 @@ class Beyond:
         blur : DepthBlur
         channels : sequence of int
         planes : sequence of ndarray, shape (height, width)
+        slopes : bool, default False
+            Of the remainders, take their derivatives by positions in the banks.
 
         Returns
         -------
         list of ndarray, shape (height, width)
         """
-        factors = [self._factors_of(blur, channel) for channel in channels]
+        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
         kernels = [self._kernels_of(blur, channel) for channel in channels]
 
         def part(each: tuple[int, int]) -> NDArray[Any]:
@@ -92,7 +96,9 @@ class Beyond:
         parts = _side_by_side(part, asked, blur)
         return _side_by_side(total, range(len(planes)), blur)
 
-    def collect(self, blur: Blur, channels: Sequence[int], planes: Sequence[NDArray[Any]]) -> list[NDArray[Any]]:
+    def collect(
+        self, blur: Blur, channels: Sequence[int], planes: Sequence[NDArray[Any]], *, slopes: bool = False
+    ) -> list[NDArray[Any]]:
         """Return what the transpose of :meth:`spread` makes of planes.
 
         Parameters
@@ -100,12 +106,14 @@ class Beyond:
         blur : DepthBlur
         channels : sequence of int
         planes : sequence of ndarray, shape (height, width)
+        slopes : bool, default False
+            As of :meth:`spread`.
 
         Returns
         -------
         list of ndarray, shape (height, width)
         """
-        factors = [self._factors_of(blur, channel) for channel in channels]
+        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
         kernels = [self._kernels_of(blur, channel) for channel in channels]
         asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
         known = _side_by_side(lambda index: kernels[index].known(planes[index]), range(len(planes)), blur)
@@ -133,10 +141,15 @@ class Beyond:
             self._kernels[key] = MirroredKernels(remainder, blur.shape, blur.border, blur.dtype, self._tol)
         return self._kernels[key]
 
-    def _factors_of(self, blur: Blur, channel: int) -> NDArray[Any]:
-        """Return the a_r of all points, shape (rank, height, width); kept for the depth of the last call."""
+    def _factors_of(self, blur: Blur, channel: int, slopes: bool) -> NDArray[Any]:
+        """Return the a_r of all points, shape (rank, height, width); kept for the depth of the last call.
+
+        Or their derivatives by positions in the bank, which are not kept.
+        """
         remainder, positions = self._remainders[channel], blur.positions(channel)
         assert remainder is not None
+        if slopes:
+            return np.asarray(remainder.slopes(positions, blur.dtype) * blur.dtype.type(remainder.spacing))
         last = self._factors.get(id(remainder))
         if last is None or last[0] is not positions:
             last = self._factors[id(remainder)] = positions, remainder.factors(positions, blur.dtype)

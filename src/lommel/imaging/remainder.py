@@ -186,14 +186,15 @@ def fit(
     weights: Array = alike / typical
     kernels, factors = _products(shown, left, weights, alike, tol)
     # What is beyond the reach is like one more pixel, that no window holds.
-    held = np.asarray(np.linalg.lstsq(factors, 1.0 - shown @ alike, rcond=None)[0], dtype=np.float64)
+    beyond = 1.0 - shown @ alike
+    held = np.asarray(np.linalg.lstsq(factors, beyond, rcond=None)[0], dtype=np.float64)
     # Farther than any window reaches, sums over pixels are all that matters.
     first, last = kernels[:, :near], kernels[:, near:]
-    rest = nodes.sums(np.vstack([last * weights[near:], alike[near:]])).values(at)
+    rest = nodes.sums(last * weights[near:]).values(at)
     left = all_left[:, distance[:near]]
     knots = _all_light(
         _normal(left**2 * weights[:near], first) + (last * weights[near:]) @ last.T,
-        (left**2 * weights[:near] * exact) @ first.T + rest[:, :-1],
+        (left**2 * weights[:near] * exact) @ first.T + rest,
         (left * alike[:near]) @ first.T + last @ alike[near:] + held,
         1.0 - ((1.0 - left) * exact) @ alike[:near],
     )
@@ -215,6 +216,7 @@ def fit(
     # to 1 / begin - 1 / reach.
     misfit = knots[some] @ (smooth @ _smooth(squared[ring], scale)) - shown[:, ring]
     wrong += _sum_of_largest(alike[ring], misfit) * begin / (reach - begin)
+    wrong += float(np.abs(knots[some] @ held - beyond).max())
     return Remainder(knots, spacing, table, smooth, scale, wrong), within
 
 

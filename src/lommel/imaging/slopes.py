@@ -99,10 +99,16 @@ class BlurSlopes:
         if metres.shape != self.shape:
             raise ValueError(f"change must have the shape of the depth, {self.shape}, got {metres.shape}")
         radians = metres * self._per_metre
+        moved = [plane * self._steps(channel, radians) for channel, plane in enumerate(self._planes)]
         made = [
-            self._blur.spread(channel, [(plane * self._steps(channel, radians), self._points(channel))], slopes=True)
-            for channel, plane in enumerate(self._planes)
+            self._blur.spread(channel, [(plane, self._points(channel))], slopes=True)
+            for channel, plane in enumerate(moved)
         ]
+        if (beyond := self._blur.beyond) is not None:
+            for onto, more in zip(
+                made, beyond.spread(self._blur, range(len(moved)), moved, slopes=True), strict=True
+            ):
+                onto += more
         return np.stack(made, axis=-1).reshape(self._shape)
 
     def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
@@ -123,10 +129,19 @@ class BlurSlopes:
         TypeError, ValueError
             As :meth:`lommel.imaging.DepthBlur.adjoint`.
         """
+        given = list(self._blur.planes(image))
+        taken = [
+            next(self._blur.collect(channel, plane, [self._points(channel)], slopes=True))
+            for channel, plane in enumerate(given)
+        ]
+        if (beyond := self._blur.beyond) is not None:
+            for onto, more in zip(
+                taken, beyond.collect(self._blur, range(len(given)), given, slopes=True), strict=True
+            ):
+                onto += more
         total = np.zeros(self.shape, dtype=self._blur.dtype)
-        for channel, (plane, given) in enumerate(zip(self._planes, self._blur.planes(image), strict=True)):
-            taken = next(self._blur.collect(channel, given, [self._points(channel)], slopes=True))
-            total += taken * plane * self._steps(channel, self._per_metre)
+        for channel, plane in enumerate(self._planes):
+            total += taken[channel] * plane * self._steps(channel, self._per_metre)
         return total
 
     def focus(self) -> NDArray[Any]:
@@ -139,8 +154,15 @@ class BlurSlopes:
         -------
         ndarray
             Light for each metre, of the shape of the image and of the type of the sums.
+
+        Raises
+        ------
+        ValueError
+            If the blur has the whole PSF, ``energy=1``.
         """
         blur = self._blur
+        if blur.beyond is not None:
+            raise ValueError("energy must be below 1 for the derivative by focus, such as 0.9999, got 1")
         moved = copy.copy(blur)
         known: dict[int, Bank] = {}
         for bank, spectrum in zip(blur.banks, blur.spectra, strict=True):

@@ -2,7 +2,7 @@
 
 A 35 mm lens at f/8 and f/2.8, focused at 1.35 m and 1.8 m, pixels of 4 um, 10^4 electrons a pixel, reading noise 3;
 light of 540 nm. Textures of a power that falls as the squared frequency, contrast 0.35 of structures of 2 to 128
-pixels. Planes at 1.4 to 1.7 m are spread by their PSFs, of 257 x 257 pixels; a slanted plane with a bump, 1.3 to 1.9 m, by
+pixels. Planes at 1.4 to 1.7 m are spread by their PSFs, of 257 x 257 pixels; a slanted plane with a bump, by
 DepthBlur: not by the transfer functions that the estimate is of. `python benchmarks/depth_from_defocus.py --help` has
 the options.
 """

@@ -275,7 +275,9 @@ def depth_by(
 
     def sharpen(filled: Array) -> NDArray[Any]:
         place = (1.0 / filled - vergence[0]) / step
-        electrons = np.moveaxis(tiling.sharp(place, float(np.median(level))), 0, 2).reshape(first.shape)
+        # What does not fit the photographs is as noise to the sharp image.
+        clean = float(np.median(level) / np.maximum(misfit, 1.0).mean())
+        electrons = np.moveaxis(tiling.sharp(place, clean), 0, 2).reshape(first.shape)
         light = noise.image(electrons if first.ndim == 2 else np.moveaxis(electrons, 2, 0))
         light = light if first.ndim == 2 else np.moveaxis(light, 0, 2)
         if first.dtype.kind != "f":

@@ -83,6 +83,10 @@ def folder(tmp_path, monkeypatch) -> Path:
     for k, image in enumerate(np.round(lm.Noise(read=2.0).record(stars + 20.0, seed=1))):
         tifffile.imwrite(f"star-{k}.tif", np.maximum(image, 0.0).astype(np.uint16))
     tifffile.imwrite("spot.tif", np.round(stars[1] + 20.0).astype(np.float32))
+    texture = np.random.default_rng(0).random((64, 80))
+    for k, name in enumerate(("near", "far")):
+        blurred = texture + np.roll(texture, 1, axis=k) + np.roll(texture, -1, axis=k)
+        tifffile.imwrite(f"{name}.tif", (blurred / 4.0).astype(np.float32))
     # The live page, which need not be made, is served until Ctrl-C.
     (tmp_path / module.NAME).write_text("export default {};\n", encoding="utf-8")
     monkeypatch.setattr(module, "path", lambda: tmp_path / module.NAME)

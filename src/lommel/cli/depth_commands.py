@@ -116,10 +116,8 @@ def depth(
 
     \b
     Examples:
-      lommel depth near.tif far.tif lens.toml --focus "1.35 m" --focus "1.8 m" --between "1.2 m" "2 m" \\
-             --white 5000 --read 3 -o depth.tif -o deviation.tif --sharp sharp.tif --plot depth.png
-      lommel depth open.png stopped.png lens.toml --f-number 2.8 --f-number 8 --between "1 m" inf \\
-             --white 5000 --read 3
+      lommel depth near.tif far.tif lens.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3
+      lommel depth near.tif far.tif lens.toml --f-number 4 --f-number 16 --between 2m inf --white 5000 --read 3
     """  # noqa: D301 (\b is meant)
     from lommel.estimation.noise import Noise
     from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo

@@ -81,8 +81,7 @@ def main() -> None:
       lommel paper   out                                # every figure and number of the paper
       lommel blur    photo.jpg depth.tif lens.toml --focus "2 m" -o out.jpg    # a photograph
       lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 -o sharp.jpg    # and back
-      lommel depth   near.tif far.tif lens.toml --focus "1.3 m" --focus "2 m" --between "1 m" "3 m" \\
-                     --white 5000 --read 3 -o depth.tif         # depth by defocus
+      lommel depth   near.tif far.tif lens.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3
       lommel retrieve star-*.tif lens.toml --defocus -4 0 4 --read 2   # the wavefront behind images of a star
       lommel live    lens.toml                          # the PSF in the browser, with every slider
     """  # noqa: D301 (\b is meant)

@@ -261,6 +261,7 @@ def _information(lenses: list[Lens], distance: float, pixel: float, settings: _S
         return 0.0
     widest = max(lens.aperture_diameter for lens in lenses)
     step = _STEP * 2.0 * min(lens.wavelength for lens in lenses) / (math.pi * (0.5 * widest) ** 2)
+    step = min(step, 0.4 / distance)  # not beyond infinity
     around = 1.0 / (1.0 / distance + step * np.array([-2.0, -1.0, 1.0, 2.0, 0.0]))
     half = half_window(lenses, around, pixel)
     side = max(_SIDE, 2 * half + 2)

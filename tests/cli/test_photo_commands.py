@@ -166,6 +166,14 @@ def test_a_shell_blurs_a_photo_as_python_does(run_lommel, folder):
     np.testing.assert_array_equal(np.asarray(Image.open(folder / "out.png")), expected())
 
 
+def test_all_of_the_light_is_held_where_that_is_asked_for(call_lommel, folder):
+    told = ran(call_lommel("blur", "photo.png", "depth.npy", *GIVEN, "--energy", 1, "-o", "out.png", folder=folder))
+    assert "and a remainder, which leave out nothing and err by" in told
+    whole = expected(energy=1.0)
+    np.testing.assert_array_equal(np.asarray(Image.open(folder / "out.png")), whole)
+    assert np.any(whole != expected())
+
+
 def test_a_lens_file_has_its_aberrations_and_they_shrink_with_the_stop(call_lommel, folder):
     arguments = ("blur", "photo.png", "depth.npy", "lens.toml")
     radius = 2.0 / 2.8

@@ -103,8 +103,8 @@ def test_windows_end_where_the_tail_is_smooth_and_fine_pixels_are_known_farther_
     energies = [inner_energy(step) for step in (1.0, 4.0, 10.0, 20.0, 100.0)]
     assert energies == sorted(energies)
     assert (energies[0], energies[-1]) == (0.98, 0.9975)
-    assert [reach_of(5, step) for step in (0.5, 4.4, 30.0)] == [96, 64, 48]
-    assert reach_of(200, 1.0) == 224
+    assert [reach_of(4, step) for step in (0.5, 4.4, 30.0, 200.0)] == [96, 71, 19, 12]
+    assert reach_of(200, 1.0) == 306
 
 
 def test_windows_hold_less_than_without_a_remainder_and_are_divided_by_nothing():

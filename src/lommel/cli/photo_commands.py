@@ -201,10 +201,16 @@ def _tell(facts: dict[str, Any], as_json: bool) -> None:
         f"{width} x {height} pixels of {format_length(facts['pixel'])}; "
         f"f = {format_length(facts['focal_length'])}, f/{facts['f_number']:.3g}"
     )
-    click.echo(
-        f"windows up to {facts['largest_window']} pixels, which leave out {facts['light_beyond_windows']:.2g} of the "
-        f"light and err by {facts['interpolation_error']:.2g} of their peak"
-    )
+    if facts["light_beyond_windows"]:
+        click.echo(
+            f"windows up to {facts['largest_window']} pixels, which leave out {facts['light_beyond_windows']:.2g} of "
+            f"the light and err by {facts['interpolation_error']:.2g} of their peak"
+        )
+    else:
+        click.echo(
+            f"windows up to {facts['largest_window']} pixels and a remainder, which leave out nothing and err by "
+            f"{facts['interpolation_error']:.2g} of the brightest point"
+        )
     if facts["clipped"]:
         click.echo(f"clipped at white: {100.0 * facts['clipped']:.2g} % of the values")
     for name in facts["files"]:

@@ -36,7 +36,8 @@ class FocusPlan:
     keep : int, default 4
         How many settings of the lens are remembered, 1 to 1000: coming back to one costs no windows, and what hides
         what is known. A setting takes some MiB, 8 bytes for each point and as many for each channel of it, and with
-        `occlusion` what :class:`lommel.imaging.Occlusion` keeps.
+        `occlusion` what :class:`lommel.imaging.Occlusion` keeps; with ``energy=1`` as many again for each channel and
+        each product of the remainder (16 in float64), of which there are up to five or so.
     {options}
 
     Raises

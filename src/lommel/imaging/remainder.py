@@ -47,9 +47,9 @@ def inner_energy(step: float) -> float:
 def reach_of(half: int, step: float) -> int:
     """Return how many pixels from the middle the remainder is known pixel by pixel, for windows up to `half`.
 
-    Farther away its fine rings are left out: of fine pixels there are more, at as much cost.
+    Farther away its fine rings are left out, of which fine pixels see more, and know more at the same cost.
     """
-    return max(half + 24, int(np.clip(math.cbrt(1.2e6 / step), 48.0, 96.0)))
+    return max((3 * half) // 2 + 6, min(96, int(math.cbrt(7e6 / step**2))))
 
 
 @dataclass(frozen=True)
@@ -280,7 +280,7 @@ def _all_light(normal: Array, right: Array, sums: Array, light: Array) -> Array:
 
 def _far(kernels: Array, held: Array, ring: NDArray[np.bool_], alike: Array, reach: int) -> tuple[Array, float]:
     """Return the smooth parts that are least off on a ring, of those that hold the light beyond the reach; and s."""
-    scale = reach / 8.0
+    scale = max(6.0, reach / 8.0)
     first, second = octant(reach)
     smooth = _smooth((first**2 + second**2).astype(np.float64), scale)
     totals = smooth_transforms(np.zeros(1), scale)[:, 0] - smooth @ alike

@@ -64,7 +64,7 @@ class Settings:
         times the cost. Tiles and chunks take no 1.
     tol : float, default 1e-4
         Bound on the error of interpolated windows over their peak, 1e-7 to 1e-1, checked half-way between windows.
-        With ``energy=1`` what is off beyond the windows sums to less, too, or nearly so.
+        If energy is 1, what is off beyond the windows sums to no more, or little more, too.
     largest : int, optional
         Largest half width of a window, pixels, 1 to 2048; by default half of the smaller side of the image.
     dtype : float32 or float64, default float32

@@ -47,9 +47,9 @@ def test_tiles_are_those_of_the_whole_done_as_far(way, name, occlusion):
     )
     whole = restore(photo, DEPTH, LENS, PIXEL, method=fixed, occlusion=occlusion, **GIVEN)
     assert np.sqrt(np.mean((found.values - whole.values) ** 2)) < (1e-3 if occlusion else 1e-2)
-    # No seams: the difference is not larger where tiles meet.
+    # No seams: the difference, small as it is, is not much larger where tiles meet.
     off = np.abs(found.values - whole.values)
-    assert off[:, 30:34].mean() < 3.0 * off.mean() + 1e-4
+    assert off[:, 30:34].mean() < 5.0 * off.mean()
     assert found.discrepancy == pytest.approx(whole.discrepancy, abs=0.1)
     assert found.stopped == "noise"
     assert found.light is None

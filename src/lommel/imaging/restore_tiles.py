@@ -47,9 +47,9 @@ def restore_by_tiles(
     """Do as :func:`lommel.imaging.restore` in little memory, nearly the same.
 
     The tile nearest to the middle says how many steps, or which strength, the noise asks for; all others are done
-    alike, so that no seams are seen. Tiles overlap by twice what the blur reaches and a window more. What lies farther
-    away hardly matters: from the whole image, done with as many steps or the same strength, results differed by 3e-4
-    of white, rms, and without `occlusion` by up to 1e-2.
+    alike, so that no seams are seen. Tiles overlap by twice what the blur reaches and a window more. What lies
+    farther away hardly matters: from the whole image, done with as many steps or the same strength, results differed
+    by 3e-4 of white, rms, and without `occlusion` by up to 1e-2.
 
     Parameters
     ----------

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+import numpy as np
 
 from lommel.base.units import format_length
 from lommel.cli.parts import FILE, Length, one_line_errors, print_json, progress
@@ -100,7 +101,7 @@ def restore(
         same = job.encoding == job.picture.encoding
         clipped = write_photo(
             output,
-            found.light,
+            np.asarray(found.light),
             encoding=job.encoding,
             dtype=job.dtype,
             quality=request.quality,

@@ -10,6 +10,7 @@ from lommel.imaging.linear import LinearBlur
 from lommel.imaging.plan import FocusPlan
 from lommel.imaging.restoration import Restoration, restore_with
 from lommel.imaging.restore import restore
+from lommel.imaging.restore_tiles import restore_by_tiles
 from lommel.imaging.richardson_lucy import RichardsonLucy
 from lommel.imaging.scene import Photograph
 from lommel.imaging.settings import RED_GREEN_BLUE
@@ -42,6 +43,7 @@ __all__ = [
     "read_depth",
     "read_photo",
     "restore",
+    "restore_by_tiles",
     "restore_with",
     "write_depth",
     "write_photo",

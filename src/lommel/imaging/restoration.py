@@ -28,8 +28,8 @@ class Restoration:
     ----------
     values : ndarray
         Of the shape, type and encoding of the photograph, without the offset of its noise.
-    light : ndarray of float
-        The same in proportion to light; what is brighter than white is kept here.
+    light : ndarray of float, or None
+        The same in proportion to light; what is brighter than white is kept here. None of an image done by tiles.
     discrepancy : float
         Poisson deviance a pixel of what the blur makes of the result: about 1 for the scene itself, a little less for
         a good result, which follows some of the noise.
@@ -51,7 +51,7 @@ class Restoration:
     """
 
     values: NDArray[Any]
-    light: NDArray[Any]
+    light: NDArray[Any] | None
     discrepancy: float
     by_channel: tuple[float, ...]
     before: float
@@ -117,7 +117,7 @@ def restore_with(
     """
     validation.instance("blur", blur, LinearBlur)
     validation.instance("noise", noise, Noise)
-    method = checked_method(method)
+    way = checked_method(method)
     checked_progress(progress)
     recorded = validation.array("light", light)
     if recorded.dtype.kind != "f":
@@ -130,7 +130,7 @@ def restore_with(
     limit = saturation if saturation == math.inf else validation.real("saturation", saturation)
     observed = Observed.of(blur, recorded, noise, limit)
     before = _discrepancies(observed, observed.image)
-    found = method.solve(observed, progress or (lambda *_: None))
+    found = way.solve(observed, progress or (lambda *_: None))
     after = _discrepancies(observed, found.light)
     return Restoration(
         found.light,
@@ -145,7 +145,7 @@ def restore_with(
     )
 
 
-def checked_method(method: Any) -> Method:
+def checked_method(method: Any) -> RichardsonLucy | TotalVariation:
     """Return a method, the usual one for None; TypeError if it is none."""
     if method is None:
         return RichardsonLucy()

@@ -90,14 +90,14 @@ def restore(
     (dtype('uint16'), True)
     """
     settings = Settings.of(restore, options, Keywords)
-    method = checked_method(method)
+    way = checked_method(method)
     checked_progress(progress)
     validation.instance("noise", noise, Noise)
     given = validation.array("photo", photo)
     light, limit = recorded(given, encoding, saturation)
     blur = blur_of(given.shape, depth, lens, pixel, settings)
-    found = restore_with(blur, light, noise, method=method, saturation=limit, progress=progress)
-    values, clipped = stored(found.light, encoding, given.dtype, settings.threads or 0)
+    found = restore_with(blur, light, noise, method=way, saturation=limit, progress=progress)
+    values, clipped = stored(found.values, encoding, given.dtype, settings.threads or 0)
     return replace(found, values=values, clipped=clipped)
 
 

@@ -15,6 +15,7 @@ from lommel.base.options import shares
 from lommel.imaging.blur import DepthBlur, require_lens
 from lommel.imaging.layers import Occlusion, reach_behind
 from lommel.imaging.levels import stored
+from lommel.imaging.linear import LinearBlur
 from lommel.imaging.scene import Photograph, fill_missing, photograph
 from lommel.imaging.settings import Keywords, Settings
 from lommel.optics.lens import Lens
@@ -68,10 +69,15 @@ class TileBlur:
         extremes = np.array([depths], dtype=np.float64)
         self._whole = DepthBlur(lens, extremes, pixel, channels=settings.channels(shape, lens), **keywords)
         self._reach = (float(self._whole.defocus.min()), float(self._whole.defocus.max()))
-        self.overlap = max(bank.half for bank in self._whole.banks)
+        self.overlap = self.half
         self._occlusion = settings.occlusion
         if self._occlusion:
             self.overlap += reach_behind(self._whole, self._reach)
+
+    @property
+    def half(self) -> int:
+        """Pixels from the middle of the largest window to its edge."""
+        return max(bank.half for bank in self._whole.banks)
 
     def __call__(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
         """Return the photograph of a part, stored as the image is; see :meth:`light`."""
@@ -86,6 +92,16 @@ class TileBlur:
             If a depth is beyond the range that was named, or missing; if something is masked.
         """
         image, depth = validation.array("image", image), validation.array("depth", depth)
+        return self.operator(depth).forward(to_light("image", image, self.encoding, self._whole.dtype))
+
+    def operator(self, depth: NDArray[Any]) -> LinearBlur:
+        """Return the operator of a part, whose points hide one another as they do in the whole.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a depth is beyond the range that was named, or missing; if something is masked.
+        """
         blur = copy.copy(self._whole)
         blur.place(fill_missing(depth, self.missing))
         low, high = self._reach
@@ -94,8 +110,7 @@ class TileBlur:
                 f"depth must give C_d from {low:.6g} to {high:.6g} rad, as the depths named for the whole image, "
                 f"got {blur.defocus.min():.6g} to {blur.defocus.max():.6g}"
             )
-        made = Occlusion(blur, self._reach) if self._occlusion else blur
-        return made.forward(to_light("image", image, self.encoding, blur.dtype))
+        return Occlusion(blur, self._reach) if self._occlusion else blur
 
     def chunk(self, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
         """Return the photograph of a part whose depth has as many axes as the image."""
@@ -171,7 +186,7 @@ def depth_of_field_by_tiles(
         depth = fill_missing(depth, "nearest")
     depths = depth_range(depth, settings.missing)
     blur = TileBlur(image.shape, depths, lens, pixel, encoding=encoding, **options)
-    tiles = list(_tiles(image.shape[:2], tile, blur.overlap))
+    tiles = list(parts_of(image.shape[:2], tile, blur.overlap))
     clipped = 0.0
     for done, (inside, around, within) in enumerate(tiles, 1):
         seen = blur.light(image[around], np.asarray(depth[around]))[within]
@@ -202,10 +217,10 @@ def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, flo
     return float(low), float(high)
 
 
-def _tiles(
+def parts_of(
     shape: tuple[int, ...], side: int, overlap: int
 ) -> Iterator[tuple[tuple[slice, slice], tuple[slice, slice], tuple[slice, slice]]]:
-    """Yield, for each tile, its place in the image, what it must know, and its place in that."""
+    """Yield, for each tile of an image, its place in it, what it must know, and its place in that."""
     for top in range(0, shape[0], side):
         for left in range(0, shape[1], side):
             inside, around, within = [], [], []

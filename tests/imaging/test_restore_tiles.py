@@ -1,0 +1,102 @@
+"""Restored photographs by tiles."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from lommel import Lens, Noise
+from lommel.imaging import RichardsonLucy, TotalVariation, depth_of_field, restore, restore_by_tiles
+
+LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+PIXEL, NOISE = 12e-6, Noise(white=5000.0, read=3.0)
+DEPTH = np.full((96, 112), 2.4)
+DEPTH[30:70, 40:80] = 2.0
+SCENE = np.random.default_rng(0).uniform(0.05, 0.8, (12, 14)).repeat(8, axis=0).repeat(8, axis=1)
+
+
+def photographed(occlusion: bool) -> np.ndarray:
+    light = depth_of_field(SCENE, DEPTH, LENS, PIXEL, encoding="linear", energy=0.995, occlusion=occlusion).values
+    return NOISE.record(5000.0 * np.maximum(light, 0.0), seed=1).astype(np.float32)
+
+
+PHOTO = photographed(True)
+GIVEN = {"encoding": "linear", "noise": NOISE}
+
+
+@pytest.mark.parametrize(
+    ("way", "name"), [(RichardsonLucy(), "steps"), (TotalVariation(), "strength")], ids=["likelihood", "variation"]
+)
+@pytest.mark.parametrize("occlusion", [True, False])
+def test_tiles_are_those_of_the_whole_done_as_far(way, name, occlusion):
+    told, photo = [], photographed(occlusion)
+    found = restore_by_tiles(
+        photo,
+        DEPTH,
+        LENS,
+        PIXEL,
+        method=way,
+        side=48,
+        occlusion=occlusion,
+        progress=lambda *at: told.append(at),
+        **GIVEN,
+    )
+    assert told == [(k, 6) for k in range(1, 7)]
+    fixed = (
+        RichardsonLucy(steps=found.steps, target=0.0) if name == "steps" else TotalVariation(strength=found.strength)
+    )
+    whole = restore(photo, DEPTH, LENS, PIXEL, method=fixed, occlusion=occlusion, **GIVEN)
+    assert np.sqrt(np.mean((found.values - whole.values) ** 2)) < (1e-3 if occlusion else 1e-2)
+    # No seams: the difference, small as it is, is not much larger where tiles meet.
+    off = np.abs(found.values - whole.values)
+    assert off[:, 46:50].mean() < 5.0 * off.mean()
+    assert found.discrepancy == pytest.approx(whole.discrepancy, abs=0.1)
+    assert found.stopped == "noise"
+    assert found.light is None
+
+
+def test_one_tile_is_the_whole():
+    whole, tile = (door(PHOTO, DEPTH, LENS, PIXEL, **GIVEN) for door in (restore, restore_by_tiles))
+    np.testing.assert_array_equal(tile.values, whole.values)
+    for name in ("discrepancy", "by_channel", "before", "steps", "stopped", "unknown", "clipped"):
+        assert getattr(tile, name) == pytest.approx(getattr(whole, name)), name
+
+
+def test_files_are_read_and_written_as_they_are(tmp_path):
+    srgb = np.clip(np.rint(255 * PHOTO[..., None].repeat(3, axis=2)), 0, 255).astype(np.uint8)
+    stored = {name: tmp_path / f"{name}.npy" for name in ("photo", "depth", "out")}
+    np.save(stored["photo"], srgb)
+    np.save(stored["depth"], np.where(DEPTH == 2.0, np.nan, DEPTH))
+    out = np.lib.format.open_memmap(stored["out"], "w+", srgb.dtype, srgb.shape)
+    photo, depth = (np.load(stored[name], mmap_mode="r") for name in ("photo", "depth"))
+    given = {"encoding": "srgb", "noise": NOISE, "missing": "nearest"}
+    found = restore_by_tiles(photo, depth, LENS, PIXEL, side=64, out=out, **given)
+    assert found.values is out
+    whole = restore(srgb, np.array(depth), LENS, PIXEL, **given)
+    assert np.abs(out.astype(int) - whole.values).mean() < 2.0
+
+
+def test_each_pixel_keeps_its_own_noise():
+    gains = np.random.default_rng(2).uniform(3000.0, 8000.0, DEPTH.shape)
+    noise = Noise(white=gains, read=3.0)
+    whole = restore(PHOTO, DEPTH, LENS, PIXEL, encoding="linear", noise=noise)
+    found = restore_by_tiles(PHOTO, DEPTH, LENS, PIXEL, encoding="linear", noise=noise, side=48)
+    assert np.abs(found.values - whole.values).mean() < 0.02
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"photo": PHOTO.tolist()}, "photo must be an array"),
+        ({"depth": DEPTH[1:]}, "depth must be an array of the shape of the photo"),
+        ({"side": 8}, "side must be"),
+        ({"out": np.empty((3, 3))}, "out must be an array"),
+        ({"out": PHOTO}, "share memory"),
+        ({"depth": np.where(DEPTH == 2.0, np.nan, DEPTH)}, "`missing`"),
+        ({"photo": np.where(np.arange(112) < 90, 1.0, PHOTO)}, r"columns \d+ to \d+ photo must have pixels .*side="),
+    ],
+)
+def test_bad_arguments_are_refused_by_name(changes, said):
+    given = {"photo": PHOTO, "depth": DEPTH, "side": 16, **GIVEN} | changes
+    with pytest.raises(ValueError, match=said):
+        restore_by_tiles(given.pop("photo"), given.pop("depth"), LENS, PIXEL, **given)

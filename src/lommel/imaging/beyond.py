@@ -78,9 +78,11 @@ class Beyond:
         factors = [self._factors_of(blur, channel) for channel in channels]
         kernels = [self._kernels_of(blur, channel) for channel in channels]
 
+        light = [np.ascontiguousarray(plane) for plane in planes]
+
         def part(each: tuple[int, int]) -> NDArray[Any]:
             index, r = each
-            return kernels[index].transformed(r, factors[index][r] * planes[index])
+            return kernels[index].transformed(r, factors[index][r] * light[index])
 
         def total(index: int) -> NDArray[Any]:
             first, *more = (found for (at, _), found in zip(asked, parts, strict=True) if at == index)
@@ -90,7 +92,7 @@ class Beyond:
 
         asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
         parts = _side_by_side(part, asked, blur)
-        return _side_by_side(total, range(len(planes)), blur)
+        return _side_by_side(total, range(len(light)), blur)
 
     def collect(self, blur: Blur, channels: Sequence[int], planes: Sequence[NDArray[Any]]) -> list[NDArray[Any]]:
         """Return what the transpose of :meth:`spread` makes of planes.

@@ -98,10 +98,8 @@ class Blocks:
         out = np.empty([side - self.beyond for side in room.shape], dtype=room.dtype)
 
         def made(block: Block) -> NDArray[Any]:
-            from scipy.fft import rfft2
-
             rows, columns = (slice(s.start, s.stop + self.beyond) for s in (block.rows, block.columns))
-            spectrum = rfft2(room[rows, columns], s=self.sides)
+            spectrum = self._transformed(room[rows, columns])
             total: Any = 0.0
             for place, share in _shares(shares, block):
                 part = self._taken(block, spectrum, place)
@@ -150,14 +148,19 @@ class Blocks:
 
     def _of(self, block: Block, place: int) -> NDArray[Any]:
         """Return the transforms of the windows that a block mixes."""
-        from scipy.fft import rfft2
-
         if self._spectra is None:
             count, size = math.prod(self.windows.shape[:3]), self.sides[0] * (self.sides[1] // 2 + 1)
             if count * size * 2 * self.windows.itemsize > _KEPT:
-                return np.asarray(rfft2(self.windows[block.down, block.across, place], s=self.sides))
-            self._spectra = rfft2(self.windows, s=self.sides)
+                return self._transformed(self.windows[block.down, block.across, place])
+            self._spectra = self._transformed(self.windows)
         return self._spectra[block.down, block.across, place]
+
+    def _transformed(self, images: NDArray[Any]) -> NDArray[Any]:
+        """Return the transforms of images, smaller than these, without those of rows beyond them."""
+        from scipy.fft import fft, rfft
+
+        lines = rfft(images, n=self.sides[1], axis=-1)
+        return np.asarray(fft(lines, n=self.sides[0], axis=-2, overwrite_x=True))
 
 
 Shares = Callable[[slice, slice], list[tuple[int, NDArray[Any]]]]

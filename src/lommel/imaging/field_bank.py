@@ -17,7 +17,7 @@ from lommel.imaging.nodes import MOST, UNEVEN, Nodes, enough, off
 _MAX_VALUES = 2**27  # of a bank, 1 GiB in double precision
 _CHECKED = 1500  # places half-way between nodes that are looked at, where there are more
 _FINE = 3e-4  # tolerances below which splines of degree 5 are quicker than cubic ones
-_SHARE = 0.85  # of the tolerance that the axes share: their errors add up to no more than they promise
+_SHARES = (0.9, 1.2, 1.4)  # of the tolerance that one, two, three axes have together: they err at different places
 _FAR = 0.4  # of the tolerance for the light beyond the windows, where that counts
 
 
@@ -152,7 +152,8 @@ def build_field_bank(
         if error <= room:
             lost = 1.0 - float(min(held.min(), between.min())) if far is None else far.lost
             return FieldBank(axes, coefficients.astype(dtype), far, lost, error + tol - room)
-        times = max(1.05, (error / (_SHARE * room)) ** (1.0 / (axes[0].degree + 1)))
+        degree = axes[0].degree
+        times = max(1.02, (error / (0.9 * room)) ** (1.0 / (degree + 1)))
         # Where nodes that are closer do not help, axes of a single one may need more.
         single, before = error > 0.9 * before, error
         y, x, defocus = (
@@ -175,7 +176,8 @@ def _axes(light: PointLight, spans: Sequence[Span], half: int, tol: float) -> tu
     """Return nodes that are close enough along lines through the spans."""
     # Fewer nodes, of which more count at each place: worth it where there are many.
     degree = 5 if tol < _FINE or spans[2][0] < spans[2][1] else 3
-    share = _SHARE * tol / max(1, sum(first != last for first, last in spans))
+    many = max(1, sum(first != last for first, last in spans))
+    share = _SHARES[many - 1] * tol / many
     found = []
     for axis, span in enumerate(spans):
         others = [np.unique(np.linspace(*other, 3)) for other in spans]

@@ -180,15 +180,22 @@ def enough(
     known = sample(nodes.places)
     if off(known, known[:, :1]) <= tol:
         return replace(nodes, count=1)
-    while nodes.count <= MOST:
-        known, middle = sample(nodes.places), sample(nodes.between)
-        error = UNEVEN * off(interpolated(nodes, known, nodes.between), middle)
-        if error <= tol:
-            # The error falls by 2^(degree + 1) where nodes are twice as close; they need not be closer than enough.
-            cells = (nodes.count - 1) * max(0.5, (error / tol) ** (1.0 / (degree + 1)))
-            return replace(nodes, count=math.ceil(cells) + 1)
+
+    def over(nodes: Nodes) -> float:
+        """Return how far from close enough nodes are, over their distance."""
+        made = interpolated(nodes, sample(nodes.places), nodes.between)
+        # The error falls by 2^(degree + 1) where nodes are twice as close.
+        return float((UNEVEN * off(made, sample(nodes.between)) / tol) ** (1.0 / (degree + 1)))
+
+    while (ratio := over(nodes)) > 1.0:
         nodes = replace(nodes, count=2 * nodes.count - 1)
-    return None
+        if nodes.count > MOST:
+            return None
+    # They need not be closer than enough.
+    fewer = replace(nodes, count=math.ceil((nodes.count - 1) * max(0.5, ratio)) + 1)
+    while fewer.count < nodes.count and (ratio := over(fewer)) > 1.0:
+        fewer = replace(fewer, count=max(fewer.count + 1, math.ceil((fewer.count - 1) * ratio) + 1))
+    return fewer if fewer.count < nodes.count else nodes
 
 
 def interpolated(nodes: Nodes, values: NDArray[Any], places: NDArray[np.float64]) -> NDArray[np.float64]:

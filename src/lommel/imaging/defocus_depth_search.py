@@ -133,14 +133,17 @@ def _least(cost: Floats) -> NDArray[np.int64]:
 
 
 def _spread(cost: Floats, at: NDArray[np.int64], independent: Floats) -> Floats:
-    """Return the mean square distance from the least candidate, in candidates, each being as likely as it costs."""
+    """Return the mean square distance from the least candidate and its neighbours, each being as likely as it costs.
+
+    In candidates; a minimum between two of them is no doubt.
+    """
     least = np.take_along_axis(cost, at[None], axis=0)[0]
     scale = independent.astype(np.float32)
     total, moment = np.zeros((2, *at.shape), dtype=np.float32)
     for c, one in enumerate(cost):
         chance = np.exp((least - one) * scale)
         total += chance
-        moment += chance * ((at - c) ** 2).astype(np.float32)
+        moment += chance * (np.maximum(np.abs(at - c) - 1, 0) ** 2).astype(np.float32)
     return np.asarray(moment / total)
 
 

@@ -128,3 +128,13 @@ def test_lenses_that_are_not_round_and_foci_that_there_are_none_of_are_told():
         lm.depth_precision([astigmatic, astigmatic], 1.5, PIXEL, noise=NOISE)
     with pytest.raises(ValueError, match="no pair of foci"):
         lm.best_foci(LENS, 1.5, PIXEL, noise=NOISE, contrast=0.0)
+
+
+def test_nothing_is_asked_for_beyond_infinity():
+    phone = lm.Lens(focal_length=5e-3, f_number=1.8, focus_distance=1.5, wavelength=540e-9)
+    pair = [phone, phone.focused(4.0)]
+    found = lm.depth_precision(pair, [1.0, 10.0, 1e3, 1e5], 1.2e-6, noise=NOISE)
+    assert np.all(np.isfinite(found))
+    assert np.all(np.diff(found) > 0.0)
+    # There the deviation of 1 / distance is nearly that at infinity.
+    assert found[3] / found[2] == pytest.approx(1e4, rel=0.1)

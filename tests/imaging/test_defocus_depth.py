@@ -30,6 +30,7 @@ def test_a_plane_is_found_as_well_as_can_be_with_the_deviation_told(distance):
     assert np.sqrt((error**2).mean()) < 1.6 * bound
     assert abs(error.mean()) < 0.5 * bound  # of some fifty windows
     assert 0.6 < (error / deviation).std() < 1.5
+    assert np.median(deviation) == pytest.approx(bound, rel=0.25)
 
 
 def test_without_texture_there_is_no_depth():
@@ -49,10 +50,31 @@ def test_without_texture_there_is_no_depth():
 
 
 def test_what_is_beyond_the_range_is_not_said_to_be_within():
-    found = lm.imaging.depth_from_defocus(
-        shoot(texture(), 1.5, PAIR), PAIR, PIXEL, encoding="linear", noise=NOISE, between=(1.6, 2.2)
-    )
-    assert found.known < 0.05
+    images = shoot(texture(), 1.5, PAIR)
+    for between in ((1.6, 2.2), (1.0, 1.4)):
+        found = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, encoding="linear", noise=NOISE, between=between)
+        assert found.known < 0.05
+
+
+def test_dark_areas_beside_bright_texture_have_no_depth():
+    fast = [lens.stopped(4.0) for lens in PAIR]
+    known = []
+    for seed in range(4):
+        scene = texture(side=144, seed=seed)
+        scene[:, 60:] = 0.1
+        found = lm.imaging.depth_from_defocus(shoot(scene, 1.6, fast, seed=seed), fast, PIXEL, **CAMERA)
+        known.append(np.isfinite(found.deviation[:, 70:]).mean())
+    assert max(known) < 0.02
+
+
+def test_the_deviation_grows_with_the_misfit():
+    images = shoot(texture(), 1.5, PAIR)
+    here = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **CAMERA)
+    moved = lm.imaging.depth_from_defocus([images[0], np.roll(images[1], 1, axis=1)], PAIR, PIXEL, **CAMERA)
+    inner = np.s_[12:-12, 12:-12]
+    ratio = np.median(moved.deviation[inner] / here.deviation[inner])
+    assert np.median(moved.misfit[inner]) > 3.0
+    assert ratio == pytest.approx(np.median(moved.misfit[inner]), rel=0.4)
 
 
 def test_unknown_pixels_have_no_depth_and_spoil_none():
@@ -69,6 +91,18 @@ def test_unknown_pixels_have_no_depth_and_spoil_none():
     assert np.isfinite(found.sharp).all()
     known = np.isfinite(found.deviation)
     assert np.abs((found.depth - 1.5) / found.deviation)[known].max() < 8.0
+
+
+def test_light_that_unknown_pixels_may_have_spread_is_left_out():
+    fast = [lens.stopped(2.8) for lens in PAIR]
+    scene = texture()
+    scene[56:60, 56:60] = 6.0  # a lamp, which is clipped
+    images = [np.minimum(one, 1.8) for one in shoot(scene, 1.6, fast)]
+    found = lm.imaging.depth_from_defocus(images, fast, PIXEL, saturation=1.7, **CAMERA)
+    z = ((found.depth - 1.6) / found.deviation)[20:64, 20:64]
+    known = np.isfinite(z)
+    assert 0.1 < known.mean() < 0.9
+    assert z[known].std() < 2.0
 
 
 def test_three_photographs_of_three_foci_are_better_than_two():
@@ -135,6 +169,10 @@ def test_the_sharp_image_is_nearer_to_the_scene_than_any_photograph():
 
     assert off(found.sharp) < 0.6 * min(off(image) for image in images)
     assert found.sharp is found.sharp
+    dim = lm.Noise(white=300.0, read=3.0)
+    images = shoot(scene, 1.5, PAIR, noise=dim)
+    noisy = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **(CAMERA | {"noise": dim}))
+    assert off(noisy.sharp) < min(off(image) for image in images)
     assert found.sharp.mean() == pytest.approx(truth.mean(), rel=5e-3)
 
 
@@ -227,3 +265,17 @@ def test_lenses_must_be_round_and_candidates_near_enough():
     fast = [lens.stopped(1.4) for lens in PAIR]
     with pytest.raises(ValueError, match="candidates must be from"):
         lm.imaging.depth_from_defocus(images, fast, PIXEL, candidates=61, **CAMERA)
+
+
+def test_a_slope_is_found_with_a_deviation_that_knows_of_it():
+    depth = np.broadcast_to(np.linspace(1.35, 1.7, 160), (112, 160))
+    scene = np.hstack([texture(seed=2), texture(seed=3)[:, :48]])
+    images = []
+    for seed, lens in enumerate(PAIR):
+        blur = lm.imaging.DepthBlur(lens, depth, PIXEL, energy=0.99, largest=60)
+        images.append(NOISE.record(1e4 * np.maximum(blur.forward(scene), 0.0), seed=seed))
+    found = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **CAMERA)
+    error = (found.depth - depth)[12:-12, 12:-12]
+    assert np.sqrt((error**2).mean()) < 6e-3
+    assert 0.6 < (error / found.deviation[12:-12, 12:-12]).std() < 1.4
+    assert abs(np.polyfit(depth[0, 12:-12], np.median(error, axis=0), 1)[0]) < 0.02

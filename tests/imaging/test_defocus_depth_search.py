@@ -32,8 +32,13 @@ def test_the_spread_over_candidates_is_that_of_their_likelihood():
     c = np.arange(41.0)[:, None, None]
     cost = ((c - 20.0) ** 2 / (2.0 * 3.0**2)).astype(np.float32) / 200.0
     at = np.array([[20]])
-    assert _spread(cost, at, np.array([[200.0]])) == pytest.approx(9.0, rel=1e-3)
-    # One as good as it far away makes half of the square of the distance.
+    x = c - 20.0
+    beyond, chance = np.maximum(np.abs(x) - 1.0, 0.0), np.exp(-(x**2) / 18.0)
+    assert _spread(cost, at, np.array([[200.0]])) == pytest.approx(float((beyond**2 * chance).sum() / chance.sum()))
+    # Two next to each other are one minimum between them; one as good far away makes half of the square.
+    two = np.full((41, 1, 1), 1.0, dtype=np.float32)
+    two[[5, 6]] = 0.0
+    assert _spread(two, np.array([[5]]), np.array([[200.0]])) == pytest.approx(0.0, abs=1e-9)
     two = np.full((41, 1, 1), 1.0, dtype=np.float32)
     two[[5, 35]] = 0.0
-    assert _spread(two, np.array([[5]]), np.array([[200.0]])) == pytest.approx(450.0)
+    assert _spread(two, np.array([[5]]), np.array([[200.0]])) == pytest.approx(420.5)

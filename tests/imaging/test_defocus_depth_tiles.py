@@ -30,3 +30,14 @@ def test_images_are_mirrored_beyond_their_borders_however_far(count):
     values = np.arange(count)
     found = tiles._mirrored(np.arange(-12, count + 12), count)
     assert np.array_equal(values[found], np.pad(values, 12, mode="symmetric"))
+
+
+def test_mirrored_copies_are_not_counted_as_pixels():
+    images = shoot(texture(), 1.5, PAIR)
+    found = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **CAMERA)
+    parts = np.s_[20:-20, 20:-20], np.s_[:2, 20:-20], np.s_[:3, :3]
+    inner, edge, corner = (np.median(found.deviation[part]) for part in parts)
+    assert edge > 1.1 * inner
+    assert corner > 1.3 * inner
+    few = lm.imaging.depth_from_defocus([one[:2, :2] for one in images], PAIR, PIXEL, **CAMERA)
+    assert few.deviation.min() > 5.0 * inner

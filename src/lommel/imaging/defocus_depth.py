@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 _USUAL, _MOST = 61, 2001  # candidates
 _STEP, _LARGEST_STEP = 1.0, 2.0  # radians of defocus from one candidate to the next
+_SIDE = 0.35  # of a window, by which texture may lie to one side of it
 _KNOWN = 0.1  # of the range of vergence: who knows no better than this knows nothing
 
 
@@ -178,9 +179,10 @@ def depth_from_defocus(
     not taken from the blur of one photograph but from the difference of two, so that the answer has no bias of a
     wrong guess (Subbarao and Surya 1994, doi:10.1007/BF02028349, and Favaro and Soatto 2005,
     doi:10.1109/TPAMI.2005.43, compare photographs alike). The deviation is that of the least cost, by its curvature,
-    the noise and the size of the window, and grows with the misfit; compare :func:`lommel.depth_precision`. Where it
-    exceeds a tenth of the range, in 1 / distance, where other candidates cost hardly more, where the best one is the
-    first or the last, and where half of a window is not known, there is no depth.
+    the noise and the size of the window, and grows with the misfit and with the slope of what is found; compare
+    :func:`lommel.depth_precision`. Where it exceeds a tenth of the range, in 1 / distance, where other candidates cost
+    hardly more, where the best one is the first or the last, and where half of a window is not known, there is no
+    depth.
 
     Examples
     --------
@@ -266,7 +268,7 @@ def depth_by(
     ]
     tiling = Tiling.of(exposed, lights, distances, spectra, pitch, width, transfer)
     position, variance, misfit, level = tiling.search(progress)
-    deviation = np.sqrt(variance) * step
+    deviation = np.hypot(np.sqrt(variance), _SIDE * width * _slope(position, width)) * step
     unknown = ~(deviation <= _KNOWN * (vergence[-1] - vergence[0])) | ~np.isfinite(position)
     u = np.where(unknown, np.nan, vergence[0] + step * position)
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -288,6 +290,18 @@ def depth_by(
 
     maps = [np.asarray(each, dtype=np.float64) for each in (depth, sigma, misfit)]
     return DefocusDepth(maps[0], maps[1], maps[2], distances, exposed.exposures, encoding, sharpen)
+
+
+def _slope(position: NDArray[np.floating[Any]], window: float) -> Array:
+    """Return how much the position changes from one pixel to the next, over a window; 0 beside what is not known."""
+    reach, square = max(1, round(window)), np.zeros(position.shape)
+    for axis in (0, 1):
+        side = position.shape[axis]
+        low, high = (np.clip(np.arange(side) + shift, 0, side - 1) for shift in (-reach, reach))
+        between = np.maximum(high - low, 1).reshape((-1, 1) if axis == 0 else (1, -1))
+        change = np.take(position, high, axis=axis) - np.take(position, low, axis=axis)
+        square += np.nan_to_num(change / between) ** 2
+    return np.asarray(np.sqrt(square))
 
 
 def _lenses(lenses: Sequence[Lens]) -> list[Lens]:

@@ -53,13 +53,14 @@ class Tile(NamedTuple):
         Electrons of equal exposures, with margins.
     variances : ndarray, of that shape
         Of each pixel's noise.
-    valid : ndarray of float32, shape (height, width)
-        1 where pixels are to be believed, 0 elsewhere.
+    valid, own : ndarray of float32, shape (height, width)
+        1 where pixels are to be believed, and where they are of the image rather than mirrored; 0 elsewhere.
     """
 
     images: Floats
     variances: Floats
     valid: NDArray[np.float32]
+    own: NDArray[np.float32]
 
 
 def search(tile: Tile, transfers: list[NDArray[np.float32]], weigh: Weights, window: float) -> Found:
@@ -112,8 +113,9 @@ def search(tile: Tile, transfers: list[NDArray[np.float32]], weigh: Weights, win
     variance = np.maximum(variance, _spread(cost, at, independent / worse))
     chance = sum(one.spread[level, at] for one, level in zip(channels, levels, strict=True))
     enough = np.maximum(_DROP, _SURE * np.sqrt(chance * independent))
-    # Less than half of a window is not to be believed.
-    known = sure & (curvature > 0.0) & np.isfinite(variance) & (share >= 0.5) & (drop >= enough)
+    # Less than half of what a window has of the image is not to be believed.
+    whole = share >= 0.5 * weigh(tile.own)
+    known = sure & whole & (curvature > 0.0) & np.isfinite(variance) & (drop >= enough)
     variance[~known] = np.inf
     outside = (at == 0) | (at == len(cost) - 1)
     variance[outside], position[outside] = np.inf, np.nan
@@ -131,14 +133,17 @@ def _least(cost: Floats) -> NDArray[np.int64]:
 
 
 def _spread(cost: Floats, at: NDArray[np.int64], independent: Floats) -> Floats:
-    """Return the mean square distance from the least candidate, in candidates, each being as likely as it costs."""
+    """Return the mean square distance from the least candidate and its neighbours, each being as likely as it costs.
+
+    In candidates; a minimum between two of them is no doubt.
+    """
     least = np.take_along_axis(cost, at[None], axis=0)[0]
     scale = independent.astype(np.float32)
     total, moment = np.zeros((2, *at.shape), dtype=np.float32)
     for c, one in enumerate(cost):
         chance = np.exp((least - one) * scale)
         total += chance
-        moment += chance * ((at - c) ** 2).astype(np.float32)
+        moment += chance * (np.maximum(np.abs(at - c) - 1, 0) ** 2).astype(np.float32)
     return np.asarray(moment / total)
 
 

@@ -85,7 +85,8 @@ class Tiling:
         weigh = Weights.of(self.sides, self.margin, self.core, self.window)
         tiles = list(self._tiles())
         for done, (inside, at, within) in enumerate(tiles, 1):
-            tile = Tile(self.exposed.images[:, :, *at], self.exposed.variances[:, :, *at], trust[at])
+            own = self._own(inside)
+            tile = Tile(self.exposed.images[:, :, *at], self.exposed.variances[:, :, *at], trust[at] * own, own)
             for whole, part in zip(out, search(tile, self.transfers, weigh, self.window), strict=True):
                 whole[inside] = part[within]
             if progress is not None:
@@ -124,6 +125,16 @@ class Tiling:
                 inside = slice(top, min(top + self.core[0], height)), slice(left, min(left + self.core[1], width))
                 within = slice(inside[0].stop - top), slice(inside[1].stop - left)
                 yield inside, (rows[:, None], columns), within
+
+    def _own(self, inside: tuple[slice, slice]) -> NDArray[np.float32]:
+        """Return 1 where a tile that answers there is made of the image, 0 where it is made of mirrored copies."""
+        own = np.zeros(self.sides, dtype=np.float32)
+        first = [part.start - self.margin for part in inside]
+        rows, columns = (
+            slice(max(0, -start), whole - start) for start, whole in zip(first, self.exposed.valid.shape, strict=True)
+        )
+        own[rows, columns] = 1.0
+        return own
 
     def _trusted(self) -> NDArray[np.float32]:
         """Return 1 where pixels are known as far as light is spread, 0 elsewhere."""

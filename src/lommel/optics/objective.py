@@ -389,8 +389,9 @@ class Objective:
         v = layers.wavenumber * self.NA * r.ravel()
         validation.reach("radius", float(v.max()), math.pi / (layers.wavenumber * self.NA), "metres")
         rule = debye.rule(layers, model, d, f, float(v.max()), error)
-        parts = debye.fields(rule, model, d, f, v)
-        return [part.reshape(shape + r.shape) for part in parts], rule.error
+        distinct, place = np.unique(v, return_inverse=True)  # of the pixels of an image, an eighth
+        parts = debye.fields(rule, model, d, f, distinct)
+        return [part[:, place.ravel()].reshape(shape + r.shape) for part in parts], rule.error
 
 
 def _cosine(layers: Layers, rho: Array) -> Callable[[float], NDArray[np.complex128]]:

@@ -126,12 +126,17 @@ def by_halves(of, model, depth, focus, v):
     raise AssertionError("not settled")
 
 
-@pytest.mark.parametrize("of", [OIL, TIRF, WATER, COATED, DRY])
-def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of):
-    depth, focus, v = np.array([1e-6]), np.array([2e-6]), 20.0
+@pytest.mark.parametrize("v", [0.0, 20.0])
+@pytest.mark.parametrize(
+    ("of", "model"), [*((of, VECTOR) for of in (OIL, TIRF, WATER, COATED, DRY)), (DRY, debye.Model(vectorial=False))]
+)
+def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, model, v):
+    depth, focus = np.array([1e-6]), np.array([2e-6])
+    # A Bessel function is far below its bound.
+    above = 4.0 if v else 0.8 if model.vectorial else 0.3
     theta = np.linspace(0.0, 2 * np.pi, 3001)
     for piece in debye.pieces(of):
-        growth = piece.growth(VECTOR, depth, focus, v)
+        growth = piece.growth(model, depth, focus, v)
         fit = np.flatnonzero(np.isfinite(growth))
         assert fit.size >= 5
         for row in fit[:: max(1, fit.size // 5)]:
@@ -140,8 +145,22 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of):
             fixed, by_depth, by_focus = piece.rates(x)
             rho = np.sqrt(piece.square(x)) / of.NA
             wave = np.exp(1j * (fixed + depth * by_depth + focus * by_focus))
-            parts = [np.abs(wave * part * jv(m, v * rho)).max() for m, part in enumerate(piece.parts(x, VECTOR))]
-            assert math.log(max(parts)) <= growth[row] <= math.log(max(parts)) + 4.0
+            parts = [np.abs(wave * part * jv(m, v * rho)).max() for m, part in enumerate(piece.parts(x, model))]
+            assert math.log(max(parts)) <= growth[row] <= math.log(max(parts)) + above
+
+
+@pytest.mark.parametrize("of", [OIL, DRY])
+def test_the_discs_cover_each_ellipse(of):
+    for piece in debye.pieces(of):
+        discs = piece.covered[0]
+        half = 0.5 * (piece.high - piece.low)
+        # The ends and the middles of the arcs, and near them.
+        arc = 2 * np.pi * (np.arange(1024) + 0.5) / 1024
+        for offset in np.array([-1.0, -0.999, -0.5, 0.0, 0.7, 1.0]) * np.pi / 1024:
+            x = piece.low + half * (1 + np.cos(arc + offset + 1j * debye._ETA[:, None]))
+            assert (np.abs(x - discs.centre) <= discs.radius).all()
+            height = np.abs(np.sqrt(piece.square(x)).imag) / of.NA
+            assert (height <= piece.covered[2] * (1 + 1e-12) + 1e-15).all()
 
 
 def test_an_ellipse_round_the_branch_point_of_another_cosine_is_none():
@@ -251,6 +270,19 @@ def test_a_small_aperture_has_airys_pattern_and_no_other_polarisation():
 def test_the_extremes_of_planes_hold_all_of_them():
     depth, focus = np.array([1.0, 1.0, 1.0, 2.0]), np.array([0.0, 5.0, 3.0, 7.0])
     assert sorted(debye.extremes(depth, focus)) == [(1.0, 0.0), (1.0, 5.0), (2.0, 7.0)]
+
+
+def test_nodes_are_the_fewest_that_the_bound_allows():
+    piece = debye.Piece(OIL, 0.0, 0.8)
+    growth = 3.0 + 50.0 * debye._ETA**2
+    for error in (1e-3, 1e-9):
+        n = piece.nodes(growth, error)
+
+        def bound(nodes):
+            eta = debye._ETA
+            return (64 / 15 * 0.4 * np.exp(growth - 2 * nodes * eta) / (1 - np.exp(-2 * eta))).min()
+
+        assert bound(n) <= error < bound(n - 1)
 
 
 def test_an_aperture_too_close_to_an_index_is_refused():

@@ -57,7 +57,7 @@ def test_a_root_is_within_its_disc_wherever_the_real_part_is_positive():
 
 
 def test_cosine_and_sinc_are_within_their_discs():
-    square = some(2000, 1.0, 4.0)
+    square = some(4000, 1.0, 2.0, radius=8.0)
     cosine, sinc = cosine_and_sinc(square)
     values = inside(square, edge=True)
     z = np.sqrt(values)

@@ -57,7 +57,7 @@ sphinx_gallery_conf = {
     "gallery_dirs": "gallery",
     "filename_pattern": r"\.py$",
     "subsection_order": [
-        f"../examples/gallery/{part}" for part in ("cameras", "wavefronts", "telescopes", "methods")
+        f"../examples/gallery/{part}" for part in ("cameras", "wavefronts", "telescopes", "microscopes", "methods")
     ],
     "within_subsection_order": "FileNameSortKey",
     "backreferences_dir": "gallery/uses",

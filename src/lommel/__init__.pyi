@@ -61,7 +61,9 @@ from lommel.optics.fitting import (
     opd_map as opd_map,
 )
 from lommel.optics.grid import Grid as Grid
+from lommel.optics.layer import Design as Design, Layer as Layer
 from lommel.optics.lens import Lens as Lens
+from lommel.optics.objective import Objective as Objective
 from lommel.optics.pupil import Pupil as Pupil
 from lommel.optics.wavefront import Wavefront as Wavefront
 from lommel.page.widget import live as live

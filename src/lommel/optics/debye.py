@@ -1,0 +1,289 @@
+r"""Integrals over the angles of a microscope's light, by Gauss-Legendre quadrature that is proven to suffice.
+
+[0, 1] is cut at the critical angle of the sample, ``rho = n_s / NA``. Below, the variable is 1 - c, with the cosine c
+in the layer of the lowest index, with ``rho d rho = -(n / NA)^2 c dc``; above, ``kappa = abs(c_s)``. In these every
+integrand is analytic on both sides, and the rule converges like ``exp(-2 n eta)`` for each ellipse that holds no
+branch point of another cosine and no zero of a denominator. Discs that cover the ellipse bound the integrand: see
+docs/certificate.md.
+
+References
+----------
+B. Richards and E. Wolf, Proc. R. Soc. Lond. A 253, 358 (1959), doi:10.1098/rspa.1959.0200.
+L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), chapter 19.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
+from lommel.optics.stratified import Amplitudes, Layers, Values
+from lommel.special.discs import Disc, windings
+from lommel.special.legendre import gauss_legendre
+
+_ETA = np.geomspace(4e-3, 2.5, 28)
+_ARCS = 1024
+_ROUNDOFF = 2.0**-53
+_RADII = 2048  # at once
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Model:
+    """What is integrated: the three parts of the vectorial field, or one scalar field.
+
+    Attributes
+    ----------
+    vectorial : bool
+    aplanatic : bool
+        Whether the amplitude is ``c_i^(-1/2)``, of the sine condition, or 1.
+    supercritical : bool
+        Whether light beyond the critical angle of the sample counts.
+    """
+
+    vectorial: bool = True
+    aplanatic: bool = True
+    supercritical: bool = True
+
+    @property
+    def orders(self) -> tuple[int, ...]:
+        """The orders of the Bessel functions, one for each part."""
+        return (0, 1, 2) if self.vectorial else (0,)
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One side of the critical angle, in the variable in which the integrand is analytic."""
+
+    layers: Layers
+    low: float
+    high: float
+    above: bool = False
+
+    @property
+    def lowest(self) -> float:
+        """The index of the layer whose cosine c is ``1 - x``, or ``i x`` above the critical angle."""
+        return min(self.layers.immersion, self.layers.glass, self.layers.sample)
+
+    def square(self, x: Values) -> Values:
+        """Return ``(NA rho)^2``."""
+        return self.lowest**2 * (x * x + 1.0 if self.above else x * (2.0 - x))
+
+    def cosine(self, x: Values, index: float) -> Values:
+        """Return c_m of a layer."""
+        if index == self.lowest:
+            return 1j * x if self.above else 1.0 + 0.0j - x
+        within = 1.0 - self.square(x) * index**-2
+        return within.sqrt() if isinstance(within, Disc) else np.sqrt(within + 0.0j)
+
+    def amplitudes(self, x: Values) -> Amplitudes:
+        """Return the transmission at x."""
+        return self.layers.amplitudes(lambda index: self.cosine(x, index), self.square(x))
+
+    def rates(self, x: Values) -> tuple[Values, Values, Values]:
+        """Return the phase without depth and focus, and its derivatives by these."""
+        return self.layers.rates(lambda index: self.cosine(x, index))
+
+    def jacobian(self, x: Values) -> Values:
+        """Return ``rho d rho / dx``."""
+        return (x if self.above else 1.0 - x) * (self.lowest / self.layers.NA) ** 2
+
+    def parts(self, x: Array, model: Model) -> tuple[Complex, ...]:
+        """Return what multiplies ``exp(i psi) J_m``, in the order of `model`, with the Jacobian."""
+        c_i, c_s = self.cosine(x, self.layers.immersion), self.cosine(x, self.layers.sample)
+        light = self.jacobian(x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
+        if not model.vectorial:
+            return (2.0 * light,)
+        t_s, t_p, _ = self.amplitudes(x)
+        sine = np.sqrt(self.square(x)) / self.layers.sample
+        return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
+
+    def _ellipses(self) -> Disc:
+        """Return discs that cover the ellipses around the piece, one for each eta, shape ``(eta, arcs)``."""
+        step = 2.0 * math.pi / _ARCS
+        theta = (np.arange(_ARCS) + 0.5) * step
+        half = 0.5 * (self.high - self.low)
+        centre = self.low + half * (1.0 + np.cos(theta + 1j * _ETA[:, None]))
+        # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
+        slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(_ETA)[:, None])
+        return Disc(np.asarray(centre, np.complex128), 0.5 * step * half * slope * (1.0 + 1e-12) + 1e-15)
+
+    @cached_property
+    def covered(self) -> tuple[Disc, tuple[Disc, Disc, Disc], Array, Array]:
+        """Discs of x and of the rates, what bounds ``abs(Im rho)``, and which ellipses hold no singularity."""
+        x = self._ellipses()
+        rates = self.rates(x)
+        denominators = self.amplitudes(x).denominators
+        fit = np.all([windings(each) == 0 for each in denominators], axis=0)
+        for index in (self.layers.immersion, self.layers.glass):
+            c = self.cosine(x, index)
+            fit &= np.isfinite(c.radius).all(axis=-1) & (c.centre.real > c.radius).all(axis=-1)
+        square = self.square(x) * self.layers.NA**-2
+        root = np.sqrt(square.centre)
+        size = np.maximum(np.abs(root), 1e-300)
+        height = np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), np.abs(root.imag) + square.radius / size)
+        return x, rates, height, fit
+
+    def growth(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
+        """Return the logarithm of a bound on the integrands on each ellipse, infinite where one may be singular."""
+        _, (fixed, by_depth, by_focus), height, fit = self.covered
+        amplitude = _largest(self, model)
+        worst = np.full(height.shape, -np.inf)
+        with np.errstate(all="ignore"):
+            for d, f in extremes(depth, focus):
+                phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
+                worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
+            found = (amplitude + worst + v * height).max(axis=-1)
+        return np.where(fit & np.isfinite(found), found + 1e-9, np.inf)
+
+    def nodes(self, growth: Array, error: float) -> int:
+        """Return the fewest nodes whose rule is proven to err by at most `error`."""
+        half = 0.5 * (self.high - self.low)
+        with np.errstate(over="ignore"):
+            constant = math.log(64.0 / 15.0 * half) - np.log(-np.expm1(-2.0 * _ETA)) - math.log(error)
+        needed = float(((growth + constant) / (2.0 * _ETA)).min())
+        if not math.isfinite(needed):
+            thinner = "films must be thinner, or " if self.layers.films else ""
+            raise ValueError(
+                f"{thinner}NA must be farther below the indices of immersion and cover glass: at {self.layers.NA:g} "
+                "no number of angles is proven to suffice"
+            )
+        return max(2, math.ceil(needed))
+
+
+@lru_cache(maxsize=8)
+def _largest(piece: Piece, model: Model) -> Array:
+    """Return the logarithm of a bound on every part without its exponential and its Bessel function, on each arc."""
+    x, _, _, _ = piece.covered
+    with np.errstate(all="ignore"):
+        light = np.log(piece.jacobian(x).largest)
+        if model.aplanatic:
+            light -= 0.5 * np.log(piece.cosine(x, piece.layers.immersion).least)
+        if not model.vectorial:
+            return np.asarray(light + math.log(2.0))
+        t_s, t_p, _ = piece.amplitudes(x)
+        c_s = piece.cosine(x, piece.layers.sample)
+        sine = np.sqrt(piece.square(x).largest) / piece.layers.sample
+        return np.asarray(light + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
+
+
+def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
+    """Return the pairs of depth and focus that bound all others: the phase is linear in both."""
+    found = []
+    for d in np.unique(depth):
+        here = focus[depth == d]
+        found += [(float(d), float(f)) for f in {here.min(), here.max()}]
+    return found
+
+
+@lru_cache(maxsize=4)
+def pieces(layers: Layers) -> tuple[Piece, ...]:
+    """Return the parts of the pupil, the one beyond the critical angle of the sample last."""
+    if layers.sample < layers.NA:
+        reach = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
+        return Piece(layers, 0.0, 1.0), Piece(layers, 0.0, reach, above=True)
+    lowest = min(layers.immersion, layers.glass, layers.sample)
+    sine = layers.NA / lowest
+    return (Piece(layers, 0.0, sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))),)
+
+
+class Rule(NamedTuple):
+    """Angles, and what is summed over them.
+
+    Attributes
+    ----------
+    rho : ndarray, shape (q,)
+    parts : tuple of ndarray of complex, each of shape (q,)
+        With the weights of the rule, in the order of the model.
+    rates : tuple of three ndarrays of complex, shape (q,)
+        The phase, and its derivatives by depth and focus.
+    error : float
+        What the rule is proven to err by, with an allowance for rounding.
+    """
+
+    rho: Array
+    parts: tuple[Complex, ...]
+    rates: tuple[Complex, Complex, Complex]
+    error: float
+
+    def waves(self, depth: Array, focus: Array) -> Complex:
+        """Return ``exp(i psi)`` for each plane and angle, shape ``(planes, q)``."""
+        fixed, by_depth, by_focus = self.rates
+        return np.asarray(np.exp(1j * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))))
+
+
+def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float) -> Rule:
+    """Return angles enough for every part to err by at most `tol`, at any radius up to `v`, in the planes given.
+
+    Parameters
+    ----------
+    layers : Layers
+    model : Model
+    depth, focus : ndarray, shape (planes,)
+        Metres.
+    v : float
+        ``k NA r`` at the largest radius.
+    tol : float
+        Of the fields, whose focus is 1 where NA is small.
+
+    Returns
+    -------
+    Rule
+    """
+    rhos, parts, rates = [], [], []
+    cut = [piece for piece in pieces(layers) if model.supercritical or not piece.above]
+    for piece in cut:
+        n = piece.nodes(piece.growth(model, depth, focus, v), tol / len(cut))
+        x, w = gauss_legendre(n, piece.low, piece.high)
+        rhos.append(np.sqrt(piece.square(x)) / layers.NA)
+        parts.append([w * part for part in piece.parts(x, model)])
+        rates.append(piece.rates(x))
+    rho = np.concatenate(rhos)
+    joined = tuple(np.concatenate(each) for each in zip(*parts, strict=True))
+    fixed, by_depth, by_focus = (np.concatenate(each) for each in zip(*rates, strict=True))
+    paths = sum(index * abs(thickness) for index, thickness in layers.paths)
+    reach = layers.sample * depth.max(initial=0.0) + layers.immersion * np.abs(focus).max(initial=0.0) + paths
+    size = max(float(np.abs(part).sum()) for part in joined)
+    rounding = (4.0 * layers.wavenumber * reach + 4.0 * v + 2.0 * math.sqrt(rho.size) + 64.0) * _ROUNDOFF * size
+    return Rule(rho, joined, (fixed, by_depth, by_focus), float(tol + rounding))
+
+
+def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tuple[Complex, ...]:
+    """Return each part at each plane and each v, shape ``(planes, radii)``."""
+    from scipy.special import jv
+
+    waves = rule.waves(depth, focus)
+    found = tuple(np.empty((depth.size, v.size), np.complex128) for _ in model.orders)
+    for start in range(0, v.size, _RADII):
+        arguments = np.multiply.outer(rule.rho, v[start : start + _RADII])
+        for order, part, values in zip(model.orders, rule.parts, found, strict=True):
+            values[:, start : start + _RADII] = (waves * part) @ jv(order, arguments)
+    return found
+
+
+def power(layers: Layers, depth: Array) -> tuple[Array, float]:
+    """Return the light of an emitter that turns freely, and of one far from the glass, over ``4 pi / (k NA)^2``.
+
+    ``int a^2 exp(-2 k d n_s Im c_s) (abs(t_s + t_p c_s)^2 + 2 abs(t_p s)^2 + abs(t_s - t_p c_s)^2) rho d rho / 2``,
+    the same at every focus, by rules of twice as many angles until two agree to 1e-13.
+    """
+    model, before, near, far = Model(), -np.ones(depth.shape), np.zeros(depth.shape), 0.0
+    for n in (32 * 2**k for k in range(9)):
+        near, far = np.zeros(depth.shape), 0.0
+        for piece in pieces(layers):
+            x, w = gauss_legendre(n, piece.low, piece.high)
+            first, second, third = (np.abs(part) ** 2 for part in piece.parts(x, model))
+            light = w * (first + 2.0 * second + third) / (2.0 * piece.jacobian(x))
+            near += np.exp(-2.0 * np.outer(depth, piece.rates(x)[1].imag)) @ light
+            far += 0.0 if piece.above else float(light.sum())
+        if (np.abs(near - before) <= 1e-13 * near).all():
+            break
+        before = near
+    return near, far

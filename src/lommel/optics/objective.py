@@ -1,0 +1,398 @@
+"""A microscope objective, and the layers between it and what emits light."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Numbers, numbers
+from lommel.optics import debye, foci
+from lommel.optics.focal import FocalField, Focus, Nyquist, ScalarField
+from lommel.optics.layer import DEPTH_MOST, Design, Layer, depths, film_stack, heights, length, refractive_index
+from lommel.optics.stratified import Amplitudes, Layers, cosines
+
+_DISTANCE_MOST = 0.1
+_VALUES_MOST = 2**26
+_APODIZATIONS = ("uniform", "aplanatic")
+
+
+@dataclass(frozen=True, init=False)
+class Objective:
+    r"""A microscope objective with its immersion, cover glass and sample; metres everywhere.
+
+    The layers are plane: sample | films | cover glass | immersion | objective. A ray has the same
+    ``NA rho = n sin(theta)`` in each, rho from 0 to 1 across the pupil. An emitter is at `depth` metres from the
+    glass (from the last film, if there are some). `focus` is how far the objective has been driven towards the sample
+    since the surface of the cover glass was in paraxial focus: what the stage of a microscope records, not a distance
+    in the sample.
+
+    Parameters
+    ----------
+    NA : float
+        Numerical aperture, below the indices of immersion and cover glass. Where it exceeds that of the sample, light
+        beyond the critical angle counts, and fades with the depth.
+    magnification : float
+        From the sample to the camera.
+    immersion : float
+        Refractive index of what is between objective and cover glass.
+    working_distance : float
+        Metres from the objective to the cover glass, in focus on the surface of the glass and used as designed.
+    coverslip : Layer or None
+        The cover glass; None where the objective dips into the sample.
+    sample : float
+        Refractive index of what the emitter is in.
+    films : sequence of Layer, default none
+        Thin films between cover glass and sample, in this order: coherent, by characteristic matrices, each of at
+        most 2 um. The glass is thick: what it reflects to and fro is not seen.
+    design : Design, optional
+        What the objective was corrected for, by default what it is used with.
+
+    Raises
+    ------
+    TypeError, ValueError
+        On anything that is missing, not finite or out of range, or through which light of this aperture cannot pass.
+
+    References
+    ----------
+    S. F. Gibson and F. Lanni, J. Opt. Soc. Am. A 9, 154 (1992), doi:10.1364/JOSAA.9.000154.
+
+    Examples
+    --------
+    >>> objective = Objective(
+    ...     NA=1.4,
+    ...     magnification=63,
+    ...     immersion=1.518,
+    ...     working_distance=0.19e-3,
+    ...     coverslip=Layer(1.5255, 170e-6),
+    ...     sample=1.33,
+    ... )
+    >>> round(1e6 * float(objective.focus(2e-6, wavelength=520e-9).brightest), 2)
+    2.65
+    """
+
+    NA: float
+    magnification: float
+    immersion: float
+    working_distance: float
+    coverslip: Layer | None
+    sample: float
+    films: tuple[Layer, ...]
+    design: Design
+
+    def __init__(
+        self,
+        *,
+        NA: float,
+        magnification: float,
+        immersion: float,
+        working_distance: float,
+        coverslip: Layer | None,
+        sample: float,
+        films: Any = (),
+        design: Design | None = None,
+    ) -> None:
+        validation.optional("coverslip", coverslip, Layer)
+        validation.optional("design", design, Design)
+        n = refractive_index("immersion", immersion)
+        aperture = validation.real("NA", NA, least=1e-3)
+        used = design or Design(n, coverslip)
+        media = {"immersion": n, "design.immersion": used.immersion}
+        glasses = {"coverslip": coverslip, "design.coverslip": used.coverslip}
+        media |= {name: glass.index for name, glass in glasses.items() if glass}
+        for name, index in media.items():
+            if not aperture < index:
+                raise ValueError(f"NA must be below the index of {name}, {index:g}, got {aperture:g}")
+        values = {
+            "NA": aperture,
+            "magnification": validation.real("magnification", magnification, least=1e-3, below=1e6),
+            "immersion": n,
+            "working_distance": length("working_distance", working_distance, _DISTANCE_MOST, positive=True),
+            "coverslip": coverslip,
+            "sample": refractive_index("sample", sample),
+            "films": film_stack(films),
+            "design": used,
+        }
+        vars(self).update(values)
+        if not self._clearance > 0.0:
+            raise ValueError(
+                f"working_distance must leave room for the cover glass, got {working_distance:g}: with this glass, "
+                f"thicker than the design's, the objective would be {-self._clearance:.3g} m inside it"
+            )
+
+    @property
+    def critical_angle(self) -> float | None:
+        """The angle in the immersion beyond which light is evanescent in the sample, radians; None without one."""
+        return math.asin(self.sample / self.immersion) if self.sample < self.NA else None
+
+    def phase(self, rho: ArrayLike, *, depth: float, focus: float, wavelength: float) -> NDArray[np.complex128]:
+        """Return psi, the phase of each plane wave from the emitter, in ``exp(i psi)`` with ``exp(-i omega t)``.
+
+        ``psi = k (d n_s c_s + t_g n_g c_g - t_g0 n_g0 c_g0 + t_i n_i c_i - t_i0 n_i0 c_i0)``, with
+        ``t_i = n_i (t_g0 / n_g0 + t_i0 / n_i0 - t_g / n_g) - f``; index 0 is the design. What films add is in
+        :meth:`transmission`.
+
+        Parameters
+        ----------
+        rho : array_like
+            0 to 1.
+        depth, focus : float
+            Metres.
+        wavelength : float
+            Metres, in vacuum.
+
+        Returns
+        -------
+        ndarray of complex
+            Radians, with a positive imaginary part beyond the critical angle of the sample.
+
+        Raises
+        ------
+        TypeError, ValueError
+            On anything out of range.
+        """
+        d, f, _ = self._planes(depth, focus)
+        if d.size != 1:
+            raise ValueError(f"depth and focus must be one number each, got {d.size} planes")
+        fixed, by_depth, by_focus = self._rates(rho, wavelength)
+        return np.asarray(fixed + d[0] * by_depth + f[0] * by_focus)
+
+    def phase_derivatives(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], Array]:
+        """Return the derivatives of :meth:`phase` at `rho` by depth and by focus, radians per metre.
+
+        ``k n_s c_s`` and ``-k n_i c_i``, which depend on neither: the phase is linear in both. `wavelength` is in
+        metres.
+        """
+        _, by_depth, by_focus = self._rates(rho, wavelength)
+        return np.asarray(by_depth), np.asarray(by_focus.real)
+
+    def transmission(self, rho: ArrayLike, *, wavelength: float) -> tuple[NDArray[np.complex128], ...]:
+        """Return the amplitudes ``(t_s, t_p)`` of plane waves that pass from immersion to sample.
+
+        Fresnel's, and characteristic matrices of the films. Light of an emitter has the same: its amplitude of the
+        other way, times ``n_i c_i / (n_s c_s)``, is that of this one, which is finite at the critical angle.
+
+        Parameters
+        ----------
+        rho : array_like
+            0 to 1.
+        wavelength : float
+            Metres, in vacuum.
+
+        Returns
+        -------
+        t_s, t_p : ndarray of complex
+
+        Raises
+        ------
+        TypeError, ValueError
+            On anything out of range.
+        """
+        at, layers = heights(rho), self._layers(wavelength)
+        found: Amplitudes = layers.amplitudes(_cosine(layers, at), ((self.NA * at) ** 2).astype(np.complex128))
+        return np.asarray(found.s), np.asarray(found.p)
+
+    def fields(
+        self,
+        radius: ArrayLike,
+        *,
+        depth: ArrayLike,
+        focus: ArrayLike,
+        wavelength: float,
+        tol: float = 1e-10,
+    ) -> FocalField:
+        """Return the vectorial field at radii from the axis, by quadrature over all angles: slow, and a reference.
+
+        ``K_m = int a T_m exp(i psi) J_m(k NA r rho) rho d rho`` with ``a = c_i^(-1/2)`` and
+        ``T_0 = t_s + t_p c_s, T_1 = t_p NA rho / n_s, T_2 = t_s - t_p c_s``. K0 is 1 in focus where NA is small and
+        nothing is reflected. Excitation and emission have the same field.
+
+        Parameters
+        ----------
+        radius : array_like
+            Metres in the sample: on the camera, over the magnification.
+        depth, focus : array_like
+            Metres; they broadcast, to the planes.
+        wavelength : float
+            Metres, in vacuum.
+        tol : float, default 1e-10
+            Of each integral.
+
+        Returns
+        -------
+        FocalField
+            Values of the shape of the planes and that of `radius`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            On anything out of range, or if it takes more than 20 000 angles.
+
+        References
+        ----------
+        P. Torok et al., J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325.
+        """
+        (K0, K1, K2), error = self._integrals(debye.Model(), radius, depth, focus, wavelength, tol)
+        return FocalField(K0, K1, K2, error)
+
+    def scalar(
+        self,
+        radius: ArrayLike,
+        *,
+        depth: ArrayLike,
+        focus: ArrayLike,
+        wavelength: float,
+        apodization: str = "uniform",
+        supercritical: bool = True,
+        tol: float = 1e-10,
+    ) -> ScalarField:
+        """Return the scalar field of Gibson and Lanni, ``U = 2 int A exp(i psi) J0(k NA r rho) rho d rho``.
+
+        Parameters
+        ----------
+        radius, depth, focus, wavelength, tol
+            As of :meth:`fields`.
+        apodization : {"uniform", "aplanatic"}, default "uniform"
+            A = 1, as published, or ``c_i^(-1/2)``, of the sine condition.
+        supercritical : bool, default True
+            Whether light beyond the critical angle of the sample counts; the published model leaves it out.
+
+        Returns
+        -------
+        ScalarField
+
+        Raises
+        ------
+        TypeError, ValueError
+            On anything out of range, or if it takes more than 20 000 angles.
+        """
+        validation.choice("apodization", apodization, _APODIZATIONS)
+        validation.truth("supercritical", supercritical)
+        model = debye.Model(vectorial=False, aplanatic=apodization == "aplanatic", supercritical=supercritical)
+        (U,), error = self._integrals(model, radius, depth, focus, wavelength, tol)
+        return ScalarField(U, error)
+
+    def focus(self, depth: ArrayLike, *, wavelength: float) -> Focus:
+        """Return where an emitter is in focus: for paraxial rays, and where its light on the axis is brightest.
+
+        Where there are several maxima the largest is meant: of steps of a sixteenth of the depth of focus, between
+        the foci of all rays (up to 0.98 of the critical angle) and two depths of focus beyond, and from there by
+        Newton's method. For light that is not polarised, or an emitter that turns freely.
+
+        Parameters
+        ----------
+        depth : array_like
+            Metres from the glass.
+        wavelength : float
+            Metres, in vacuum.
+
+        Returns
+        -------
+        Focus
+            Arrays of the shape of `depth`, numbers for one.
+
+        Raises
+        ------
+        TypeError, ValueError
+            On anything out of range, or at a depth that the working distance does not reach.
+        """
+        layers = self._layers(wavelength)
+        d = depths(depth)
+        paraxial = self._paraxial(d)
+        self._planes(d, paraxial)
+        found = [foci.brightest(layers, float(one)) for one in d.flat]
+        self._planes(d, np.array([one.brightest for one in found]).reshape(d.shape))
+        each = zip(d.flat, found, strict=True)
+        wide = [foci.lateral_width(layers, float(one), light.brightest) for one, light in each]
+        return Focus(*(numbers(column, d.shape) for column in (d, paraxial, *zip(*found, strict=True), wide)))
+
+    def collected(self, depth: ArrayLike, *, wavelength: float) -> Numbers:
+        """Return the light that an emitter at `depth` (metres) sends into the objective, over that of one far away.
+
+        More than 1 near a glass that light beyond the critical angle enters; 1 at every depth where there is none.
+        Of a dipole of constant moment that turns freely; `wavelength` is in metres, in vacuum.
+        """
+        d = depths(depth)
+        layers = self._layers(wavelength)
+        near, far = debye.power(layers, d.ravel())
+        return numbers(near / far, d.shape)
+
+    def nyquist(self, *, wavelength: float) -> Nyquist:
+        """Return the coarsest steps that keep all of an image in light of one `wavelength` (metres, in vacuum).
+
+        ``lambda / (4 NA)`` sideways, ``lambda / (2 (n_i - sqrt(n_i^2 - NA^2)))`` of the stage.
+        """
+        layers = self._layers(wavelength)
+        lateral = layers.wavelength / (4.0 * self.NA)
+        return Nyquist(lateral, 0.5 * foci.depth_of_focus(layers), lateral * self.magnification)
+
+    @property
+    def _clearance(self) -> float:
+        """How much immersion there is with the surface of the cover glass in focus, metres."""
+        length = self.working_distance / self.design.immersion
+        for glass, sign in ((self.design.coverslip, 1.0), (self.coverslip, -1.0)):
+            length += sign * glass.thickness / glass.index if glass else 0.0
+        return self.immersion * length
+
+    def _layers(self, wavelength: Any) -> Layers:
+        """Return the layers in light of a wavelength, checked."""
+        metres = validation.wavelength(wavelength)
+        used, meant = Design(self.immersion, self.coverslip), self.design
+        paths = []
+        for side, sign in ((used, 1.0), (meant, -1.0)) if used != meant else ():
+            room = self._clearance if side is used else self.working_distance
+            paths.append((side.immersion, sign * room))
+            if side.coverslip:
+                paths.append((side.coverslip.index, sign * side.coverslip.thickness))
+        glass = self.coverslip.index if self.coverslip else self.immersion
+        films = tuple((film.index, film.thickness) for film in self.films)
+        return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres)
+
+    def _paraxial(self, depth: Array) -> Array:
+        """Return the paraxial focus of emitters, metres of the stage."""
+        films = sum(film.thickness / film.index for film in self.films)
+        return np.asarray(self.immersion * (depth / self.sample + films))
+
+    def _planes(self, depth: Any, focus: Any) -> tuple[Array, Array, tuple[int, ...]]:
+        """Return depths and positions of the stage as flat arrays, with their shape, checked."""
+        f = validation.real_array("focus", focus)
+        d, f = validation.broadcast("depth and focus", depths(depth), f)
+        if f.size and f.max() > self._clearance:
+            raise ValueError(
+                f"focus must be at most {self._clearance:.4g} metres, where the objective touches the cover glass, "
+                f"got {f.max():g}"
+            )
+        if f.size and f.min() < -DEPTH_MOST:
+            raise ValueError(f"focus is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
+        return d.ravel(), f.ravel(), d.shape
+
+    def _rates(self, rho: Any, wavelength: Any) -> tuple[Any, Any, Any]:
+        layers = self._layers(wavelength)
+        return layers.rates(_cosine(layers, heights(rho)))
+
+    def _integrals(
+        self, model: debye.Model, radius: Any, depth: Any, focus: Any, wavelength: Any, tol: Any
+    ) -> tuple[list[NDArray[np.complex128]], float]:
+        layers = self._layers(wavelength)
+        r = validation.real_array("radius", radius, least=0.0)
+        d, f, shape = self._planes(depth, focus)
+        error = validation.real("tol", tol, least=1e-14, below=1.0)
+        if not r.size or not d.size:
+            raise ValueError(f"radius, depth and focus must not be empty, got shapes {r.shape} and {shape}")
+        if r.size * d.size > _VALUES_MOST:
+            raise ValueError(f"radius and planes must be at most {_VALUES_MOST} values, got {r.size} times {d.size}")
+        v = layers.wavenumber * self.NA * r.ravel()
+        validation.reach("radius", float(v.max()), math.pi / (layers.wavenumber * self.NA), "metres")
+        rule = debye.rule(layers, model, d, f, float(v.max()), error)
+        distinct, place = np.unique(v, return_inverse=True)  # of the pixels of an image, an eighth
+        parts = debye.fields(rule, model, d, f, distinct)
+        return [part[:, place.ravel()].reshape(shape + r.shape) for part in parts], rule.error
+
+
+def _cosine(layers: Layers, rho: Array) -> Callable[[float], NDArray[np.complex128]]:
+    return lambda index: cosines(layers.NA, rho, index)

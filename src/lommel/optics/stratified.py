@@ -1,0 +1,130 @@
+r"""Plane layers between a microscope's objective and its sample: phase and amplitude of each plane wave.
+
+A wave has ``NA rho = n sin(theta)`` in every layer, with ``c_m = cos(theta_m) = sqrt(1 - (NA rho / n_m)^2)``, whose
+imaginary part is not negative: beyond the critical angle, with ``exp(-i omega t)``, light fades with the distance
+from the glass. All formulas take arrays as well as :class:`lommel.special.discs.Disc`, of which bounds are made.
+
+References
+----------
+S. F. Gibson and F. Lanni, J. Opt. Soc. Am. A 9, 154 (1992), doi:10.1364/JOSAA.9.000154: the phase.
+P. Torok, P. Varga, Z. Laczik and G. R. Booker, J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325: the
+amplitudes of the vectorial integrals.
+M. Born and E. Wolf, *Principles of Optics*, 7th ed., section 1.6: characteristic matrices of films.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.special import discs
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+# An array of complex numbers, or a Disc.
+Values = Any
+
+
+class Amplitudes(NamedTuple):
+    """What a plane wave of unit amplitude has become in the sample, at the interface, along s and p."""
+
+    s: Values
+    p: Values
+    denominators: tuple[Values, ...]
+    """What the amplitudes are divided by; where none is 0, they are analytic."""
+
+
+@dataclass(frozen=True)
+class Layers:
+    """The layers as numbers: indices, and the thicknesses of those that are not infinite, metres.
+
+    Attributes
+    ----------
+    NA : float
+    immersion, glass, sample : float
+        Refractive indices.
+    films : tuple of (float, float)
+        Index and thickness of each, from the glass to the sample.
+    paths : tuple of (float, float)
+        Index and thickness (negative where the design had it) of what adds a phase whatever the depth and the focus.
+    wavelength : float
+        Metres, in vacuum.
+    """
+
+    NA: float
+    immersion: float
+    glass: float
+    sample: float
+    films: tuple[tuple[float, float], ...]
+    paths: tuple[tuple[float, float], ...]
+    wavelength: float
+
+    @property
+    def wavenumber(self) -> float:
+        """``2 pi / lambda``, 1/metres."""
+        return 2.0 * math.pi / self.wavelength
+
+    def rates(self, cosine: Callable[[float], Values]) -> tuple[Values, Values, Values]:
+        """Return the phase at depth 0 and focus 0, and its derivatives by depth and by focus, 1/metres.
+
+        It is linear in both: ``psi = fixed + depth * by_depth + focus * by_focus``. `cosine` gives c_m of an index.
+        """
+        k = self.wavenumber
+        by_focus = cosine(self.immersion) * (-k * self.immersion)
+        fixed = by_focus * 0.0
+        for index, thickness in self.paths:
+            fixed = fixed + cosine(index) * (k * index * thickness)
+        return fixed, cosine(self.sample) * (k * self.sample), by_focus
+
+    def amplitudes(self, cosine: Callable[[float], Values], square: Values) -> Amplitudes:
+        """Return the transmission from immersion to sample.
+
+        `square` is ``(NA rho)^2``. Glass is thick: what it reflects to and fro is not seen. Films are coherent.
+        """
+        indices = (self.immersion, self.glass, self.sample)
+        c_i, c_g, c_s = (cosine(index) for index in indices)
+        n_i, n_g, n_s = indices
+        if n_g == n_i:
+            t_s, t_p = 1.0, 1.0
+            below: tuple[Values, ...] = ()
+        else:
+            below = (c_i * n_i + c_g * n_g, c_i * n_g + c_g * n_i)
+            t_s, t_p = (c_i * (2.0 * n_i) / each for each in below)
+        at_s = self._denominator(square, c_g * n_g, c_s * n_s, "s")
+        at_p = self._denominator(square, c_g / n_g, c_s / n_s, "p")
+        entering = c_g * (2.0 * n_g)
+        # The matrices of p are those of H; the field E is H over the index.
+        return Amplitudes(t_s * entering / at_s, t_p * entering / (at_p * (n_g * n_s)), (*below, at_s, at_p))
+
+    def _denominator(self, square: Values, first: Values, last: Values, polarisation: str) -> Values:
+        """Return ``(m11 + m12 p_l) p_1 + m21 + m22 p_l``, M being the product of the matrices of the films."""
+        # B and C of (B, C) = M (1, p_l): from the sample outwards.
+        top, bottom = last * 0.0 + 1.0, last
+        k = self.wavenumber
+        for index, thickness in reversed(self.films):
+            within = 1.0 - square * index**-2
+            cosine, sinc = cosine_and_sinc(within * (k * index * thickness) ** 2)
+            weight = 1.0 if polarisation == "s" else index**2
+            along = sinc * (-1j * k * thickness * weight)
+            back = sinc * within * (-1j * k * thickness * (index**2 / weight))
+            top, bottom = cosine * top + along * bottom, back * top + cosine * bottom
+        return top * first + bottom
+
+
+def cosine_and_sinc(square: Values) -> tuple[Values, Values]:
+    """Return ``cos(z)`` and ``sin(z) / z`` from z^2."""
+    if isinstance(square, discs.Disc):
+        return discs.cosine_and_sinc(square)
+    z = np.sqrt(np.asarray(square, dtype=np.complex128))
+    return np.cos(z), np.sinc(z / math.pi)
+
+
+def cosines(NA: float, rho: NDArray[np.float64], index: float) -> NDArray[np.complex128]:
+    """Return c_m of a layer at rho, its imaginary part not negative."""
+    sine = NA * rho / index
+    return np.sqrt(((1.0 - sine) * (1.0 + sine)).astype(np.complex128))

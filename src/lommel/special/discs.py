@@ -1,0 +1,134 @@
+"""Arithmetic of discs of the complex plane: what a function is on a whole arc, proven by one evaluation.
+
+A disc is a centre and a radius; the result of an operation contains every result for numbers of the operands.
+Products and quotients are those of circular arithmetic; functions take the largest slope on a disc times its radius.
+Every radius is widened by 1e-13 of the magnitudes that it came from, which is more than what rounding may do.
+
+References
+----------
+I. Gargantini and P. Henrici, Numer. Math. 18, 305 (1972), doi:10.1007/BF01404681.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+
+_ROUNDING = 1e-13
+
+
+@dataclass(frozen=True, eq=False)
+class Disc:
+    """Discs of the complex plane, as many as the arrays have elements.
+
+    Parameters
+    ----------
+    centre : ndarray of complex
+    radius : ndarray
+        As many, >= 0; infinite or NaN where nothing is known, as after a division by what may be 0.
+    """
+
+    centre: NDArray[np.complex128]
+    radius: Array
+
+    # NumPy leaves operations with arrays to this class.
+    __array_ufunc__ = None
+
+    @property
+    def largest(self) -> Array:
+        """The largest modulus on each disc."""
+        return np.asarray((np.abs(self.centre) + self.radius) * (1.0 + _ROUNDING))
+
+    @property
+    def least(self) -> Array:
+        """The least modulus on each disc, 0 where it holds 0."""
+        return np.maximum(np.abs(self.centre) * (1.0 - _ROUNDING) - self.radius, 0.0)
+
+    def __add__(self, other: Disc | complex) -> Disc:
+        other = disc(other)
+        centre = self.centre + other.centre
+        size = np.abs(self.centre) + np.abs(other.centre)
+        return Disc(centre, self.radius + other.radius + _ROUNDING * size)
+
+    def __mul__(self, other: Disc | complex) -> Disc:
+        other = disc(other)
+        mine, others = np.abs(self.centre), np.abs(other.centre)
+        with np.errstate(invalid="ignore", over="ignore"):  # 0 times what is not known is not known
+            radius = mine * other.radius + others * self.radius + self.radius * other.radius
+            return Disc(self.centre * other.centre, radius + _ROUNDING * mine * others)
+
+    def __neg__(self) -> Disc:
+        return Disc(-self.centre, self.radius)
+
+    def __sub__(self, other: Disc | complex) -> Disc:
+        return self + -disc(other)
+
+    def __rsub__(self, other: complex) -> Disc:
+        return -self + other
+
+    def __truediv__(self, other: Disc | complex) -> Disc:
+        return self * disc(other).inverse()
+
+    def __rtruediv__(self, other: complex) -> Disc:
+        return disc(other) * self.inverse()
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def inverse(self) -> Disc:
+        """Return discs of 1/z; infinite where a disc holds 0."""
+        size = np.abs(self.centre)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            clear = self.least > 0.0
+            radius = np.where(clear, self.radius / (size * self.least) + _ROUNDING / self.least, np.inf)
+            return Disc(np.where(clear, 1.0 / self.centre, 0.0), radius)
+
+    def sqrt(self) -> Disc:
+        """Return discs of the root with a positive real part; infinite where a disc reaches the left half plane."""
+        right = self.centre.real * (1.0 - _ROUNDING) > self.radius
+        root = np.sqrt(np.where(right, self.centre, 1.0))
+        # sqrt(a) - sqrt(b) = (a - b) / (sqrt(a) + sqrt(b)), and both roots are within 45 degrees of the real axis:
+        # their sum is at least as long as the one at the centre.
+        radius = np.where(right, self.radius / np.abs(root) + _ROUNDING * np.abs(root), np.inf)
+        return Disc(root, radius)
+
+
+def disc(value: Disc | complex | NDArray[np.complex128]) -> Disc:
+    """Return a disc as it is, and numbers as discs of no radius."""
+    if isinstance(value, Disc):
+        return value
+    centre = np.asarray(value, dtype=np.complex128)
+    return Disc(centre, np.zeros(centre.shape))
+
+
+def cosine_and_sinc(square: Disc) -> tuple[Disc, Disc]:
+    """Return discs of ``cos(z)`` and ``sin(z) / z`` from discs of ``z^2``, of which both are entire functions.
+
+    Their derivatives by z^2 are ``-sinc(z) / 2`` and ``(cos(z) - sinc(z)) / (2 z^2)``, which is
+    ``-int_0^1 s^2 sinc(s z) ds / 2``, and ``abs(sinc z) <= exp(abs(Im z)) min(1, 1 / abs(z))``.
+    """
+    z = np.sqrt(square.centre)
+    small = np.abs(z) < 1e-4
+    safe = np.where(small, 1.0, z)
+    sinc = np.where(small, 1.0 - square.centre / 6.0, np.sin(safe) / safe)
+    # abs(Im z) = sqrt((abs(z^2) - Re z^2) / 2), which may be larger by the radius in the root.
+    height = np.exp(np.sqrt(z.imag**2 + square.radius) * (1.0 + _ROUNDING))
+    extent = height * (square.radius + 4.0 * _ROUNDING * (1.0 + np.abs(square.centre)))
+    size = np.maximum(np.sqrt(square.least), 1.0)
+    slope = np.minimum(1.0 / 6.0, (1.0 + 1.0 / size) / (2.0 * size**2))
+    return Disc(np.cos(z), 0.5 * extent / size), Disc(sinc, extent * slope + _ROUNDING * height)
+
+
+def windings(values: Disc) -> NDArray[np.int_]:
+    """Return how often closed curves, covered by discs along the last axis, go around 0; -1 where one may meet it.
+
+    Discs of neighbours have a point of the curve in common, so that its argument changes from one centre to the next
+    by less than pi/2 twice where no disc holds 0. Of a function that is analytic inside, it is the number of zeros.
+    """
+    clear = np.asarray((values.least > 0.0).all(axis=-1))
+    turned = np.where(clear[..., None], values.centre, 1.0)
+    turns = np.angle(np.roll(turned, -1, axis=-1) / turned).sum(axis=-1) / (2.0 * np.pi)
+    return np.where(clear, np.rint(turns).astype(np.int_), -1)

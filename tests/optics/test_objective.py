@@ -1,0 +1,324 @@
+"""A microscope objective: its focus, what it collects, and what it is not given."""
+
+from __future__ import annotations
+
+import math
+import pickle
+from dataclasses import FrozenInstanceError, replace
+
+import numpy as np
+import pytest
+from scipy.special import j1
+
+import lommel as lm
+
+GLASS = lm.Layer(1.5255, 170e-6)
+GIVEN = {
+    "NA": 1.4,
+    "magnification": 63,
+    "immersion": 1.518,
+    "working_distance": 0.19e-3,
+    "coverslip": GLASS,
+    "sample": 1.33,
+}
+OBJECTIVE = lm.Objective(**GIVEN)
+WAVE = 520e-9
+
+
+def used(NA, immersion, glass, sample) -> lm.Objective:
+    """An objective used as designed."""
+    return lm.Objective(
+        NA=NA,
+        magnification=60,
+        immersion=immersion,
+        working_distance=1e-3,
+        coverslip=lm.Layer(glass, 17e-5),
+        sample=sample,
+    )
+
+
+# Depth and brightest focus in um; ratio, axial width in nm and peak where they are known.
+TABLE = [
+    (used(1.4, 1.515, 1.515, 1.33), 610e-9, 1, 1.396, 0.717, 757, 0.843),
+    (used(1.4, 1.515, 1.515, 1.33), 610e-9, 5, 6.342, 0.788, 1131, 0.466),
+    (used(1.4, 1.515, 1.515, 1.33), 610e-9, 20, 24.128, 0.829, 1840, 0.214),
+    (used(1.4, 1.515, 1.515, 1.33), 610e-9, 50, 59.119, 0.846, 2690, 0.113),
+    (used(1.49, 1.518, 1.518, 1.33), 670e-9, 1, 1.409, None, None, None),
+    (used(1.49, 1.518, 1.518, 1.33), 670e-9, 5, 6.388, None, None, None),
+    (used(1.49, 1.518, 1.518, 1.33), 670e-9, 20, 24.248, None, None, None),
+    (used(1.49, 1.518, 1.518, 1.33), 670e-9, 50, 59.353, None, None, None),
+    (used(1.2, 1.333, 1.5255, 1.36), 525e-9, 1, 0.961, None, None, 0.992),
+    (used(1.2, 1.333, 1.5255, 1.36), 525e-9, 5, 4.804, None, None, 0.983),
+    (used(1.2, 1.333, 1.5255, 1.36), 525e-9, 20, 19.223, None, None, 0.844),
+    (used(1.2, 1.333, 1.5255, 1.36), 525e-9, 50, 48.388, None, None, 0.469),
+    (used(0.95, 1.0, 1.5255, 1.33), 525e-9, 1, 0.605, None, None, 0.689),
+    (used(0.95, 1.0, 1.5255, 1.33), 525e-9, 5, 3.051, None, None, 0.500),
+    (used(0.95, 1.0, 1.5255, 1.33), 525e-9, 20, 13.520, None, None, 0.192),
+    (used(0.95, 1.0, 1.5255, 1.33), 525e-9, 50, 35.180, None, None, 0.100),
+]
+
+
+@pytest.mark.parametrize(("objective", "wave", "depth", "best", "ratio", "width", "peak"), TABLE)
+def test_the_focus_at_a_depth_is_that_of_an_independent_quadrature_to_a_nanometre(
+    objective, wave, depth, best, ratio, width, peak
+):
+    focus = objective.focus(depth * 1e-6, wavelength=wave)
+    assert focus.brightest == pytest.approx(best * 1e-6, abs=1e-9)
+    assert focus.paraxial == pytest.approx(depth * 1e-6 * objective.immersion / objective.sample)
+    for value, known, step in ((focus.ratio, ratio, 1e-3), (focus.axial_fwhm, width, 1e-9), (focus.peak, peak, 1e-3)):
+        if known is not None:
+            assert value == pytest.approx(known * (1e-9 if known > 2 else 1.0), abs=step)
+
+
+def test_the_brightest_focus_is_a_maximum_of_the_light_on_the_axis():
+    focus = OBJECTIVE.focus([0.0, 3e-6], wavelength=WAVE)
+    for k, depth in enumerate((0.0, 3e-6)):
+        around = focus.brightest[k] + np.linspace(-1e-6, 1e-6, 401)
+        light = OBJECTIVE.fields(0.0, depth=depth, focus=around, wavelength=WAVE).intensity
+        assert light.argmax() == 200
+        assert light[200] == pytest.approx(focus.peak[k])
+        width = np.ptp(around[light > 0.5 * light[200]])
+        assert width == pytest.approx(focus.axial_fwhm[k], abs=1.1e-8)
+
+
+def test_the_lateral_width_is_where_the_light_has_fallen_to_half():
+    focus = OBJECTIVE.focus(3e-6, wavelength=WAVE)
+    light = OBJECTIVE.fields([0.0, 0.5 * focus.lateral_fwhm], depth=3e-6, focus=focus.brightest, wavelength=WAVE)
+    assert light.intensity[1] == pytest.approx(0.5 * light.intensity[0], rel=1e-8)
+
+
+def test_a_dry_objective_of_small_aperture_has_the_widths_of_airy():
+    one = used(0.05, 1.0, 1.0001, 1.0)
+    focus = one.focus(0.0, wavelength=WAVE)
+    assert focus.lateral_fwhm == pytest.approx(0.5145 * WAVE / 0.05, rel=2e-3)
+    assert focus.axial_fwhm == pytest.approx(0.8859 * 2 * WAVE / 0.05**2, rel=2e-3)
+    assert focus.peak == pytest.approx(1.0, abs=2e-3)
+    assert focus.brightest == pytest.approx(0.0, abs=1e-3 * focus.axial_fwhm)
+
+
+def test_layers_of_one_index_move_the_focus_with_the_emitter():
+    one = used(1.2, 1.4, 1.4, 1.4)
+    focus = one.focus([1e-6, 30e-6], wavelength=WAVE)
+    assert focus.brightest == pytest.approx([1e-6, 30e-6], abs=1e-13)
+    assert focus.ratio == pytest.approx([1.0, 1.0], abs=1e-6)
+    assert focus.peak[0] == pytest.approx(focus.peak[1])
+
+
+def test_glass_that_is_thicker_than_the_design_s_blurs_the_focus():
+    thick = replace(used(0.95, 1.0, 1.5255, 1.0), coverslip=lm.Layer(1.5255, 180e-6))
+    assert thick.design.coverslip == GLASS
+    exact, blurred = (one.focus(0.0, wavelength=WAVE) for one in (used(0.95, 1.0, 1.5255, 1.0), thick))
+    assert blurred.peak < 0.5 * exact.peak
+    # Rays of the rim meet nearer to the objective: at -(10 um / n_g) (1 - c_i / c_g).
+    cosines = [math.sqrt(1 - (0.95 / n) ** 2) for n in (1.0, 1.5255)]
+    rim = -10e-6 / 1.5255 * (1 - cosines[0] / cosines[1])
+    assert rim < blurred.brightest < -0.5e-6
+    assert blurred.paraxial == 0.0
+
+
+def test_the_ratio_is_not_a_number_on_the_glass():
+    assert math.isnan(OBJECTIVE.focus(0.0, wavelength=WAVE).ratio)
+
+
+def test_light_is_collected_by_depth():
+    depths = [[0.0, 0.5e-6], [2e-6, 20e-6]]
+    light = OBJECTIVE.collected(depths, wavelength=WAVE)
+    assert light.shape == (2, 2)
+    assert (np.diff(light.ravel()) < 0).all()
+    assert light[1, 1] == pytest.approx(1.0, abs=1e-4)
+    assert used(1.2, 1.333, 1.5255, 1.33).collected(0.0, wavelength=WAVE) == pytest.approx(1.0)
+
+
+def test_nyquist_s_steps_are_those_of_the_largest_angles():
+    steps = OBJECTIVE.nyquist(wavelength=WAVE)
+    assert steps.lateral == pytest.approx(WAVE / (4 * 1.4))
+    assert steps.axial == pytest.approx(WAVE / (2 * (1.518 - math.sqrt(1.518**2 - 1.4**2))))
+    assert steps.pixel == pytest.approx(63 * steps.lateral)
+
+
+def test_the_critical_angle_is_snell_s():
+    angle = OBJECTIVE.critical_angle
+    assert math.sin(angle) * 1.518 == pytest.approx(1.33)
+    assert used(1.2, 1.333, 1.5255, 1.36).critical_angle is None
+
+
+def test_fields_have_the_shape_of_the_planes_and_of_the_radii():
+    focus = [1e-6, 2e-6, 3e-6, 4e-6]
+    fields = OBJECTIVE.fields(np.zeros((2, 3)), depth=[[1e-6], [2e-6]], focus=focus, wavelength=WAVE)
+    assert fields.K0.shape == fields.intensity.shape == fields.intensity_error.shape == (2, 4, 2, 3)
+    one = OBJECTIVE.fields(0.0, depth=2e-6, focus=3e-6, wavelength=WAVE)
+    assert one.K0.shape == ()
+    assert fields.K0[1, 2, 0, 0] == pytest.approx(complex(one.K0), abs=2e-10)
+
+
+def test_errors_of_intensities_hold():
+    asked = {"radius": np.linspace(0, 2e-6, 30), "depth": 2e-6, "focus": [2e-6, 4e-6], "wavelength": WAVE}
+    for kind in (OBJECTIVE.fields, OBJECTIVE.scalar):
+        rough, fine = kind(**asked, tol=1e-3), kind(**asked, tol=1e-12)
+        off = np.abs(rough.intensity - fine.intensity)
+        assert (off <= rough.intensity_error + fine.intensity_error).all()
+        assert rough.error == pytest.approx(1e-3)
+        assert fine.error < 3e-12
+
+
+def test_the_scalar_field_without_layers_is_airy_s():
+    one = used(0.6, 1.0, 1.5255, 1.0)
+    r = np.array([1e-9, 3e-7, 8e-7])
+    v = 2 * math.pi / WAVE * 0.6 * r
+    field = one.scalar(r, depth=0.0, focus=0.0, wavelength=WAVE)
+    assert np.abs(field.U - 2 * j1(v) / v).max() < 1e-9
+    lit = one.scalar(0.0, depth=0.0, focus=0.0, wavelength=WAVE, apodization="aplanatic")
+    cosine = math.sqrt(1 - 0.6**2)  # 2 int c^(-1/2) rho d rho = (4/3) (1 - c^(3/2)) / NA^2
+    assert complex(lit.U) == pytest.approx(4 / 3 * (1 - cosine**1.5) / 0.36)
+
+
+def test_the_published_scalar_model_ends_at_the_critical_angle():
+    asked = {"radius": 0.0, "depth": 0.0, "focus": 0.0, "wavelength": WAVE}
+    whole, published = OBJECTIVE.scalar(**asked), OBJECTIVE.scalar(**asked, supercritical=False)
+    assert complex(whole.U) == pytest.approx(1.0)
+    assert complex(published.U) == pytest.approx((1.33 / 1.4) ** 2)
+
+
+def test_dipoles_add_up_to_one_that_turns_freely():
+    light = OBJECTIVE.fields(2e-7, depth=1e-6, focus=1.5e-6, wavelength=WAVE)
+    K0, K1, K2, phi = complex(light.K0), complex(light.K1), complex(light.K2), 0.7
+    c, s = math.cos(2 * phi), math.sin(2 * phi)
+    x, y, z = (K0 + K2 * c, K2 * s), (K2 * s, K0 - K2 * c), (-2j * K1 * math.cos(phi), -2j * K1 * math.sin(phi))
+    total = sum(abs(part) ** 2 for dipole in (x, y, z) for part in dipole)
+    # Two directions of the camera for three of the emitter.
+    assert total == pytest.approx(2 * light.intensity)
+
+
+def test_an_objective_is_a_value():
+    same = lm.Objective(**GIVEN)
+    assert same == OBJECTIVE
+    assert hash(same) == hash(OBJECTIVE)
+    assert replace(same, NA=1.3) != OBJECTIVE
+    assert pickle.loads(pickle.dumps(OBJECTIVE)) == OBJECTIVE
+    assert eval(repr(OBJECTIVE), {"Objective": lm.Objective, "Layer": lm.Layer, "Design": lm.Design}) == OBJECTIVE
+    with pytest.raises(FrozenInstanceError):
+        OBJECTIVE.NA = 1.3
+    assert lm.Objective(**GIVEN, films=[lm.Layer(1.4, 1e-7)]).films == (lm.Layer(1.4, 1e-7),)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"NA": 1.518}, r"NA must be below the index of immersion, 1.518, got 1.518"),
+        ({"NA": 1.6}, r"NA must be below the index of immersion, 1.518, got 1.6"),
+        ({"coverslip": lm.Layer(1.35, 17e-5)}, r"NA must be below the index of coverslip, 1.35, got 1.4"),
+        ({"design": lm.Design(1.33, GLASS)}, r"NA must be below the index of design.immersion, 1.33, got 1.4"),
+        ({"design": lm.Design(1.5, lm.Layer(1.4, 0.0))}, r"NA must be below the index of design.coverslip, 1.4"),
+        ({"NA": 0.0}, r"NA must be >= 0.001, got 0"),
+        ({"NA": -1.4}, r"NA must be >= 0.001, got -1.4"),
+        ({"NA": math.nan}, r"NA must be finite, got nan"),
+        ({"NA": "1.4"}, r"NA must be a real number, got '1.4'"),
+        ({"magnification": 0}, r"magnification must be >= 0.001"),
+        ({"magnification": math.inf}, r"magnification must be finite, got inf"),
+        ({"immersion": 0.9}, r"immersion must be a refractive index from 1 to 4, got 0.9"),
+        ({"immersion": 1.5 + 0.1j}, r"immersion must be a real number"),
+        ({"sample": 13.3}, r"sample must be a refractive index from 1 to 4, got 13.3"),
+        ({"sample": [1.33]}, r"sample must be a real number"),
+        ({"working_distance": 0.19}, r"working_distance is in metres .* 0.1, got 0.19; .* for 0.19 mm 0.19e-3"),
+        ({"working_distance": 0.0}, r"working_distance is in metres and must be above 0"),
+        ({"working_distance": -1e-4}, r"working_distance is in metres and must be above 0 .* got -0.0001"),
+        (
+            {"working_distance": 1e-5, "design": lm.Design(1.518, None)},
+            r"working_distance must leave room for the cover",
+        ),
+        ({"coverslip": 170e-6}, r"coverslip must be of the type Layer, or None, got 0.00017"),
+        ({"coverslip": (1.5, 170e-6)}, r"coverslip must be of the type Layer"),
+        ({"films": lm.Layer(1.4, 1e-7)}, r"films must be a sequence of Layer"),
+        ({"films": [1.4]}, r"films\[0\] must be a Layer, got 1.4"),
+        (
+            {"films": [lm.Layer(1.4, 1e-5)]},
+            r"films\[0\].thickness is in metres and must be .* at most 2e-06, got 1e-05",
+        ),
+        ({"design": 1.5}, r"design must be of the type Design, or None, got 1.5"),
+    ],
+)
+def test_what_is_no_objective_is_refused_in_a_line(change, message):
+    with pytest.raises((TypeError, ValueError), match=message) as told:
+        lm.Objective(**{**GIVEN, **change})
+    assert "\n" not in str(told.value)
+
+
+@pytest.mark.parametrize(
+    ("index", "thickness", "message"),
+    [
+        (
+            1.5,
+            170,
+            r"thickness is in metres and must be at least 0 and at most 0.01, got 170; for 170 um give 170e-6",
+        ),
+        (1.5, -1e-6, r"thickness is in metres and must be at least 0"),
+        (1.5, math.nan, r"thickness must be finite, got nan"),
+        (0.5, 1e-4, r"index must be a refractive index from 1 to 4, got 0.5"),
+        (None, 1e-4, r"index must be a real number, got None"),
+    ],
+)
+def test_what_is_no_layer_is_refused(index, thickness, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        lm.Layer(index, thickness)
+
+
+PLANE = {"depth": 2e-6, "focus": 2e-6, "wavelength": WAVE}
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"wavelength": 520}, r"wavelength is in metres .* for 520 nm give 520e-9"),
+        ({"wavelength": 0.52}, r"wavelength is in metres .* for 0.52 um give 0.52e-6"),
+        ({"wavelength": math.nan}, r"wavelength must be finite"),
+        ({"depth": 2}, r"depth is in metres and must be at least 0 and at most 0.01, got 2; for 2 um give 2e-6"),
+        ({"depth": -1e-6}, r"depth is in metres and must be at least 0"),
+        ({"depth": [1e-6, math.nan]}, r"depth must be finite, got nan"),
+        ({"depth": []}, r"depth must not be empty"),
+        (
+            {"depth": [1e-6, 2e-6], "focus": [0.0, 0.0, 0.0]},
+            r"depth and focus must broadcast, got shapes \(2,\) and \(3,\)",
+        ),
+        ({"focus": 2.0}, r"focus must be at most 0.00019 metres, where the objective touches the cover glass, got 2"),
+        ({"focus": -1.0}, r"focus is in metres and must be at least -0.01, got -1"),
+        ({"focus": math.inf}, r"focus must be finite, got inf"),
+        ({"focus": []}, r"radius, depth and focus must not be empty"),
+        ({"radius": -1e-6}, r"radius must be finite and >= 0, got -1e-06"),
+        ({"radius": 1.0}, r"radius reaches v = .* the limit is 1e\+06, here 0.05.* metres"),
+        ({"radius": "a"}, r"radius must hold real numbers, got 'a'"),
+        ({"radius": 5e-3}, r"phases and radii must be smaller: they take .* nodes, more than 20000"),
+        ({"radius": []}, r"radius, depth and focus must not be empty"),
+        ({"tol": 0.0}, r"tol must be >= 1e-14 and < 1, got 0"),
+        ({"tol": math.nan}, r"tol must be finite"),
+    ],
+)
+def test_fields_refuse_what_is_none_in_a_line(change, message):
+    with pytest.raises((TypeError, ValueError), match=message) as told:
+        OBJECTIVE.fields(**{"radius": 0.0, **PLANE, **change})
+    assert "\n" not in str(told.value)
+
+
+@pytest.mark.parametrize(
+    ("ask", "message"),
+    [
+        (lambda: OBJECTIVE.focus(180e-6, wavelength=WAVE), r"focus must be at most 0.00019 metres"),
+        (lambda: OBJECTIVE.focus(math.nan, wavelength=WAVE), r"depth must be finite"),
+        (
+            lambda: OBJECTIVE.scalar(0.0, **PLANE, apodization="sine"),
+            r"apodization must be one of 'uniform', 'aplanatic'",
+        ),
+        (lambda: OBJECTIVE.scalar(0.0, **PLANE, supercritical=1), r"supercritical must be True or False, got 1"),
+        (lambda: OBJECTIVE.phase(1.1, **PLANE), r"rho must be from 0 to 1, got 1.1"),
+        (
+            lambda: OBJECTIVE.phase(0.5, **{**PLANE, "depth": [1e-6, 2e-6]}),
+            r"depth and focus must be one number each, got 2",
+        ),
+        (lambda: OBJECTIVE.transmission(-0.1, wavelength=WAVE), r"rho must be finite and >= 0"),
+        (lambda: OBJECTIVE.nyquist(wavelength=520), r"for 520 nm give 520e-9"),
+        (lambda: OBJECTIVE.collected(5.0, wavelength=WAVE), r"depth is in metres"),
+        (lambda: lm.Design(1.5, 1.5), r"coverslip must be of the type Layer, or None"),
+    ],
+)
+def test_other_questions_refuse_what_is_none(ask, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        ask()

@@ -7,8 +7,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lommel import Lens, Noise
-from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy, TotalVariation, depth_of_field, restore, restore_with
+from lommel import FieldMap, Lens, Noise
+from lommel.imaging import (
+    RED_GREEN_BLUE,
+    DepthBlur,
+    FieldBlur,
+    Occlusion,
+    RichardsonLucy,
+    TotalVariation,
+    depth_of_field,
+    restore,
+    restore_with,
+)
 from lommel.imaging.restore import recorded
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
@@ -191,3 +201,31 @@ def test_bad_arguments_are_refused_by_name(changes, kind, said):
     given |= changes
     with pytest.raises(kind, match=said):
         restore(given.pop("photo"), given.pop("depth"), given.pop("lens"), PIXEL, **given)
+
+
+class TestOverTheField:
+    """Photographs by a lens whose PSF varies over its field, all at one distance."""
+
+    FIELD = FieldMap.from_seidel(1e-3, W131=1.5, W020=0.5, wavelength=550e-9, f_number=4.0)
+
+    def test_every_place_is_undone_by_its_own_psf(self) -> None:
+        scene = _scene()
+        photo = NOISE.record(5000.0 * FieldBlur(self.FIELD, scene.shape, 4e-6, energy=0.995).forward(scene), 2)
+        found = restore(photo, None, self.FIELD, 4e-6, encoding="linear", noise=NOISE)
+        assert found.stopped == "noise"
+        assert _error(found.values, scene) < 0.9 * _error(photo, scene)
+
+    def test_colours_have_each_their_own(self) -> None:
+        scene = _scene(3)
+        blur = FieldBlur(self.FIELD, scene.shape[:2], 4e-6, channels=RED_GREEN_BLUE, dtype=np.float64)
+        found = restore(blur.forward(scene), None, self.FIELD, 4e-6, encoding="linear", noise=NOISE, dtype="float64")
+        same = restore_with(blur, blur.forward(scene), NOISE)
+        np.testing.assert_allclose(found.light, same.light, rtol=1e-9)
+
+    @pytest.mark.parametrize("option", [{"tol": 1e-3}, {"occlusion": False}, {"missing": "nearest"}])
+    def test_what_is_for_depth_is_refused(self, option: dict[str, Any]) -> None:
+        photo = _scene()
+        with pytest.raises(ValueError, match=f"{next(iter(option))} is for photographs with a depth, got a FieldMap"):
+            restore(photo, None, self.FIELD, 4e-6, encoding="linear", noise=NOISE, **option)
+        with pytest.raises(ValueError, match="depth must be None with a FieldMap"):
+            restore(photo, DEPTH, self.FIELD, 4e-6, encoding="linear", noise=NOISE)

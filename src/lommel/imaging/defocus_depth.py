@@ -264,7 +264,7 @@ def depth_by(
     step = vergence[1] - vergence[0]
     spectra = [
         ((channel, 1.0),) if isinstance(channel, float) else tuple(channel)
-        for channel in settings.channels(first.shape, lights[0])
+        for channel in settings.channels(first.shape, lights[0].wavelength)
     ]
     tiling = Tiling.of(exposed, lights, distances, spectra, pitch, width, transfer)
     position, variance, misfit, level = tiling.search(progress)

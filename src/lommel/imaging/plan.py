@@ -82,7 +82,7 @@ class FocusPlan:
         self._depth = distances
         self._keep = validation.integer("keep", keep, least=1, most=1000)
         self._pixel = pixel
-        self._channels = self.settings.channels(given.shape, lens)
+        self._channels = self.settings.channels(given.shape, lens.wavelength)
         self._known: OrderedDict[tuple[float, float], Occlusion] = OrderedDict()
         self.blur()
 

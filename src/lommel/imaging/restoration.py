@@ -20,7 +20,7 @@ from lommel.imaging.total_variation import TotalVariation
 Progress = Callable[[int, float, float], object]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Restoration:
     """What :func:`lommel.imaging.restore` returns; an array where one is wanted.
 
@@ -64,6 +64,14 @@ class Restoration:
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         """Return the values."""
         return np.array(self.values, dtype=dtype, copy=copy)
+
+    def __repr__(self) -> str:
+        """Return what was reached, in one line."""
+        size = " x ".join(map(str, self.values.shape))
+        return (
+            f"<Restoration, {size}: discrepancy {self.before:.3g} before, {self.discrepancy:.3g} after "
+            f"{self.steps} steps, stopped by {self.stopped!r}>"
+        )
 
 
 def restore_with(

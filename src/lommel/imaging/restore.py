@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any, Unpack
+from typing import Any, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +15,7 @@ from lommel.base.options import shares
 from lommel.estimation.noise import Noise
 from lommel.field.maps import FieldMap
 from lommel.imaging.blur import DepthBlur, require_lens
+from lommel.imaging.field_blur import FieldBlur, FieldKeywords
 from lommel.imaging.layers import Occlusion
 from lommel.imaging.levels import stored
 from lommel.imaging.linear import LinearBlur
@@ -51,7 +53,8 @@ def restore(
     depth : array_like, shape (height, width), or None
         Distance of each point from the lens, metres; may be infinite. None for a FieldMap.
     lens : Lens or FieldMap
-        A lens with radially symmetric aberrations; or the wavefront over the field, of all the scene at its distance.
+        A lens with radially symmetric aberrations; or the wavefront over the field, of all the scene at its distance,
+        the axis being in the middle of the photograph: see :class:`lommel.imaging.FieldBlur`.
     pixel : float
         Pixel pitch, metres.
     encoding : {"srgb", "linear"}
@@ -95,7 +98,10 @@ def restore(
     validation.instance("noise", noise, Noise)
     given = validation.array("photo", photo)
     light, limit = recorded(given, encoding, saturation)
-    blur = blur_of(given.shape, depth, lens, pixel, settings)
+    if isinstance(lens, FieldMap):
+        blur: LinearBlur = _over_the_field(given.shape, depth, lens, pixel, settings, options)
+    else:
+        blur = blur_of(given.shape, depth, lens, pixel, settings)
     found = restore_with(blur, light, noise, method=way, saturation=limit, progress=progress)
     values, clipped = stored(found.values, encoding, given.dtype, settings.threads or 0)
     return replace(found, values=values, clipped=clipped)
@@ -139,17 +145,43 @@ def recorded(photo: NDArray[Any], encoding: str, saturation: float | None = None
     return light, limit
 
 
+def _over_the_field(
+    shape: tuple[int, ...],
+    depth: ArrayLike | None,
+    field_map: FieldMap,
+    pixel: float,
+    settings: Settings,
+    given: Mapping[str, Any],
+) -> FieldBlur:
+    """Return the operator of a map, with its middle in the middle of a photograph of this shape."""
+    if depth is not None:
+        raise ValueError(
+            "depth must be None with a FieldMap, which has the defocus of one distance; of several, hand "
+            "FieldBlur(field_map, shape, pixel, depth=, lens=) to lommel.imaging.restore_with"
+        )
+    for name in ("occlusion", "missing", "tol"):
+        if name in given:
+            raise ValueError(
+                f"{name} is for photographs with a depth, got a FieldMap; leave it out, or hand a FieldBlur to "
+                "lommel.imaging.restore_with"
+            )
+    wavelength = field_map.pupil_without_wavefront.wavelength
+    channels = None
+    if wavelength is not None or len(shape) == 3 or settings.wavelengths is not None:
+        channels = settings.channels(shape, wavelength)
+    options = {name: getattr(settings, name) for name in FieldKeywords.__annotations__}
+    return FieldBlur(field_map, (shape[0], shape[1]), pixel, channels=channels, **cast("FieldKeywords", options))
+
+
 def blur_of(
-    shape: tuple[int, ...], depth: ArrayLike | None, lens: Lens | FieldMap, pixel: float, settings: Settings
+    shape: tuple[int, ...], depth: ArrayLike | None, lens: Lens, pixel: float, settings: Settings
 ) -> LinearBlur:
     """Return the operator that blurred a photograph of this shape."""
-    if isinstance(lens, FieldMap):
-        raise ValueError("lens must be a Lens for now; hand the blur of a FieldMap to lommel.imaging.restore_with")
     require_lens(lens, "photo, depth, lens, pixel")
     if depth is None:
         raise ValueError("depth must be the distance of each point, metres, where lens is a Lens, got None")
     distances = np.asarray(fill_missing(depth, settings.missing))
     if distances.shape != shape[:2]:
         raise ValueError(f"depth must have the shape of the photo, {shape[:2]}, got {distances.shape}")
-    blur = DepthBlur(lens, distances, pixel, channels=settings.channels(shape, lens), **settings.of_blur)
+    blur = DepthBlur(lens, distances, pixel, channels=settings.channels(shape, lens.wavelength), **settings.of_blur)
     return Occlusion(blur) if settings.occlusion else blur

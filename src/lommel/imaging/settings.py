@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import DTypeLike
 
 from lommel.base import options, validation
-from lommel.optics.lens import Lens
 
 BORDERS = ("reflect", "extend", "zero")
 MISSING = ("raise", "nearest", "infinity")
@@ -135,14 +134,15 @@ class Settings:
         """What the linear operator takes of them."""
         return cast("BlurKeywords", {name: getattr(self, name) for name in BlurKeywords.__annotations__})
 
-    def channels(self, shape: tuple[int, ...], lens: Lens) -> Sequence[Spectrum]:
+    def channels(self, shape: tuple[int, ...], wavelength: float | None) -> Sequence[Spectrum]:
         """Return the spectrum of each channel of an image of this shape.
 
         Parameters
         ----------
         shape : tuple of int
             (height, width) or (height, width, channels).
-        lens : Lens
+        wavelength : float or None
+            That of a grey image, metres.
 
         Returns
         -------
@@ -162,7 +162,8 @@ class Settings:
                 )
             return self.wavelengths
         if count == 1:
-            return (lens.wavelength,)
+            assert wavelength is not None
+            return (wavelength,)
         if count == 3:
             return RED_GREEN_BLUE
         hint = "; drop the alpha channel" if count in (2, 4) else ""

@@ -130,18 +130,19 @@ psf: build ## compute the Hubble example, to out/hubble-1990.tif and .png
 	@mkdir -p out
 	.venv/bin/lommel psf examples/lenses/hubble-1990.toml --output out/hubble-1990.tif --output out/hubble-1990.png
 
-# A sensor 36 mm wide has 741 pixels of 48.58 um, and the 994.978 pixels of focal length are 48.34 mm. Where the depth
-# is unknown, it is that of the nearest point.
-photo: build ## blur a photograph by its depth: near, far, and from one to the other; and back; to out/motorcycle-*
+# Where the depth is unknown, it is that of the nearest point.
+photo: build ## blur a photograph by its depth, near, far and from one to the other; undo it; find the depth; to out/motorcycle-*
 	@.venv/bin/python examples/motorcycle.py out
-	set -- out/motorcycle.png out/motorcycle-depth.tif \
-		--focal-length 48.34mm --f-number 0.95 --pixel 48.58um --missing nearest
-	.venv/bin/lommel blur "$$@" --focus 2.4m --output out/motorcycle-near.png
-	.venv/bin/lommel blur "$$@" --focus 4.8m --output out/motorcycle-far.png
-	.venv/bin/lommel focus-pull "$$@" --from 2.2m --to 4.8m --frames 6 --tol 1e-3 --output out/motorcycle-pull.webp
-	shift
+	lens=examples/motorcycle.toml
+	set -- out/motorcycle-depth.tif "$$lens" --missing nearest
+	.venv/bin/lommel blur out/motorcycle.png "$$@" --focus 2.4m --output out/motorcycle-near.png
+	.venv/bin/lommel blur out/motorcycle.png "$$@" --focus 4.8m --output out/motorcycle-far.png
+	.venv/bin/lommel focus-pull out/motorcycle.png "$$@" --from 2.2m --to 4.8m --frames 6 --tol 1e-3 \
+		--output out/motorcycle-pull.webp
 	.venv/bin/lommel restore out/motorcycle-near.png "$$@" --focus 2.4m --white 50000 --read 3 \
 		--output out/motorcycle-restored.png
+	.venv/bin/lommel depth out/motorcycle-near.png out/motorcycle-far.png "$$lens" --focus 2.4m --focus 4.8m \
+		--between 2m 5.2m --white 50000 --read 3 --output out/motorcycle-found.tif --plot out/motorcycle-found.png
 
 test: build lint types ## build, lint, check the types and run the tests
 	@.venv/bin/pytest
@@ -268,7 +269,8 @@ clean: ## remove all that make made
 	rm -rf docs/_build docs/_generated docs/api docs/gallery docs/sg_execution_times.rst
 	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f out/hubble-1990.tif out/hubble-1990.png
-	rm -f out/motorcycle.png out/motorcycle-depth.tif out/motorcycle-near.png out/motorcycle-far.png out/motorcycle-pull.webp out/motorcycle-restored.png
+	rm -f out/motorcycle.png out/motorcycle-depth.tif out/motorcycle-near.png out/motorcycle-far.png out/motorcycle-pull.webp
+	rm -f out/motorcycle-restored.png out/motorcycle-found.tif out/motorcycle-found.png
 	find src tests examples benchmarks -type d -name __pycache__ -prune -exec rm -rf {} +
 	if [ -d out ]; then rmdir out 2>/dev/null || echo "out holds other files; kept"; fi
 

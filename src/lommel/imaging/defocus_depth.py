@@ -180,9 +180,9 @@ def depth_from_defocus(
     wrong guess (Subbarao and Surya 1994, doi:10.1007/BF02028349, and Favaro and Soatto 2005,
     doi:10.1109/TPAMI.2005.43, compare photographs alike). The deviation is that of the least cost, by its curvature,
     the noise and the size of the window, and grows with the misfit and with the slope of what is found; compare
-    :func:`lommel.depth_precision`. Where it exceeds a tenth of the range, in 1 / distance, where other candidates cost
-    hardly more, where the best one is the first or the last, and where half of a window is not known, there is no
-    depth.
+    :func:`lommel.depth_precision`. There is no depth where it exceeds a tenth of the range, in 1 / distance, where
+    other candidates cost hardly more, where the best one is the first or the last, and where half of a window is not
+    known.
 
     Examples
     --------

@@ -22,14 +22,16 @@ from lommel.optics.lens import Lens
 from lommel.optics.spectrum import in_light
 from lommel.psf import psf
 
-_MARGIN = 20
-"""Pixels of a window beyond the cone of rays, at least."""
+_MARGIN, _LEAST_MARGIN = 20, 4
+"""Pixels of a window beyond the cone of rays: so many where they are at most 3 lambda*N wide, fewer of larger ones."""
 
 
 def half_window(lenses: Sequence[Lens], distances: Array, pixel: float) -> int:
     """Return half of a window, in pixels, that shows the blur of all lenses at all distances."""
     radius = max(float(lens.pupil(distances).geometric_radius().max()) for lens in lenses)
-    return math.ceil(1.1 * radius / pixel) + _MARGIN
+    widest = max(lens.wavelength * lens.working_f_number for lens in lenses)
+    margin = max(_LEAST_MARGIN, math.ceil(_MARGIN * min(1.0, 3.0 * widest / pixel)))
+    return math.ceil(1.1 * radius / pixel) + margin
 
 
 def pixel_transfer(
@@ -62,15 +64,34 @@ def pixel_transfer(
     ndarray, shape (count, height // 2 + 1, width // 2 + 1)
         At 0, 1, 2, ... cycles an image down and across; 1 at the first.
     """
-    across, down = _cosines(shape[1], half), _cosines(shape[0], half)
-    total = np.zeros((len(distances), len(down), len(across)))
-    pupil = lens.pupil(distances)
+    pupil, total = lens.pupil(distances), np.zeros((len(distances), half + 1, half + 1))
     for wavelength, weight in spectrum:
         values = psf(in_light(pupil, wavelength), 2 * half + 1, pixel, integrate=True, dtype=np.float64).values
-        beyond = 1.0 - values.sum(axis=(1, 2))
-        total += weight * (down @ values[:, half:, half:] @ across.T)
-        total += weight * beyond[:, None, None] * _beyond(shape, half)
-    return total.astype(np.float32)
+        total += weight * values[:, half:, half:]
+    return transfer_of_windows(total, shape)
+
+
+def transfer_of_windows(quarter: Array, shape: tuple[int, int]) -> NDArray[np.float32]:
+    """Return the transfer functions of PSFs of which windows are known, alike in their quadrants.
+
+    Parameters
+    ----------
+    quarter : ndarray, shape (count, half + 1, half + 1)
+        Share of the light in each pixel, from the middle row down and the middle column on.
+    shape : (int, int)
+        As of :func:`pixel_transfer`.
+
+    Returns
+    -------
+    ndarray, shape (count, height // 2 + 1, width // 2 + 1)
+        As of :func:`pixel_transfer`.
+    """
+    half = quarter.shape[1] - 1
+    across, down = _cosines(shape[1], half), _cosines(shape[0], half)
+    # At frequency 0 there is all that the windows hold.
+    total = down @ quarter @ across.T
+    total += (1.0 - total[:, :1, :1]) * _beyond(shape, half)
+    return np.asarray(total, dtype=np.float32)
 
 
 def squared_frequency(shape: tuple[int, int]) -> Array:

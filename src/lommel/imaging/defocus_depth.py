@@ -17,9 +17,9 @@ from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.base.encoding import from_light, to_light
 from lommel.estimation.noise import Noise
-from lommel.estimation.pixel_transfer import pixel_transfer
 from lommel.imaging.defocus_depth_photos import expose
 from lommel.imaging.defocus_depth_tiles import Tiling, Transfer
+from lommel.imaging.defocus_depth_transfer import sensor_transfer
 from lommel.imaging.scene import fill_missing
 from lommel.imaging.settings import Settings, Spectrum
 from lommel.io.depthmaps import write_depth
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 
 _USUAL, _MOST = 61, 2001  # candidates
 _STEP, _LARGEST_STEP = 1.0, 2.0  # radians of defocus from one candidate to the next
+_EDGE = 0.3  # or pixels that the edge of the blur moves by, where that is more: as in pixels of 3 lambda N
 _SIDE = 0.35  # of a window, by which texture may lie to one side of it
 _KNOWN = 0.1  # of the range of vergence: who knows no better than this knows nothing
 
@@ -200,7 +201,7 @@ def depth_from_defocus(
     1.5
     """
     return depth_by(
-        pixel_transfer, photographs, lenses, pixel, encoding=encoding, noise=noise, between=between, window=window,
+        sensor_transfer, photographs, lenses, pixel, encoding=encoding, noise=noise, between=between, window=window,
         candidates=candidates, wavelengths=wavelengths, exposures=exposures, magnification=magnification,
         saturation=saturation, progress=progress,
     )  # fmt: skip
@@ -252,7 +253,7 @@ def depth_by(
     width = validation.real("window", window, least=1.0, below=64.0 + 1e-9, unit="pixels")
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
-    vergence = _candidates(between, candidates, lights)
+    vergence = _candidates(between, candidates, lights, pitch)
     first = validation.array("photographs[0]", photographs[0])
     settings = Settings(wavelengths=wavelengths)
     exposed = expose(
@@ -327,7 +328,7 @@ def _count(photographs: Any) -> str:
     return str(len(photographs)) if hasattr(photographs, "__len__") else validation.shown(photographs)
 
 
-def _candidates(between: tuple[float, float], count: int | None, lenses: list[Lens]) -> Array:
+def _candidates(between: tuple[float, float], count: int | None, lenses: list[Lens], pixel: float) -> Array:
     """Return vergences, equally spaced, from that of the farthest distance to that of the nearest."""
     if not isinstance(between, Sequence | np.ndarray) or len(between) != 2:
         raise TypeError(f"between must be the nearest and the farthest distance, got {validation.shown(between)}")
@@ -335,12 +336,16 @@ def _candidates(between: tuple[float, float], count: int | None, lenses: list[Le
     far = validation.real("between[1]", between[1], above=0.0, infinite=True, unit="metres")
     if not near < far:
         raise ValueError(f"between must be the nearest and the farthest distance, got {near:g} and {far:g} m")
-    span = max(float(abs(np.diff(lens.defocus([near, far]))[0])) for lens in lenses)
+    span = 0.0
+    for lens in lenses:
+        # The edge of the blur moves by 4 lambda N / pi a radian.
+        wide = 4.0 * lens.wavelength * lens.working_f_number / (math.pi * pixel)
+        span = max(span, float(abs(np.diff(lens.defocus([near, far]))[0])) * min(1.0, wide / _EDGE))
     if count is None:
         count = max(_USUAL, math.ceil(span / _STEP) + 1)
         if count > _MOST:
             raise ValueError(
-                f"between spans {span:.4g} rad of defocus, which takes {count} candidates, more than {_MOST}"
+                f"between spans defocus for which it takes {count} candidates, more than {_MOST}: name nearer limits"
             )
     else:
         least = max(9, math.ceil(span / _LARGEST_STEP) + 1)

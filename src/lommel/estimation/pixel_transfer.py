@@ -23,7 +23,7 @@ from lommel.optics.spectrum import in_light
 from lommel.psf import psf
 
 _MARGIN, _LEAST_MARGIN = 20, 4
-"""Pixels of a window beyond the cone of rays: so many where they are at most 3 lambda*N wide, fewer of larger ones."""
+"""Pixels of a window beyond the cone of rays, where they are at most 3 lambda*N wide; fewer of larger ones."""
 
 
 def half_window(lenses: Sequence[Lens], distances: Array, pixel: float) -> int:

@@ -27,6 +27,8 @@ from scipy.special import erf
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur, LinearBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
+from lommel.imaging.bank import stored_windows
+from lommel.imaging.cuts import shares_used, sums_of_quarters
 from lommel.imaging.observed import Observed
 from lommel.imaging.scene import fill_missing
 
@@ -78,7 +80,7 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
     side, middle = 2 * bank.half + 1, bank.half
     defocus = bank.start + bank.spacing * np.arange(bank.count)
     cones = lm.Pupil(lm.Wavefront(defocus), wavelength=LENS.wavelength, f_number=LENS.working_f_number)
-    halves = bank.halves
+    cuts = bank.cuts
     if kind == "disc":
         kernels = lm.psf(cones, side, PIXEL, method=lm.Geometric(), dtype=np.float64).values
     elif kind == "Gaussian":
@@ -88,13 +90,13 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
         kernels = share[:, :, None] * share[:, None, :]
     else:
         kernels = np.broadcast_to(average(blur), (bank.count, side, side))
-        halves = np.full_like(halves, middle)
-    windows = np.zeros_like(bank.windows)
-    windows[:-1, :, : middle + 1] = kernels[:, middle:, middle:]  # banks hold one of four quadrants that are alike
-    ring = np.maximum(*np.abs(np.indices((side, side)) - middle))
-    energies = np.stack([(kernels * (ring <= k)).sum(axis=(1, 2)) for k in range(middle + 1)], axis=1)
+        cuts = np.full_like(cuts, middle)
+    # Banks hold one of four quadrants that are alike, cut.
+    quarter = kernels[:, middle:, middle:] * shares_used(cuts, middle)
+    windows = stored_windows(quarter, bank.windows.dtype)
+    energies = sums_of_quarters(quarter)
     other = copy.copy(blur)
-    other.banks = (replace(bank, windows=windows, energies=np.ascontiguousarray(energies), halves=halves),)
+    other.banks = (replace(bank, windows=windows, energies=energies, cuts=cuts),)
     return other
 
 

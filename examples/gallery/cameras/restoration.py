@@ -22,6 +22,8 @@ from skimage.data import stereo_motorcycle
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
+from lommel.imaging.bank import stored_windows
+from lommel.imaging.cuts import shares_used, sums_of_quarters
 from lommel.imaging.scene import fill_missing
 
 left, _, disparity = stereo_motorcycle()
@@ -95,7 +97,7 @@ def imitated(exact: DepthBlur, kind: str) -> DepthBlur:
     side, middle = 2 * bank.half + 1, bank.half
     defocus = bank.start + bank.spacing * np.arange(bank.count)
     cones = lm.Pupil(lm.Wavefront(defocus), wavelength=540e-9, f_number=exact.lens.working_f_number)
-    halves = bank.halves
+    cuts = bank.cuts
     if kind == "disc":
         kernels = lm.psf(cones, side, pixel, method=lm.Geometric(), dtype=np.float64).values
     elif kind == "Gaussian":
@@ -106,13 +108,13 @@ def imitated(exact: DepthBlur, kind: str) -> DepthBlur:
     else:
         some = np.random.default_rng(0).choice(exact.defocus.ravel(), 200)
         kernels = np.broadcast_to(np.mean([bank.window(one) for one in some], axis=0), (bank.count, side, side))
-        halves = np.full_like(halves, middle)
-    windows = np.zeros_like(bank.windows)
-    windows[:-1, :, : middle + 1] = kernels[:, middle:, middle:]  # banks hold one of four quadrants that are alike
-    ring = np.maximum(*np.abs(np.indices((side, side)) - middle))
-    energies = np.stack([(kernels * (ring <= k)).sum(axis=(1, 2)) for k in range(middle + 1)], axis=1)
+        cuts = np.full_like(cuts, middle)
+    # Banks hold one of four quadrants that are alike, cut.
+    quarter = kernels[:, middle:, middle:] * shares_used(cuts, middle)
+    windows = stored_windows(quarter, bank.windows.dtype)
+    energies = sums_of_quarters(quarter)
     other = copy(exact)
-    other.banks = (replace(bank, windows=windows, energies=np.ascontiguousarray(energies), halves=halves),) * 3
+    other.banks = (replace(bank, windows=windows, energies=energies, cuts=cuts),) * 3
     return other
 
 

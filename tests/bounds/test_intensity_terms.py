@@ -85,7 +85,7 @@ def test_a_field_that_is_wrong_by_that_much_everywhere_reaches_the_bounds(e):
     # Two pixels as bright: one is divided by what the other was computed to be.
     r = bound["relative"]
     true = 1.0 - (1.0 - r) / (1.0 + r)
-    assert true <= bound["normalized"] <= 1.02 * true
+    assert true <= bound["normalized"] * (1 + 1e-6) <= 1.02 * true
 
 
 def field(phase: list[float], light: list[float], obscuration: float, v: np.ndarray, power: int = 0) -> np.ndarray:

@@ -10,6 +10,7 @@ import pytest
 
 import lommel as lm
 from changes import changed, differences
+from lommel.core.answers import ToleranceError
 
 BRIEF = os.environ.get("HYPOTHESIS_PROFILE") == "brief"
 TERMS = ((1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (3, -3), (4, 0), (4, -2), (5, 1), (6, 0), (7, 3))
@@ -93,7 +94,7 @@ def values(pupil: lm.Pupil, name: object, lens: lm.Lens | None, asked: dict, h: 
 
 @pytest.mark.parametrize("seed", range(4 if BRIEF else 20))
 def test_derivatives_are_those_of_differences_within_their_bounds(seed):
-    rng = np.random.default_rng(seed)
+    rng, unproven = np.random.default_rng(seed), 0
     for _ in range(50):
         pupil, lens, asked, names = drawn(rng)
         picked = [names[i] for i in rng.choice(len(names), 3, replace=False)]
@@ -104,7 +105,11 @@ def test_derivatives_are_those_of_differences_within_their_bounds(seed):
         peaks = answer.values.reshape(-1, 81).max(axis=1)
         name = picked[0]
         h = step(name, pupil, lens, answer.grid)
-        slope, off = differences(partial(values, pupil, name, lens, asked), h, float(peaks.max()))
+        try:
+            slope, off = differences(partial(values, pupil, name, lens, asked), h, float(peaks.max()))
+        except ToleranceError:  # The images that differences are taken of can hardly be proven to so little.
+            unproven += 1
+            continue
         error = np.abs(answer.derivatives[name] - slope).reshape(-1, 81).max(axis=1)
         told = f"{name} of {pupil} asked {asked} at {tol}"
         # How many hundredths of a radian, somewhere in the pupil, one of what it is by makes.
@@ -112,6 +117,7 @@ def test_derivatives_are_those_of_differences_within_their_bounds(seed):
         assert (error <= answer.derivative_bounds[name] * peaks + off).all(), told
         assert (error <= tol * unit * peaks + off).all(), told
         assert off <= 1e-7 * unit * peaks.max(), told
+    assert unproven <= 1
 
 
 def test_stored_in_single_precision_derivatives_stay_within_their_bounds():

@@ -21,6 +21,8 @@ from skimage.data import stereo_motorcycle
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur
+from lommel.imaging.bank import stored_windows
+from lommel.imaging.cuts import shares_used, sums_of_quarters
 from lommel.imaging.scene import fill_missing
 
 left, _, disparity = stereo_motorcycle()
@@ -86,13 +88,11 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
         edges = (np.arange(side + 1) - middle - 0.5) * pixel
         share = np.diff(0.5 * erf(edges / (np.sqrt(2.0) * width[:, None])), axis=1)
         kernels = share[:, :, None] * share[:, None, :]
-    windows = np.zeros_like(bank.windows)
-    windows[:-1, :, : middle + 1] = kernels[:, middle:, middle:]  # banks hold one of four quadrants that are alike
-    away = np.abs(np.arange(side) - middle)
-    ring = np.maximum(away[:, None], away)
-    energies = np.stack([(kernels * (ring <= k)).sum(axis=(1, 2)) for k in range(middle + 1)], axis=1)
+    # Banks hold one of four quadrants that are alike, cut.
+    quarter = kernels[:, middle:, middle:] * shares_used(bank.cuts, middle)
+    windows, energies = stored_windows(quarter, bank.windows.dtype), sums_of_quarters(quarter)
     other = copy(blur)
-    other.banks = (replace(bank, windows=windows, energies=np.ascontiguousarray(energies)),) * 3
+    other.banks = (replace(bank, windows=windows, energies=energies),) * 3
     return other
 
 

@@ -224,7 +224,7 @@ def depth_by(
     saturation: float | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> DefocusDepth:
-    """Do as :func:`depth_from_defocus` by other PSFs than those of the lenses.
+    """Do as :func:`lommel.imaging.depth_from_defocus` by other PSFs than those of the lenses.
 
     Parameters
     ----------
@@ -232,7 +232,7 @@ def depth_by(
         Makes transfer functions as :func:`lommel.estimation.pixel_transfer.pixel_transfer` does, of its arguments.
     photographs, lenses, pixel, encoding, noise, between, window, candidates, wavelengths, exposures, magnification, \
     saturation, progress
-        As of :func:`depth_from_defocus`.
+        As of :func:`lommel.imaging.depth_from_defocus`.
 
     Returns
     -------
@@ -241,7 +241,7 @@ def depth_by(
     Raises
     ------
     TypeError, ValueError
-        As :func:`depth_from_defocus`.
+        As :func:`lommel.imaging.depth_from_defocus`.
     """
     lights = _lenses(lenses)
     if not isinstance(photographs, Sequence | np.ndarray) or len(photographs) != len(lights):

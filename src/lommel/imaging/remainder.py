@@ -103,7 +103,7 @@ class Remainder:
 
         Returns
         -------
-        ndarray, shape (rank, *positions.shape)
+        ndarray, shape ``(rank, *positions.shape)``
         """
         return _looked_up(_refined(self.knots, 0), positions, dtype)
 
@@ -118,7 +118,7 @@ class Remainder:
 
         Returns
         -------
-        ndarray, shape (rank, *positions.shape)
+        ndarray, shape ``(rank, *positions.shape)``
         """
         return _looked_up(_refined(self.knots, 1) / self.spacing, positions, dtype)
 

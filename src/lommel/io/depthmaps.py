@@ -59,7 +59,7 @@ def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is
 
 
 def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
-    """Write a map of distances, or of how uncertain they are, that :func:`read_depth` reads; in single precision.
+    """Write distances, or how uncertain they are, for :func:`lommel.imaging.read_depth`, in single precision.
 
     The file is written under a temporary name and moved into place.
 

@@ -170,9 +170,9 @@ class DepthBlur(LinearBlur):
             lambda channel, plane: self.spread(channel, [(plane, Points(self._positions(channel, weight)))]),
         )
         if self.beyond is not None:
-            light = list(self.planes(image if weight is None else (image.T * weight.T).T))
+            light = list(self.apart(image if weight is None else (image.T * weight.T).T))
             made = self.beyond.spread(self, range(self.channels), light)
-            for onto, more in zip(self.planes(out), made, strict=True):
+            for onto, more in zip(self.apart(out), made, strict=True):
                 onto += more
         return out
 
@@ -201,8 +201,8 @@ class DepthBlur(LinearBlur):
             lambda channel, plane: next(self.collect(channel, plane, [Points(self._positions(channel, weight))])),
         )
         if self.beyond is not None:
-            made = self.beyond.collect(self, range(self.channels), list(self.planes(image)))
-            for onto, more in zip(self.planes(taken), made, strict=True):
+            made = self.beyond.collect(self, range(self.channels), list(self.apart(image)))
+            for onto, more in zip(self.apart(taken), made, strict=True):
                 onto += more if weight is None else more * weight
         return taken
 

@@ -151,7 +151,22 @@ class LinearBlur(ABC):
             As :meth:`require`.
         """
         self.require(image)
-        array = np.require(np.asarray(image), self.dtype, "A")  # without a mask, as require has seen
+        return self.apart(image)
+
+    def apart(self, image: NDArray[Any]) -> NDArray[Any]:
+        """Return the channels of what :meth:`require` need not see again, as :meth:`planes`.
+
+        Parameters
+        ----------
+        image : ndarray of float
+            Of the shape that :meth:`forward` takes.
+
+        Returns
+        -------
+        ndarray
+            A view, if of the type of the sums and aligned.
+        """
+        array = np.require(np.asarray(image), self.dtype, "A")  # without a mask
         return np.moveaxis(array.reshape(*self.shape, self.channels), 2, 0)
 
     def by_channel(self, image: NDArray[Any], make: Callable[[int, NDArray[Any]], NDArray[Any]]) -> NDArray[Any]:

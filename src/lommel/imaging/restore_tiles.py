@@ -21,7 +21,7 @@ from lommel.imaging.restore import recorded
 from lommel.imaging.richardson_lucy import RichardsonLucy
 from lommel.imaging.scene import fill_missing
 from lommel.imaging.settings import Keywords, Settings
-from lommel.imaging.tiles import TileBlur, depth_range, parts_of
+from lommel.imaging.tiles import TileBlur, depth_range, output, parts_of
 from lommel.imaging.total_variation import TotalVariation
 from lommel.optics.lens import Lens
 
@@ -91,12 +91,7 @@ def restore_by_tiles(
             f"depth must be an array of the shape of the photo, {photo.shape[:2]}, got {np.shape(depth)}"
         )
     tile = validation.integer("side", side, least=16, most=validation.MAX_SIDE)
-    if out is None:
-        out = np.empty(photo.shape, dtype=photo.dtype)
-    elif not isinstance(out, np.ndarray) or out.shape != photo.shape or out.dtype != photo.dtype:
-        raise ValueError(f"out must be an array of the shape and type of the photo, {photo.shape} and {photo.dtype}")
-    elif not out.flags.writeable or np.may_share_memory(out, photo) or np.may_share_memory(out, depth):
-        raise ValueError("out must be writeable, and must not share memory with photo or depth")
+    out = output(out, "photo", photo, depth)
     if settings.missing == "nearest":
         depth = fill_missing(depth, "nearest")
     depths = depth_range(depth, settings.missing)

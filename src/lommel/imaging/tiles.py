@@ -173,12 +173,7 @@ def depth_of_field_by_tiles(
     if not isinstance(depth, np.ndarray) or depth.shape != image.shape[:2]:
         raise ValueError(f"depth must have the shape of the image, {image.shape[:2]}, got {shapes[1]}")
     tile = validation.integer("side", side, least=16, most=validation.MAX_SIDE)
-    if out is None:
-        out = np.empty(image.shape, dtype=image.dtype)
-    elif not isinstance(out, np.ndarray) or out.shape != image.shape or out.dtype != image.dtype:
-        raise ValueError(f"out must be an array of the shape and type of the image, {image.shape} and {image.dtype}")
-    elif not out.flags.writeable or np.may_share_memory(out, image) or np.may_share_memory(out, depth):
-        raise ValueError("out must be writeable, and must not share memory with image or depth")
+    out = output(out, "image", image, depth)
     settings = Settings.of(depth_of_field_by_tiles, {"occlusion": False, **options}, Keywords)
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
@@ -195,6 +190,36 @@ def depth_of_field_by_tiles(
         if progress is not None:
             progress(done, len(tiles))
     return blur.photograph(out, clipped)
+
+
+def output(out: NDArray[Any] | None, name: str, image: NDArray[Any], depth: NDArray[Any]) -> NDArray[Any]:
+    """Return where values are written: `out`, or by default a new array.
+
+    Parameters
+    ----------
+    out : ndarray, optional
+    name : str
+        Of the image.
+    image, depth : ndarray
+        What is read while it is written.
+
+    Returns
+    -------
+    ndarray
+        Of the shape and type of `image`.
+
+    Raises
+    ------
+    ValueError
+        If `out` is of another shape or type, cannot be written to, or shares memory with what is read.
+    """
+    if out is None:
+        return np.empty(image.shape, dtype=image.dtype)
+    if not isinstance(out, np.ndarray) or out.shape != image.shape or out.dtype != image.dtype:
+        raise ValueError(f"out must be an array of the shape and type of the {name}, {image.shape} and {image.dtype}")
+    if not out.flags.writeable or np.may_share_memory(out, image) or np.may_share_memory(out, depth):
+        raise ValueError(f"out must be writeable, and must not share memory with {name} or depth")
+    return out
 
 
 def depth_range(depth: NDArray[Any], missing: str = "raise") -> tuple[float, float]:

@@ -27,8 +27,6 @@ from scipy.special import erf
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur, LinearBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
-from lommel.imaging.bank import stored_windows
-from lommel.imaging.cuts import shares_used, sums_of_quarters
 from lommel.imaging.observed import Observed
 from lommel.imaging.scene import fill_missing
 
@@ -91,12 +89,8 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
     else:
         kernels = np.broadcast_to(average(blur), (bank.count, side, side))
         cuts = np.full_like(cuts, middle)
-    # Banks hold one of four quadrants that are alike, cut.
-    quarter = kernels[:, middle:, middle:] * shares_used(cuts, middle)
-    windows = stored_windows(quarter, bank.windows.dtype)
-    energies = sums_of_quarters(quarter)
     other = copy.copy(blur)
-    other.banks = (replace(bank, windows=windows, energies=energies, cuts=cuts),)
+    other.banks = (bank.holding(kernels, cuts),)
     return other
 
 

@@ -91,6 +91,19 @@ def test_energies_are_the_sums_of_windows_which_end_at_their_half_widths(bank):
         assert np.count_nonzero(windows.windows[index]) == (half + 1) ** 2
 
 
+def test_a_bank_of_other_psfs_spreads_these_cut_alike(bank):
+    _, windows = bank
+    rows, columns = np.abs(np.indices((2 * windows.half + 1,) * 2) - windows.half)
+    kernels = np.exp(-np.arange(windows.count)[:, None, None] / 50.0 - 0.1 * rows**2 - 0.3 * columns**2)
+    other = windows.holding(kernels)
+    for index in range(1, windows.count - 1, 7):
+        at = windows.start + index * windows.spacing
+        kept = windows.used(at) * kernels[index]
+        np.testing.assert_allclose(other.window(at), kept / kept.sum(), rtol=1e-9, atol=1e-15)
+    whole = windows.holding(kernels, np.full(windows.count, float(windows.half)))
+    np.testing.assert_allclose(whole.energies, kernels.sum(axis=(1, 2)), rtol=1e-12)
+
+
 def test_a_pixel_that_holds_more_than_was_asked_for_holds_it_all():
     made = build_bank(
         SensorLight(PUPILS["plain"], lm.Wavefront, GREEN, 40e-6), (0.0, 4.0), tol=1e-3, energy=0.6, largest=9

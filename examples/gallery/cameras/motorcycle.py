@@ -11,7 +11,6 @@ Where its depth is unknown, it is that of the nearest point. The image is 36 mm 
 """
 
 from copy import copy
-from dataclasses import replace
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -21,8 +20,6 @@ from skimage.data import stereo_motorcycle
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur
-from lommel.imaging.bank import stored_windows
-from lommel.imaging.cuts import shares_used, sums_of_quarters
 from lommel.imaging.scene import fill_missing
 
 left, _, disparity = stereo_motorcycle()
@@ -88,11 +85,8 @@ def imitated(blur: DepthBlur, kind: str) -> DepthBlur:
         edges = (np.arange(side + 1) - middle - 0.5) * pixel
         share = np.diff(0.5 * erf(edges / (np.sqrt(2.0) * width[:, None])), axis=1)
         kernels = share[:, :, None] * share[:, None, :]
-    # Banks hold one of four quadrants that are alike, cut.
-    quarter = kernels[:, middle:, middle:] * shares_used(bank.cuts, middle)
-    windows, energies = stored_windows(quarter, bank.windows.dtype), sums_of_quarters(quarter)
     other = copy(blur)
-    other.banks = (replace(bank, windows=windows, energies=energies),) * 3
+    other.banks = (bank.holding(kernels),) * 3
     return other
 
 

@@ -22,8 +22,6 @@ from skimage.data import stereo_motorcycle
 import lommel as lm
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy, TotalVariation, restore_with
-from lommel.imaging.bank import stored_windows
-from lommel.imaging.cuts import shares_used, sums_of_quarters
 from lommel.imaging.scene import fill_missing
 
 left, _, disparity = stereo_motorcycle()
@@ -109,12 +107,8 @@ def imitated(exact: DepthBlur, kind: str) -> DepthBlur:
         some = np.random.default_rng(0).choice(exact.defocus.ravel(), 200)
         kernels = np.broadcast_to(np.mean([bank.window(one) for one in some], axis=0), (bank.count, side, side))
         cuts = np.full_like(cuts, middle)
-    # Banks hold one of four quadrants that are alike, cut.
-    quarter = kernels[:, middle:, middle:] * shares_used(cuts, middle)
-    windows = stored_windows(quarter, bank.windows.dtype)
-    energies = sums_of_quarters(quarter)
     other = copy(exact)
-    other.banks = (replace(bank, windows=windows, energies=energies, cuts=cuts),) * 3
+    other.banks = (bank.holding(kernels, cuts),) * 3
     return other
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -124,6 +124,26 @@ class Bank:
         first, weights = self._mixture(defocus)
         made = self._spread_out(np.tensordot(weights, self.windows[first : first + 4].astype(np.float64), axes=1))
         return made / (weights @ self.energies[first : first + 4])
+
+    def holding(self, kernels: NDArray[np.float64], cuts: NDArray[np.float64] | None = None) -> Bank:
+        """Return a bank of other PSFs at the same defocus, for comparisons.
+
+        Parameters
+        ----------
+        kernels : ndarray, shape (count, side, side)
+            Alike in their four quadrants.
+        cuts : ndarray, shape (count,), optional
+            Where they end; by default as here.
+
+        Returns
+        -------
+        Bank
+            Whose `error` and `lost` are still those of this one.
+        """
+        ends = self.cuts if cuts is None else cuts
+        quarter = kernels[:, self.half :, self.half :] * shares_used(ends, self.half)
+        windows, energies = stored_windows(quarter, self.windows.dtype), sums_of_quarters(quarter)
+        return replace(self, windows=windows, cuts=ends, energies=energies)
 
     def _mixture(self, defocus: float) -> tuple[int, NDArray[np.float64]]:
         """Return the first of the four windows between which one defocus is interpolated, and their weights."""

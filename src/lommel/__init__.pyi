@@ -41,6 +41,7 @@ from lommel.measures.focus import best_focus as best_focus
 from lommel.measures.transfer import mtf as mtf, mtf_frequency as mtf_frequency, otf as otf, ptf as ptf
 from lommel.methods.chordal_gauss import ChordalGauss as ChordalGauss
 from lommel.methods.closed_form import ClosedForm as ClosedForm
+from lommel.methods.debye_wolf import DebyeWolf as DebyeWolf
 from lommel.methods.fraunhofer import Fraunhofer as Fraunhofer
 from lommel.methods.geometric import Geometric as Geometric
 from lommel.methods.hankel import Hankel as Hankel
@@ -51,9 +52,11 @@ from lommel.methods.method import Method as Method
 from lommel.methods.nijboer_zernike import NijboerZernike as NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT as NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic as Polychromatic
+from lommel.methods.stratified import Stratified as Stratified
 from lommel.methods.tuned_closed_form import TunedClosedForm as TunedClosedForm
 from lommel.optics.aperture import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
 from lommel.optics.apodization import Apodization as Apodization
+from lommel.optics.emitter import Beam as Beam, Dipole as Dipole, Scalar as Scalar
 from lommel.optics.fitting import (
     WavefrontFit as WavefrontFit,
     fit_opd as fit_opd,

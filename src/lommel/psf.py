@@ -18,8 +18,8 @@ from lommel.measures.answer import Answer
 from lommel.methods import wanted
 from lommel.methods.asked import Asked, asked_about
 from lommel.methods.method import Method
+from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil, checked
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def psf(
-    pupil: Pupil,
+    pupil: BasePupil,
     shape: int | tuple[int, int],
     pixel: float,
     *,
@@ -46,8 +46,8 @@ def psf(
 
     Parameters
     ----------
-    pupil : Pupil
-        A stack of pupils gives a stack of images.
+    pupil : Pupil or ObjectivePupil
+        Of a lens, or of a microscope by :meth:`lommel.Objective.pupil`. A stack of pupils gives a stack of images.
     shape : int or (int, int)
         Side of a square, or height and width, in pixels. The centre is the middle of pixel
         ``(height // 2, width // 2)``.
@@ -60,9 +60,10 @@ def psf(
     tol : float, optional
         Tolerance, relative to the peak: 1e-6 by default where no method is named, else that of the method, in place
         of which it is taken.
-    normalize : {"energy", "strehl", "peak"}, default "energy"
+    normalize : {"energy", "emitted", "strehl", "peak"}, default "energy"
         "energy": a value is the fraction of all light per pixel: averages over an infinite window sum to 1, and so do
-        samples of pixels no larger than lambda*N/2. "strehl": 1 is the peak of the same aperture without aberration.
+        samples of pixels no larger than lambda*N/2. "emitted", of an Objective: the same over the light that it would
+        collect of the emitter far from the glass. "strehl": 1 is the peak of the same aperture without aberration.
         "peak": the largest value in the window is 1.
     dtype : float32 or float64, optional
         Of the values. By default that of `out`, or float64 where the method has a tolerance below 1e-6, else
@@ -187,16 +188,16 @@ class Plan:
             Grid(shape, pixel, center=center, integrate=which) for which in (False, True)
         )
         self.method, self.tol = method, tol
-        self.normalize = validation.choice("normalize", normalize, ("energy", "strehl", "peak"))
+        self.normalize = validation.choice("normalize", normalize, ("energy", "emitted", "strehl", "peak"))
         self.dtype = wanted.output_type(dtype, tol)
         self.threads = 0 if threads is None else validation.integer("threads", threads, least=1, most=1024)
         self._asked: Asked | None = None
 
-    def __call__(self, pupil: Pupil, *, derivatives: Sequence[Name] = (), out: NDArray[Any] | None = None) -> PSF:
+    def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         if places := self._sampled.stack:
-            pupil = wanted.for_axes(checked(pupil), places)
-        light = checked(pupil).aperture, pupil.radial, pupil.wavefront.shape, pupil.wavelength, pupil.f_number
+            pupil = wanted.for_axes(imaged(pupil), places)
+        light = imaged(pupil).aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = self._asked
         if asked is None or asked.light != light:
             asked = self._asked = asked_about(
@@ -239,7 +240,7 @@ class Plan:
         # Without what is remembered of the last pupil, which the compiled core has a part in.
         return vars(self) | {"_asked": None}
 
-    def _grid(self, pupil: Pupil) -> Grid:
+    def _grid(self, pupil: BasePupil) -> Grid:
         averages = self.integrate
         if averages is None:
             metric = pupil.wavelength is not None

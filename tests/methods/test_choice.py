@@ -60,7 +60,17 @@ def test_other_apertures_without_finufft_are_refused_with_what_to_do(monkeypatch
 
 
 def test_each_rule_of_the_table_has_a_pupil_that_it_is_the_first_for():
-    cases = [(lm.Pupil(), 33), (COMA, 33), (COMA, 65), (lm.Pupil(spider=lm.Spider.equal(3, width=0.05)), 33)]
+    objective = lm.Objective(
+        NA=1.2, magnification=60, immersion=1.33, working_distance=3e-4, coverslip=None, sample=1.33
+    )
+    behind_layers = objective.pupil(depth=0.0, wavelength=500e-9)
+    cases = [
+        (behind_layers, 33),
+        (lm.Pupil(), 33),
+        (COMA, 33),
+        (COMA, 65),
+        (lm.Pupil(spider=lm.Spider.equal(3, width=0.05)), 33),
+    ]
     for rule, (pupil, side) in zip(choice.RULES, cases, strict=True):
         grid = lm.Grid(side, 0.5)
         assert next(other for other in choice.RULES if other.applies(pupil, grid)) is rule
@@ -69,7 +79,7 @@ def test_each_rule_of_the_table_has_a_pupil_that_it_is_the_first_for():
     for pupil, most in ((COMA, 64), (STACK, 128), (STACK[:7], 64)):
         for side, first in ((most, lm.ChordalGauss), (most + 1, lm.NijboerZernike)):
             assert type(choice.candidates(pupil, lm.Grid((3, side), 0.5))[0]) is first
-    assert "up to 64 samples a side (128 of 8 pupils or more)" in choice.RULES[1].pupils
+    assert "up to 64 samples a side (128 of 8 pupils or more)" in choice.RULES[2].pupils
 
 
 def test_the_page_on_how_to_choose_has_the_table_of_the_code():

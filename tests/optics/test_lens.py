@@ -196,6 +196,10 @@ def test_nothing_that_a_pupil_is_made_of_is_forgotten():
             pupil.carrying(lm.Wavefront(2.0), one.geometry),
             {"wavefront": lm.Wavefront(2.0), "geometry": one.geometry},
         ),
+        "in_light": (
+            pupil.in_light(600e-9),
+            {"wavefront": pupil.wavelength / 600e-9 * pupil.wavefront, "wavelength": 600e-9},
+        ),
         "from_dict": (lm.Pupil.from_dict(pupil.to_dict()), {"mask": lm.Mask(np.full((4, 4), 0.5))}),
     }
     assert set(made) == _methods_that_return(lm.Pupil)

@@ -58,8 +58,8 @@ class Wanted(NamedTuple):
 
     Attributes
     ----------
-    scale : float or None
-        What to multiply the intensity by; None divides each image by its largest value.
+    scale : float or None, or ndarray, shape (n,)
+        What to multiply the intensity by, in an array each image by its own; None divides each by its largest value.
     dtype : float32 or float64
     out : ndarray, shape (n, height, width), optional
         Where to write the values.
@@ -71,7 +71,7 @@ class Wanted(NamedTuple):
         n and m of each Zernike term whose coefficient a derivative is wanted by.
     """
 
-    scale: float | None = 1.0
+    scale: float | Array | None = 1.0
     dtype: DTypeLike = np.float64
     out: NDArray[Any] | None = None
     powers: tuple[int, ...] = ()

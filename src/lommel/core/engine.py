@@ -81,10 +81,16 @@ class Window(NamedTuple):
     step: float
 
 
+def _one_scale(wanted: Wanted) -> float:
+    """Return what all images are multiplied by, 0 where each has a peak of 1."""
+    assert not isinstance(wanted.scale, np.ndarray), "images of one aperture have one scale"
+    return wanted.scale or 0.0
+
+
 def _places(count: int, window: Window, wanted: Wanted) -> tuple[float, NDArray[Any], Array]:
     """Return the scale, and where the core writes: images; of each what it is multiplied by, its error, its peak."""
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
-    return wanted.scale or 0.0, values, np.empty((3, count))
+    return _one_scale(wanted), values, np.empty((3, count))
 
 
 def _require(unmet: float, tol: float, over: str) -> None:
@@ -145,7 +151,7 @@ def radial_plan(
         arrays are not of these shapes, of the wanted type, C-contiguous and writable. ToleranceError if `tol` cannot
         be met.
     """
-    (row, column), scale, kind = window.center, wanted.scale or 0.0, np.dtype(wanted.dtype).char
+    (row, column), scale, kind = window.center, _one_scale(wanted), np.dtype(wanted.dtype).char
     place = (*window.shape, row, column, window.step, integrate)
     plan = _core.RadialPlan(stack.obscuration, stack.amplitude, *place, tol, wanted.threads, scale, kind)
     over = _over(wanted)

@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.optics.lens import Lens
-from lommel.optics.spectrum import in_light
 from lommel.psf import psf
 
 _MARGIN, _LEAST_MARGIN = 20, 4
@@ -66,7 +65,7 @@ def pixel_transfer(
     """
     pupil, total = lens.pupil(distances), np.zeros((len(distances), half + 1, half + 1))
     for wavelength, weight in spectrum:
-        values = psf(in_light(pupil, wavelength), 2 * half + 1, pixel, integrate=True, dtype=np.float64).values
+        values = psf(pupil.in_light(wavelength), 2 * half + 1, pixel, integrate=True, dtype=np.float64).values
         total += weight * values[:, half:, half:]
     return transfer_of_windows(total, shape)
 

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from lommel.field.maps import FieldMap
 from lommel.optics.pupil import Pupil
-from lommel.optics.spectrum import in_light
 from lommel.optics.wavefront import Wavefront
 from lommel.psf import psf
 
@@ -76,7 +75,7 @@ class PointLight:
             part = slice(first, first + step)
             pupil = self.pupil(*places[part].T)
             for wavelength, weight in self.spectrum or ((None, 1.0),):
-                light = pupil if wavelength is None else in_light(pupil, wavelength)
+                light = pupil if wavelength is None else pupil.in_light(wavelength)
                 given: dict[str, Any] = {"integrate": True, "dtype": np.float64, "threads": self.threads}
                 out[part] += weight * psf(light, side, self.pixel, tol=self.tol, **given).values
         return out

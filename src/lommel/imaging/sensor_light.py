@@ -15,7 +15,6 @@ from lommel.imaging.pixel_rule import pixel_rule, sums_of_windows
 from lommel.methods.choice import of_profiles
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
-from lommel.optics.spectrum import in_light
 from lommel.optics.wavefront import Wavefront
 
 _METHOD = of_profiles(1e-7)
@@ -101,7 +100,7 @@ class SensorLight:
         """
         total: Any = 0.0
         for wavelength, weight in self.spectrum:
-            there = in_light(pupil, wavelength)
+            there = pupil.in_light(wavelength)
             step = math.pi * self.pixel / there.scale
             rule = pixel_rule(half, step)
             share = weight * step**2 / (4.0 * math.pi * there.transmission)

@@ -11,8 +11,7 @@ from typing import Any
 from lommel.base import atomic, validation
 from lommel.base.units import LENGTHS
 from lommel.optics.descriptions import NORMALIZATIONS
-from lommel.optics.spectrum import same_path
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
 SUFFIXES = (".json", ".toml", ".csv")

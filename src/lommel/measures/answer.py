@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.methods.method import Method, RadialMethod
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +21,7 @@ class Answer:
 
     values: NDArray[Any]
     grid: Grid
-    pupil: Pupil
+    pupil: BasePupil
     method: Method
     normalize: str
     error_bound: float | None
@@ -30,7 +30,7 @@ class Answer:
     derivative_bounds: dict[str | tuple[int, int], float] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
-        for name, kind in (("grid", Grid), ("pupil", Pupil), ("method", Method)):
+        for name, kind in (("grid", Grid), ("pupil", BasePupil), ("method", Method)):
             validation.instance(name, getattr(self, name), kind)
         if self.grid.stack not in ((), self.pupil.shape):
             raise ValueError(

@@ -11,7 +11,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures.answer import Answer, checked
 from lommel.methods.method import RadialMethod
-from lommel.optics.pupil import Pupil
+from lommel.optics.base_pupil import BasePupil
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_panels
 
@@ -138,14 +138,14 @@ def _center(answer: Answer, about: str) -> Array:
     return window_centroid(answer).reshape(-1, 2)
 
 
-def require_radial(method: RadialMethod, pupil: Pupil) -> None:
+def require_radial(method: RadialMethod, pupil: BasePupil) -> None:
     """Raise ValueError if a pupil is not radially symmetric, or not supported."""
     method.require(pupil)
     if not pupil.radial:
         raise ValueError("pupil must be radially symmetric, got one with terms that depend on the direction")
 
 
-def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numbers:
+def radial_energy(method: RadialMethod, pupil: BasePupil, radius: ArrayLike) -> Numbers:
     """Return the fraction of all light within `radius`, ``int_0^v I v dv / (2 (1 - eps^2))``, by quadrature.
 
     Parameters
@@ -185,7 +185,7 @@ def radial_energy(method: RadialMethod, pupil: Pupil, radius: ArrayLike) -> Numb
     return numbers(light[:, np.cumsum(counts)[where]] / (2.0 * pupil.transmission), pupil.shape + at.shape)
 
 
-def _within_reach(pupil: Pupil, name: str, at: Array, stretch: float) -> Array:
+def _within_reach(pupil: BasePupil, name: str, at: Array, stretch: float) -> Array:
     """Return `at` in v, flat, if that is no farther from the axis than there is light worth computing."""
     far = float(at.max(initial=0.0))
     validation.reach(f"{name}={far:g}", stretch * (math.pi / pupil.scale * far), pupil.scale / stretch, pupil.unit)
@@ -220,7 +220,7 @@ def window_energy(answer: Answer) -> Numbers:
     return numbers(_rectangles(answer.radial_method, pupil, corners), pupil.shape)
 
 
-def _rectangles(method: RadialMethod, pupil: Pupil, rectangles: list[tuple[float, float, float]]) -> Array:
+def _rectangles(method: RadialMethod, pupil: BasePupil, rectangles: list[tuple[float, float, float]]) -> Array:
     """Return the light in rectangles from the axis to (a, b) in v, each (weight, a, b), shape (n,)."""
     nodes, weights = [np.zeros(1)], [np.zeros(1)]
     for factor, a, b in rectangles:

@@ -17,6 +17,7 @@ from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.polychromatic import Polychromatic
 from lommel.methods.slopes import differentiated, engines, single_light, translated
+from lommel.optics.pupil import checked as lens_pupil
 
 
 def pullback(psf: Answer, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, Array]:
@@ -44,14 +45,14 @@ def pullback(psf: Answer, g: ArrayLike, of: Sequence[Name] | None = None) -> dic
     ToleranceError
         If the tolerance of the method cannot be met.
     """
-    names = tuple(psf.derivatives) or psf.pupil.wavefront.terms if of is None else checked(of, "of")
+    names = tuple(psf.derivatives) or lens_pupil(psf.pupil).wavefront.terms if of is None else checked(of, "of")
     weights = validation.real_array("g", g)
     if weights.shape != psf.shape:
         raise ValueError(f"g must have the shape of the values, {psf.shape}, got {weights.shape}")
     energy, tol, scale = psf.normalize == "energy", psf.method.tol, float(psf.scale.flat[0])
     if psf.normalize == "peak":
         raise ValueError('of a PSF with normalize="peak" there are no derivatives, since it has kinks; use "energy"')
-    pupil, grid, weights = psf.pupil, psf.grid, weights.reshape(-1, *psf.grid.shape)
+    pupil, grid, weights = lens_pupil(psf.pupil), psf.grid, weights.reshape(-1, *psf.grid.shape)
     sums = {name: parts(name, pupil, grid.step(pupil), energy=energy) for name in names}
     free = _unnamed(psf.method)
     way, engine = engines(free, pupil, names, list(sums.values()), tol)

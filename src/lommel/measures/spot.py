@@ -13,7 +13,7 @@ from lommel.measures import aperture_means
 from lommel.measures.answer import Answer, checked
 from lommel.measures.energy import encircled_energy, radial_energy, require_radial
 from lommel.methods.method import RadialMethod
-from lommel.optics.pupil import Pupil
+from lommel.optics.base_pupil import BasePupil
 
 _STEP = 0.15
 """Spacing of tables in v, over the stretch of the method."""
@@ -173,7 +173,7 @@ def _width(line: Array, name: str) -> float:
     return float(crossings.max() - crossings.min())
 
 
-def radial_fwhm(method: RadialMethod, pupil: Pupil) -> Numbers:
+def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     """Return the full width at half of the largest intensity of a radial pupil, as :func:`lommel.measures.spot.fwhm`.
 
     The profile is tabulated in steps of 0.15 in v and interpolated by polynomials of degree 11. As I is
@@ -246,7 +246,7 @@ def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> 
     return numbers(out, answer.pupil.shape)
 
 
-def radial_diameter(method: RadialMethod, pupil: Pupil, fraction: float) -> Numbers:
+def radial_diameter(method: RadialMethod, pupil: BasePupil, fraction: float) -> Numbers:
     """Return the diameter that holds `fraction` of the light; see :func:`lommel.measures.spot.energy_diameter`."""
     wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
     require_radial(method, pupil)

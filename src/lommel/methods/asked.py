@@ -9,11 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
 from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, Shortcut, widened
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
+from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.pupil import checked
 
 if TYPE_CHECKING:
     from lommel.methods.derivatives import Name
@@ -53,7 +56,7 @@ class Asked(NamedTuple):
     shortcut: Shortcut | None
 
     def images(
-        self, pupil: Pupil, names: tuple[Name, ...] = (), out: NDArray[Any] | None = None
+        self, pupil: BasePupil, names: tuple[Name, ...] = (), out: NDArray[Any] | None = None
     ) -> tuple[Method, Images, list[Slope]]:
         """Return the method, images of a pupil of this light and their derivatives, without a shortcut.
 
@@ -68,7 +71,8 @@ class Asked(NamedTuple):
             from lommel.methods.slopes import differentiated
 
             method = self.ways[0] if self.named else None
-            return differentiated(method, pupil, self.grid, names, question, self.ways[0].tol, energy=self.energy)
+            of, tol = checked(pupil), self.ways[0].tol
+            return differentiated(method, of, self.grid, names, question, tol, energy=self.energy)
 
         def ask(way: Method) -> Images:
             made = way.images(pupil, self.grid, question)
@@ -78,7 +82,7 @@ class Asked(NamedTuple):
 
 
 def asked_about(
-    pupil: Pupil,
+    pupil: BasePupil,
     light: tuple[Any, ...],
     grid: Grid,
     method: Method | None,
@@ -108,8 +112,12 @@ def asked_about(
             f"shape {grid.shape} for {math.prod(stack)} pupils makes {count} values, "
             f"more than the limit of {validation.MAX_VALUES}"
         )
-    scale = None
-    if normalize == "energy":
+    scale: float | Array | None = None
+    if normalize == "emitted":
+        if not isinstance(pupil, ObjectivePupil):
+            raise ValueError('normalize="emitted" is for the pupils of an Objective; for a lens use "energy"')
+        scale = grid.step(pupil) ** 2 / (4.0 * math.pi) * pupil.collected.ravel()
+    elif normalize == "energy":
         scale = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
     elif normalize == "strehl":
         scale = 1.0 / ways[0].unaberrated_peak(pupil)

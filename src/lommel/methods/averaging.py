@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from lommel.core.answers import Images, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import average_samples
 from lommel.methods.method import normalized_error, stored, storing
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
 
 _VALUES = 2**23  # samples at once
 _WIDEST, _CLOSER = 1.05, 0.8  # v between samples: two thirds of what the band of I allows, and half
@@ -29,7 +29,7 @@ _MOST = 512  # samples across a pixel
 _SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
 
 
-Sample = Callable[[Pupil, Grid, float, Wanted], Images]
+Sample = Callable[[Any, Grid, float, Wanted], Images]
 """From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted."""
 
 
@@ -50,7 +50,7 @@ class Averages(NamedTuple):
     peak: NDArray[np.float64]
 
 
-def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Averages:
+def averaged(sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted) -> Averages:
     """Return the intensity averaged over each pixel, with bounds on its error below `tol` once stored as is wanted.
 
     The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
@@ -69,7 +69,7 @@ def averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wante
         return _averaged(sample, pupil, grid, tol, wanted, _CLOSER)
 
 
-def _averaged(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted, widest: float) -> Averages:
+def _averaged(sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, widest: float) -> Averages:
     step, ceiling, dtype, normalize = grid.step(pupil), pupil.amplitude**2, wanted.dtype, wanted.scale is None
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
@@ -112,11 +112,11 @@ def _first_errors(aim: float, step: float) -> tuple[float, float]:
     return 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
 
 
-def averaged_images(sample: Sample, pupil: Pupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+def averaged_images(sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
     """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
     made = averaged(sample, pupil, grid, tol, wanted)
     tops = made.values[0].max(axis=(1, 2))
-    scales = 1.0 / tops if wanted.scale is None else np.full(len(tops), wanted.scale)
+    scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(wanted.scale, tops.shape)
     values = np.empty(made.values[0].shape, wanted.dtype) if wanted.out is None else wanted.out
     np.multiply(made.values[0], scales[:, None, None], out=values, casting="same_kind")
     slopes = None
@@ -227,7 +227,7 @@ def _fitted(response: Any, wave: Any, step: float, error: float, widest: float, 
 
 
 def _filtered(
-    sample: Sample, pupil: Pupil, grid: Grid, tol: float, taps: Taps, wanted: Wanted
+    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, taps: Taps, wanted: Wanted
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Return averages, what errors of the samples make of them, and largest samples, as :class:`Averages`."""
     count, images = math.prod(pupil.shape), 1 + len(wanted.terms)
@@ -236,7 +236,7 @@ def _filtered(
     total, error, peaks = np.empty((images, count, *grid.shape)), np.zeros((images, count)), np.zeros((images, count))
     for part, one, pixels in blocks(pupil, grid, taps, images):
 
-        def samples(fine: Grid, part: slice = part, one: Pupil = one) -> list[NDArray[Any]]:
+        def samples(fine: Grid, part: slice = part, one: BasePupil = one) -> list[NDArray[Any]]:
             made = sample(one, fine, tol, question)
             assert made.error is not None
             assert made.peak is not None
@@ -271,8 +271,8 @@ def filtered(
 
 
 def averaged_gradient(
-    gradient: Callable[[Pupil, Grid, float, NDArray[np.float64]], NDArray[np.float64]],
-    pupil: Pupil,
+    gradient: Callable[[Any, Grid, float, NDArray[np.float64]], NDArray[np.float64]],
+    pupil: BasePupil,
     grid: Grid,
     tol: float,
     weights: NDArray[np.float64],
@@ -347,7 +347,7 @@ def finer(grid: Grid, taps: Taps) -> Grid:
     return _fine(grid, 0, grid.height, taps)
 
 
-def blocks(pupil: Pupil, grid: Grid, taps: Taps, images: int = 1) -> Iterator[tuple[slice, Pupil, Grid]]:
+def blocks(pupil: BasePupil, grid: Grid, taps: Taps, images: int = 1) -> Iterator[tuple[slice, Any, Grid]]:
     """Return parts of a stack that are sampled at once, where they are in the flattened stack, and their pixels."""
     size = max(1, _VALUES // (images * math.prod(_samples(side, taps) for side in grid.shape)))
     count = math.prod(pupil.shape)

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple, TypeVar
 from lommel.core.answers import ToleranceError
 from lommel.methods.method import Method
 from lommel.methods.nijboer_zernike import NijboerZernike
+from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil, checked
 
 _SMALL, _SMALL_OF_STACK, _STACK = 64, 128, 8  # samples a side, and from how many pupils on
 _Answer = TypeVar("_Answer")
@@ -22,7 +22,7 @@ class Rule(NamedTuple):
     """What answers for some pupils and windows, in words and in code."""
 
     pupils: str
-    applies: Callable[[Pupil, Grid], bool]
+    applies: Callable[[BasePupil, Grid], bool]
     imported: Callable[[], tuple[type[Any], ...]]
     costs: str
 
@@ -44,7 +44,7 @@ def _any_aperture() -> tuple[type[Any], ...]:
     return (NonuniformFFT,)
 
 
-def _small(pupil: Pupil, grid: Grid) -> bool:
+def _small(pupil: BasePupil, grid: Grid) -> bool:
     if not pupil.circular:
         return False
     side = max(grid.shape)
@@ -55,7 +55,19 @@ def _small(pupil: Pupil, grid: Grid) -> bool:
     return side <= _SMALL or (side <= _SMALL_OF_STACK and math.prod(pupil.shape) >= _STACK)
 
 
+def _layered() -> tuple[type[Any], ...]:
+    from lommel.methods.stratified import Stratified
+
+    return (Stratified,)
+
+
 RULES = (
+    Rule(
+        "of a microscope's objective, through plane layers",
+        lambda pupil, _: pupil.layered,
+        _layered,
+        "one matrix product for the profiles of a stack, and writing it",
+    ),
     Rule(
         "radially symmetric",
         lambda pupil, _: pupil.radial,
@@ -91,7 +103,7 @@ def table() -> str:
     return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
 
-def candidates(pupil: Pupil, grid: Grid, tol: float = Method.tol) -> tuple[Method, ...]:
+def candidates(pupil: BasePupil, grid: Grid, tol: float = Method.tol) -> tuple[Method, ...]:
     """Return what answers for a pupil and a window where no method was named, by :data:`RULES`.
 
     Parameters
@@ -111,7 +123,7 @@ def candidates(pupil: Pupil, grid: Grid, tol: float = Method.tol) -> tuple[Metho
     TypeError, ValueError
         If the pupil is none, if it needs finufft, which is not installed, or if no method for it takes the tolerance.
     """
-    checked(pupil)
+    imaged(pupil)
     rule = next(rule for rule in RULES if rule.applies(pupil, grid))
     if rule.imported is _any_aperture and find_spec("finufft") is None:
         raise ValueError(
@@ -172,7 +184,7 @@ def of_profiles(tol: float = Method.tol) -> NijboerZernike:
     return NijboerZernike(tol)
 
 
-def reference(pupil: Pupil) -> Method:
+def reference(pupil: BasePupil) -> Method:
     """Return what other methods are judged by: plain quadrature, or the certified series where that does not apply.
 
     Parameters
@@ -184,6 +196,10 @@ def reference(pupil: Pupil) -> Method:
     Method
         For apertures that are not round, `NonuniformFFT` at its finest.
     """
+    if pupil.layered:
+        from lommel.methods.debye_wolf import DebyeWolf
+
+        return DebyeWolf(tol=1e-9)
     if pupil.radial:
         from lommel.methods.hankel import Hankel  # for reports, which are rare
 

@@ -5,22 +5,25 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import fields, replace
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.core.answers import FieldValues, Images, Intensities, ToleranceError, Wanted, not_met
+from lommel.optics.base_pupil import imaged
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront import MAX_HIGHER
 from lommel.special.bessel import _radii
 
 if TYPE_CHECKING:
     from lommel.optics.spectrum import Component
 
-Shortcut = Callable[[Pupil, NDArray[Any]], tuple[NDArray[np.float64], float] | None]
+AnyPupil: TypeAlias = Any
+"""A :class:`lommel.optics.base_pupil.BasePupil`: each method narrows it to those that it supports."""
+
+Shortcut = Callable[[Any, NDArray[Any]], tuple[NDArray[np.float64], float] | None]
 """From a pupil and an array for its values to what these were multiplied by, and the largest bound; or None."""
 
 
@@ -43,6 +46,9 @@ class Method(ABC):
     any_aperture: ClassVar[bool] = False
     """Whether apertures with a spider, vignetting or a mask are supported."""
 
+    layered: ClassVar[bool | None] = False
+    """Whether it is pupils of a microscope's objective that are supported, or, where None, both kinds."""
+
     keeps_tol: ClassVar[bool] = True
     """Whether a bound, where there is one, counts everything, storing included, and never exceeds `tol`."""
 
@@ -51,22 +57,22 @@ class Method(ABC):
 
     tol: float = 1e-6
 
-    def unsupported(self, pupil: Pupil) -> str | None:
+    def unsupported(self, pupil: AnyPupil) -> str | None:
         """Return why `pupil` is not supported, or None if it is: here, that every one is."""
         return None
 
     @abstractmethod
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: AnyPupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I on `grid` for the flattened stack of `pupil`, by at most so many `threads`.
 
         Shape ``(n, len(grid.radii))``, at the distinct radii, or ``(n, height, width)``.
         """
 
-    def unaberrated_peak(self, pupil: Pupil) -> float:
+    def unaberrated_peak(self, pupil: AnyPupil) -> float:
         """Return the peak of the aperture of `pupil` without aberration, to which "strehl" relates."""
-        return pupil.amplitude**2
+        return float(pupil.amplitude**2)
 
-    def stretch(self, pupil: Pupil) -> float:
+    def stretch(self, pupil: AnyPupil) -> float:
         """Return the exponential type of U in v: how much faster than at the wavelength of `pupil` it varies."""
         return 1.0
 
@@ -115,7 +121,7 @@ class Method(ABC):
     def _has_tol(self) -> bool:
         return "tol" in getattr(self, "__dataclass_fields__", ())
 
-    def components(self, pupil: Pupil) -> list[Component]:
+    def components(self, pupil: AnyPupil) -> list[Component]:
         """Return the parts whose intensities add up to that of `pupil`: one, unless the method sums several.
 
         Parameters
@@ -130,11 +136,11 @@ class Method(ABC):
 
         return [Component(1.0, 1.0, pupil)]
 
-    def along_radius(self, pupil: Pupil) -> RadialMethod | None:
+    def along_radius(self, pupil: AnyPupil) -> RadialMethod | None:
         """Return the method where a profile along the radius describes the whole PSF of `pupil`, else None."""
         return None
 
-    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: AnyPupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack.
 
         Parameters
@@ -168,7 +174,7 @@ class Method(ABC):
             made = way.intensity(pupil, grid, wanted.threads)
         return painted(made, grid, wanted)
 
-    def plan(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
+    def plan(self, pupil: AnyPupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a shorter way to the images of further pupils, where there is one; here, there is none.
 
         Parameters
@@ -186,9 +192,16 @@ class Method(ABC):
         """
         return None
 
-    def require(self, pupil: Pupil) -> None:
+    def require(self, pupil: AnyPupil) -> None:
         """Raise ValueError if `pupil` is not supported."""
-        reason = self.unsupported(checked(pupil))
+        if self.layered is not None and imaged(pupil).layered != self.layered:
+            fault = (
+                "supports the pupils of an Objective only; for a lens use NijboerZernike"
+                if self.layered
+                else "supports no pupils of an Objective, behind layers; use Stratified or DebyeWolf"
+            )
+            raise ValueError(f"{type(self).__name__} {fault}")
+        reason = self.unsupported(pupil)
         if reason is None and not (pupil.circular or self.any_aperture):
             reason = (
                 "supports plain discs and annuli only; for a spider, vignetting or a mask use NonuniformFFT, "
@@ -220,17 +233,17 @@ class RadialMethod(Method):
     """A method whose answer depends on the distance from the axis only, and is known at any distance."""
 
     @abstractmethod
-    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
+    def profile(self, pupil: AnyPupil, v: NDArray[np.float64]) -> Intensities:
         """Return I at rising `v` for the flattened stack of `pupil`, shape ``(n, len(v))``.
 
         ValueError or ToleranceError where the method cannot answer as it promises.
         """
 
-    def along_radius(self, pupil: Pupil) -> RadialMethod | None:
+    def along_radius(self, pupil: AnyPupil) -> RadialMethod | None:
         """Return the method itself for a radial pupil, else None."""
         return self if pupil.radial else None
 
-    def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
+    def intensity(self, pupil: AnyPupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I at the distinct radii of `grid`, or on its pixels where these share none."""
         if not grid.symmetric:
             from lommel.methods.subpixel import subpixel_intensity
@@ -238,7 +251,7 @@ class RadialMethod(Method):
             return subpixel_intensity(self, pupil, grid, threads)
         return self.profile(pupil, grid.v(pupil))
 
-    def images(self, pupil: Pupil, grid: Grid, wanted: Wanted) -> Images:
+    def images(self, pupil: AnyPupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see ``Method.images``."""
         if grid.symmetric or wanted.scale is not None or wanted.powers or self.along_radius(pupil) is None:
             return super().images(pupil, grid, wanted)
@@ -254,13 +267,13 @@ class FieldMethod(RadialMethod):
     """A radial method that knows the complex field."""
 
     @abstractmethod
-    def evaluate(self, pupil: Pupil, v: NDArray[np.float64]) -> FieldValues:
+    def evaluate(self, pupil: AnyPupil, v: NDArray[np.float64]) -> FieldValues:
         """Return U at rising `v` for the flattened `pupil`, shape ``(n, len(v))``, with a bound on its error.
 
         ValueError or ToleranceError where the method cannot answer as it promises.
         """
 
-    def field(self, pupil: Pupil, v: ArrayLike) -> NDArray[np.complex128]:
+    def field(self, pupil: AnyPupil, v: ArrayLike) -> NDArray[np.complex128]:
         """Return the complex field U of a `pupil` at optical coordinates `v`, shape ``pupil.shape + v.shape``.
 
         TypeError or ValueError unless these are numbers, finite and >= 0.
@@ -270,7 +283,7 @@ class FieldMethod(RadialMethod):
         values, where = np.unique(_radii(at.ravel()), return_inverse=True)
         return self.evaluate(pupil, values).values[:, where].reshape(pupil.shape + at.shape)
 
-    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
+    def profile(self, pupil: AnyPupil, v: NDArray[np.float64]) -> Intensities:
         """Return I = abs(U)^2 at rising v with the bound on its error relative to the largest value."""
         values, error = self.evaluate(pupil, v)
         intensity = values.real**2 + values.imag**2
@@ -311,7 +324,7 @@ def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
     largest = made.values.reshape(len(made.values), -1).max(axis=1)
     if wanted.scale is None and not np.all(largest > 0):
         raise ValueError('normalize="peak" is impossible: no light falls into the window')
-    scales = np.full(len(largest), wanted.scale) if wanted.scale is not None else 1.0 / largest
+    scales = np.broadcast_to(wanted.scale, largest.shape) if wanted.scale is not None else 1.0 / largest
     values = np.empty((len(largest), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     grid.paint(made.values, scales, values)
     return Images(values, scales, once_stored(made, wanted))
@@ -323,7 +336,7 @@ def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(np.where(relative < 1.0 - 1e-9, 2.0 * safe / (1.0 - safe), np.inf))
 
 
-def widened(made: Images, pupil: Pupil, method: Method, *, normalized: bool) -> Images:
+def widened(made: Images, pupil: AnyPupil, method: Method, *, normalized: bool) -> Images:
     """Return images whose bounds count what the terms of the wavefront and the powers of the apodization leave out.
 
     A phase in error by e changes U by at most ``e int A dx dy / pi``, and a derivative of U by as much. At another
@@ -335,7 +348,7 @@ def widened(made: Images, pupil: Pupil, method: Method, *, normalized: bool) -> 
     ToleranceError
         If the tolerance is not met any more.
     """
-    of_phase, of_light = pupil.wavefront.left_out, pupil.illumination.error
+    of_phase, of_light = pupil.left_out
     if not (of_phase or of_light) or made.error is None:
         return made
     stretch = max(1.0, method.stretch(pupil))
@@ -355,7 +368,7 @@ def widened(made: Images, pupil: Pupil, method: Method, *, normalized: bool) -> 
     return made._replace(error=error, slopes=made.slopes._replace(error=made.slopes.error + further))
 
 
-def powers_cancel(pupil: Pupil) -> str | None:
+def powers_cancel(pupil: AnyPupil) -> str | None:
     """Return why the phase is not to be taken as powers of rho, or None where it may be."""
     if pupil.wavefront.symmetric <= 2 + MAX_HIGHER:
         return None
@@ -367,7 +380,7 @@ def powers_cancel(pupil: Pupil) -> str | None:
 
 def annulus(
     disk: Callable[[NDArray[np.float64], NDArray[np.float64]], FieldValues],
-    pupil: Pupil,
+    pupil: AnyPupil,
     v: NDArray[np.float64],
 ) -> FieldValues:
     """Build the field of an obscured aperture from that of full ones.

@@ -50,6 +50,7 @@ class Polychromatic(Spectrum, RadialMethod):
     together would exceed the tolerance. ``normalize="strehl"`` is relative to the same spectrum without aberration.
     """
 
+    layered: ClassVar[bool | None] = None
     apodized: ClassVar[bool] = True
     nonradial: ClassVar[bool] = True
     any_aperture: ClassVar[bool] = True

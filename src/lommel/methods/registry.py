@@ -7,6 +7,7 @@ from typing import Any
 from lommel.core.answers import ToleranceError
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.closed_form import ClosedForm
+from lommel.methods.debye_wolf import DebyeWolf
 from lommel.methods.fraunhofer import Fraunhofer
 from lommel.methods.geometric import Geometric
 from lommel.methods.hankel import Hankel
@@ -17,6 +18,7 @@ from lommel.methods.method import FieldMethod, Method, RadialMethod
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
+from lommel.methods.stratified import Stratified
 from lommel.methods.tuned_closed_form import TunedClosedForm
 from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
 
@@ -33,7 +35,10 @@ METHODS: dict[str, type[Method]] = {
     "geometric": Geometric,
     "chordal-gauss": ChordalGauss,
 }
-"""Every method by the name the command line uses."""
+"""Every method for the pupils of lenses, by the name the command line uses."""
+
+LAYERED: dict[str, type[Method]] = {"stratified": Stratified, "debye-wolf": DebyeWolf}
+"""Those for the pupils of objectives."""
 
 ERFS: dict[str, type[Any]] = {"abramowitz": AbramowitzErf, "table": TableErf, "fresnel": FresnelErf}
 """The error functions of `ClosedForm` by the name the command line uses."""
@@ -55,7 +60,7 @@ def method_from_dict(description: dict[str, Any]) -> Method:
     ValueError
         If its name is unknown, or that of something else.
     """
-    kinds: list[type[Any]] = [*METHODS.values(), Polychromatic, *ERFS.values()]
+    kinds: list[type[Any]] = [*METHODS.values(), *LAYERED.values(), Polychromatic, *ERFS.values()]
     known = {kind.__name__: kind for kind in kinds}
 
     def build(part: dict[str, Any]) -> Any:
@@ -73,9 +78,11 @@ def method_from_dict(description: dict[str, Any]) -> Method:
 
 __all__ = [
     "ERFS",
+    "LAYERED",
     "METHODS",
     "ChordalGauss",
     "ClosedForm",
+    "DebyeWolf",
     "FieldMethod",
     "Fraunhofer",
     "Geometric",
@@ -88,6 +95,7 @@ __all__ = [
     "NonuniformFFT",
     "Polychromatic",
     "RadialMethod",
+    "Stratified",
     "ToleranceError",
     "TunedClosedForm",
     "method_from_dict",

@@ -281,7 +281,7 @@ def _pieces(
     keys = _keys(sums)
     asked = tuple(dict.fromkeys((*keys, *TILTS))) if grows else keys
     by_samples = isinstance(engine, NijboerZernike)  # of radially symmetric pupils, whose tilts are not
-    assert wanted.scale is not None
+    assert isinstance(wanted.scale, float)
     faintest = float(_brightest(made).min()) / wanted.scale
     found: dict[Any, Piece] = {}
 

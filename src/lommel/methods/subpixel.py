@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from lommel.core.answers import Intensities, ToleranceError
 from lommel.core.engine import Window, gauss_error, pixel_radii, pixel_values
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_legendre
 
 _ROUNDOFF = 2.0**-53
@@ -23,13 +23,15 @@ _SCAN = 512
 class _Profiled(Protocol):
     """What is asked of a method here: :class:`lommel.methods.RadialMethod`, which stands above, has it."""
 
-    tol: float
+    @property
+    def tol(self) -> float: ...
+
     keeps_tol: ClassVar[bool]
 
-    def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities: ...
-    def stretch(self, pupil: Pupil) -> float: ...
+    def profile(self, pupil: Any, v: NDArray[np.float64]) -> Intensities: ...
+    def stretch(self, pupil: Any) -> float: ...
     def tightened(self) -> Self: ...
-    def unaberrated_peak(self, pupil: Pupil) -> float: ...
+    def unaberrated_peak(self, pupil: Any) -> float: ...
 
 
 class _Values(NamedTuple):
@@ -41,7 +43,7 @@ class _Values(NamedTuple):
 
 
 def subpixel_intensity(
-    method: _Profiled, pupil: Pupil, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
+    method: _Profiled, pupil: Any, grid: Grid, threads: int, *, tol: float | None = None, window: bool = False
 ) -> Intensities:
     r"""Return I at, or averaged over, each pixel, shape ``(n, height, width)``, from profiles of a method.
 
@@ -101,7 +103,7 @@ def subpixel_intensity(
             )
 
 
-def _values(method: _Profiled, pupil: Pupil, grid: Grid, level: int, threads: int) -> _Values:
+def _values(method: _Profiled, pupil: Any, grid: Grid, level: int, threads: int) -> _Values:
     # What varies faster than I is I of a larger window.
     faster, ceiling = method.stretch(pupil), method.unaberrated_peak(pupil)
     window = Window(grid.shape, grid.axis, faster * grid.step(pupil))
@@ -122,12 +124,10 @@ def _values(method: _Profiled, pupil: Pupil, grid: Grid, level: int, threads: in
     return _Values(values, of_grid * of_nodes * profile.error * peak, added)
 
 
-def _likely_value(pupil: Pupil, grid: Grid) -> float:
+def _likely_value(pupil: BasePupil, grid: Grid) -> float:
     """Return what the largest value may be: the peak of I or, of pixels that hold all light, its average."""
-    size = float(np.abs(pupil.radial_terms()).sum(axis=1).max())
     side = grid.step(pupil) if grid.integrate else 0.0
-    peak = (pupil.amplitude / (1.0 + 2.0 * size)) ** 2
-    return 1.0 / (1.0 / peak + side**2 / (4.0 * math.pi * pupil.transmission))
+    return 1.0 / (1.0 / pupil.likely_peak + side**2 / (4.0 * math.pi * pupil.transmission))
 
 
 def _level(error: float) -> int:
@@ -144,7 +144,7 @@ def _finer(method: _Profiled, asked: _Profiled) -> _Profiled:
     return method if method.tol >= 1e-5 * asked.tol else asked
 
 
-def _peak_at_least(method: _Profiled, pupil: Pupil, grid: Grid, level: int, threads: int) -> NDArray[np.float64]:
+def _peak_at_least(method: _Profiled, pupil: Any, grid: Grid, level: int, threads: int) -> NDArray[np.float64]:
     """Return what the largest value over the plane is at least: a window may miss the peak.
 
     Looks at pixels on a line from the axis to where the last rays arrive.

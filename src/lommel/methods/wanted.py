@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.optics.pupil import Pupil
+from lommel.optics.base_pupil import BasePupil
+
+AnyPupil = TypeVar("AnyPupil", bound=BasePupil)
 
 
 def names(derivatives: Sequence[str | tuple[int, int]]) -> tuple[str | tuple[int, int], ...]:
@@ -50,7 +52,7 @@ def output_type(dtype: DTypeLike | None, tol: float) -> np.dtype[Any]:
     return kind
 
 
-def for_axes(pupil: Pupil, places: tuple[int, ...]) -> Pupil:
+def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
     """Return a pupil for each axis, in the shape that the stack and the places of axes broadcast to."""
     try:
         return pupil.broadcast(np.broadcast_shapes(pupil.shape, places))

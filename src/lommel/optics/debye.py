@@ -32,6 +32,7 @@ _ETA = np.geomspace(4e-3, 2.5, 28)
 _ARCS = 1024
 _ROUNDOFF = 2.0**-53
 _RADII = 2048  # at once
+_ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,)}
 Complex = NDArray[np.complex128]
 
 
@@ -41,21 +42,22 @@ class Model:
 
     Attributes
     ----------
-    vectorial : bool
+    kind : {"vectorial", "scalar"}
+        K0, K1 and K2; U.
     aplanatic : bool
         Whether the amplitude is ``c_i^(-1/2)``, of the sine condition, or 1.
     supercritical : bool
         Whether light beyond the critical angle of the sample counts.
     """
 
-    vectorial: bool = True
+    kind: str = "vectorial"
     aplanatic: bool = True
     supercritical: bool = True
 
     @property
     def orders(self) -> tuple[int, ...]:
         """The orders of the Bessel functions, one for each part."""
-        return (0, 1, 2) if self.vectorial else (0,)
+        return _ORDERS[self.kind]
 
 
 @dataclass(frozen=True)
@@ -99,7 +101,7 @@ class Piece:
         """Return what multiplies ``exp(i psi) J_m``, in the order of `model`, with the Jacobian."""
         c_i, c_s = self.cosine(x, self.layers.immersion), self.cosine(x, self.layers.sample)
         light = self.jacobian(x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
-        if not model.vectorial:
+        if model.kind == "scalar":
             return (2.0 * light,)
         t_s, t_p, _ = self.amplitudes(x)
         sine = np.sqrt(self.square(x)) / self.layers.sample
@@ -166,7 +168,7 @@ def _largest(piece: Piece, model: Model) -> Array:
         light = np.log(piece.jacobian(x).largest)
         if model.aplanatic:
             light -= 0.5 * np.log(piece.cosine(x, piece.layers.immersion).least)
-        if not model.vectorial:
+        if model.kind == "scalar":
             return np.asarray(light + math.log(2.0))
         t_s, t_p, _ = piece.amplitudes(x)
         c_s = piece.cosine(x, piece.layers.sample)
@@ -183,12 +185,13 @@ def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
     return found
 
 
-@lru_cache(maxsize=4)
-def pieces(layers: Layers) -> tuple[Piece, ...]:
-    """Return the parts of the pupil, the one beyond the critical angle of the sample last."""
+@lru_cache(maxsize=8)
+def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
+    """Return the parts of the pupil, the one beyond the critical angle of the sample last, if its light counts."""
     if layers.sample < layers.NA:
         reach = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
-        return Piece(layers, 0.0, 1.0), Piece(layers, 0.0, reach, above=True)
+        below, above = Piece(layers, 0.0, 1.0), Piece(layers, 0.0, reach, above=True)
+        return (below, above) if model.supercritical else (below,)
     lowest = min(layers.immersion, layers.glass, layers.sample)
     sine = layers.NA / lowest
     return (Piece(layers, 0.0, sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))),)
@@ -238,7 +241,7 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
     Rule
     """
     rhos, parts, rates = [], [], []
-    cut = [piece for piece in pieces(layers) if model.supercritical or not piece.above]
+    cut = pieces(layers, model)
     for piece in cut:
         n = piece.nodes(piece.growth(model, depth, focus, v), tol / len(cut))
         x, w = gauss_legendre(n, piece.low, piece.high)
@@ -268,22 +271,23 @@ def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tu
     return found
 
 
-def power(layers: Layers, depth: Array) -> tuple[Array, float]:
-    """Return the light of an emitter that turns freely, and of one far from the glass, over ``4 pi / (k NA)^2``.
+def power(layers: Layers, depth: Array, model: Model | None = None) -> tuple[Array, Array]:
+    """Return the light of each part of an emitter's field, and of one far from the glass, over ``4 pi / (k NA)^2``.
 
-    ``int a^2 exp(-2 k d n_s Im c_s) (abs(t_s + t_p c_s)^2 + 2 abs(t_p s)^2 + abs(t_s - t_p c_s)^2) rho d rho / 2``,
-    the same at every focus, by rules of twice as many angles until two agree to 1e-13.
+    ``int abs(a T_m)^2 exp(-2 k d n_s Im c_s) rho d rho / 2``, the same at every focus, by rules of twice as many
+    angles until two agree to 1e-13; shapes ``(planes, parts)`` and ``(parts,)``.
     """
-    model, before, near, far = Model(), -np.ones(depth.shape), np.zeros(depth.shape), 0.0
+    model = model or Model()
+    before, near, far = np.full((1, 1), -1.0), np.zeros((depth.size, len(model.orders))), np.zeros(len(model.orders))
     for n in (32 * 2**k for k in range(9)):
-        near, far = np.zeros(depth.shape), 0.0
-        for piece in pieces(layers):
+        near, far = np.zeros_like(near), np.zeros_like(far)
+        for piece in pieces(layers, model):
             x, w = gauss_legendre(n, piece.low, piece.high)
-            first, second, third = (np.abs(part) ** 2 for part in piece.parts(x, model))
-            light = w * (first + 2.0 * second + third) / (2.0 * piece.jacobian(x))
+            light = np.stack([w * np.abs(part) ** 2 for part in piece.parts(x, model)], axis=1)
+            light /= 2.0 * piece.jacobian(x)[:, None]
             near += np.exp(-2.0 * np.outer(depth, piece.rates(x)[1].imag)) @ light
-            far += 0.0 if piece.above else float(light.sum())
-        if (np.abs(near - before) <= 1e-13 * near).all():
+            far += 0.0 if piece.above else light.sum(axis=0)
+        if (np.abs(near - before) <= 1e-13 * near.sum(axis=1, keepdims=True)).all():
             break
         before = near
     return near, far

@@ -14,7 +14,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.core import engine
-from lommel.optics.pupil import Pupil
+from lommel.optics.base_pupil import BasePupil
 
 
 @dataclass(frozen=True, init=False)
@@ -150,11 +150,11 @@ class Grid:
         ranks = self.unfold(_quadrant(*self.shape)[1])
         return np.bincount(ranks.ravel())
 
-    def step(self, pupil: Pupil) -> float:
+    def step(self, pupil: BasePupil) -> float:
         """Return the pixel pitch in v of a `pupil`, ``pi pixel / (lambda N)``."""
         return math.pi * self.pixel / pupil.scale
 
-    def require_reach(self, pupil: Pupil) -> None:
+    def require_reach(self, pupil: BasePupil) -> None:
         """Raise ValueError if pixels are farther from the axis than a `pupil` sends light that is worth computing."""
         v = self._farthest * self.step(pupil)
         if not v <= validation.MAX_REACH:
@@ -180,7 +180,7 @@ class Grid:
         away = np.hypot(np.abs(row - far_row) + far_row, np.abs(column - far_column) + far_column)
         return self[np.unravel_index(int(away.argmax()), self.stack)].axis
 
-    def v(self, pupil: Pupil) -> Array:
+    def v(self, pupil: BasePupil) -> Array:
         """Return the optical coordinate v, for a `pupil`, of the distinct :attr:`radii`."""
         return pupil.v(self.radii)
 

@@ -13,17 +13,21 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.optics import debye, foci
+from lommel.optics.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.focal import FocalField, Focus, Nyquist, ScalarField
-from lommel.optics.layer import DEPTH_MOST, Design, Layer, depths, film_stack, heights, length, refractive_index
+from lommel.optics.layer import Design, Layer, depths, film_stack, heights, length, refractive_index
+from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.stage import Stage
 from lommel.optics.stratified import Amplitudes, Layers, cosines
 
+_TURNING = emitter_of("isotropic").light.shares
 _DISTANCE_MOST = 0.1
 _VALUES_MOST = 2**26
-_APODIZATIONS = ("uniform", "aplanatic")
+_ORIGINS = ("coverslip", "paraxial", "brightest")
 
 
 @dataclass(frozen=True, init=False)
-class Objective:
+class Objective(Stage):
     r"""A microscope objective with its immersion, cover glass and sample; metres everywhere.
 
     The layers are plane: sample | films | cover glass | immersion | objective. A ray has the same
@@ -124,6 +128,55 @@ class Objective:
                 f"working_distance must leave room for the cover glass, got {working_distance:g}: with this glass, "
                 f"thicker than the design's, the objective would be {-self._clearance:.3g} m inside it"
             )
+
+    def pupil(
+        self,
+        *,
+        depth: ArrayLike,
+        z: ArrayLike = 0.0,
+        wavelength: float,
+        origin: str = "brightest",
+        emitter: str | Dipole | Beam | Scalar = "isotropic",
+    ) -> ObjectivePupil:
+        """Return the pupil with an emitter at a depth and the stage at a position, for :func:`lommel.psf`.
+
+        Parameters
+        ----------
+        depth, z : array_like
+            Metres: of the emitter from the glass, and of the stage from the origin, positive towards the sample. They
+            broadcast; arrays make a stack.
+        wavelength : float
+            Metres, in vacuum.
+        origin : {"brightest", "paraxial", "coverslip"}, default "brightest"
+            Where z is 0: where the emitter is brightest on the axis, its focus by paraxial rays (see :meth:`focus`),
+            or where the surface of the cover glass is in paraxial focus.
+        emitter : {"isotropic", "scalar"}, Dipole, Beam or Scalar, default "isotropic"
+            An emitter that turns freely, the scalar model of Gibson and Lanni, a :class:`lommel.Dipole`, or the light
+            of a :class:`lommel.Beam` that is focused into the sample, of the same depth of focus.
+
+        Returns
+        -------
+        ObjectivePupil
+
+        Raises
+        ------
+        TypeError, ValueError
+            On anything out of range, or at positions that the working distance does not reach.
+        """
+        layers, light = self._layers(wavelength), emitter_of(emitter)
+        d, offset = validation.broadcast("depth and z", depths(depth), validation.real_array("z", z))
+        if not d.size:
+            raise ValueError(f"z must not be empty, got shape {offset.shape}")
+        start = np.zeros(())
+        if validation.choice("origin", origin, _ORIGINS) != "coverslip":
+            start = self._paraxial(d)
+        if origin == "brightest":
+            each, place = np.unique(d, return_inverse=True)
+            best = [foci.brightest(layers, float(one)).brightest for one in each]
+            start = np.array(best)[place].reshape(d.shape)
+        focus = start + offset
+        self._planes(d, focus)
+        return ObjectivePupil(layers, self.magnification, d, focus, offset, light)
 
     @property
     def critical_angle(self) -> float | None:
@@ -271,9 +324,7 @@ class Objective:
         TypeError, ValueError
             On anything out of range, or if it takes more than 20 000 angles.
         """
-        validation.choice("apodization", apodization, _APODIZATIONS)
-        validation.truth("supercritical", supercritical)
-        model = debye.Model(vectorial=False, aplanatic=apodization == "aplanatic", supercritical=supercritical)
+        model = Scalar(apodization, supercritical).light.model
         (U,), error = self._integrals(model, radius, depth, focus, wavelength, tol)
         return ScalarField(U, error)
 
@@ -320,7 +371,7 @@ class Objective:
         d = depths(depth)
         layers = self._layers(wavelength)
         near, far = debye.power(layers, d.ravel())
-        return numbers(near / far, d.shape)
+        return numbers(near @ _TURNING / (far @ _TURNING), d.shape)
 
     def nyquist(self, *, wavelength: float) -> Nyquist:
         """Return the coarsest steps that keep all of an image in light of one `wavelength` (metres, in vacuum).
@@ -330,46 +381,6 @@ class Objective:
         layers = self._layers(wavelength)
         lateral = layers.wavelength / (4.0 * self.NA)
         return Nyquist(lateral, 0.5 * foci.depth_of_focus(layers), lateral * self.magnification)
-
-    @property
-    def _clearance(self) -> float:
-        """How much immersion there is with the surface of the cover glass in focus, metres."""
-        length = self.working_distance / self.design.immersion
-        for glass, sign in ((self.design.coverslip, 1.0), (self.coverslip, -1.0)):
-            length += sign * glass.thickness / glass.index if glass else 0.0
-        return self.immersion * length
-
-    def _layers(self, wavelength: Any) -> Layers:
-        """Return the layers in light of a wavelength, checked."""
-        metres = validation.wavelength(wavelength)
-        used, meant = Design(self.immersion, self.coverslip), self.design
-        paths = []
-        for side, sign in ((used, 1.0), (meant, -1.0)) if used != meant else ():
-            room = self._clearance if side is used else self.working_distance
-            paths.append((side.immersion, sign * room))
-            if side.coverslip:
-                paths.append((side.coverslip.index, sign * side.coverslip.thickness))
-        glass = self.coverslip.index if self.coverslip else self.immersion
-        films = tuple((film.index, film.thickness) for film in self.films)
-        return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres)
-
-    def _paraxial(self, depth: Array) -> Array:
-        """Return the paraxial focus of emitters, metres of the stage."""
-        films = sum(film.thickness / film.index for film in self.films)
-        return np.asarray(self.immersion * (depth / self.sample + films))
-
-    def _planes(self, depth: Any, focus: Any) -> tuple[Array, Array, tuple[int, ...]]:
-        """Return depths and positions of the stage as flat arrays, with their shape, checked."""
-        f = validation.real_array("focus", focus)
-        d, f = validation.broadcast("depth and focus", depths(depth), f)
-        if f.size and f.max() > self._clearance:
-            raise ValueError(
-                f"focus must be at most {self._clearance:.4g} metres, where the objective touches the cover glass, "
-                f"got {f.max():g}"
-            )
-        if f.size and f.min() < -DEPTH_MOST:
-            raise ValueError(f"focus is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
-        return d.ravel(), f.ravel(), d.shape
 
     def _rates(self, rho: Any, wavelength: Any) -> tuple[Any, Any, Any]:
         layers = self._layers(wavelength)

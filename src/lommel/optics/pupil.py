@@ -14,7 +14,8 @@ from lommel.base import validation
 from lommel.base.cached import cached_property
 from lommel.base.trusted import changed
 from lommel.optics.apodization import Apodization, illumination
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.base_pupil import BasePupil, is_no_pupil
+from lommel.optics.wavefront import Wavefront, same_path
 from lommel.special import zernike
 
 if TYPE_CHECKING:  # most pupils are round, and need none of these
@@ -24,7 +25,7 @@ if TYPE_CHECKING:  # most pupils are round, and need none of these
 
 
 @dataclass(frozen=True)
-class Pupil:
+class Pupil(BasePupil):
     """An aperture, clear from the obscuration to the rim less what narrows it, with a wavefront across it.
 
     Parameters
@@ -128,18 +129,6 @@ class Pupil:
         """Shape of the stack; ``()`` for a single pupil."""
         return self.wavefront.shape
 
-    @property
-    def scale(self) -> float:
-        """One lambda*N, in metres or 1; ``PSF.scale`` is something else, a factor of its values."""
-        if self.wavelength is None or self.f_number is None:
-            return 1.0
-        return self.wavelength * self.f_number
-
-    @property
-    def unit(self) -> str:
-        """Unit of lengths on the sensor: ``"m"`` or ``"lambda*N"``."""
-        return "lambda*N" if self.wavelength is None else "m"
-
     # Cached are what all pupils of an aperture share and :meth:`carrying` carries along.
 
     @cached_property
@@ -181,23 +170,24 @@ class Pupil:
         return self.opening.rule(degree) if self.mask is None else _samples(self.opening, self.mask)
 
     @property
-    def airy_radius(self) -> float:
-        """Radius of the first dark ring of the unobscured, unaberrated lens: 1.2197 lambda*N."""
-        return 3.8317059702075123 / math.pi * self.scale
+    def likely_peak(self) -> float:
+        """A guess: the peak of U falls about as the phase across the pupil rises."""
+        size = float(np.abs(self.radial_terms()).sum(axis=1).max())
+        return (self.amplitude / (1.0 + 2.0 * size)) ** 2
 
     @property
-    def cutoff(self) -> float:
-        """Spatial frequency from which no contrast passes, ``1 / (lambda N)``: cycles per metre, or 1."""
-        return 1.0 / self.scale
+    def left_out(self) -> tuple[float, float]:
+        """What the terms of the wavefront leave of its phase, radians, and the powers of the apodization of it."""
+        return self.wavefront.left_out, self.illumination.error
 
-    def v(self, radius: ArrayLike) -> NDArray[np.float64]:
-        """Return the optical coordinate ``v = pi radius / (lambda N)`` of each `radius` on the sensor.
+    def in_light(self, wavelength: float) -> Pupil:
+        """Return the pupil in light of another `wavelength`, metres.
 
-        TypeError or ValueError if these are not real and finite.
+        Its aperture, distances and f-number stay, and so do the paths of light: see
+        :func:`lommel.optics.wavefront.same_path`.
         """
-        at = validation.real_array("radius", radius)
-        with np.errstate(over="ignore"):
-            return validation.real_array("radius over lambda*N", math.pi / self.scale * at)
+        assert self.wavelength is not None
+        return self.carrying(same_path(self.wavefront, self.wavelength, wavelength), self.geometry, wavelength)
 
     def coefficients(self) -> NDArray[np.float64]:
         """Return the phase coefficients of t = rho^2 for the flattened stack, shape ``(n, terms)``."""
@@ -386,14 +376,7 @@ def ray_height(terms: NDArray[np.float64], rho: NDArray[np.float64]) -> NDArray[
 
 
 def checked(pupil: Any) -> Pupil:
-    """Return `pupil` if it is one; of what makes or has one the TypeError says how."""
+    """Return `pupil` if it is that of a lens; of what makes or has one the TypeError says how."""
     if isinstance(pupil, Pupil):
         return pupil
-    ways = {
-        "Lens": "a Lens; lens.pupil(object_distance) is its pupil",
-        "Instrument": "an Instrument; instrument.pupil() is its pupil",
-        "Wavefront": "a Wavefront; Pupil(wavefront) has a round aperture",
-        "PSF": "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image",
-        "FieldMap": "a FieldMap; field.pupil(x, y) is that of a position",
-    }
-    raise TypeError(f"pupil must be a Pupil, got {ways.get(type(pupil).__name__) or validation.shown(pupil)}")
+    raise is_no_pupil(pupil)

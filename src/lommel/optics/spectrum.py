@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from lommel.base import validation
-from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.base_pupil import BasePupil
 
 
 class Component(NamedTuple):
@@ -27,7 +26,7 @@ class Component(NamedTuple):
 
     share: float
     stretch: float
-    pupil: Pupil
+    pupil: Any
 
     @property
     def weight(self) -> float:
@@ -66,7 +65,7 @@ class Spectrum:
         shares = shares / shares.max()  # whose sum cannot overflow
         vars(self).update(wavelengths=waves, weights=tuple((shares / shares.sum()).tolist()))
 
-    def components(self, pupil: Pupil) -> list[Component]:
+    def components(self, pupil: BasePupil) -> list[Component]:
         """Return what light of each wavelength makes of a pupil.
 
         Parameters
@@ -86,45 +85,6 @@ class Spectrum:
         if pupil.wavelength is None:
             raise ValueError("a spectrum needs a pupil with a wavelength, to which the others are related")
         return [
-            Component(share, pupil.wavelength / w, in_light(pupil, w))
+            Component(share, pupil.wavelength / w, pupil.in_light(w))
             for w, share in zip(self.wavelengths, self.weights, strict=True)
         ]
-
-
-def in_light(pupil: Pupil, wavelength: float) -> Pupil:
-    """Return a pupil in light of another wavelength.
-
-    Parameters
-    ----------
-    pupil : Pupil
-        With a wavelength.
-    wavelength : float
-        Metres.
-
-    Returns
-    -------
-    Pupil
-        Its aperture, distances and f-number stay, and so do the paths of light: see :func:`same_path`.
-    """
-    assert pupil.wavelength is not None
-    wavefront = same_path(pupil.wavefront, pupil.wavelength, wavelength)
-    return pupil.carrying(wavefront, pupil.geometry, wavelength)
-
-
-def same_path(wavefront: Wavefront, known: float, wavelength: float) -> Wavefront:
-    """Return a wavefront known at one wavelength as it is at another.
-
-    Phases are optical path differences, which stay: in radians they grow as the wavelength falls. Dispersion is left
-    out.
-
-    Parameters
-    ----------
-    wavefront : Wavefront
-    known, wavelength : float
-        Metres.
-
-    Returns
-    -------
-    Wavefront
-    """
-    return known / wavelength * wavefront

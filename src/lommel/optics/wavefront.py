@@ -370,3 +370,22 @@ def _short(value: Array, *, shape: bool = False) -> str:
     if value.ndim == 0 or (not shape and value.min() == value.max()):
         return repr(float(value.flat[0]))
     return f"<array {value.shape} from {value.min():g} to {value.max():g}>"
+
+
+def same_path(wavefront: Wavefront, known: float, wavelength: float) -> Wavefront:
+    """Return a wavefront known at one wavelength as it is at another.
+
+    Phases are optical path differences, which stay: in radians they grow as the wavelength falls. Dispersion is left
+    out.
+
+    Parameters
+    ----------
+    wavefront : Wavefront
+    known, wavelength : float
+        Metres.
+
+    Returns
+    -------
+    Wavefront
+    """
+    return known / wavelength * wavefront

@@ -21,6 +21,7 @@ from lommel.methods.choice import of_profiles, reference
 from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
+from lommel.optics.pupil import checked as lens_pupil
 from lommel.psf import PSF, psf
 from lommel.special import zernike
 
@@ -184,7 +185,7 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
     light in the window, else None. "wide_enough" is the side of a window that holds some 98 % of the light, where
     this one does not hold 95 % and is smaller, else None.
     """
-    energy, side = float(answer.energy), wide_enough(answer.pupil, answer.pixel)
+    energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), answer.pixel)
     return _how_made(answer, seconds) | {
         "wide_enough": side if energy < 0.95 and min(answer.shape) < side else None,
         "energy": energy,

@@ -1,0 +1,140 @@
+"""What windows, methods and answers need to know of anything that light passes: its stack, its units, its light."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from lommel.base import validation
+
+
+class BasePupil(ABC):
+    """A pupil, of a lens or of a microscope's objective, or a stack of them."""
+
+    layered: ClassVar[bool] = False
+    """Whether its light comes through plane layers: that of an objective."""
+
+    if TYPE_CHECKING:  # fields here, properties there
+
+        @property
+        def wavelength(self) -> float | None:
+            """Metres."""
+
+        @property
+        def f_number(self) -> float | None:
+            """On the sensor."""
+
+        @property
+        def radial(self) -> bool:
+            """Whether what it makes depends on the distance from the axis only."""
+
+        @property
+        def circular(self) -> bool:
+            """Whether its aperture is a plain disc or annulus."""
+
+        @property
+        def aperture(self) -> tuple[Any, ...]:
+            """All that decides how much light passes."""
+
+    @property
+    @abstractmethod
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the stack; ``()`` for a single pupil."""
+
+    @property
+    @abstractmethod
+    def amplitude(self) -> float:
+        """Field at the peak without aberration."""
+
+    @property
+    @abstractmethod
+    def transmission(self) -> float:
+        """Light that passes, over that of the clear, unobscured aperture."""
+
+    @property
+    @abstractmethod
+    def likely_peak(self) -> float:
+        """Return a guess of the least peak of the stack, where searches for an accuracy begin."""
+
+    @abstractmethod
+    def geometric_radius(self) -> NDArray[np.float64]:
+        """Return how far from the axis rays meet the sensor at most, a length there, of the shape of the stack."""
+
+    @abstractmethod
+    def __getitem__(self, index: Any) -> Self:
+        """Return part of a stack, as NumPy indexes arrays of its shape."""
+
+    @abstractmethod
+    def broadcast(self, shape: tuple[int, ...]) -> Self:
+        """Return a stack of another `shape`, which this one is broadcast to."""
+
+    @abstractmethod
+    def in_light(self, wavelength: float) -> Self:
+        """Return it in light of another `wavelength` (metres): distances and path differences stay."""
+
+    @abstractmethod
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types."""
+
+    @property
+    def left_out(self) -> tuple[float, float]:
+        """Largest phase that the wavefront does not hold, radians, and the share of the amplitude likewise."""
+        return 0.0, 0.0
+
+    @property
+    def scale(self) -> float:
+        """One lambda*N, in metres or 1; ``PSF.scale`` is something else, a factor of its values."""
+        if self.wavelength is None or self.f_number is None:
+            return 1.0
+        return self.wavelength * self.f_number
+
+    @property
+    def unit(self) -> str:
+        """Unit of lengths on the sensor: ``"m"`` or ``"lambda*N"``."""
+        return "lambda*N" if self.wavelength is None else "m"
+
+    @property
+    def airy_radius(self) -> float:
+        """Radius of the first dark ring of the unobscured, unaberrated lens: 1.2197 lambda*N."""
+        return 3.8317059702075123 / math.pi * self.scale
+
+    @property
+    def cutoff(self) -> float:
+        """Spatial frequency from which no contrast passes, ``1 / (lambda N)``: cycles per metre, or 1."""
+        return 1.0 / self.scale
+
+    def v(self, radius: ArrayLike) -> NDArray[np.float64]:
+        """Return the optical coordinate ``v = pi radius / (lambda N)`` of each `radius` on the sensor.
+
+        TypeError or ValueError if these are not real and finite.
+        """
+        at = validation.real_array("radius", radius)
+        with np.errstate(over="ignore"):
+            return validation.real_array("radius over lambda*N", math.pi / self.scale * at)
+
+
+_WAYS = {
+    "Lens": "a Lens; lens.pupil(object_distance) is its pupil",
+    "Objective": "an Objective; objective.pupil(depth=..., wavelength=...) is its pupil",
+    "Instrument": "an Instrument; instrument.pupil() is its pupil",
+    "Wavefront": "a Wavefront; Pupil(wavefront) has a round aperture",
+    "PSF": "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image",
+    "FieldMap": "a FieldMap; field.pupil(x, y) is that of a position",
+    "ObjectivePupil": "that of an Objective, whose wavefront layers shape; lommel.psf takes it",
+}
+
+
+def is_no_pupil(thing: Any) -> TypeError:
+    """Return the error for what is not the pupil that is needed; of what makes or has one it says how."""
+    return TypeError(f"pupil must be a Pupil, got {_WAYS.get(type(thing).__name__) or validation.shown(thing)}")
+
+
+def imaged(pupil: Any) -> BasePupil:
+    """Return `pupil` if it is one, of a lens or of an objective; TypeError otherwise."""
+    if isinstance(pupil, BasePupil):
+        return pupil
+    raise is_no_pupil(pupil)

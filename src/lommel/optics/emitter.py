@@ -1,0 +1,226 @@
+r"""What sends light into a microscope, or is sent through it: as sums over the parts of its field.
+
+Whatever it is, its intensity is ``h0(r) + h1(r) (a cos phi + b sin phi) + h2(r) (c cos 2 phi + d sin 2 phi)``, where
+each h is a Hermitian form of the radial integrals that :mod:`lommel.optics.debye` knows, and phi the azimuth on the
+camera, from its columns to its rows. With M the mean of ``p p^T`` over a dipole's directions and
+K0, K1, K2 as of :class:`lommel.optics.focal.FocalField`, the light of a dipole on the camera is
+
+.. math:: (M_{xx} + M_{yy})(|K_0|^2 + |K_2|^2) + 4 M_{zz} |K_1|^2
+   - 4 \, \Im[K_1^* (K_0 + K_2)] (M_{xz} \cos\phi + M_{yz} \sin\phi)
+   + 2 \, \Re[K_0 K_2^*] ((M_{xx} - M_{yy}) \cos 2\phi + 2 M_{xy} \sin 2\phi).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import validation
+from lommel.optics.debye import Model
+
+Form = NDArray[np.complex128]
+
+
+_JONES: dict[str, tuple[complex, complex]] = {"circular": (1.0, 1.0j), "x": (1.0, 0.0), "y": (0.0, 1.0)}
+
+
+class Harmonic(NamedTuple):
+    """One order of the azimuth.
+
+    Attributes
+    ----------
+    order : int
+    form : ndarray of complex, shape (parts, parts)
+        Hermitian; ``h = sum_jl form[j, l] F_j conj(F_l)`` of the parts F of the field.
+    cosine, sine : float
+        What ``h cos(order phi)`` and ``h sin(order phi)`` are multiplied by.
+    """
+
+    order: int
+    form: Form
+    cosine: float
+    sine: float
+
+
+class Light(NamedTuple):
+    """What is integrated, and what the intensity is made of.
+
+    Attributes
+    ----------
+    model : Model
+    harmonics : tuple of Harmonic
+        The one of order 0, whose form is diagonal, first.
+    """
+
+    model: Model
+    harmonics: tuple[Harmonic, ...]
+
+    @property
+    def radial(self) -> bool:
+        """Whether the intensity does not depend on the azimuth."""
+        return len(self.harmonics) == 1
+
+    @property
+    def shares(self) -> NDArray[np.float64]:
+        """How often the light of each part counts."""
+        return np.diag(self.harmonics[0].form).real
+
+
+def _form(parts: int, entries: dict[tuple[int, int], complex]) -> Form:
+    """Return the Hermitian matrix with these entries on and above its diagonal."""
+    form = np.zeros((parts, parts), np.complex128)
+    for (j, l), value in entries.items():
+        form[j, l], form[l, j] = value, np.conj(value)
+    return form
+
+
+def _light(model: Model, *harmonics: Harmonic) -> Light:
+    kept = [each for each in harmonics if not each.order or each.cosine or each.sine]
+    return Light(model, tuple(kept))
+
+
+_ALONG = _form(3, {(0, 1): 0.5j, (1, 2): -0.5j})
+"""``Im[K1^* (K0 + K2)]``, negative: of order 1."""
+_ACROSS = _form(3, {(0, 2): 0.5})
+"""``Re[K0 K2^*]``, of order 2."""
+
+
+@dataclass(frozen=True)
+class Dipole:
+    """An emitter with a fixed dipole moment, or one that wobbles about it.
+
+    Parameters
+    ----------
+    polar : float
+        Radians from the optical axis.
+    azimuth : float
+        Radians from the columns of the camera towards its rows.
+    wobble : float, default 0
+        0 for a fixed dipole, 1 for one that turns freely: the share of directions that are isotropic.
+
+    Raises
+    ------
+    TypeError, ValueError
+        On anything that is no finite number, or a wobble outside 0 to 1.
+
+    Notes
+    -----
+    Of the same moment as an emitter that turns freely, whose light is the mean over all directions; PSFs with
+    ``normalize="energy"`` have the light that the objective collects of each.
+    """
+
+    polar: float
+    azimuth: float
+    wobble: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("polar", "azimuth"):
+            object.__setattr__(self, name, validation.real(name, getattr(self, name)))
+        wobble = validation.real("wobble", self.wobble, least=0.0)
+        if wobble > 1.0:
+            raise ValueError(f"wobble must be from 0 to 1, got {wobble:g}")
+        object.__setattr__(self, "wobble", wobble)
+
+    @property
+    def light(self) -> Light:
+        """What its intensity is made of."""
+        flat, azimuth = math.sin(self.polar), self.azimuth
+        p = np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.cos(self.polar)])
+        M = 3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3)
+        level = 0.5 * (M[0, 0] + M[1, 1])
+        return _light(
+            Model(),
+            Harmonic(0, _form(3, {(0, 0): level, (1, 1): 2.0 * M[2, 2], (2, 2): level}), 1.0, 0.0),
+            Harmonic(1, _ALONG, 2.0 * M[0, 2], 2.0 * M[1, 2]),
+            Harmonic(2, _ACROSS, M[0, 0] - M[1, 1], 2.0 * M[0, 1]),
+        )
+
+
+@dataclass(frozen=True)
+class Beam:
+    """Light that enters the back of the objective, uniform, and is focused into the sample.
+
+    Parameters
+    ----------
+    polarization : {"circular", "x", "y"} or (complex, complex), default "circular"
+        Jones vectors ``(a, b)`` are along the columns and the rows of the camera; their length does not matter.
+        "circular" is unpolarised light, too.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is none of these.
+    """
+
+    polarization: str | tuple[complex, complex] = "circular"
+
+    def __post_init__(self) -> None:
+        if isinstance(self.polarization, str):
+            validation.choice("polarization", self.polarization, tuple(_JONES))
+            return
+        jones = validation.array("polarization", self.polarization)
+        fit = jones.shape == (2,) and jones.dtype.kind in "iufc"
+        if not fit or not np.isfinite(jones).all() or not np.abs(jones).max() > 0.0:
+            got = validation.shown(self.polarization)
+            raise ValueError(f"polarization must be a name or two finite numbers, not both 0, got {got}")
+        object.__setattr__(self, "polarization", tuple(jones.astype(complex).tolist()))
+
+    @property
+    def light(self) -> Light:
+        """What its intensity is made of."""
+        a, b = _JONES[self.polarization] if isinstance(self.polarization, str) else self.polarization
+        power = abs(a) ** 2 + abs(b) ** 2
+        turned = _form(3, {(0, 2): 1.0, (1, 1): 2.0})
+        across, along = (abs(a) ** 2 - abs(b) ** 2) / power, 2.0 * (a * np.conj(b)).real / power
+        steady = Harmonic(0, np.diag([1.0, 2.0, 1.0]).astype(np.complex128), 1.0, 0.0)
+        return _light(Model(), steady, Harmonic(2, turned, across, along))
+
+
+@dataclass(frozen=True)
+class Scalar:
+    """The scalar model of Gibson and Lanni, without polarisation and Fresnel's losses.
+
+    Parameters
+    ----------
+    apodization : {"uniform", "aplanatic"}, default "uniform"
+        The amplitude: 1, as published, or ``c_i^(-1/2)``, of the sine condition.
+    supercritical : bool, default True
+        Whether light beyond the critical angle of the sample counts; the published model leaves it out.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If they are none of these.
+    """
+
+    apodization: str = "uniform"
+    supercritical: bool = True
+
+    def __post_init__(self) -> None:
+        validation.choice("apodization", self.apodization, ("uniform", "aplanatic"))
+        validation.truth("supercritical", self.supercritical)
+
+    @property
+    def light(self) -> Light:
+        """What its intensity is made of."""
+        model = Model("scalar", aplanatic=self.apodization == "aplanatic", supercritical=self.supercritical)
+        return Light(model, (Harmonic(0, np.eye(1, dtype=np.complex128), 1.0, 0.0),))
+
+
+Emitter = Dipole | Beam | Scalar
+_NAMED: dict[str, Emitter] = {"isotropic": Dipole(0.0, 0.0, wobble=1.0), "scalar": Scalar()}
+
+
+def emitter_of(value: Any) -> Emitter:
+    """Return what emits; TypeError or ValueError where it is none."""
+    if isinstance(value, Emitter):
+        return value
+    if isinstance(value, str):
+        return _NAMED[validation.choice("emitter", value, tuple(_NAMED))]
+    raise TypeError(
+        f'emitter must be "isotropic", "scalar", a Dipole, a Beam or a Scalar, got {validation.shown(value)}'
+    )

@@ -1,0 +1,64 @@
+"""The layers of a microscope as its stage moves: how far it may go, and what light passes through then."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.optics.layer import DEPTH_MOST, Design, Layer, depths
+from lommel.optics.stratified import Layers
+
+
+class Stage:
+    """What :class:`lommel.Objective` knows of its layers: these are its attributes."""
+
+    NA: float
+    immersion: float
+    working_distance: float
+    coverslip: Layer | None
+    sample: float
+    films: tuple[Layer, ...]
+    design: Design
+
+    @property
+    def _clearance(self) -> float:
+        """How much immersion there is with the surface of the cover glass in focus, metres."""
+        length = self.working_distance / self.design.immersion
+        for glass, sign in ((self.design.coverslip, 1.0), (self.coverslip, -1.0)):
+            length += sign * glass.thickness / glass.index if glass else 0.0
+        return self.immersion * length
+
+    def _layers(self, wavelength: Any) -> Layers:
+        """Return the layers in light of a wavelength, checked."""
+        metres = validation.wavelength(wavelength)
+        used, meant = Design(self.immersion, self.coverslip), self.design
+        paths = []
+        for side, sign in ((used, 1.0), (meant, -1.0)) if used != meant else ():
+            room = self._clearance if side is used else self.working_distance
+            paths.append((side.immersion, sign * room))
+            if side.coverslip:
+                paths.append((side.coverslip.index, sign * side.coverslip.thickness))
+        glass = self.coverslip.index if self.coverslip else self.immersion
+        films = tuple((film.index, film.thickness) for film in self.films)
+        return Layers(self.NA, self.immersion, glass, self.sample, films, tuple(paths), metres)
+
+    def _paraxial(self, depth: Array) -> Array:
+        """Return the paraxial focus of emitters, metres of the stage."""
+        films = sum(film.thickness / film.index for film in self.films)
+        return np.asarray(self.immersion * (depth / self.sample + films))
+
+    def _planes(self, depth: Any, focus: Any) -> tuple[Array, Array, tuple[int, ...]]:
+        """Return depths and positions of the stage as flat arrays, with their shape, checked."""
+        f = validation.real_array("focus", focus)
+        d, f = validation.broadcast("depth and focus", depths(depth), f)
+        if f.size and f.max() > self._clearance:
+            raise ValueError(
+                f"focus must be at most {self._clearance:.4g} metres, where the objective touches the cover glass, "
+                f"got {f.max():g}"
+            )
+        if f.size and f.min() < -DEPTH_MOST:
+            raise ValueError(f"focus is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
+        return d.ravel(), f.ravel(), d.shape

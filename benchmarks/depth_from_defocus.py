@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 import lommel as lm
 from lommel.estimation.pixel_transfer import multiplicity, pixel_transfer, squared_frequency
-from lommel.imaging.defocus_depth import DefocusDepth, depth_by
+from lommel.imaging.defocus.depth import DefocusDepth, depth_by
 
 Array = NDArray[Any]
 PIXEL, ELECTRONS, CONTRAST, WINDOW = 4e-6, 1e4, 0.35, 4.0

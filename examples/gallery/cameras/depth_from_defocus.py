@@ -20,7 +20,7 @@ from skimage.data import stereo_motorcycle
 import lommel as lm
 from lommel.base.encoding import to_light
 from lommel.estimation.pixel_transfer import pixel_transfer, squared_frequency
-from lommel.imaging.defocus_depth import depth_by
+from lommel.imaging.defocus.depth import depth_by
 from lommel.imaging.scene import fill_missing
 
 left, _, disparity = stereo_motorcycle()

@@ -16,7 +16,7 @@ from lommel.cli.photo_job import Request
 from lommel.io.photos import find, write_photo
 
 if TYPE_CHECKING:
-    from lommel.imaging.restoration import Restoration
+    from lommel.imaging.restoration.restore_with import Restoration
 
 _METHODS = ("richardson-lucy", "total-variation")
 
@@ -71,7 +71,7 @@ def restore(
       lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 --method total-variation -o sharp.png
     """  # noqa: D301 (\b is meant)
     from lommel.estimation.noise import Noise
-    from lommel.imaging.restore import restore as restored
+    from lommel.imaging.restoration.restore import restore as restored
 
     request = Request.of(options)
     find(output, "--output")

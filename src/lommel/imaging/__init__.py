@@ -2,21 +2,21 @@
 
 from lommel.imaging.blur import DepthBlur
 from lommel.imaging.chunks import depth_of_field_of_chunks
-from lommel.imaging.defocus_depth import DefocusDepth, depth_from_defocus
+from lommel.imaging.defocus.depth import DefocusDepth, depth_from_defocus
 from lommel.imaging.depth_of_field import depth_of_field
-from lommel.imaging.field_blur import FieldBlur
+from lommel.imaging.field.blur import FieldBlur
 from lommel.imaging.layers import Occlusion
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.plan import FocusPlan
-from lommel.imaging.restoration import Restoration, restore_with
-from lommel.imaging.restore import restore
-from lommel.imaging.restore_tiles import restore_by_tiles
-from lommel.imaging.richardson_lucy import RichardsonLucy
+from lommel.imaging.restoration.restore import restore
+from lommel.imaging.restoration.restore_with import Restoration, restore_with
+from lommel.imaging.restoration.richardson_lucy import RichardsonLucy
+from lommel.imaging.restoration.tiles import restore_by_tiles
+from lommel.imaging.restoration.total_variation import TotalVariation
 from lommel.imaging.scene import Photograph
 from lommel.imaging.settings import RED_GREEN_BLUE
 from lommel.imaging.slopes import BlurSlopes
 from lommel.imaging.tiles import depth_of_field_by_tiles
-from lommel.imaging.total_variation import TotalVariation
 from lommel.io.depthmaps import read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
 

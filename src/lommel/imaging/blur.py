@@ -13,11 +13,11 @@ from lommel.base.arrays import Array
 from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
-from lommel.imaging.beyond import Beyond
 from lommel.imaging.borders import folded, gathered
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.sensor_light import SensorLight
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
+from lommel.imaging.whole.beyond import Beyond
 from lommel.optics.lens import Lens
 
 

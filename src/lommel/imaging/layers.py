@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from lommel.imaging.bank import Bank
 from lommel.imaging.blur import DepthBlur, Points
 from lommel.imaging.cuts import sums_of_quarters
-from lommel.imaging.groups import Group, collect_groups, groups_of_whole, spread_groups
 from lommel.imaging.linear import LinearBlur
+from lommel.imaging.whole.groups import Group, collect_groups, groups_of_whole, spread_groups
 from lommel.optics.pupil import ray_height
 
 MOST_LAYERS = 64

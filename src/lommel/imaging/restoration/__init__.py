@@ -1,0 +1,1 @@
+"""The way back: what a scene was before a known blur."""

@@ -1,0 +1,167 @@
+"""What lies beyond the windows, of the light of whole images: the remainders of all channels, side by side."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.imaging.bank import Bank
+from lommel.imaging.whole.mirrored import MirroredKernels
+
+_ROUNDING = 32.0  # units that a sum in single precision may be off; measured: 9
+_LARGE = 2**16  # pixels from which threads are worth their start
+
+
+class Blur(Protocol):
+    """What must be known of a blur."""
+
+    border: str
+    dtype: np.dtype[Any]
+    threads: int
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Height and width of the images."""
+
+    def positions(self, channel: int) -> NDArray[np.float64]:
+        """Return where each point is in the bank of a channel."""
+
+
+class Beyond:
+    """The remainders of a blur: of every point a little light on every pixel, and the transpose.
+
+    Parameters
+    ----------
+    banks : sequence of Bank
+        One a channel, each with its remainder.
+    tol : float
+        Of the settings.
+    """
+
+    def __init__(self, banks: Sequence[Bank], tol: float) -> None:
+        self._remainders = [bank.remainder for bank in banks]
+        self._banks = list(banks)
+        self._tol = tol
+        self._kernels: dict[tuple[int, tuple[int, int], str], MirroredKernels] = {}
+        self._factors: dict[int, tuple[NDArray[np.float64], NDArray[Any]]] = {}
+
+    def error(self, blur: Blur) -> float:
+        """Return the sum over pixels of the most that K is off there, of any channel."""
+        found = max(self._kernels_of(blur, channel).error for channel in range(len(self._remainders)))
+        return found + _ROUNDING * float(np.finfo(blur.dtype).eps)
+
+    def apart(self, channel: int) -> tuple[Bank, Bank]:
+        """Return banks of what a PSF is within its windows, and of what the remainder holds there."""
+        bank = self._banks[channel]
+        assert bank.filled is not None
+        return replace(bank, windows=bank.windows + bank.filled), replace(bank, windows=bank.filled)
+
+    def spread(
+        self, blur: Blur, channels: Sequence[int], planes: Sequence[NDArray[Any]], *, slopes: bool = False
+    ) -> list[NDArray[Any]]:
+        """Return what planes of light, of these channels, make beyond the windows.
+
+        Parameters
+        ----------
+        blur : DepthBlur
+        channels : sequence of int
+        planes : sequence of ndarray, shape (height, width)
+        slopes : bool, default False
+            Of the remainders, take their derivatives by positions in the banks.
+
+        Returns
+        -------
+        list of ndarray, shape (height, width)
+        """
+        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
+        kernels = [self._kernels_of(blur, channel) for channel in channels]
+
+        light = [np.ascontiguousarray(plane) for plane in planes]
+
+        def part(each: tuple[int, int]) -> NDArray[Any]:
+            index, r = each
+            return kernels[index].transformed(r, factors[index][r] * light[index])
+
+        def total(index: int) -> NDArray[Any]:
+            first, *more = (found for (at, _), found in zip(asked, parts, strict=True) if at == index)
+            for another in more:
+                first += another
+            return kernels[index].image(first)
+
+        asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
+        parts = _side_by_side(part, asked, blur)
+        return _side_by_side(total, range(len(light)), blur)
+
+    def collect(
+        self, blur: Blur, channels: Sequence[int], planes: Sequence[NDArray[Any]], *, slopes: bool = False
+    ) -> list[NDArray[Any]]:
+        """Return what the transpose of :meth:`spread` makes of planes.
+
+        Parameters
+        ----------
+        blur : DepthBlur
+        channels : sequence of int
+        planes : sequence of ndarray, shape (height, width)
+        slopes : bool, default False
+            As of :meth:`spread`.
+
+        Returns
+        -------
+        list of ndarray, shape (height, width)
+        """
+        factors = [self._factors_of(blur, channel, slopes) for channel in channels]
+        kernels = [self._kernels_of(blur, channel) for channel in channels]
+        asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
+        known = _side_by_side(lambda index: kernels[index].known(planes[index]), range(len(planes)), blur)
+
+        def part(each: tuple[int, int]) -> NDArray[Any]:
+            index, r = each
+            taken = kernels[index].taken(r, known[index])
+            taken *= factors[index][r]
+            return taken
+
+        made: list[NDArray[Any]] = []
+        for (_, r), found in zip(asked, _side_by_side(part, asked, blur), strict=True):
+            if r == 0:
+                made.append(found)
+            else:
+                made[-1] += found
+        return made
+
+    def _kernels_of(self, blur: Blur, channel: int) -> MirroredKernels:
+        """Return the kernels of a channel for images of this shape and border; kept."""
+        remainder = self._remainders[channel]
+        assert remainder is not None
+        key = (id(remainder), blur.shape, blur.border)
+        if key not in self._kernels:
+            self._kernels[key] = MirroredKernels(remainder, blur.shape, blur.border, blur.dtype, self._tol)
+        return self._kernels[key]
+
+    def _factors_of(self, blur: Blur, channel: int, slopes: bool) -> NDArray[Any]:
+        """Return the a_r of all points, shape (rank, height, width); kept for the depth of the last call.
+
+        Or their derivatives by positions in the bank, which are not kept.
+        """
+        remainder, positions = self._remainders[channel], blur.positions(channel)
+        assert remainder is not None
+        if slopes:
+            return np.asarray(remainder.slopes(positions, blur.dtype) * blur.dtype.type(remainder.spacing))
+        last = self._factors.get(id(remainder))
+        if last is None or last[0] is not positions:
+            last = self._factors[id(remainder)] = positions, remainder.factors(positions, blur.dtype)
+        return last[1]
+
+
+def _side_by_side(task: Callable[[Any], Any], each: Sequence[Any], blur: Blur) -> list[Any]:
+    """Return what a task makes of each, on as many threads as the blur has; the result does not depend on these."""
+    threads = min(len(each), blur.threads or os.cpu_count() or 1)
+    if threads == 1 or blur.shape[0] * blur.shape[1] < _LARGE:
+        return [task(one) for one in each]
+    with ThreadPoolExecutor(threads) as pool:
+        return list(pool.map(task, each))

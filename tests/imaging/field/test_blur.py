@@ -1,0 +1,342 @@
+"""Blur over the field, against sums of exact PSFs."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.sparse.linalg import lsqr
+
+import lommel as lm
+from lommel.imaging import DepthBlur, FieldBlur
+from lommel.imaging.field import bank as field_bank
+
+SCALE = {"wavelength": 550e-9, "f_number": 4.0}
+# As much changes over these 60 micrometres as over a sensor.
+STEEP = lm.FieldMap.from_seidel(60e-6, W131=1.5, W222=1.0, W040=0.3, **SCALE)
+SENSOR = lm.FieldMap.from_seidel(np.hypot(10e-3, 7e-3), W131=1.5, W222=1.0, **SCALE)
+LENS = lm.Lens(focal_length=8e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+OF_LENS = lm.FieldMap.from_seidel(60e-6, W131=1.5, W222=1.0, aperture=LENS.pupil(2.0).unaberrated())
+PIXEL = 2e-6
+SHAPE = (24, 40)
+
+
+def exact(field: lm.FieldMap, blur: FieldBlur, rows: np.ndarray, columns: np.ndarray, half: int) -> np.ndarray:
+    """Return the share of light in each pixel of windows of points of an image in the middle of the field."""
+    height, width = blur.shape
+    y, x = PIXEL * (rows - (height - 1) / 2), PIXEL * (columns - (width - 1) / 2)
+    return field.psf(x, y, 2 * half + 1, PIXEL, integrate=True, tol=1e-8, dtype=np.float64).values
+
+
+def dot(blur: FieldBlur, seed: int = 0) -> tuple[float, float]:
+    shape = blur.shape if blur.channels == 1 else (*blur.shape, blur.channels)
+    a, b = np.random.default_rng(seed).random((2, *shape)).astype(blur.dtype)
+    made, back = blur.forward(a), blur.adjoint(b)
+    assert made.dtype == back.dtype == blur.dtype
+    return float(np.vdot(made.astype(float), b)), float(np.vdot(a.astype(float), back.astype(float)))
+
+
+@pytest.mark.parametrize("border", ["zero", "reflect", "extend"])
+def test_every_point_spreads_the_psf_of_its_own_place(border):
+    """Copies of points beyond the edges spread the PSF of the point that they copy."""
+    blur = FieldBlur(STEEP, SHAPE, PIXEL, border=border, dtype=np.float64, largest=30, tol=1e-4)
+    half = blur.banks[0].half
+    rows, columns = (side.ravel() for side in np.indices(SHAPE))
+    windows = exact(STEEP, blur, rows, columns, half).reshape(*SHAPE, 2 * half + 1, 2 * half + 1)
+    image = np.random.default_rng(0).random(SHAPE)
+    margin = 0 if border == "zero" else half
+    mode = "edge" if border == "extend" else "symmetric"
+    rows, columns = (np.pad(np.arange(side), margin, mode=mode) for side in SHAPE)
+    total = np.zeros((len(rows) + 2 * half, len(columns) + 2 * half))
+    for y, row in enumerate(rows):
+        for x, column in enumerate(columns):
+            window = windows[row, column] / windows[row, column].sum()
+            total[y : y + 2 * half + 1, x : x + 2 * half + 1] += image[row, column] * window
+    first = margin + half
+    off = blur.forward(image) - total[first : first + SHAPE[0], first : first + SHAPE[1]]
+    assert np.abs(off).sum() <= 1e-4 * image.sum()
+    assert np.abs(off).max() <= 1e-4
+
+
+@pytest.mark.parametrize("tol", [1e-2, 1e-3, 1e-4])
+def test_windows_of_random_sources_err_by_less_than_is_said(tol):
+    blur = FieldBlur(STEEP, SHAPE, PIXEL, dtype=np.float64, largest=30, tol=tol)
+    half, rng = blur.banks[0].half, np.random.default_rng(3)
+    rows, columns = rng.integers(0, SHAPE[0], 150), rng.integers(0, SHAPE[1], 150)
+    made = np.stack([blur.window(row, column) for row, column in zip(rows, columns, strict=True)])
+    assert np.abs(made.sum(axis=(1, 2)) - 1.0).max() < 1e-12
+    whole = exact(STEEP, blur, rows, columns, half + 60)
+    inside = whole[:, 60:-60, 60:-60]
+    held = inside.sum(axis=(1, 2))
+    assert 1.0 - held.min() <= blur.lost <= 0.02
+    off = np.abs(made - inside / held[:, None, None]).sum(axis=(1, 2)).max()
+    assert off <= blur.error <= tol
+    # And against all light, also what is beyond the larger windows.
+    apart = np.abs(np.pad(made, ((0, 0), (60, 60), (60, 60))) - whole).sum(axis=(1, 2)) + 1.0 - whole.sum(axis=(1, 2))
+    assert apart.max() <= blur.error + 2.0 * blur.lost
+
+
+def test_nodes_that_lines_did_not_show_to_be_too_few_become_more(monkeypatch):
+    monkeypatch.setattr(field_bank, "_SHARES", (100.0, 100.0, 100.0))
+    blur = FieldBlur(STEEP, SHAPE, PIXEL, dtype=np.float64, largest=30)
+    windows = exact(STEEP, blur, np.array([5, 20]), np.array([3, 33]), blur.banks[0].half)
+    made = np.stack([blur.window(5, 3), blur.window(20, 33)])
+    off = np.abs(made - windows / windows.sum(axis=(1, 2), keepdims=True)).sum(axis=(1, 2)).max()
+    assert off <= blur.error <= 1e-3
+
+
+def test_a_sensor_of_twenty_millimetres_takes_few_nodes():
+    """Coma of 1.5 and astigmatism of 1 wave in the corner: with bilinear weights 33 x 23 nodes err by a hundredth."""
+    blur = FieldBlur(SENSOR, (70, 100), PIXEL, sensor=(14e-3, 20e-3), largest=30)
+    assert blur.error <= 1e-3
+    assert blur.banks[0].count < 450
+    rng = np.random.default_rng(1)
+    y, x = rng.uniform(-7e-3, 7e-3, 100), rng.uniform(-10e-3, 10e-3, 100)
+    y, x = (np.clip(part, at[0], at[-1]) for part, at in ((y, blur.y), (x, blur.x)))
+    whole = SENSOR.psf(x, y, 2 * blur.banks[0].half + 1, PIXEL, dtype=np.float64).values
+    whole /= whole.sum(axis=(1, 2), keepdims=True)
+    made = np.stack([blur.banks[0].window(*place) for place in zip(y, x, strict=True)])
+    assert np.abs(made - whole).sum(axis=(1, 2)).max() <= blur.error
+
+
+@pytest.mark.parametrize("border", ["zero", "reflect", "extend"])
+@pytest.mark.parametrize(("dtype", "rel"), [(np.float32, 1e-6), (np.float64, 1e-12)])
+@pytest.mark.parametrize("deep", [False, True])
+def test_the_adjoint_is_the_transpose(border, dtype, rel, deep):
+    more = {"depth": np.linspace(1.5, 2.3, 960).reshape(SHAPE), "lens": LENS} if deep else {}
+    blur = FieldBlur(OF_LENS, SHAPE, PIXEL, border=border, dtype=dtype, largest=40, tol=1e-2, energy=0.9, **more)
+    one, other = dot(blur)
+    assert one == pytest.approx(other, rel=rel)
+
+
+@pytest.mark.parametrize("channels", [None, (600e-9, [(500e-9, 1.0), (450e-9, 3.0)], 600e-9)])
+def test_channels_have_their_own_light_and_the_same_paths(channels):
+    blur = FieldBlur(STEEP, SHAPE, PIXEL, channels=channels, dtype=np.float64, largest=40, energy=0.95)
+    one, other = dot(blur)
+    assert one == pytest.approx(other, rel=1e-12)
+    if channels is None:
+        return
+    assert blur.channels == 3
+    assert blur.banks[0] is blur.banks[2]
+    pupil = STEEP.pupil(blur.x[31], blur.y[4])
+    half, total = blur.banks[1].half, 0.0
+    for wavelength, weight in ((500e-9, 0.25), (450e-9, 0.75)):
+        light = lm.Pupil((550e-9 / wavelength) * pupil.wavefront, wavelength=wavelength, f_number=4.0)
+        total = total + weight * lm.psf(light, 2 * half + 1, PIXEL, dtype=np.float64).values
+    assert np.abs(blur.window(4, 31, 1) - total / total.sum()).sum() <= blur.error
+
+
+def test_every_point_spreads_the_psf_of_its_own_distance_at_its_own_place():
+    rng = np.random.default_rng(0)
+    depth = rng.uniform(1.4, 3.5, SHAPE)
+    depth[0, 0] = np.inf
+    blur = FieldBlur(OF_LENS, SHAPE, PIXEL, depth=depth, lens=LENS, border="zero", dtype=np.float64, largest=40)
+    half, image, rows, columns = blur.banks[0].half, np.zeros(SHAPE), rng.integers(0, 24, 60), rng.integers(0, 40, 60)
+    rows[0] = columns[0] = 0
+    total = np.zeros((SHAPE[0] + 2 * half, SHAPE[1] + 2 * half))
+    for row, column in zip(rows, columns, strict=True):
+        pupil = OF_LENS.pupil(PIXEL * (column - 19.5), PIXEL * (row - 11.5))
+        there = lm.Pupil(
+            pupil.wavefront + LENS.pupil(depth[row, column]).wavefront,
+            wavelength=550e-9,
+            f_number=LENS.working_f_number,
+        )
+        window = lm.psf(there, 2 * half + 1, PIXEL, dtype=np.float64).values
+        window /= window.sum()
+        assert np.abs(blur.window(row, column) - window).sum() <= blur.error <= 1e-3
+        image[row, column] += 1.0
+        total[row : row + 2 * half + 1, column : column + 2 * half + 1] += window
+    off = blur.forward(image) - total[half:-half, half:-half]
+    assert np.abs(off).sum() <= 1e-3 * image.sum()
+
+
+def test_a_lens_that_is_the_same_everywhere_blurs_as_by_depth_alone():
+    """Soft apertures have no far light, which windows of two shapes would cut differently."""
+    lens = lm.Lens(focal_length=8e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9, apodization=8.0)
+    field = lm.FieldMap.from_seidel(1e-3, W040=0.0, aperture=lens.pupil(1.0).unaberrated())
+    image, depth = np.random.default_rng(0).random(SHAPE), np.random.default_rng(1).uniform(1.0, 5.0, SHAPE)
+    given = {"energy": 0.9999, "dtype": np.float64, "tol": 1e-5, "largest": 40}
+    for border in ("reflect", "extend", "zero"):
+        by_depth = DepthBlur(lens, depth, PIXEL, border=border, **given)
+        blur = FieldBlur(field, SHAPE, PIXEL, depth=depth, lens=lens, border=border, **given)
+        assert blur.banks[0].coefficients.shape[:2] == (1, 1)
+        assert np.abs(blur.forward(image) - by_depth.forward(image)).max() < 3e-4
+        assert np.abs(blur.adjoint(image) - by_depth.adjoint(image)).max() < 3e-4
+
+
+@pytest.mark.parametrize("border", ["reflect", "extend"])
+def test_a_white_wall_stays_white_and_light_is_kept(border):
+    same = lm.FieldMap.on_grid(
+        [-1.0, 1.0], [-1.0, 1.0], lm.Wavefront.zernike({8: np.full((2, 2), 0.8)}, order="noll"), **SCALE
+    )
+    blur = FieldBlur(same, SHAPE, PIXEL, dtype=np.float64, border=border, largest=40)
+    assert np.abs(blur.forward(np.ones(SHAPE)) - 1.0).max() < 1e-12
+    # A part of a sensor over which the PSF hardly changes: tails of coma point beyond the edges, and are not missed.
+    whole = FieldBlur(same, SHAPE, PIXEL, dtype=np.float64, border=border, energy=1.0)
+    assert np.abs(whole.forward(np.ones(SHAPE)) - 1.0).max() < 1e-12
+    corner = FieldBlur(SENSOR, SHAPE, PIXEL, dtype=np.float64, border=border, largest=40, center=(3000.0, 4000.0))
+    assert np.abs(corner.forward(np.ones(SHAPE)) - 1.0).max() < 2e-3
+    star = np.zeros((60, 70))
+    star[30, 35] = 1.0
+    assert FieldBlur(SENSOR, (60, 70), PIXEL, dtype=np.float64).forward(star).sum() == pytest.approx(1.0, abs=1e-12)
+
+
+def test_tails_of_coma_point_away_from_the_axis_and_a_crop_is_part_of_the_whole():
+    field = lm.FieldMap.from_seidel(60e-6, W131=3.0, **SCALE)
+    blur = FieldBlur(field, SHAPE, PIXEL, dtype=np.float64, border="zero", largest=40, tol=1e-4)
+    half = blur.banks[0].half
+    away = np.arange(-half, half + 1)
+    for row, column in ((0, 20), (23, 20), (12, 0), (12, 39)):
+        window = blur.window(row, column)
+        tail = np.array([window.sum(axis=1) @ away, window.sum(axis=0) @ away])
+        assert tail @ [row - 11.5, column - 19.5] > 3.0
+    image = np.zeros(SHAPE)
+    image[8:14, 22:33] = np.random.default_rng(0).random((6, 11))
+    crop = FieldBlur(field, (6, 11), PIXEL, center=(3.5, -2.5), dtype=np.float64, border="zero", largest=40, tol=1e-4)
+    off = crop.forward(image[8:14, 22:33]) - blur.forward(image)[8:14, 22:33]
+    assert 0.0 < np.abs(off).max() < 2e-3  # windows of a crop may be smaller
+
+
+@pytest.mark.parametrize("deep", [False, True])
+def test_of_the_whole_psf_nothing_is_lost(deep):
+    """Windows, and beyond them as much for each point as it has there, of one far light."""
+    depth = np.random.default_rng(5).uniform(1.9, 2.2, SHAPE)
+    more = {"depth": depth, "lens": LENS} if deep else {}
+    blur = FieldBlur(OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=4e-3, largest=60, **more)
+    bank, rng = blur.banks[0], np.random.default_rng(4)
+    assert bank.half < bank.far.reach
+    rows, columns = rng.integers(0, SHAPE[0], 60), rng.integers(0, SHAPE[1], 60)
+    pupil = OF_LENS.pupil(PIXEL * (columns - 19.5), PIXEL * (rows - 11.5))
+    if deep:
+        there = pupil.wavefront + LENS.pupil(depth[rows, columns]).wavefront
+        pupil = lm.Pupil(there, wavelength=550e-9, f_number=LENS.working_f_number)
+    reach = bank.far.reach
+    whole = lm.psf(pupil, 2 * reach + 1, PIXEL, dtype=np.float64).values
+    made = np.stack([blur.window(row, column) for row, column in zip(rows, columns, strict=True)])
+    assert np.abs(made.sum(axis=(1, 2)) - 1.0).max() < 1e-12
+    beyond = 1.0 - whole.sum(axis=(1, 2))
+    assert beyond.max() <= 1.05 * blur.lost <= 5e-3
+    off = np.abs(made - whole).sum(axis=(1, 2))
+    assert off.max() <= blur.error + blur.lost
+    assert blur.error <= 4e-3
+    assert off.max() + beyond.max() < 0.5 * FieldBlur(OF_LENS, SHAPE, PIXEL, largest=60, **more).lost
+    star = np.zeros(SHAPE)
+    star[rows[0], columns[0]] = 1.0
+    zero = FieldBlur(
+        OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=4e-3, largest=60, border="zero", **more
+    ).forward(star)
+    first = reach - rows[0], reach - columns[0]
+    part = made[0][first[0] : first[0] + SHAPE[0], first[1] : first[1] + SHAPE[1]]
+    assert np.abs(zero - part).max() < 1e-12
+    for border in ("reflect", "extend") if not deep else ():
+        blur = FieldBlur(OF_LENS, SHAPE, PIXEL, dtype=np.float64, energy=1, tol=0.02, largest=60, border=border)
+        one, other = dot(blur)
+        assert one == pytest.approx(other, rel=1e-12)
+
+
+def test_far_light_that_is_not_alike_is_refused():
+    with pytest.raises(ValueError, match=r"light farther than 9 pixels .*larger windows than largest=9.*larger tol"):
+        FieldBlur(STEEP, SHAPE, PIXEL, energy=1.0, largest=9, tol=1e-3)
+
+
+def test_light_that_distortion_moves_is_followed():
+    field = lm.FieldMap.from_seidel(100e-6, W311=-2.0, **SCALE)
+    blur = FieldBlur(field, (60, 80), PIXEL, tol=1e-2, dtype=np.float64)
+    exact = lm.centroid(field.pupil(blur.x[70], blur.y[5])) / PIXEL  # x, y
+    assert np.abs(exact).max() > 1.5
+    window, half = blur.window(5, 70), blur.banks[0].half
+    away = np.arange(-half, half + 1)
+    made = np.array([window.sum(axis=0) @ away, window.sum(axis=1) @ away])
+    assert np.abs(made - exact).max() < 0.1
+
+
+def test_least_squares_find_the_light():
+    blur = FieldBlur(STEEP, SHAPE, PIXEL, dtype=np.float64, energy=0.9, largest=40)
+    operator, light = blur.as_linear_operator(), np.random.default_rng(0).random(960)
+    image = operator @ light
+    np.testing.assert_array_equal(image.reshape(SHAPE), blur.forward(light.reshape(SHAPE)))
+    before, after = (
+        np.linalg.norm(lsqr(operator, image, atol=0.0, btol=0.0, iter_lim=steps)[0] - light) for steps in (3, 60)
+    )
+    assert after < 0.3 * before
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_the_transpose_is_what_pylops_takes_for_one(dtype):
+    pylops = pytest.importorskip("pylops", reason="pylops is not installed")
+    operator = FieldBlur(STEEP, SHAPE, PIXEL, dtype=dtype, energy=0.9, largest=40).as_linear_operator()
+    theirs = pylops.LinearOperator(operator, dims=operator.dims, dimsd=operator.dims)
+    assert pylops.utils.dottest(theirs, *theirs.shape, rtol=1e-12 if dtype == np.float64 else 1e-4)
+
+
+def test_any_aperture_will_do_in_units_of_the_spot_too():
+    aperture = {"vignetting": lm.CatEye((0.5, 0.2)), "spider": lm.Spider.equal(3, 0.1)}
+    field = lm.FieldMap.from_seidel(30.0, W131=0.2, aperture=lm.Pupil(obscuration=0.2, **aperture))
+    blur = FieldBlur(field, (20, 30), 1.0, tol=0.1, energy=0.7, largest=20, dtype=np.float64)
+    half = blur.banks[0].half
+    window = field.psf(blur.x[3], blur.y[17], 2 * half + 1, 1.0, integrate=True, dtype=np.float64).values
+    assert np.abs(blur.window(17, 3) - window / window.sum()).sum() <= blur.error
+    one, other = dot(blur)
+    assert one == pytest.approx(other, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("change", "error", "message"),
+    [
+        ({"field_map": LENS}, TypeError, "field_map must be a FieldMap, got"),
+        ({"shape": (24, 0)}, ValueError, "shape"),
+        ({"shape": (24, 80)}, ValueError, r"lies outside of the map, which reaches 6e-05 m .*take a smaller shape"),
+        ({"center": (0.0, 60.0)}, ValueError, "24 x 40 pixels with y from 0 to .*another center="),
+        ({"center": 3.0}, ValueError, r"center must be \(row, column\), got 3.0"),
+        ({"sensor": (1e-3, 1e-3)}, ValueError, "lies outside of the map"),
+        ({"sensor": 1e-3}, TypeError, r"sensor must be \(height, width\)"),
+        ({"pixel": 2.0}, ValueError, "pixel is in metres"),
+        ({"pixel": np.nan}, ValueError, "pixel"),
+        ({"tol": 0.0}, ValueError, "tol must be"),
+        ({"energy": 0.99999}, ValueError, "energy"),
+        ({"border": "wrap"}, ValueError, "border must be one of"),
+        ({"method": "fft"}, TypeError, "method"),
+        ({"largest": 3}, ValueError, r"windows of more than 7 pixels a side to hold 0.98 .*largest=4"),
+        ({"channels": (5e-7, "blue")}, TypeError, "wavelength"),
+        ({"depth": np.full(SHAPE, 2.0)}, ValueError, "lens is missing: they go together"),
+        ({"lens": LENS}, ValueError, "depth is missing: they go together"),
+        ({"depth": np.full((5, 6), 2.0), "lens": LENS}, ValueError, r"depth must have the shape of the image"),
+        ({"depth": np.full(SHAPE, np.nan), "lens": LENS}, ValueError, "depth is NaN at 960 of 960 points"),
+        ({"depth": np.full(SHAPE, 2.0), "lens": "a lens"}, TypeError, "lens must be a Lens, got str"),
+        (
+            {"depth": np.full(SHAPE, 2.0), "lens": LENS.focused(0.1)},
+            ValueError,
+            r"lens must have the working f-number of the map.*aperture=lens.pupil",
+        ),
+    ],
+)
+def test_what_makes_no_blur_is_refused_by_name(change, error, message):
+    given = {"field_map": OF_LENS, "shape": SHAPE, "pixel": PIXEL, "largest": 40} | change
+    with pytest.raises(error, match=message):
+        FieldBlur(**given)
+
+
+def test_a_lens_with_aberrations_of_its_own_and_a_map_without_a_scale_are_told_apart():
+    lens = lm.Lens(
+        focal_length=8e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9, aberrations=lm.Wavefront(1.0)
+    )
+    with pytest.raises(ValueError, match="lens must have no aberrations, for the map has those of all places"):
+        FieldBlur(OF_LENS, SHAPE, PIXEL, depth=np.full(SHAPE, 2.0), lens=lens)
+    bare = lm.FieldMap.from_seidel(30.0, W131=1.0)
+    with pytest.raises(ValueError, match="channels need a map with a wavelength"):
+        FieldBlur(bare, SHAPE, 0.5, channels=(550e-9,))
+
+
+def test_images_that_are_none_and_points_that_are_not_there_are_refused():
+    blur = FieldBlur(STEEP, SHAPE, PIXEL, energy=0.9)
+    for wrong, message in (
+        (np.zeros((24, 41)), r"image must have the shape \(24, 40\)"),
+        (np.full(SHAPE, np.nan), "image must be finite, got nan"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            blur.forward(wrong)
+        with pytest.raises(ValueError, match=message):
+            blur.adjoint(wrong)
+    with pytest.raises(ValueError, match="row must be"):
+        blur.window(24, 0)
+    with pytest.raises(ValueError, match="channel must be"):
+        blur.window(0, 0, 1)

@@ -1,0 +1,121 @@
+"""The iteration of Richardson and Lucy."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from lommel import Lens, Noise
+from lommel.imaging import DepthBlur, Occlusion, RichardsonLucy
+from lommel.imaging.restoration.observed import MISFIT, NOISE, STEPS, Observed, Solution
+
+LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+DEPTH = np.full((48, 56), 2.5)
+DEPTH[:, 24:] = 2.1
+
+
+def _blur(scale: float = 1.0) -> Occlusion:
+    return Occlusion(DepthBlur(LENS, scale * DEPTH, 8e-6, dtype=np.float64))
+
+
+def _scene(seed: int = 0) -> np.ndarray:
+    """Return a scene with edges and fine bars."""
+    scene = np.kron(np.random.default_rng(seed).uniform(0.1, 0.8, (6, 7)), np.ones((8, 8)))
+    scene[20:28] *= 1.0 + 0.5 * (-1.0) ** (np.arange(56) // 2)
+    return np.clip(scene, 0.02, 1.0)
+
+
+def _observed(blur: Occlusion, scene: np.ndarray, white: float = 4000.0, read: float = 3.0) -> Observed:
+    noise = Noise(white=white, read=read)
+    return Observed.of(blur, noise.record(white * blur.forward(scene), seed=1), noise)
+
+
+def _solve(method: RichardsonLucy, observed: Observed) -> tuple[Solution, list[tuple[int, float, float]]]:
+    told: list[tuple[int, float, float]] = []
+    return method.solve(observed, lambda *at: told.append(at)), told
+
+
+def test_a_step_is_the_quotient_of_two_products_with_a_matrix() -> None:
+    blur = DepthBlur(LENS, np.full((9, 8), 2.1), 16e-6, dtype=np.float64)
+    matrix = blur.as_linear_operator() @ np.eye(72)
+    rng = np.random.default_rng(2)
+    photo, noise = rng.random((9, 8)), Noise(white=50.0, read=2.0)
+    photo[2, 3] = np.nan
+    observed = Observed.of(blur, photo, noise)
+    found, _ = _solve(RichardsonLucy(steps=2, target=0.0, accelerate=False), observed)
+    known = np.isfinite(photo).ravel()
+    y, s = np.where(known, photo.ravel(), 0.0), 4.0 / 50.0
+    x = np.full(72, photo.ravel()[known].mean())
+    for _ in range(2):
+        x = x * (matrix.T @ np.where(known, (y + s) / (matrix @ x + s), 0.0)) / (matrix.T @ known)
+    np.testing.assert_allclose(found.light.ravel(), x, rtol=1e-12)
+    assert (found.steps, found.stopped) == (2, STEPS)
+
+
+def test_the_scene_itself_is_where_steps_end() -> None:
+    blur, scene = _blur(), _scene()
+    observed = Observed.of(blur, blur.forward(scene), Noise(white=1e7, read=1.0))
+    model = observed.model(scene)
+    again = scene * blur.adjoint(observed.ratio(model) * observed.weight) / observed.seen
+    np.testing.assert_allclose(again, scene, rtol=1e-12)
+
+
+def test_without_read_noise_every_step_keeps_what_was_counted() -> None:
+    observed = _observed(_blur(), _scene(), read=0.0)
+    for steps in (1, 2, 7):
+        light = _solve(RichardsonLucy(steps=steps, target=0.0, accelerate=False), observed)[0].light
+        assert np.vdot(observed.seen, light) == pytest.approx(observed.counts.sum(), rel=1e-12)
+
+
+def test_steps_explain_ever_more_and_acceleration_needs_fewer_of_them() -> None:
+    observed = _observed(_blur(), _scene(), white=40000.0)
+    plain = [told[1] for told in _solve(RichardsonLucy(steps=60, target=0.0, accelerate=False), observed)[1]]
+    assert all(later < before for before, later in pairwise(plain))
+    fast = [told[1] for told in _solve(RichardsonLucy(steps=30, target=0.0), observed)[1]]
+    assert fast[30] < plain[60]
+
+
+def test_the_noise_stops_it_nearer_to_the_scene_than_many_steps_come() -> None:
+    blur, scene = _blur(), _scene()
+    observed = _observed(blur, scene)
+    found, told = _solve(RichardsonLucy(), observed)
+    assert (found.stopped, found.steps) == (NOISE, told[-1][0])
+    assert told[-1][1] <= 0.9 < told[-2][1]
+    late = _solve(RichardsonLucy(steps=200, target=0.0), observed)[0]
+
+    def error(light: np.ndarray) -> float:
+        return float(np.sqrt(np.mean((light - scene) ** 2)))
+
+    assert error(found.light) < 0.85 * error(observed.image)
+    assert error(found.light) < 0.6 * error(late.light)
+    # It ends at the first step that is asked for, and says how long it will take: never less than nothing.
+    assert all(left >= 0.0 for _, _, left in told)
+    assert told[-1][2] == 0.0
+
+
+@pytest.mark.parametrize("scale", [1.03, 1.1])
+def test_a_wrong_depth_is_told(scale: float) -> None:
+    observed = _observed(_blur(), _scene(), white=40000.0)
+    wrong = Observed.of(_blur(scale), observed.image, Noise(white=40000.0, read=3.0))
+    found, _ = _solve(RichardsonLucy(), wrong)
+    assert found.stopped == MISFIT
+    assert 20 <= found.steps <= 40
+
+
+@pytest.mark.parametrize("white", [100.0, 4e3, 1e5, 3e6])
+def test_a_right_depth_is_never_called_wrong(white: float) -> None:
+    assert _solve(RichardsonLucy(), _observed(_blur(), _scene(), white=white))[0].stopped in (NOISE, STEPS)
+
+
+def test_a_flat_scene_stays_flat() -> None:
+    found, told = _solve(RichardsonLucy(), _observed(_blur(), np.full(DEPTH.shape, 0.4)))
+    assert (found.steps, found.stopped, len(told)) == (0, NOISE, 1)
+    assert not np.ptp(found.light)
+
+
+@pytest.mark.parametrize(("name", "value"), [("steps", 0), ("steps", 2.5), ("target", -1.0), ("accelerate", 1)])
+def test_arguments_out_of_range_are_refused(name: str, value: object) -> None:
+    with pytest.raises((TypeError, ValueError), match=name):
+        RichardsonLucy(**{name: value})

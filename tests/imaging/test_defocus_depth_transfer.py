@@ -23,7 +23,7 @@ def test_they_are_those_of_the_psf(spectrum):
 
 
 def test_pixels_of_many_spots_average_a_disc():
-    """Rays of a point out of focus fill a disc: its transform times that of a pixel, but for diffraction and folding."""
+    """Rays of a point out of focus fill a disc: its transform times that of a pixel, but for folded light."""
     lens = lm.Lens(focal_length=48e-3, f_number=0.95, focus_distance=2.4, wavelength=540e-9)
     distances = np.array([4.8])
     half = half_window([lens], distances, 48e-6)

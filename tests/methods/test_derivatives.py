@@ -96,7 +96,7 @@ def test_strong_defocus_and_large_windows_shift_and_grow_too():
     pupil = lm.Lens(focal_length=50e-3, f_number=1.4, focus_distance=2.0, wavelength=550e-9).pupil(1.5)
     names = ("row", "column", "f_number", "wavelength", "object_distance", "focus_distance")
     answer = lm.psf(pupil, 65, 10e-6, derivatives=names, dtype=np.float64)
-    # A shift is what the sum of shifts between makes, each by the derivative there: of a sixteenth, some three radians.
+    # A shift is what the sum of shifts between makes, each by the derivative there: of 1 / 16, three radians.
     rows = [_moved(pupil, s).values for s in (-1.0, 1.0)]
     t, w = np.polynomial.legendre.leggauss(6)
     slopes = [_moved(pupil, s, derivatives=("row",)).derivatives["row"] for s in t]

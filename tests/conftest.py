@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import os
+
+# Before NumPy is imported. Where other processes have the processors, threads for products of small matrices wait for
+# each other four times as long as one takes for all.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 import signal
 import subprocess
 import sys

@@ -45,8 +45,8 @@ def drawn(apodization: float | lm.Apodization, t: np.ndarray) -> np.ndarray:
 
 
 @lru_cache(maxsize=64)
-def lattice(aperture: str, pupil: str, side: int) -> tuple[np.ndarray, ...]:
-    """Return points of the aperture and their complex amplitudes: a rule in polar coordinates, or on a lattice."""
+def rule(aperture: str, pupil: str) -> tuple[np.ndarray, ...]:
+    """Return x, y, weight times amplitude, and phase on the aperture: polar, or a lattice of a row and a column."""
     made = lm.Pupil(**PUPILS[pupil], **APERTURES[aperture])
     if made.circular:
         x, w = np.polynomial.legendre.leggauss(40)
@@ -56,20 +56,19 @@ def lattice(aperture: str, pupil: str, side: int) -> tuple[np.ndarray, ...]:
         px, py = np.outer(rho, np.cos(theta)), np.outer(rho, np.sin(theta))
         weight = np.repeat((1.0 - low) * 0.5 * w[:, None] / 128, 128, axis=1)
     else:
-        across = (np.arange(side) + 0.5) * (2.0 / side) - 1.0
-        px, py = np.meshgrid(across, across)
-        weight = np.full(px.shape, (2.0 / side) ** 2 / math.pi)
-    rho, theta = np.hypot(px, py), np.arctan2(py, px)
-    amplitude = made.opening.margin(px, py) >= -1e-12 if not made.circular else np.ones(px.shape)
-    if made.mask is not None:
-        amplitude = amplitude * made.mask.at(px, py)
-    return px.ravel(), py.ravel(), (weight * amplitude * drawn(made.apodization, rho**2)).ravel(), rho, theta
+        across = (np.arange(256) + 0.5) / 128 - 1.0
+        px, py = across, across[:, None]
+        weight = (made.opening.margin(*np.meshgrid(across, across)) >= -1e-12) / (math.pi * 128**2)
+        if made.mask is not None:
+            weight = weight * made.mask.at(*np.meshgrid(across, across))
+    rho = np.hypot(px, py)
+    phase = PUPILS[pupil]["wavefront"].phase(rho, np.arctan2(py, px) + np.zeros(rho.shape))
+    return px, py, weight * drawn(made.apodization, rho**2), phase
 
 
 def expected(aperture: str, pupil: str, step: float, center: tuple[float, float], averages: bool, spectrum: bool):
     """Return I at, or averaged over, the places, by sums over the aperture."""
-    px, py, weight, rho, theta = lattice(aperture, pupil, 256)
-    wavefront = PUPILS[pupil]["wavefront"]
+    px, py, weight, phase = rule(aperture, pupil)
     parts = [(1.0, 1.0)]
     if spectrum:
         parts = [
@@ -79,11 +78,12 @@ def expected(aperture: str, pupil: str, step: float, center: tuple[float, float]
     x, w = np.polynomial.legendre.leggauss(7) if averages else (np.zeros(1), np.array([2.0]))
     found = np.zeros(len(PLACES))
     for share, scale in parts:
-        field = weight * np.exp(1j * scale * wavefront.phase(rho, theta).ravel())
+        field = weight * np.exp(1j * scale * phase)
         for i, (row, column) in enumerate(PLACES):
             vy, vx = (scale * step * (at + 0.5 * x - c) for at, c in zip((row, column), center, strict=True))
-            # exp(-i (vy y + vx x)) for all pairs: a product of two matrices.
-            u = (np.exp(-1j * np.outer(vy, py)) * field) @ np.exp(-1j * np.outer(px, vx))
+            # exp(-i (vy y + vx x)) for all pairs: products of matrices.
+            down, across = np.exp(-1j * np.outer(vy, py)), np.exp(-1j * np.outer(px, vx))
+            u = down @ field @ across if px.ndim == 1 else (down * field.ravel()) @ across
             found[i] += share * 0.25 * w @ (u.real**2 + u.imag**2) @ w
     return found
 

@@ -185,24 +185,31 @@ def test_pictures_compared_with_each_other_share_their_scale():
     assert len(limits) == 1
 
 
-@pytest.mark.parametrize("extra", [(), ("--json",)])
-def test_figures_are_written_as_picture_data_and_table(run_lommel, tmp_path, extra):
-    result = run_lommel("paper", "new/out", "--figure", 2, "--figure", 17, *extra, folder=tmp_path)
+def test_figures_are_written_as_picture_data_and_table(run_lommel, tmp_path):
+    result = run_lommel("paper", "new/out", "--figure", 2, "--figure", 17, "--json", folder=tmp_path)
     assert (result.returncode, result.stderr) == (0, "")
     files = sorted(path.name for path in (tmp_path / "new" / "out").iterdir())
     assert files == sorted([*write.names(2), *write.names(17)])
     assert (tmp_path / "new/out/figure-2.png").read_bytes().startswith(b"\x89PNG")
-    if extra:
-        facts = json.loads(result.stdout)
-        assert list(facts["figures"]) == ["2", "17"]
-        assert facts["table"] is None
-        assert len(facts["files"]) == 6
-    else:
-        assert "wrote new/out/figure-17.csv" in result.stdout
+    facts = json.loads(result.stdout)
+    assert list(facts["figures"]) == ["2", "17"]
+    assert facts["table"] is None
+    assert len(facts["files"]) == 6
+
+
+TINY = write._Plan("tiny", lambda: bessel_forms.compute(51), bessel_forms.draw)
+
+
+def test_figures_that_are_written_are_told(call_lommel, tmp_path, monkeypatch):
+    monkeypatch.setattr(write, "FIGURES", {2: TINY, 17: TINY})
+    result = call_lommel("paper", "new/out", "--figure", 17, folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    assert "wrote new/out/figure-17.csv" in result.stdout
+    assert sorted(path.name for path in (tmp_path / "new" / "out").iterdir()) == sorted(write.names(17))
 
 
 def test_without_a_choice_all_figures_and_the_table_are_written(call_lommel, tmp_path, monkeypatch):
-    tiny = dict.fromkeys(write.FIGURES, write._Plan("tiny", lambda: bessel_forms.compute(51), bessel_forms.draw))
+    tiny = dict.fromkeys((1, 17), TINY)
     monkeypatch.setattr(write, "FIGURES", tiny)
     monkeypatch.setattr(numbers, "WINDOWS", np.array([145.0, 150.0]))
     monkeypatch.setattr(numbers, "DEFOCI", np.array([22.0]))

@@ -19,7 +19,7 @@ TERMS = [(1, 1), (1, -1), (2, 0), (2, -2), (3, 1), (4, 4), (5, -3), (8, 0), (11,
 MIXED = lm.Wavefront(1.3, 0.4, nonradial={(5, 3): 0.7, (6, -4): 1.1, (2, 2): 0.3, (3, -1): -0.8, (1, 1): 0.5})
 
 
-def cartesian(pupil: lm.Pupil, side: int = 1200) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def cartesian(pupil: lm.Pupil, side: int = 600) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return midpoints (x, y) of a grid that lie in the aperture: a first-order rule of its own kind."""
     x = (np.arange(side) + 0.5) / side * 2 - 1
     across, down = np.meshgrid(x, x)

@@ -18,15 +18,15 @@ TERMS = [zernike.term(j, "noll") for j in range(2, 46)]  # n from 1 to 8
 
 
 def polar(pupil: lm.Pupil, grid: lm.Grid, radii: int = 120, angles: int = 320) -> np.ndarray:
-    """Return I of a single pupil by Gauss-Legendre in the radius and the trapezoidal rule in the angle."""
+    """Return I of each pupil by Gauss-Legendre in the radius and the trapezoidal rule in the angle."""
     r, w = gauss_legendre(radii, pupil.obscuration, 1.0)
     theta = 2.0 * math.pi * (np.arange(angles) + 0.5) / angles
     x, y = np.outer(r, np.cos(theta)), np.outer(r, np.sin(theta))
-    values = (pupil.values(x, y)[0] * (2.0 / angles * w * r)[:, None]).ravel()
+    values = pupil.values(x, y) * (2.0 / angles * w * r)[:, None]
     across = np.exp(-1j * np.outer(x.ravel(), math.pi / pupil.scale * grid.x))
     down = np.exp(-1j * np.outer(y.ravel(), math.pi / pupil.scale * grid.y))
-    field = (values[:, None] * down).T @ across
-    return np.asarray(field.real**2 + field.imag**2)
+    field = np.stack([(one.reshape(-1, 1) * down).T @ across for one in values])
+    return np.asarray(field.real**2 + field.imag**2).reshape(*pupil.shape, *field.shape[1:])
 
 
 def random_wavefront(rng: np.random.Generator, rms: float, terms: list[tuple[int, int]] = TERMS) -> lm.Wavefront:
@@ -85,10 +85,9 @@ def test_a_thousand_pupils_in_single_precision_agree_with_direct_quadrature(tol,
         pupil = lm.Pupil(wavefront, obscuration=obscuration, apodization=float(rng.choice([0.0, 1.5])))
         shape, pixel = tuple(map(int, rng.integers(4, 24, 2))), float(rng.uniform(0.2, 0.8))
         answer = lm.psf(pupil, shape, pixel, method=lm.ChordalGauss(tol), threads=1)
-        grid = lm.Grid(shape, pixel)
+        exact = polar(pupil, lm.Grid(shape, pixel), 90, 240)
         for i in range(20):
-            exact = polar(pupil[i], grid, 90, 240)
-            assert error(answer[i], exact) <= np.ravel(answer.error_bound)[i if np.ndim(answer.error_bound) else 0]
+            assert error(answer[i], exact[i]) <= np.ravel(answer.error_bound)[i if np.ndim(answer.error_bound) else 0]
         assert np.max(answer.error_bound) <= tol
 
 

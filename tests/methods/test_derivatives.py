@@ -86,20 +86,23 @@ def test_radial_terms_and_shifts_of_radial_pupils_are_by_the_series_and_all_othe
             assert answer.derivative_bounds[name] < 3e-6
 
 
+def _moved(pupil: lm.Pupil, by: float, **more) -> lm.PSF:
+    """Return a window whose axis is so many parts of 32 of a pixel below the middle."""
+    return lm.psf(pupil, 33, 10e-6, center=(16.0 + by / 32.0, 16.0), dtype=np.float64, tol=1e-8, **more)
+
+
 def test_strong_defocus_and_large_windows_shift_and_grow_too():
     # The chordal rule would take more chords than it may.
     pupil = lm.Lens(focal_length=50e-3, f_number=1.4, focus_distance=2.0, wavelength=550e-9).pupil(1.5)
     names = ("row", "column", "f_number", "wavelength", "object_distance", "focus_distance")
     answer = lm.psf(pupil, 65, 10e-6, derivatives=names, dtype=np.float64)
-    # A shift by one pixel is what the sum of shifts between makes, each by the derivative there.
-    rows = np.array([lm.psf(pupil, 65, 10e-6, center=(32 + s, 32), dtype=np.float64).values for s in (-0.5, 0.5)])
-    t, w = np.polynomial.legendre.leggauss(48)
-    slopes = [
-        lm.psf(pupil, 65, 10e-6, center=(32 + 0.5 * s, 32), derivatives=("row",), dtype=np.float64).derivatives["row"]
-        for s in t
-    ]
-    moved = 0.5 * np.einsum("k,kij->ij", w, slopes)
-    assert np.abs(moved - (rows[1] - rows[0])).max() <= 5e-6 * answer.values.max()
+    # A shift is what the sum of shifts between makes, each by the derivative there: of 1 / 16, three radians.
+    rows = [_moved(pupil, s).values for s in (-1.0, 1.0)]
+    t, w = np.polynomial.legendre.leggauss(6)
+    slopes = [_moved(pupil, s, derivatives=("row",)).derivatives["row"] for s in t]
+    summed = np.einsum("k,kij->ij", w, slopes) / 32.0
+    assert answer.method == lm.NijboerZernike()
+    assert np.abs(summed - (rows[1] - rows[0])).max() <= 5e-8 * answer.values.max()
     # What grows keeps its light: the derivative by ln N sums to nothing where the window holds nearly all of it.
     assert abs(answer.derivatives["f_number"].sum()) * pupil.f_number < 5e-3
     assert all(np.isfinite(answer.derivatives[name]).all() for name in names)

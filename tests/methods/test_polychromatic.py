@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 from scipy.special import j0, j1
@@ -158,14 +160,15 @@ WAVEFRONTS = {
 }
 
 
-def each_alone(wavefront: lm.Wavefront, aperture: str, **window) -> np.ndarray:
+@cache
+def each_alone(wavefront: str, aperture: str, integrate: bool, center: tuple[float, float] | None) -> np.ndarray:
     """Return the intensity of white light, 1 at the peak of the reference without aberration, light by light."""
     total = 0.0
     for wave, weight in zip(WAVES, WEIGHTS, strict=True):
         scale = 550e-9 / wave
-        one = lm.Pupil(scale * wavefront, **APERTURES[aperture], wavelength=wave, f_number=4.0)
+        one = lm.Pupil(scale * WAVEFRONTS[wavefront], **APERTURES[aperture], wavelength=wave, f_number=4.0)
         way = lm.NijboerZernike(1e-10) if one.circular else lm.NonuniformFFT(1e-10)
-        made = lm.psf(one, (7, 9), 1.3e-6, method=way, dtype="float64", **window)
+        made = lm.psf(one, (7, 9), 1.3e-6, method=way, dtype="float64", integrate=integrate, center=center)
         total = total + 0.25 * weight * scale**2 * made.values / made.scale[..., None, None]
     return total
 
@@ -174,13 +177,12 @@ def each_alone(wavefront: lm.Wavefront, aperture: str, **window) -> np.ndarray:
 @pytest.mark.parametrize("aperture", APERTURES)
 @pytest.mark.parametrize("integrate", [True, False])
 def test_white_light_of_every_pupil_is_within_the_tolerance_whatever_else_is_asked(aperture, wavefront, integrate):
-    phase = WAVEFRONTS[wavefront]
-    pupil = lm.Pupil(phase, **APERTURES[aperture], wavelength=550e-9, f_number=4.0)
+    pupil = lm.Pupil(WAVEFRONTS[wavefront], **APERTURES[aperture], wavelength=550e-9, f_number=4.0)
     # Of what peaks elsewhere, the same in the middle of the window.
-    middle = each_alone(lm.Wavefront(0.8, nonradial={(3, 1): 2.0}) if wavefront == "tilt" else phase, aperture)
+    middle = each_alone("coma" if wavefront == "tilt" else wavefront, aperture, True, None)
     white = lm.Polychromatic(WAVES, WEIGHTS)
     for turn, center in enumerate((None, (2.0, 5.0), (2.3, 6.6))):
-        exact = each_alone(phase, aperture, integrate=integrate, center=center)
+        exact = each_alone(wavefront, aperture, integrate, center)
         highest = exact.max(axis=(-2, -1))
         every = ("energy", "strehl", "peak")
         # All where they are cheap.

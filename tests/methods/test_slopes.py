@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from changes import changed, differences
+from changes import FINE, changed, differences
 from lommel.core.answers import ToleranceError
 
-BRIEF = os.environ.get("HYPOTHESIS_PROFILE") == "brief"
+SEEDS = {"brief": 4, "thorough": 40}.get(os.environ.get("HYPOTHESIS_PROFILE", "quick"), 8)
 TERMS = ((1, 1), (1, -1), (2, 0), (2, 2), (2, -2), (3, 1), (3, -3), (4, 0), (4, -2), (5, 1), (6, 0), (7, 3))
 INDEXED = ("noll 8", "noll 11", "ansi 7", "fringe 9", "fringe 5")
 POWERS = ("defocus", "spherical", "rho^6", "rho^8")
@@ -88,13 +88,23 @@ def step(name: object, pupil: lm.Pupil, lens: lm.Lens | None, grid: lm.Grid) -> 
     return 0.02
 
 
-def values(pupil: lm.Pupil, name: object, lens: lm.Lens | None, asked: dict, h: float) -> np.ndarray:
-    return changed(pupil, name, h, lens, asked).values
+def by_differences(
+    pupil: lm.Pupil, name: object, lens: lm.Lens | None, asked: dict, h: float, peak: float
+) -> tuple[np.ndarray, float]:
+    """Return the derivative, and how far it may be off, of images as exact as can be proven: in the dark less so."""
+
+    def values(fine: float, by: float) -> np.ndarray:
+        return changed(pupil, name, by, lens, asked, fine).values
+
+    try:
+        return differences(partial(values, FINE), h, peak)
+    except ToleranceError:
+        return differences(partial(values, 10.0 * FINE), h, peak, 10.0 * FINE)
 
 
-@pytest.mark.parametrize("seed", range(4 if BRIEF else 20))
+@pytest.mark.parametrize("seed", range(SEEDS))
 def test_derivatives_are_those_of_differences_within_their_bounds(seed):
-    rng, unproven = np.random.default_rng(seed), 0
+    rng = np.random.default_rng(seed)
     for _ in range(50):
         pupil, lens, asked, names = drawn(rng)
         picked = [names[i] for i in rng.choice(len(names), 3, replace=False)]
@@ -105,11 +115,7 @@ def test_derivatives_are_those_of_differences_within_their_bounds(seed):
         peaks = answer.values.reshape(-1, 81).max(axis=1)
         name = picked[0]
         h = step(name, pupil, lens, answer.grid)
-        try:
-            slope, off = differences(partial(values, pupil, name, lens, asked), h, float(peaks.max()))
-        except ToleranceError:  # The images that differences are taken of can hardly be proven to so little.
-            unproven += 1
-            continue
+        slope, off = by_differences(pupil, name, lens, asked, h, float(peaks.max()))
         error = np.abs(answer.derivatives[name] - slope).reshape(-1, 81).max(axis=1)
         told = f"{name} of {pupil} asked {asked} at {tol}"
         # How many hundredths of a radian, somewhere in the pupil, one of what it is by makes.
@@ -117,7 +123,6 @@ def test_derivatives_are_those_of_differences_within_their_bounds(seed):
         assert (error <= answer.derivative_bounds[name] * peaks + off).all(), told
         assert (error <= tol * unit * peaks + off).all(), told
         assert off <= 1e-7 * unit * peaks.max(), told
-    assert unproven <= 1
 
 
 def test_stored_in_single_precision_derivatives_stay_within_their_bounds():

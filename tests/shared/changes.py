@@ -15,15 +15,17 @@ POWERS = {"defocus": (1.0,), "spherical": (0.0, 1.0), "rho^6": (0.0, 0.0, 1.0), 
 FINE = 2e-11  # tolerance of what is differenced
 
 
-def changed(pupil: lm.Pupil, name: Any, h: float, lens: lm.Lens | None, asked: dict[str, Any]) -> lm.PSF:
-    """Return the PSF with what `name` is about larger by h."""
+def changed(
+    pupil: lm.Pupil, name: Any, h: float, lens: lm.Lens | None, asked: dict[str, Any], fine: float = FINE
+) -> lm.PSF:
+    """Return the PSF with what `name` is about larger by h, to `fine`."""
     asked = {"dtype": np.float64, **asked}
     white = asked.get("method")
     if isinstance(white, lm.Polychromatic):
         waves = np.array(white.wavelengths)
         if name == "wavelength":
             waves = waves * (1.0 + h / pupil.wavelength)
-        asked["method"] = lm.Polychromatic(waves, white.weights, tol=FINE)
+        asked["method"] = lm.Polychromatic(waves, white.weights, tol=fine)
     else:
         asked.pop("method", None)
     if name in ("row", "column"):
@@ -41,7 +43,7 @@ def changed(pupil: lm.Pupil, name: Any, h: float, lens: lm.Lens | None, asked: d
         pupil = lens.focused(lens.focus_distance + h).pupil(at)
     else:
         pupil = replace(pupil, wavefront=pupil.wavefront + h * one(name))
-    return lm.psf(pupil, tol=FINE, **asked)
+    return lm.psf(pupil, tol=fine, **asked)
 
 
 def one(name: Any) -> lm.Wavefront:
@@ -53,13 +55,15 @@ def one(name: Any) -> lm.Wavefront:
     return lm.Wavefront.zernike({zernike.term(index, order): 1.0}, normalization="edge")
 
 
-def differences(at: Callable[[float], np.ndarray], h: float, peak: float) -> tuple[np.ndarray, float]:
+def differences(
+    at: Callable[[float], np.ndarray], h: float, peak: float, fine: float = FINE
+) -> tuple[np.ndarray, float]:
     """Return the derivative at 0 by differences of eighth order, and how far these may be off.
 
-    What is cut off is less than the step from the sixth order to the eighth; values off by e of the peak add
+    What is cut off is less than the step from the sixth order to the eighth; values off by e (`fine`) of the peak add
     ``2 (4/5 + 1/5 + 4/105 + 1/280) e / h``.
     """
     odd = [at(k * h) - at(-k * h) for k in range(1, 5)]
     eighth = (4 / 5 * odd[0] - odd[1] / 5 + 4 / 105 * odd[2] - odd[3] / 280) / h
     sixth = (3 / 4 * odd[0] - 3 / 20 * odd[1] + odd[2] / 60) / h
-    return eighth, float(np.abs(eighth - sixth).max() + 2.09 * FINE * peak / h)
+    return eighth, float(np.abs(eighth - sixth).max() + 2.09 * fine * peak / h)

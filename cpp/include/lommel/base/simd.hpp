@@ -53,8 +53,8 @@ template <class V, class Real>
 LOMMEL_INLINE V splat(Real x) {
 #if defined(LOMMEL_X86) && !defined(__clang__)
     // GCC takes vectors that the function this is written in does not have apart, even where it is inlined into one that
-    // has them, and puts broadcasts, unlike sums and products, back together by eight masked steps.
-    if constexpr (sizeof(V) == 64) {
+    // has them, and puts broadcasts, unlike sums and products, back together by many steps. Portable kernels have none as long.
+    if constexpr (sizeof(V) > 16) {
         V v;
         if constexpr (sizeof(Real) == 4) {
             asm("vbroadcastss %1, %0" : "=v"(v) : "vm"(x));

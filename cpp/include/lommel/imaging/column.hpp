@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <type_traits>
 
 #include "lommel/base/aligned.hpp"
@@ -14,104 +15,56 @@ namespace lommel {
 template <class I, class T>
 using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
 
-// Rows of the windows of one pixel, or of two below each other, a vector of columns from `from` on: all of what the rows above
-// and below share is loaded and mixed once.
-template <class Vec, class T, std::size_t Points>
+// Windows of one point, or of two below each other, a vector of columns from `from` on. Two that lie between the same four of
+// the bank load them once; windows are zeros beyond their halves, so that those of two may be as large as the larger.
+template <class Vec, class T, std::size_t Points, bool Alike>
 struct Rows {
     using V = Vec;
-    static constexpr std::size_t points = Points, lanes = sizeof(V) / sizeof(T), windows = Points + 3, reach = 16;
-    static_assert(lanes <= reach, "room for a vector");
-    const T* windows_at[windows];
-    std::size_t stride, half, from;
-    V weight[Points][windows], layer[Points];
-    bool apart;  // in two layers
+    static constexpr std::size_t points = Points, lanes = sizeof(V) / sizeof(T);
+    const T* windows[Points];
+    std::size_t stride, room, half, from;
+    V weight[Points][4], layer;
 
-    LOMMEL_INLINE Rows(const WindowBank<T>& bank, const Mixture<T>* pixels, std::size_t column)
-        : stride(bank.stride), half(pixels->half), from(column), apart(pixels[0].layer != pixels[Points - 1].layer) {
-        const std::size_t first = std::min(pixels[0].first, pixels[Points - 1].first);
-        for (std::size_t j = 0; j < windows; ++j) {
-            windows_at[j] = bank.windows + (first + j) * bank.room() + from;
-        }
+    LOMMEL_INLINE Rows(const WindowBank<T>& bank, const Mixture<T>* pixels, std::size_t widest, std::size_t column)
+        : stride(bank.stride), room(bank.room()), half(widest), from(column), layer(splat<V>(pixels->layer)) {
         for (std::size_t p = 0; p < Points; ++p) {
-            const T* const weights = pixels[p].weights + 1 - (pixels[p].first - first);
-            layer[p] = splat<V>(pixels[p].layer);
-            for (std::size_t j = 0; j < windows; ++j) {
-                weight[p][j] = splat<V>(weights[j]);
+            windows[p] = bank.windows + pixels[p].first * room + from;
+            for (std::size_t j = 0; j < 4; ++j) {
+                weight[p][j] = splat<V>(pixels[p].weights[j]);
             }
         }
     }
 
-    // Calls f(row, mixed) with what the pixels give to each row, from the first pixel's on.
-    template <class F>
-    LOMMEL_INLINE void each(const F& f) const {
-        V above[Points], below[Points], both[Points];
-        mix(0, above);
-        if (Points == 1) {
-            f(0, above);
-            for (std::size_t row = 1; row <= half; ++row) {
-                mix(row, above);
-                const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(row);
-                f(away, above), f(-away, above);
-            }
-            return;
-        }
-        // Row r of the first is r - 1 below the second, r + 1 above it.
-        constexpr std::size_t second = Points - 1;
-        for (std::size_t row = 0; row <= half; ++row) {
-            const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(row);
-            if (row < half) {
-                mix(row + 1, below);
-            } else {
-                for (V& v : below) {
-                    v = splat<V>(T(0));
-                }
-            }
-            both[0] = below[0], both[second] = above[second];
-            f(away + 1, both);
-            both[0] = above[0], both[second] = below[second];
-            f(-away, both);
-            for (std::size_t p = 0; p < Points; ++p) {
-                above[p] = below[p];
-            }
-        }
+    // A row of window j of the four of a point.
+    LOMMEL_INLINE V window(std::size_t p, std::size_t j, std::size_t row) const {
+        return load<V>(windows[Alike ? 0 : p] + j * room + row * stride);
     }
 
     LOMMEL_INLINE void mix(std::size_t row, V* mixed) const {
-        V odd[Points];
-        for (std::size_t j = 0; j < windows; ++j) {
-            const V value = load<V>(windows_at[j] + row * stride);
-            for (std::size_t p = 0; p < Points; ++p) {
-                V& sum = j % 2 ? odd[p] : mixed[p];
-                sum = j < 2 ? weight[p][j] * value : sum + weight[p][j] * value;
-            }
-        }
         for (std::size_t p = 0; p < Points; ++p) {
-            mixed[p] = mixed[p] + odd[p];
+            mixed[p] = weight[p][0] * window(p, 0, row);
+        }
+        for (std::size_t j = 1; j < 4; ++j) {
+            for (std::size_t p = 0; p < Points; ++p) {
+                mixed[p] = mixed[p] + weight[p][j] * window(p, j, row);
+            }
         }
     }
 
     // What pixels see of light, of which they see so many layers.
-    LOMMEL_INLINE V shown(V light, V seen, std::size_t p) const {
-        return light * smaller(larger(seen - layer[p], V{}), splat<V>(T(1)));
-    }
-
-    // So many ones, then zeros.
-    static const T* mask(std::size_t ones) {
-        static const T masks[2 * reach] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-        return masks + reach - ones;
-    }
+    LOMMEL_INLINE V shown(V light, V seen) const { return light * smaller(larger(seen - layer, V{}), splat<V>(T(1))); }
 };
 
-// Calls visit(rows) for the blocks of columns of one pixel or two; the narrow ones are half as dear.
-template <class I, std::size_t Points, class T, class Visit>
-LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* points, const Visit& visit) {
-    using Whole = Rows<Packed<I, T>, T, Points>;
-    using Narrow = Rows<Packed<Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>, T>, T, Points>;
-    for (std::size_t from = 0; from <= points->half; from += Whole::lanes) {
-        if (points->half < from + Narrow::lanes) {
-            visit(Narrow(bank, points, from));
+// Calls visit(rows) for the blocks of columns of one point or two; the narrow ones are half as dear.
+template <class I, std::size_t Points, bool Alike, class T, class Visit>
+LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* points, std::size_t half, const Visit& visit) {
+    using Whole = Rows<Packed<I, T>, T, Points, Alike>;
+    using Narrow = Rows<Packed<Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>, T>, T, Points, Alike>;
+    for (std::size_t from = 0; from <= half; from += Whole::lanes) {
+        if (half < from + Narrow::lanes) {
+            visit(Narrow(bank, points, half, from));
         } else {
-            visit(Whole(bank, points, from));
+            visit(Whole(bank, points, half, from));
         }
     }
 }
@@ -146,14 +99,17 @@ class Sheets {
         return (widest_ + static_cast<std::size_t>(row)) * stride_ + from;
     }
 
+    // A zero, then ones.
+    static constexpr T first_apart[] = {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    static_assert(sizeof(V) / sizeof(T) < std::size(first_apart), "one more for vectors of ones");
+
     // Calls f(place, right, left, beside) for all vectors that the points reach: where it is in a sheet, and in an image on
     // either side; `beside` leaves out the column in the middle, which is not on both.
     template <class F>
     LOMMEL_INLINE void each(const Column& column, const F& f) const {
         constexpr std::size_t lanes = sizeof(V) / sizeof(T);
         for (std::size_t from = 0; from <= column.half; from += lanes) {
-            const auto* ones = Rows<V, T, 1>::mask(lanes);
-            const V beside = load<V>(ones) - load<V>(Rows<V, T, 1>::mask(from > 0 ? 0 : 1));
+            const V beside = load<V>(first_apart + (from > 0 ? 1 : 0));
             const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(from), last = away + static_cast<std::ptrdiff_t>(lanes) - 1;
             const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(column.half);
             for (std::ptrdiff_t row = -beyond; row < static_cast<std::ptrdiff_t>(column.height) + beyond; ++row) {
@@ -196,25 +152,36 @@ struct Giving {
     }
 
     template <bool Hiding, class R>
-    LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows, std::size_t) const {
+    LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows, std::size_t, std::size_t) const {
         using W = typename R::V;
-        rows.each([&](std::ptrdiff_t row, const W* mixed) LOMMEL_INLINE_LAMBDA {
+        const auto to = [&](std::ptrdiff_t row, W sum) LOMMEL_INLINE_LAMBDA {
             const std::size_t at = sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from);
-            const bool sum = R::points == 2 && !(Hiding && rows.apart);
-            const W first = sum ? mixed[0] + mixed[R::points - 1] : mixed[0];
             if constexpr (Hiding) {
-                W right = load<W>(sheets.right() + at), left = load<W>(sheets.left() + at);
-                const W on_right = load<W>(sheets.seen_right() + at), on_left = load<W>(sheets.seen_left() + at);
-                right = right + rows.shown(first, on_right, 0), left = left + rows.shown(first, on_left, 0);
-                if (rows.apart) {
-                    right = right + rows.shown(mixed[R::points - 1], on_right, R::points - 1);
-                    left = left + rows.shown(mixed[R::points - 1], on_left, R::points - 1);
-                }
-                store(sheets.right() + at, right), store(sheets.left() + at, left);
+                const W right = load<W>(sheets.right() + at), left = load<W>(sheets.left() + at);
+                store(sheets.right() + at, right + rows.shown(sum, load<W>(sheets.seen_right() + at)));
+                store(sheets.left() + at, left + rows.shown(sum, load<W>(sheets.seen_left() + at)));
             } else {
-                store(sheets.both() + at, load<W>(sheets.both() + at) + first);
+                store(sheets.both() + at, load<W>(sheets.both() + at) + sum);
             }
-        });
+        };
+        W above[R::points], below[R::points];
+        rows.mix(0, above);
+        if constexpr (R::points == 1) {
+            to(0, above[0]);
+            for (std::size_t row = 1; row <= rows.half; ++row) {
+                rows.mix(row, above);
+                to(static_cast<std::ptrdiff_t>(row), above[0]), to(-static_cast<std::ptrdiff_t>(row), above[0]);
+            }
+        } else {
+            // Row r of the first is r - 1 below the second, r + 1 above it.
+            for (std::size_t row = 0; row < rows.half; ++row) {
+                rows.mix(row + 1, below);
+                to(static_cast<std::ptrdiff_t>(row) + 1, below[0] + above[1]);
+                to(-static_cast<std::ptrdiff_t>(row), above[0] + below[1]);
+                above[0] = below[0], above[1] = below[1];
+            }
+            to(static_cast<std::ptrdiff_t>(rows.half) + 1, above[1]), to(-static_cast<std::ptrdiff_t>(rows.half), above[0]);
+        }
     }
 
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
@@ -244,7 +211,6 @@ struct Taking {
     using V = Packed<I, T>;
     T* out;
     const T *seen, *image;
-    std::size_t width;  // of `out`
 
     LOMMEL_INLINE void open(Sheets<I, T>& sheets, const Column& column) const {
         if (column.hidden) {
@@ -261,24 +227,50 @@ struct Taking {
     }
 
     template <bool Hiding, class R>
-    LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows, std::size_t to) const {
+    LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows, std::size_t to, std::size_t below) const {
         using W = typename R::V;
-        W total[R::points] = {};
-        rows.each([&](std::ptrdiff_t row, const W* mixed) LOMMEL_INLINE_LAMBDA {
+        const auto light = [&](std::ptrdiff_t row) LOMMEL_INLINE_LAMBDA {
             const std::size_t at = sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from);
-            W light = load<W>((Hiding ? sheets.right() : sheets.both()) + at);
-            for (std::size_t p = 0; p < R::points; ++p) {
-                if (Hiding && (p == 0 || rows.apart)) {
-                    light = rows.shown(load<W>(sheets.right() + at), load<W>(sheets.seen_right() + at), p) +
-                            rows.shown(load<W>(sheets.left() + at), load<W>(sheets.seen_left() + at), p);
-                }
-                total[p] = total[p] + mixed[p] * light;
+            if constexpr (Hiding) {
+                return rows.shown(load<W>(sheets.right() + at), load<W>(sheets.seen_right() + at)) +
+                       rows.shown(load<W>(sheets.left() + at), load<W>(sheets.seen_left() + at));
+            } else {
+                return load<W>(sheets.both() + at);
             }
-        });
+        };
+        // Sums of each window of the bank, mixed at the end: rows above and below are alike, and added before they are
+        // multiplied. What one row is to one point the next is to the other.
+        constexpr std::size_t last = R::points - 1;
+        W sums[R::points][4], folded[R::points], over = light(0), under = light(static_cast<std::ptrdiff_t>(last));
+        folded[0] = over, folded[last] = under;
         for (std::size_t p = 0; p < R::points; ++p) {
-            for (std::size_t i = 0; i < R::lanes; ++i) {
-                out[to + p * width] += total[p][i];
+            for (std::size_t j = 0; j < 4; ++j) {
+                sums[p][j] = rows.window(p, j, 0) * folded[p];
             }
+        }
+        for (std::size_t row = 1; row <= rows.half; ++row) {
+            const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(row);
+            const W above = light(-away), below = light(away + static_cast<std::ptrdiff_t>(last));
+            if constexpr (R::points == 1) {
+                folded[0] = above + below;
+            } else {
+                folded[0] = above + under, folded[last] = over + below;
+                over = above, under = below;
+            }
+            for (std::size_t j = 0; j < 4; ++j) {
+                for (std::size_t p = 0; p < R::points; ++p) {
+                    sums[p][j] = sums[p][j] + rows.window(p, j, row) * folded[p];
+                }
+            }
+        }
+        for (std::size_t p = 0; p < R::points; ++p) {
+            const W total = (rows.weight[p][0] * sums[p][0] + rows.weight[p][1] * sums[p][1]) +
+                            (rows.weight[p][2] * sums[p][2] + rows.weight[p][3] * sums[p][3]);
+            T sum = T(0);
+            for (std::size_t i = 0; i < R::lanes; ++i) {
+                sum += total[i];
+            }
+            out[to + p * below] += sum;
         }
     }
 

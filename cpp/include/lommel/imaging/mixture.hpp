@@ -24,15 +24,21 @@ struct WindowBank {
     std::size_t room() const { return (widest + 1) * stride; }
 };
 
-// The four windows of a pixel, from `first`, and their weights: cubic Lagrange in the middle interval. None reaches more
-// than `half` pixels from the middle.
+// Where a point is in a bank: the first of the four windows that it lies between, below 0 of one that spreads nothing, and how
+// far behind that.
+template <class T>
+struct Place {
+    std::int32_t first;
+    T within;
+};
+
+// The windows of a point, their weights, cubic Lagrange in the middle interval, and how far they reach from the middle.
 template <class T>
 struct Mixture {
+    T weights[4];
     std::uint32_t first, half;
     T layer;
-    T weights[6];  // between zeros: those of the windows before and after
-    bool any;     // else nothing is spread
-    bool hidden;  // in part
+    bool any, hidden;  // else nothing is spread; in part
 };
 
 // Makes mixtures of a bank, or their derivatives by the position in it.
@@ -40,33 +46,41 @@ template <class T>
 class Mixer {
    public:
     explicit Mixer(const WindowBank<T>& bank, bool slopes = false)
-        : slopes_(slopes), last_(static_cast<std::ptrdiff_t>(bank.count) - 1), halves_(bank.count - 3),
+        : slopes_(slopes), last_(static_cast<std::int32_t>(bank.count) - 1), halves_(bank.count - 3),
           energies_(bank.energies, bank.energies + bank.count) {
         for (std::size_t i = 0; i < halves_.size(); ++i) {
             halves_[i] = static_cast<std::uint32_t>(*std::max_element(bank.halves + i, bank.halves + i + 4));
         }
     }
 
-    LOMMEL_INLINE void operator()(double position, T value, Mixture<T>& m) const {
-        m.any = !(position < 0.0) && value != T(0);
+    std::size_t half(std::int32_t first) const { return halves_[static_cast<std::size_t>(first)]; }
+
+    LOMMEL_INLINE Place<T> place(double position, T value) const {
+        const double inside = std::min(std::max(position, 0.0), static_cast<double>(last_));
+        const std::int32_t first = std::min(std::max(static_cast<std::int32_t>(inside) - 1, 0), last_ - 3);
+        return {position < 0.0 || value == T(0) ? -1 : first, static_cast<T>(inside - static_cast<double>(first))};
+    }
+
+    LOMMEL_INLINE void operator()(const Place<T>& place, T value, Mixture<T>& m) const {
+        m.any = place.first >= 0;
         if (!m.any) {
+            m.first = m.half = 0;
+            std::fill_n(m.weights, 4, T(0));
             return;
         }
-        // Of whole numbers with a sign, which processors make of others faster.
-        const double inside = std::min(position, static_cast<double>(last_));
-        const std::ptrdiff_t interval = std::min(static_cast<std::ptrdiff_t>(inside), last_ - 1);
-        const std::ptrdiff_t first = std::min(std::max<std::ptrdiff_t>(interval - 1, 0), last_ - 3);
-        m.first = static_cast<std::uint32_t>(first), m.half = halves_[static_cast<std::size_t>(first)];
-        const V t = splat<V>(static_cast<T>(inside - static_cast<double>(first)));
+        const std::size_t first = static_cast<std::size_t>(place.first);
+        m.first = static_cast<std::uint32_t>(first), m.half = halves_[first];
+        // Sums with zeros instead of splat(), which wants vectors that the processor has.
+        const V t = V{} + place.within;
         const V a = load<V>(powers[0]), b = load<V>(powers[1]), c = load<V>(powers[2]), d = load<V>(powers[3]);
         const V energies = load<V>(energies_.data() + first), weights = a + t * (b + t * (c + t * d));
         const T held = total(weights * energies);
         if (!slopes_) {
-            store(m.weights + 1, weights * splat<V>(value / held));
+            store(m.weights, weights * (V{} + value / held));
             return;
         }
-        const V changes = b + t * (splat<V>(T(2)) * c + t * (splat<V>(T(3)) * d));
-        store(m.weights + 1, (changes - weights * splat<V>(total(changes * energies) / held)) * splat<V>(value / held));
+        const V changes = b + t * (c + c + t * (d + d + d));
+        store(m.weights, (changes - weights * (V{} + total(changes * energies) / held)) * (V{} + value / held));
     }
 
    private:
@@ -78,7 +92,7 @@ class Mixer {
     LOMMEL_INLINE static T total(V of_four) { return (of_four[0] + of_four[1]) + (of_four[2] + of_four[3]); }
 
     bool slopes_;
-    std::ptrdiff_t last_;
+    std::int32_t last_;
     std::vector<std::uint32_t> halves_;  // of the widest of four windows
     std::vector<T, AlignedAllocator<T>> energies_;
 };

@@ -111,109 +111,156 @@ class Spreader {
     void collect_strip(std::size_t top, std::size_t bottom, const T* image, T* out) const {
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             const auto one = [](std::size_t, std::size_t) { return T(1); };
-            pixels(isa, top, bottom, 0, width_, one, Taking<decltype(isa), T>{out, screen_.seen, image, width_});
+            pixels(isa, top, bottom, 0, width_, one, Taking<decltype(isa), T>{out, screen_.seen, image});
         });
     }
 
     // Values of a row of an image that windows reach beyond.
     std::size_t across() const { return width_ + 2 * margin_; }
 
-    // Gives or takes for all pixels of a part of the image, of two below each other at once where their windows are as wide
-    // and share three of four or more. Mixtures are made across, some beforehand: so their loads and divisions need not wait
-    // for one another.
+    // Points of a part of the image, row by row, so that what the processor waits for comes for many of them at once.
+    struct Tile {
+        static constexpr std::size_t broad = 64;
+        explicit Tile(std::size_t tall, bool screened)
+            : places((tall + 1) * broad), values(places.size()), layers(screened ? places.size() : 0), hidden(places.size()) {}
+
+        std::size_t top, left, height, width;
+        std::vector<Place<T>> places;
+        std::vector<T> values, layers;
+        std::vector<unsigned char> hidden;  // in part
+    };
+
+    // Gives or takes for all pixels of a part of the image.
     template <class I, class Value, class Side>
     LOMMEL_INLINE void pixels(I isa, std::size_t top, std::size_t bottom, std::size_t left, std::size_t right,
                               const Value& value, const Side& side) const {
-        constexpr std::size_t broad = 64;
-        const std::size_t tall = std::min(most_rows, bottom - top), below = tall + 1;
-        std::vector<Mixture<T>> mixtures(broad * below);  // more than the stack of a thread need hold
+        constexpr std::size_t broad = Tile::broad;
+        const std::size_t tall = std::min(most_rows, bottom - top);
+        Tile tile(tall, screen_.layers != nullptr);
+        std::vector<Mixture<T>> mixtures(tall + 1);
         Sheets<I, T> sheets(bank_, tall, across(), screen_.layers != nullptr);
         Glance glance;
-        for (std::size_t y = top; y < bottom; y += tall) {
-            for (std::size_t x = left; x < right; x += broad) {
-                const std::size_t height = std::min(tall, bottom - y), width = std::min(broad, right - x);
-                glance(height * width * (1 + bank_.widest * bank_.widest));
-                for (std::size_t i = 0; i < height; ++i) {
-                    const std::size_t row = static_cast<std::size_t>(scene_.rows[y + i]) * scene_.across;
-                    for (std::size_t j = 0; j < width; ++j) {
-                        const std::size_t from = row + static_cast<std::size_t>(scene_.columns[x + j]);
-                        Mixture<T>& made = mixtures[j * below + i];
-                        mixture_(scene_.positions[from], value(y + i, x + j), made);
-                        made.layer = screen_.layers ? screen_.layers[from] : T(0);
-                        made.hidden = false;
+        for (tile.top = top; tile.top < bottom; tile.top += tall) {
+            for (tile.left = left; tile.left < right; tile.left += broad) {
+                tile.height = std::min(tall, bottom - tile.top), tile.width = std::min(broad, right - tile.left);
+                glance(tile.height * tile.width * (1 + bank_.widest * bank_.widest));
+                place(value, tile);
+                for (std::size_t j = 0; screen_.layers && j < tile.width; j += near) {
+                    for (std::size_t i = 0; i < tile.height; i += near) {
+                        look(isa, tile, i, std::min(near, tile.height - i), j, std::min(near, tile.width - j));
                     }
                 }
-                for (std::size_t j = 0; screen_.layers && j < width; j += near) {
-                    for (std::size_t i = 0; i < height; i += near) {
-                        look(isa, mixtures.data() + j * below + i, below, y + i, std::min(near, height - i), x + j,
-                             std::min(near, width - j));
-                    }
-                }
-                for (std::size_t j = 0; j < width; ++j) {
-                    mixtures[j * below + height].any = false;
-                    one_column(isa, mixtures.data() + j * below, height, y, x + j, sheets, side);
+                for (std::size_t j = 0; j < tile.width; ++j) {
+                    one_column(isa, tile, j, mixtures.data(), sheets, side);
                 }
             }
         }
     }
 
-    template <class I, class Side>
-    LOMMEL_INLINE void one_column(I, const Mixture<T>* points, std::size_t height, std::size_t y, std::size_t x,
-                                  Sheets<I, T>& sheets, const Side& side) const {
-        Column column{static_cast<std::ptrdiff_t>((y + bank_.widest) * across() + margin_ + x), height, 0, false};
-        bool any = false;
-        for (std::size_t i = 0; i < height; ++i) {
-            any = any || points[i].any;
-            column.hidden = column.hidden || (points[i].any && points[i].hidden);
-            column.half = std::max<std::size_t>(column.half, points[i].any ? points[i].half : 0);
+    template <class Value>
+    LOMMEL_INLINE void place(const Value& value, Tile& tile) const {
+        double positions[Tile::broad];
+        std::fill_n(tile.places.data() + tile.height * Tile::broad, Tile::broad, Place<T>{-1, T(0)});
+        for (std::size_t i = 0; i < tile.height; ++i) {
+            const std::size_t row = static_cast<std::size_t>(scene_.rows[tile.top + i]) * scene_.across;
+            const std::int64_t* const columns = scene_.columns + tile.left;
+            T* const values = tile.values.data() + i * Tile::broad;
+            for (std::size_t j = 0; j < tile.width; ++j) {
+                positions[j] = scene_.positions[row + static_cast<std::size_t>(columns[j])];
+                values[j] = value(tile.top + i, tile.left + j);
+            }
+            for (std::size_t j = 0; j < tile.width; ++j) {
+                tile.places[i * Tile::broad + j] = mixture_.place(positions[j], values[j]);
+            }
+            for (std::size_t j = 0; screen_.layers && j < tile.width; ++j) {
+                tile.layers[i * Tile::broad + j] = screen_.layers[row + static_cast<std::size_t>(columns[j])];
+            }
         }
-        if (!any) {
+    }
+
+    // Two points below each other are taken at once, unless some pixels see only one of them: those of one kind after those
+    // of another, since processors wait where they guess wrong what comes next.
+    template <class I, class Side>
+    LOMMEL_INLINE void one_column(I, const Tile& tile, std::size_t x, Mixture<T>* points, Sheets<I, T>& sheets,
+                                  const Side& side) const {
+        enum Kind { alike, other, hidden, apart, none };
+        Column column{static_cast<std::ptrdiff_t>((tile.top + bank_.widest) * across() + margin_ + tile.left + x), tile.height,
+                      0, false};
+        std::size_t pairs[none + 1][(most_rows + 1) / 2], counts[none + 1] = {};
+        for (std::size_t i = 0; i < tile.height; i += 2) {
+            for (std::size_t k = i; k < i + 2; ++k) {
+                const std::size_t at = k * Tile::broad + x;
+                mixture_(tile.places[at], tile.values[at], points[k]);
+                points[k].layer = screen_.layers ? tile.layers[at] : T(0);
+                points[k].hidden = points[k].any && tile.hidden[at];
+            }
+            const Mixture<T>&one = points[i], &next = points[i + 1];
+            const bool any = one.any || next.any, in_part = one.hidden || next.hidden;
+            const Kind seen = in_part ? (one.layer == next.layer ? hidden : apart) : one.first == next.first ? alike : other;
+            const Kind kind = any ? seen : none;
+            pairs[kind][counts[kind]++] = i;
+            column.half = std::max<std::size_t>(column.half, std::max(one.half, next.half));
+        }
+        if (2 * counts[none] >= tile.height) {
             return;
         }
+        column.hidden = counts[hidden] + counts[apart] > 0;
         side.open(sheets, column);
-        const auto add = [&](auto count, std::size_t i) LOMMEL_INLINE_LAMBDA {
+        const auto add = [&](auto count, auto same, auto in_part, std::size_t i) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t together = decltype(count)::value;
-            const std::size_t to = (y + i) * width_ + x;
-            each_block<I, together>(bank_, points + i, [&](const auto& rows) LOMMEL_INLINE_LAMBDA {
-                if (points[i].hidden || points[i + together - 1].hidden) {
-                    side.template add<true>(sheets, i, rows, to);
-                } else {
-                    side.template add<false>(sheets, i, rows, to);
-                }
+            const std::size_t half = std::max(points[i].half, points[i + together - 1].half);
+            each_block<I, together, decltype(same)::value>(bank_, points + i, half, [&](const auto& rows) LOMMEL_INLINE_LAMBDA {
+                const std::size_t to = (tile.top + i) * width_ + tile.left + x;
+                // One that is not there takes nothing, where the other is.
+                side.template add<decltype(in_part)::value>(sheets, i, rows, to, i + 1 < tile.height ? width_ : 0);
             });
         };
-        for (std::size_t i = 0; i < height; ++i) {
-            const Mixture<T>*const one = points + i, *const next = one + 1;
-            if (one->any && next->any && one->half == next->half && one->first <= next->first + 1 &&
-                next->first <= one->first + 1) {
-                add(std::integral_constant<std::size_t, 2>{}, i);
-                ++i;
-            } else if (one->any) {
-                add(std::integral_constant<std::size_t, 1>{}, i);
+        constexpr std::integral_constant<std::size_t, 1> one{};
+        constexpr std::integral_constant<std::size_t, 2> two{};
+        constexpr std::true_type yes{};
+        constexpr std::false_type no{};
+        for (std::size_t k = 0; k < counts[alike]; ++k) {
+            add(two, yes, no, pairs[alike][k]);
+        }
+        for (std::size_t k = 0; k < counts[other]; ++k) {
+            add(two, no, no, pairs[other][k]);
+        }
+        for (std::size_t k = 0; k < counts[hidden]; ++k) {
+            add(two, no, yes, pairs[hidden][k]);
+        }
+        for (std::size_t k = 0; k < 2 * counts[apart]; ++k) {
+            const std::size_t i = pairs[apart][k / 2] + k % 2;
+            if (points[i].any) {
+                add(one, yes, yes, i);
             }
         }
         side.close(sheets, column);
     }
 
-    // Of points next to each other, [column][row], leaves out those that no pixel sees which one of them reaches, and finds
+    // Of points next to each other leaves out those that no pixel sees which one of them reaches, and finds
     // those that not all pixels see: most of a scene is neither, and costs no more than where nothing is hidden.
     template <class I>
-    LOMMEL_INLINE void look(I, Mixture<T>* points, std::size_t stride, std::size_t y, std::size_t height, std::size_t x,
-                            std::size_t width) const {
+    LOMMEL_INLINE void look(I, Tile& tile, std::size_t down, std::size_t height, std::size_t along, std::size_t width) const {
         using V = Packed<I, T>;
         constexpr std::size_t lanes = sizeof(V) / sizeof(T);
         std::size_t half = 0;
         bool any = false;
-        for (std::size_t j = 0; j < width; ++j) {
-            for (std::size_t i = 0; i < height; ++i) {
-                const Mixture<T>& point = points[j * stride + i];
-                half = point.any ? std::max<std::size_t>(half, point.half) : half;
-                any = any || point.any;
+        const auto each = [&](const auto& visit) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t i = down; i < down + height; ++i) {
+                for (std::size_t j = along; j < along + width; ++j) {
+                    visit(i * Tile::broad + j);
+                }
             }
-        }
+        };
+        each([&](std::size_t at) LOMMEL_INLINE_LAMBDA {
+            const std::int32_t first = tile.places[at].first;
+            half = first < 0 ? half : std::max<std::size_t>(half, mixture_.half(first));
+            any = any || first >= 0;
+        });
         if (!any) {
             return;
         }
+        const std::size_t y = tile.top + down, x = tile.left + along;
         const std::size_t wide = width_ + 2 * margin_, left = margin_ + x - half, right = margin_ + x + width + half;
         const std::size_t top = bank_.widest + y - half, bottom = bank_.widest + y + height + half;
         V least = splat<V>(screen_.seen[top * wide + left]), most = least;
@@ -227,13 +274,10 @@ class Spreader {
         for (std::size_t i = 1; i < lanes; ++i) {
             low = std::min(low, least[i]), high = std::max(high, most[i]);
         }
-        for (std::size_t j = 0; j < width; ++j) {
-            for (std::size_t i = 0; i < height; ++i) {
-                Mixture<T>& point = points[j * stride + i];
-                point.any = point.any && point.layer < high;
-                point.hidden = point.layer + T(1) > low;
-            }
-        }
+        each([&](std::size_t at) LOMMEL_INLINE_LAMBDA {
+            tile.places[at].first = tile.layers[at] < high ? tile.places[at].first : -1;
+            tile.hidden[at] = tile.layers[at] + T(1) > low;
+        });
     }
 
     WindowBank<T> bank_;

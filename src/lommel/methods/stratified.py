@@ -7,8 +7,10 @@ and the pixels alone is kept. See docs/certificate.md, section 15, for what is p
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -16,7 +18,6 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import Layered, Window, layered_images, layered_profiles
 from lommel.methods.debye_wolf import DebyeWolf
-from lommel.methods.method import Method
 from lommel.optics import debye
 from lommel.optics.debye import Model, Rule
 from lommel.optics.emitter import Light
@@ -24,9 +25,10 @@ from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.stratified import Layers
 
-_FIRST = 2e-3  # of the tolerance, what fields may err by at first: enough where the least peak is above 1e-4 or so
-_LEAST = 2e-16
-_MARGIN = 2.0**-20
+_FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0  # of the tolerance: what fields, over the root of the peak, and interpolation take
+_LEAST = 2.0**-52
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -61,54 +63,68 @@ class Stratified(DebyeWolf):
 
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
-        if not v.size:
-            return super().profile(pupil, v)
-        reach, accuracy = float(v[-1]), self._first(self.tol)
-        while True:
-            values, off = layered_profiles(layered(pupil, reach, accuracy), v)
+
+        def attempt(accuracy: _Accuracy) -> tuple[Intensities, float]:
+            values, off = layered_profiles(layered(pupil, float(v[-1]), accuracy.field), v)
             top = values[:, 0].max(axis=1)
             relative = np.divide(off, top - off, out=np.full(top.shape, np.inf), where=top > off)
-            if (worst := float(relative.max())) <= self.tol:
-                return Intensities(values[:, 0], relative, top - off)
-            if accuracy <= _LEAST:
-                return super().profile(pupil, v)
-            accuracy = _closer(accuracy, self.tol, worst)
+            return Intensities(values[:, 0], relative, top - off), float(relative.max())
+
+        made = _settled(attempt, pupil, self.tol) if v.size else None
+        return super().profile(pupil, v) if made is None else made
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
         if wanted.terms or wanted.powers or (grid.integrate and not pupil.radial):
             return super().images(pupil, grid, wanted)
-        made = self._made(pupil, grid, self.tol, wanted)
+        made = _made(pupil, grid, self.tol, wanted)
         return super().images(pupil, grid, wanted) if made is None else made
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = self._made(pupil, grid, tol, wanted)
+        made = _made(pupil, grid, tol, wanted)
         return super()._samples(pupil, grid, tol, wanted) if made is None else made
 
-    def _made(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
-        """Return images by the engine, or None where it has none, or none that is exact enough."""
-        step, accuracy = grid.step(pupil), self._first(tol)
-        reach = grid._farthest * step
-        center = np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center
-        while True:
-            asked = layered(pupil, reach, accuracy)
-            window = Window(grid.shape, center, step)
-            made = layered_images(asked, window, accuracy, wanted, integrate=grid.integrate)
-            if made is None or (worst := float(made.error.max())) <= tol:
-                return made
-            if accuracy <= _LEAST:
-                return None
-            accuracy = _closer(accuracy, tol, worst)
 
-    @staticmethod
-    def _first(tol: float) -> float:
-        return max(_LEAST, 2.0 ** math.floor(math.log2(_FIRST * tol)))
+class _Accuracy(NamedTuple):
+    """What fields may err by, and what interpolation may add to I."""
+
+    field: float
+    between: float
 
 
-def _closer(accuracy: float, tol: float, worst: float) -> float:
-    """Return what to ask for where errors came to `worst`, a power of two: angles and tables are kept."""
-    share = max(1e-4, min(0.5, 0.5 * tol / worst))
-    return max(_LEAST, 2.0 ** math.floor(math.log2(accuracy * share)))
+def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
+    """Return what the first attempt made whose bound is at most `tol`; None where there is none, or it made none."""
+    peak = _likely_peak(pupil)
+    while True:
+        # Powers of two, so that angles and tables serve others too.
+        field = max(_LEAST, 2.0 ** math.floor(math.log2(_FIELD * tol * math.sqrt(peak))))
+        made, worst = attempt(_Accuracy(field, max(_LEAST, 2.0 ** math.floor(math.log2(_BETWEEN * tol * peak)))))
+        if made is None or worst <= tol:
+            return made
+        if field <= _LEAST:
+            return None
+        peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
+
+
+def _likely_peak(pupil: ObjectivePupil) -> float:
+    """Return about what light is at its peak in the darkest plane, spread over where paraxial rays arrive."""
+    layers = pupil.layers
+    away = np.abs(pupil.focus - (layers.immersion / layers.sample) * pupil.depth).max()
+    blur = layers.wavenumber * float(away) * layers.NA**2 / layers.immersion
+    return min(0.25, 2.0 / (1.0 + blur**2))
+
+
+def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
+    """Return images by the engine, or None where it has none, or none that is exact enough."""
+    step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
+    window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
+
+    def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
+        asked = layered(pupil, reach, accuracy.field)
+        made = layered_images(asked, window, accuracy.between, wanted, integrate=grid.integrate)
+        return made, 0.0 if made is None or made.error is None else float(made.error.max())
+
+    return _settled(attempt, pupil, tol)
 
 
 def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
@@ -130,9 +146,9 @@ def _forms(light: Light) -> tuple[Array, Array]:
 
 
 def _outwards(values: Array) -> tuple[float, float]:
-    """Return a range around values that others like them have too: multiples of a quarter of their width or less."""
+    """Return a range around values that others like them have too: multiples of an eighth of their width or less."""
     low, high = float(values.min()), float(values.max())
-    unit = 2.0 ** math.floor(math.log2(max(high - low, 4e-7) / 4.0))
+    unit = 2.0 ** math.floor(math.log2(max(high - low, 4e-7) / 8.0))
     return unit * math.floor(low / unit), unit * math.ceil(high / unit)
 
 

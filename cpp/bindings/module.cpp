@@ -63,6 +63,7 @@ NB_MODULE(_core, m) {
     define_chordal(m);
     define_paper(m);
     define_imaging(m);
+    define_stratified(m);
     define_bounds(m);
     m.def("instructions", &instructions, "The widest instructions in use: portable, avx2 or avx512.");
     m.def("limit_instructions", &limit_instructions, "level"_a, "Use no wider instructions than these.");

@@ -33,6 +33,7 @@ void define_zernike(nb::module_& m);
 void define_chordal(nb::module_& m);
 void define_paper(nb::module_& m);
 void define_imaging(nb::module_& m);
+void define_stratified(nb::module_& m);
 void define_bounds(nb::module_& m);
 
 template <class T, std::size_t N>

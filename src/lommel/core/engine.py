@@ -251,6 +251,69 @@ def radial_profiles(stack: RadialStack, v: Array, tol: float, threads: int = 1) 
     return Intensities(values, bounds, peaks)
 
 
+class Layered(NamedTuple):
+    """Planes through layers: angles, and what their light is made of.
+
+    Attributes
+    ----------
+    rho : ndarray, shape (q,)
+    parts : ndarray of complex, shape (m, q)
+        Of orders 0, 1, ..., with the weights of the rule.
+    rates : ndarray of complex, shape (3, q)
+        The phase, and its derivatives by depth and focus.
+    error : float
+        What each part of the field is proven to err by.
+    planes : ndarray, shape (3, n)
+        Depth, focus and power.
+    forms : ndarray of complex, shape (k, m, m)
+        Hermitian, of each order of the azimuth.
+    turns : ndarray, shape (k, 3)
+        That order, and the factors of its cosine and its sine; order 0 first.
+    """
+
+    rho: Array
+    parts: NDArray[np.complex128]
+    rates: NDArray[np.complex128]
+    error: float
+    planes: Array
+    forms: NDArray[np.complex128]
+    turns: Array
+
+
+def layered_images(
+    asked: Layered, window: Window, allowed: float, wanted: Wanted, *, integrate: bool = False
+) -> Images | None:
+    """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance.
+
+    Parameters
+    ----------
+    asked, window
+    allowed : float
+        What interpolation may err by, where 1 is the peak of a uniform aperture without aberration.
+    wanted : Wanted
+        Without `powers` and `terms`.
+    integrate : bool, default False
+        Whether pixels average.
+
+    Returns
+    -------
+    Images or None
+        None for windows that the core has no way for: wide ones of which pixels average or whose axis is not in the
+        middle, and, of light that depends on the azimuth, any such.
+    """
+    count = asked.planes.shape[1]
+    values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
+    numbers, centers = np.empty((3, count)), np.asarray(window.center, dtype=np.float64).reshape(-1, 2)
+    numbers[0] = 0.0 if wanted.scale is None else wanted.scale
+    made = _core.layered_images(*asked, centers, window.step, integrate, allowed, wanted.threads, values, numbers)
+    return Images(values, numbers[0], numbers[1], None, numbers[2]) if made else None
+
+
+def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
+    """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, shape ``(n,)``."""
+    return _core.layered_profiles(*asked, v, threads)
+
+
 class PixelRadii(NamedTuple):
     """Radii at which I tells all pixels of a window, and what becomes of its errors; certificate, section 9."""
 

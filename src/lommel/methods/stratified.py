@@ -1,15 +1,44 @@
-"""Stacks through the layers of a microscope, by an engine that interpolates what it has proven."""
+r"""Stacks through the layers of a microscope, by an engine that interpolates what it has proven.
+
+All planes share their angles and radii, so that their fields are products of matrices; what depends on the objective
+and the pixels alone is kept. See docs/certificate.md, section 15, for what is proven.
+"""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple, TypeVar
 
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.core.answers import Images, Intensities, Wanted
+from lommel.core.engine import Layered, Window, layered_images, layered_profiles
 from lommel.methods.debye_wolf import DebyeWolf
+from lommel.optics import debye
+from lommel.optics.debye import Model, Rule
+from lommel.optics.emitter import Light
+from lommel.optics.grid import Grid
+from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.stratified import Layers
+
+_FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0  # of the tolerance: what fields, over the root of the peak, and interpolation take
+_LEAST = 2.0**-52
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
 class Stratified(DebyeWolf):
-    """What computes the pupils of :meth:`lommel.Objective.pupil` where no method is named.
+    r"""Certified stacks through plane layers, by products of matrices: the default for an :class:`lommel.Objective`.
+
+    Supports what :class:`lommel.methods.DebyeWolf` does, with the same contract. Fields are summed over angles whose
+    number is proven to suffice, at few radii; between these the intensity, which is of exponential type 2 in v, is
+    interpolated with a proven error. Light that depends on the azimuth has that engine on samples around the default
+    axis; around others, and where a tolerance is near what rounding allows, it is computed as `DebyeWolf` does.
 
     Parameters
     ----------
@@ -20,4 +49,121 @@ class Stratified(DebyeWolf):
     ------
     TypeError, ValueError
         If `tol` is out of range.
+
+    Notes
+    -----
+    Bessel functions of angles and radii are kept for stacks of the same objective, wavelength, emitter and pixels,
+    whose depths and foci lie in about the same range; so are angles.
+
+    References
+    ----------
+    B. Richards and E. Wolf, Proc. R. Soc. Lond. A 253, 358 (1959), doi:10.1098/rspa.1959.0200.
+    P. Torok et al., J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325.
     """
+
+    def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
+        """Return I at rising v; its bound is checked against the peak that was found."""
+
+        def attempt(accuracy: _Accuracy) -> tuple[Intensities, float]:
+            values, off = layered_profiles(layered(pupil, float(v[-1]), accuracy.field), v)
+            top = values[:, 0].max(axis=1)
+            relative = np.divide(off, top - off, out=np.full(top.shape, np.inf), where=top > off)
+            return Intensities(values[:, 0], relative, top - off), float(relative.max())
+
+        made = _settled(attempt, pupil, self.tol) if v.size else None
+        return super().profile(pupil, v) if made is None else made
+
+    def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        if wanted.terms or wanted.powers or (grid.integrate and not pupil.radial):
+            return super().images(pupil, grid, wanted)
+        made = _made(pupil, grid, self.tol, wanted)
+        return super().images(pupil, grid, wanted) if made is None else made
+
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        made = _made(pupil, grid, tol, wanted)
+        return super()._samples(pupil, grid, tol, wanted) if made is None else made
+
+
+class _Accuracy(NamedTuple):
+    """What fields may err by, and what interpolation may add to I."""
+
+    field: float
+    between: float
+
+
+def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
+    """Return what the first attempt made whose bound is at most `tol`; None where there is none, or it made none."""
+    peak = _likely_peak(pupil)
+    while True:
+        # Powers of two, so that angles and tables serve others too.
+        field = max(_LEAST, 2.0 ** math.floor(math.log2(_FIELD * tol * math.sqrt(peak))))
+        made, worst = attempt(_Accuracy(field, max(_LEAST, 2.0 ** math.floor(math.log2(_BETWEEN * tol * peak)))))
+        if made is None or worst <= tol:
+            return made
+        if field <= _LEAST:
+            return None
+        peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
+
+
+def _likely_peak(pupil: ObjectivePupil) -> float:
+    """Return about what light is at its peak in the darkest plane, spread over where paraxial rays arrive."""
+    layers = pupil.layers
+    away = np.abs(pupil.focus - (layers.immersion / layers.sample) * pupil.depth).max()
+    blur = layers.wavenumber * float(away) * layers.NA**2 / layers.immersion
+    return min(0.25, 2.0 / (1.0 + blur**2))
+
+
+def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
+    """Return images by the engine, or None where it has none, or none that is exact enough."""
+    step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
+    window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
+
+    def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
+        asked = layered(pupil, reach, accuracy.field)
+        made = layered_images(asked, window, accuracy.between, wanted, integrate=grid.integrate)
+        return made, 0.0 if made is None or made.error is None else float(made.error.max())
+
+    return _settled(attempt, pupil, tol)
+
+
+def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
+    """Return a flattened stack as the core takes it, with angles for radii up to `reach` in v, fields exact to `tol`."""
+    depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
+    layers, light = pupil.layers, pupil.light
+    # Emitters are in focus near where their depth over their focus is that of the indices.
+    ratio = layers.immersion / layers.sample
+    found, parts, rates = _angles(
+        layers, light.model, *_outwards(depth), *_outwards(focus - ratio * depth), ratio, _above(reach), tol
+    )
+    planes = np.stack([depth, focus, pupil.power])
+    return Layered(found.rho, parts, rates, found.error, planes, *_forms(light))
+
+
+def _forms(light: Light) -> tuple[Array, Array]:
+    forms = np.stack([h.form for h in light.harmonics])
+    return forms, np.array([[h.order, h.cosine, h.sine] for h in light.harmonics], dtype=np.float64)
+
+
+def _outwards(values: Array) -> tuple[float, float]:
+    """Return a range around values that others like them have too: multiples of an eighth of their width or less."""
+    low, high = float(values.min()), float(values.max())
+    unit = 2.0 ** math.floor(math.log2(max(high - low, 4e-7) / 8.0))
+    return unit * math.floor(low / unit), unit * math.ceil(high / unit)
+
+
+def _above(reach: float) -> float:
+    """Return a reach that others like it have too, at most an eighth larger."""
+    unit = 2.0 ** math.floor(math.log2(max(reach, 1.0) / 8.0))
+    return unit * math.ceil(reach / unit)
+
+
+@lru_cache(maxsize=32)
+def _angles(
+    layers: Layers, model: Model, shallow: float, deep: float, near: float, far: float, ratio: float, reach: float, tol: float
+) -> tuple[Rule, Array, Array]:
+    """Return angles for all planes between two depths and two foci, the latter counted from ``ratio depth``."""
+    depth = np.array([max(shallow, 0.0), max(shallow, 0.0), deep, deep])
+    focus = ratio * depth + np.array([near, far, near, far])
+    found = debye.rule(layers, model, depth, focus, reach, tol)
+    return found, np.stack(found.parts), np.stack(found.rates)

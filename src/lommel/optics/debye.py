@@ -30,6 +30,7 @@ from lommel.special.legendre import gauss_legendre
 
 _ETA = np.geomspace(4e-3, 2.5, 28)
 _ARCS = 1024
+_GLANCE = 48  # points of an ellipse
 _ROUNDOFF = 2.0**-53
 _RADII = 2048  # at once
 _ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,)}
@@ -58,6 +59,27 @@ class Model:
     def orders(self) -> tuple[int, ...]:
         """The orders of the Bessel functions, one for each part."""
         return _ORDERS[self.kind]
+
+
+class Covered(NamedTuple):
+    """Ellipses around a piece, each with as many discs along it.
+
+    Attributes
+    ----------
+    x : Disc
+        Of the variable.
+    rates : tuple of three Disc
+        Of the phase, and of its derivatives by depth and focus.
+    height : ndarray
+        What bounds ``abs(Im rho)``.
+    fit : ndarray of bool, one for each ellipse
+        Whether it is proven to hold no singularity.
+    """
+
+    x: Disc
+    rates: tuple[Disc, Disc, Disc]
+    height: Array
+    fit: NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -107,20 +129,24 @@ class Piece:
         sine = np.sqrt(self.square(x)) / self.layers.sample
         return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
 
-    def _ellipses(self) -> Disc:
+    def _ellipses(self, eta: Array, arcs: int) -> Disc:
         """Return discs that cover the ellipses around the piece, one for each eta, shape ``(eta, arcs)``."""
-        step = 2.0 * math.pi / _ARCS
-        theta = (np.arange(_ARCS) + 0.5) * step
+        step = 2.0 * math.pi / arcs
+        theta = (np.arange(arcs) + 0.5) * step
         half = 0.5 * (self.high - self.low)
-        centre = self.low + half * (1.0 + np.cos(theta + 1j * _ETA[:, None]))
+        centre = self.low + half * (1.0 + np.cos(theta + 1j * eta[:, None]))
         # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
-        slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(_ETA)[:, None])
-        return Disc(np.asarray(centre, np.complex128), 0.5 * step * half * slope * (1.0 + 1e-12) + 1e-15)
+        slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
+        radius = 0.5 * step * half * slope * (1.0 + 1e-12) + 1e-15
+        return Disc(np.asarray(centre, np.complex128), radius if arcs == _ARCS else np.zeros(radius.shape))
 
     @cached_property
-    def covered(self) -> tuple[Disc, tuple[Disc, Disc, Disc], Array, Array]:
-        """Discs of x and of the rates, what bounds ``abs(Im rho)``, and which ellipses hold no singularity."""
-        x = self._ellipses()
+    def covered(self) -> Covered:
+        """What is known of all ellipses."""
+        return self._cover(_ETA, _ARCS)
+
+    def _cover(self, eta: Array, arcs: int) -> Covered:
+        x = self._ellipses(eta, arcs)
         rates = self.rates(x)
         denominators = self.amplitudes(x).denominators
         fit = np.all([windings(each) == 0 for each in denominators], axis=0)
@@ -131,26 +157,51 @@ class Piece:
         root = np.sqrt(square.centre)
         size = np.maximum(np.abs(root), 1e-300)
         height = np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), np.abs(root.imag) + square.radius / size)
-        return x, rates, height, fit
+        return Covered(x, rates, height, fit)
 
-    def growth(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
-        """Return the logarithm of a bound on the integrands on each ellipse, infinite where one may be singular."""
-        _, (fixed, by_depth, by_focus), height, fit = self.covered
-        amplitude = _largest(self, model)
-        worst = np.full(height.shape, -np.inf)
+    def growth(
+        self, model: Model, depth: Array, focus: Array, v: float, rows: tuple[int, ...] | None = None
+    ) -> Array:
+        """Return the logarithm of a bound on the integrands on each ellipse, infinite where one may be singular.
+
+        Where `rows` are given, of these ellipses alone; the others count as singular.
+        """
+        found = np.full(_ETA.shape, np.inf)
+        found[list(rows or range(_ETA.size))] = self._grown(model, depth, focus, v, rows, _ARCS)
+        return found
+
+    def _grown(
+        self, model: Model, depth: Array, focus: Array, v: float, rows: tuple[int, ...] | None, arcs: int
+    ) -> Array:
+        covered, amplitude = _enclosed(self, model, rows, arcs)
+        fixed, by_depth, by_focus = covered.rates
+        worst = np.full(covered.height.shape, -np.inf)
         with np.errstate(all="ignore"):
             for d, f in extremes(depth, focus):
                 phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
                 worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
-            found = (amplitude + worst + v * height).max(axis=-1)
-        return np.where(fit & np.isfinite(found), found + 1e-9, np.inf)
+            found = (amplitude + worst + v * covered.height).max(axis=-1)
+        return np.where(covered.fit & np.isfinite(found), found + 1e-9, np.inf)
 
-    def nodes(self, growth: Array, error: float) -> int:
-        """Return the fewest nodes whose rule is proven to err by at most `error`."""
+    def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
+        """Return as few nodes as are proven to err by at most `error`, by the ellipses that serve best at a glance."""
+        glance = self._needed(self._grown(model, depth, focus, v, None, _GLANCE), error)
+        best = int(glance.argmin())
+        rows = tuple(row for row in (best - 1, best, best + 1) if 0 <= row < _ETA.size)
+        growth = self.growth(model, depth, focus, v, rows)
+        if not np.isfinite(growth).any():
+            growth = self.growth(model, depth, focus, v)
+        return self.nodes(growth, error)
+
+    def _needed(self, growth: Array, error: float) -> Array:
         half = 0.5 * (self.high - self.low)
         with np.errstate(over="ignore"):
             constant = math.log(64.0 / 15.0 * half) - np.log(-np.expm1(-2.0 * _ETA)) - math.log(error)
-        needed = float(((growth + constant) / (2.0 * _ETA)).min())
+        return np.asarray((growth + constant) / (2.0 * _ETA))
+
+    def nodes(self, growth: Array, error: float) -> int:
+        """Return the fewest nodes whose rule is proven to err by at most `error`."""
+        needed = float(self._needed(growth, error).min())
         if not math.isfinite(needed):
             thinner = "films must be thinner, or " if self.layers.films else ""
             raise ValueError(
@@ -160,10 +211,20 @@ class Piece:
         return max(2, math.ceil(needed))
 
 
-@lru_cache(maxsize=8)
-def _largest(piece: Piece, model: Model) -> Array:
-    """Return the logarithm of a bound on every part without its exponential and its Bessel function, on each arc."""
-    x, _, _, _ = piece.covered
+@lru_cache(maxsize=32)
+def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None, arcs: int) -> tuple[Covered, Array]:
+    """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each of their arcs.
+
+    Without its exponential and its Bessel function. Arcs that are fewer than those of proofs are points.
+    """
+    if rows is None and arcs == _ARCS:
+        covered = piece.covered
+    else:
+        covered = piece._cover(_ETA if rows is None else _ETA[list(rows)], arcs)
+    return covered, _largest(piece, model, covered.x)
+
+
+def _largest(piece: Piece, model: Model, x: Disc) -> Array:
     with np.errstate(all="ignore"):
         light = np.log(piece.jacobian(x).largest)
         if model.aplanatic:
@@ -243,7 +304,7 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
     rhos, parts, rates = [], [], []
     cut = pieces(layers, model)
     for piece in cut:
-        n = piece.nodes(piece.growth(model, depth, focus, v), tol / len(cut))
+        n = piece.enough(model, depth, focus, v, tol / len(cut))
         x, w = gauss_legendre(n, piece.low, piece.high)
         rhos.append(np.sqrt(piece.square(x)) / layers.NA)
         parts.append([w * part for part in piece.parts(x, model)])

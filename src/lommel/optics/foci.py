@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -66,6 +67,7 @@ def ray_foci(layers: Layers, depth: float) -> Array:
     return np.asarray(layers.immersion * cosines(layers.NA, rho, layers.immersion).real * length)
 
 
+@lru_cache(maxsize=4096)
 def brightest(layers: Layers, depth: float) -> Axial:
     """Return the main maximum: the largest in steps of a 16th of the depth of focus, then by Newton's method.
 

@@ -1,0 +1,117 @@
+// Planes of a microscope through layers: images and profiles.
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "lommel/stratified/images.hpp"
+
+#include "pupils.hpp"
+
+using namespace bindings;
+
+namespace {
+
+// Angles and planes as arrays: rho (q,), parts (m, q), rates (3, q), depth, focus and power (n,), forms (k, m, m), and of each of
+// these the order, and the factors of its cosine and its sine, (k, 3).
+lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, const In<complex, 2>& rates, double error,
+                         const In<double, 2>& planes, const In<complex, 3>& forms, const In<double, 2>& turns) {
+    const std::size_t angles = rho.shape(0), count = parts.shape(0), orders = forms.shape(0), n = planes.shape(1);
+    require(angles > 0 && count > 0 && count <= lommel::most_parts && n > 0 && orders > 0, "empty, or too many parts");
+    require(parts.shape(1) == angles && rates.shape(0) == 3 && rates.shape(1) == angles, "one value an angle");
+    require(planes.shape(0) == 3, "planes are depth, focus and power");
+    require(forms.shape(1) == count && forms.shape(2) == count && turns.shape(0) == orders && turns.shape(1) == 3,
+            "forms must match the parts, and have an order, a cosine and a sine each");
+    require(turns.data()[0] == 0.0, "the order 0 must come first");
+    const complex* rate = rates.data();
+    const double* plane = planes.data();
+    lommel::Planes made{{rho.data(), angles, count, parts.data(), rate, rate + angles, rate + 2 * angles, error},
+                        plane,
+                        plane + n,
+                        plane + 2 * n,
+                        n,
+                        {}};
+    for (std::size_t k = 0; k < orders; ++k) {
+        const double* turn = turns.data() + 3 * k;
+        lommel::Harmonic harmonic{{}, static_cast<std::size_t>(turn[0]), turn[1], turn[2]};
+        for (std::size_t i = 0; i < count * count; ++i) {
+            harmonic.form[i / count][i % count] = forms.data()[k * count * count + i];
+        }
+        made.harmonics.push_back(harmonic);
+    }
+    return made;
+}
+
+// Windows around the axis that all planes share, or around one each: centers (1, 2) or (n, 2).
+template <class T>
+bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates, double error, In<double, 2> planes,
+                    In<complex, 3> forms, In<double, 2> turns, In<double, 2> centers, double step, bool integrate,
+                    double allowed, int threads, Out<T, 3> images, Out<double, 2> numbers) {
+    const lommel::Planes asked = planes_of(rho, parts, rates, error, planes, forms, turns);
+    const std::size_t n = asked.count;
+    require(images.shape(0) == n && numbers.shape(0) == 3 && numbers.shape(1) == n, "one image, scale, bound and peak a plane");
+    require(allowed > 0.0 && threads >= 0, "allowed must be positive, threads at least 0");
+    require_centers(centers, centers.shape(0) == 1 ? 1 : n);
+    const double* at = centers.data();
+    const lommel::PixelWindow first = window_of(images.shape(1), images.shape(2), at[0], at[1], step, integrate);
+    // One axis off the middle is one of each plane: the same table serves windows around any.
+    std::vector<double> own;
+    lommel::PixelWindows windows(first);
+    if (centers.shape(0) == n && n > 1) {
+        windows = {first, at, n};
+    } else if (!first.centered() || integrate) {
+        for (std::size_t p = 0; p < n; ++p) {
+            own.insert(own.end(), at, at + 2);
+        }
+        windows = {first, own.data(), n};
+    }
+    if (!lommel::LayeredImages<T>::fits(asked, windows)) {
+        return false;
+    }
+    double* const scales = numbers.data();
+    const lommel::Answer<T> answer{images.data(), scales, scales + n, scales + 2 * n, nullptr, 0, nullptr, nullptr};
+    released([&] { lommel::LayeredImages<T>(asked, windows, allowed, threads, answer).run(); });
+    return true;
+}
+
+// The orders of the azimuth at rising v, shape (n, k, radii), and what their sum is off by, shape (n,).
+std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates,
+                                                           double error, In<double, 2> planes, In<complex, 3> forms,
+                                                           In<double, 2> turns, In<double, 1> v, int threads) {
+    const lommel::Planes asked = planes_of(rho, parts, rates, error, planes, forms, turns);
+    require_radii(v);
+    require(v.shape(0) > 0 && threads >= 0, "v must not be empty, threads at least 0");
+    const std::size_t count = v.shape(0), orders = asked.harmonics.size();
+    auto values = new_array<double, 3>({asked.count, orders, count});
+    auto bounds = new_array<double, 1>({asked.count});
+    released([&] {
+        const auto radii = std::make_shared<lommel::Radii>();
+        radii->count = count;
+        radii->radii.assign(v.data(), v.data() + count);
+        radii->radii.resize(count + lommel::widest_step, v.data()[count - 1]);
+        const lommel::Profiles profiles(asked, radii, 1.0);
+        profiles.run(threads, [&](std::size_t first, std::size_t here, const double* found, const lommel::PartSizes* sizes) {
+            for (std::size_t row = 0; row < here * orders; ++row) {
+                std::copy_n(found + row * profiles.stride(), count, values.data() + (first * orders + row) * count);
+            }
+            for (std::size_t p = 0; p < here; ++p) {
+                bounds.data()[first + p] = lommel::Judged(asked, first + p, sizes[p]).given;
+            }
+        });
+    });
+    return {values, bounds};
+}
+
+}  // namespace
+
+void bindings::define_stratified(nb::module_& m) {
+    for_both([&](auto pixel) {
+        m.def("layered_images", &layered_images<decltype(pixel)>, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a,
+              "forms"_a, "turns"_a, "centers"_a, "step"_a, "integrate"_a, "allowed"_a, "threads"_a, "images"_a.noconvert(),
+              "numbers"_a.noconvert(),
+              "Images of planes through layers, and of each in `numbers` what it is multiplied by (0 on entry: over its largest "
+              "value), the bound on its error over the peak, and that peak; False, with nothing written, for windows that this "
+              "has no way for.");
+    });
+    m.def("layered_profiles", &layered_profiles, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a, "forms"_a, "turns"_a,
+          "v"_a, "threads"_a, "The orders of the azimuth of the intensity at rising v, and what their sum is off by.");
+}

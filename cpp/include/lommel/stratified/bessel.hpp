@@ -1,0 +1,65 @@
+// J_0 to J_3 as polynomials on pieces of their argument: what tables over angles and radii are filled from.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+
+#include "lommel/base/cache.hpp"
+#include "lommel/base/simd.hpp"
+#include "lommel/special/bessel.hpp"
+#include "lommel/special/chebyshev.hpp"
+
+namespace lommel {
+
+// Of type 1 and at most 1, so that on pieces of width 2 polynomials of degree 15 are off by 2^-15 / 16! < 2e-18. With the values that
+// they are made of, magnified by 1 + (2 / pi) log 16, and with Horner's sums of at most e, the error is below 96 roundings.
+struct BesselPieces {
+    static constexpr std::size_t orders = 4, coefficients = 16;
+    static constexpr double half = 1.0, error = 96.0;  // in units of roundoff
+
+    double reach;
+    Doubles rows;  // [piece][order][coefficient]
+
+    explicit BesselPieces(double most)
+        : reach(std::max(64.0, std::exp2(std::ceil(std::log2(most + 1.0))))),
+          rows((static_cast<std::size_t>(0.5 * reach / half) + 1) * orders * coefficients) {
+        const ChebyshevToMonomials<coefficients> polynomial;
+        std::array<double, orders * coefficients> values{};
+        for (std::size_t first = 0; first < rows.size(); first += values.size()) {
+            look();
+            const double middle = half * (2.0 * static_cast<double>(first / values.size()) + 1.0);
+            for (std::size_t j = 0; j < coefficients; ++j) {
+                bessel_sequence(middle + half * chebyshev_point(j, coefficients), orders, values.data() + j * orders);
+            }
+            for (std::size_t m = 0; m < orders; ++m) {
+                polynomial(values.data() + m, orders, rows.data() + first + m * coefficients);
+            }
+        }
+    }
+
+    // J_0(v), J_1(v), ... up to the reach. Bound by multiply-adds, of whose chains there are two an order.
+    template <std::size_t Count>
+    LOMMEL_INLINE void operator()(double v, double (&out)[Count]) const {
+        const std::size_t piece = static_cast<std::size_t>(0.5 * v / half);
+        const double x = (v - half * (2.0 * static_cast<double>(piece) + 1.0)) / half, square = x * x;
+        const double* row = rows.data() + piece * orders * coefficients;
+        for (std::size_t m = 0; m < Count; ++m, row += coefficients) {
+            double even = row[coefficients - 2], odd = row[coefficients - 1];
+            for (std::size_t k = coefficients - 2; k > 0; k -= 2) {
+                even = even * square + row[k - 2];
+                odd = odd * square + row[k - 1];
+            }
+            out[m] = even + x * odd;
+        }
+    }
+
+    std::size_t bytes() const { return sizeof(double) * rows.size(); }
+    bool is(double most) const { return most <= reach; }
+    static constexpr std::size_t most_bytes = std::size_t{32} << 20;
+    static std::shared_ptr<const BesselPieces> get(double most) { return cache<BesselPieces>.get(most); }
+};
+
+}  // namespace lommel

@@ -1,0 +1,77 @@
+// What is proven about the intensity of a plane at radii, and how its azimuth turns it into pixels.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "lommel/pixels/layout.hpp"
+#include "lommel/stratified/bessel.hpp"
+#include "lommel/stratified/profiles.hpp"
+
+namespace lommel {
+
+struct Judged {
+    double given;  // what I is off by at the radii
+    double most;   // what its orders of the azimuth sum to anywhere, at most
+    double swing;  // how far it is from a constant
+
+    Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes) {
+        const double sum = *std::max_element(sizes.most, sizes.most + most_parts);
+        const double e = planes.angles.error + planes.angles.rounding(BesselPieces::error) * sum;
+        std::array<double, most_parts> found{};
+        for (std::size_t m = 0; m < most_parts; ++m) {
+            found[m] = std::sqrt(sizes.found[m]);
+        }
+        const std::size_t all = planes.harmonics.size();
+        // Products, forms and the power, which is known to 1e-13, are a few roundings of the largest value each.
+        given = planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return e * (found[j] + found[l] + e); }, 0, all) +
+                4e-13 * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return found[j] * found[l]; }, 0, all);
+        const auto anywhere = [&](std::size_t j, std::size_t l) { return (sizes.most[j] + e) * (sizes.most[l] + e); };
+        const double steady = planes.bilinear(plane, anywhere, 0, 1), turning = planes.bilinear(plane, anywhere, 1, all);
+        most = steady + turning;
+        // What is never negative is within half its largest value of that half.
+        swing = 0.5 * steady + turning;
+    }
+};
+
+// Pixels of a centred window from the orders of the azimuth at its radii: what each order is multiplied by.
+class Turned {
+   public:
+    Turned(const Planes& planes, const Layout& layout) : orders_(planes.harmonics.size()) {
+        const std::size_t pixels = planes.radial() ? 0 : layout.height * layout.width;
+        around_.resize((orders_ - 1) * pixels);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const double y = static_cast<double>(i / layout.width) - static_cast<double>(layout.height / 2);
+            const double x = static_cast<double>(i % layout.width) - static_cast<double>(layout.width / 2);
+            const double r = std::max(std::hypot(x, y), 1e-300), c = x / r, s = y / r;
+            for (std::size_t k = 1; k < orders_; ++k) {
+                const Harmonic& h = planes.harmonics[k];
+                around_[(k - 1) * pixels + i] =
+                    h.order == 1 ? h.cosine * c + h.sine * s : h.cosine * (c * c - s * s) + h.sine * 2.0 * c * s;
+            }
+        }
+    }
+
+    void sum(const Layout& layout, const double* values, std::size_t stride, double* out) const {
+        const std::size_t pixels = layout.height * layout.width, cy = layout.height / 2, cx = layout.width / 2;
+        for (std::size_t y = 0, i = 0; y < layout.height; ++y) {
+            const std::int32_t* ranks = layout.index.data() + (y < cy ? cy - y : y - cy) * (cx + 1);
+            for (std::size_t x = 0; x < layout.width; ++x, ++i) {
+                const auto rank = static_cast<std::size_t>(ranks[x < cx ? cx - x : x - cx]);
+                double total = values[rank];
+                for (std::size_t k = 1; k < orders_; ++k) {
+                    total += around_[(k - 1) * pixels + i] * values[k * stride + rank];
+                }
+                out[i] = total;
+            }
+        }
+    }
+
+   private:
+    std::size_t orders_;
+    Doubles around_;
+};
+
+}  // namespace lommel

@@ -1,0 +1,101 @@
+// Planes of a microscope: the angles of its light, the waves along these, and the forms that make intensities of fields.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/simd.hpp"
+#include "lommel/question.hpp"
+#include "lommel/special/sincos.hpp"
+
+namespace lommel {
+
+constexpr std::size_t most_parts = 3;
+
+// Angles, the parts of the field along each (orders 0, 1, ... of the azimuth), and the phase, linear in depth and focus.
+struct Angles {
+    const double* rho;
+    std::size_t count, parts;
+    const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // [part][angle], then [angle]
+    double error;                                                   // of each part of the field, proven
+
+    // What rounding adds: the sum over angles, the Bessel functions, and products; over the sum of magnitudes.
+    double rounding(double of_bessel) const { return (static_cast<double>(count) + of_bessel + 16.0) * unit_roundoff; }
+};
+
+// One order of the azimuth: sum over j, l of form[j][l] F_j conj(F_l), times cosine cos(order phi) + sine sin(order phi).
+struct Harmonic {
+    std::complex<double> form[most_parts][most_parts];
+    std::size_t order;
+    double cosine, sine;
+    double size() const { return std::hypot(cosine, sine); }
+};
+
+struct Planes {
+    Angles angles;
+    const double *depth, *focus, *power;
+    std::size_t count;
+    std::vector<Harmonic> harmonics;
+
+    bool radial() const { return harmonics.size() == 1; }
+
+    // exp(i psi) times each part, to re and im [part * stride + angle]; the sums of their magnitudes to `sizes`. Fading waves are few.
+    template <class I>
+    LOMMEL_INLINE void waves(I isa, std::size_t plane, std::size_t stride, double* re, double* im, double* sizes) const {
+        using V = typename I::pack;
+        const double d = depth[plane], f = focus[plane];
+        thread_local Doubles phase, sine, cosine;
+        phase.resize(stride);
+        sine.resize(stride);
+        cosine.resize(stride);
+        for (std::size_t q = 0; q < angles.count; ++q) {
+            phase[q] = angles.fixed[q].real() + d * angles.by_depth[q].real() + f * angles.by_focus[q].real();
+        }
+        std::fill(phase.begin() + static_cast<std::ptrdiff_t>(angles.count), phase.end(), 0.0);
+        for (std::size_t q = 0; q < stride; q += I::lanes) {
+            V s, c;
+            sincos(isa, load<V>(phase.data() + q), s, c);
+            store(sine.data() + q, s);
+            store(cosine.data() + q, c);
+        }
+        for (std::size_t q = 0; q < angles.count; ++q) {
+            const double fades = angles.fixed[q].imag() + d * angles.by_depth[q].imag() + f * angles.by_focus[q].imag();
+            if (fades != 0.0) {
+                const double left = std::exp(-fades);
+                sine[q] *= left;
+                cosine[q] *= left;
+            }
+        }
+        for (std::size_t m = 0; m < angles.parts; ++m) {
+            const std::complex<double>* part = angles.part + m * angles.count;
+            double size = 0.0;
+            for (std::size_t q = 0; q < angles.count; ++q) {
+                const double a = part[q].real(), b = part[q].imag(), x = a * cosine[q] - b * sine[q],
+                             y = a * sine[q] + b * cosine[q];
+                re[m * stride + q] = x;
+                im[m * stride + q] = y;
+                size += std::abs(x) + std::abs(y);
+            }
+            sizes[m] = size;
+        }
+    }
+
+    // sum over j, l of |form[j][l]| f(j, l), over the power and all orders of the azimuth that come later than `first`.
+    template <class F>
+    double bilinear(std::size_t plane, const F& f, std::size_t first, std::size_t last) const {
+        double sum = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            for (std::size_t j = 0; j < angles.parts; ++j) {
+                for (std::size_t l = 0; l < angles.parts; ++l) {
+                    sum += harmonics[k].size() * std::abs(harmonics[k].form[j][l]) * f(j, l);
+                }
+            }
+        }
+        return sum / power[plane];
+    }
+};
+
+}  // namespace lommel

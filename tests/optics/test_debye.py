@@ -23,7 +23,7 @@ COATED = Layers(1.3, 1.515, 1.5255, 1.33, ((2.0, 30e-9), (1.2, 80e-9)), ((1.515,
 DRY = Layers(0.95, 1.0, 1.5255, 1.33, (), (), 525e-9)
 
 
-def exact(of: Layers, order: int, depth: float, focus: float, v: float) -> complex:
+def exact(of: Layers, part: str, depth: float, focus: float, v: float) -> complex:
     """One integral to 20 digits and more, from the formulas as they are written, over rho."""
     k = 2 * mp.pi / mp.mpf(of.wavelength)
 
@@ -49,9 +49,17 @@ def exact(of: Layers, order: int, depth: float, focus: float, v: float) -> compl
         c_i, c_g, c_s = (cosine(n, rho) for n in (of.immersion, of.glass, of.sample))
         t_s = 2 * n_i * c_i / (n_i * c_i + n_g * c_g) * matrix_t(rho, "s")
         t_p = 2 * n_i * c_i / (n_g * c_i + n_i * c_g) * matrix_t(rho, "p")
-        part = (t_s + t_p * c_s, t_p * mp.mpf(of.NA) * rho / n_s, t_s - t_p * c_s)[order]
+        sine = mp.mpf(of.NA) * rho / n_s
+        amplitude, order = {
+            "K0": (t_s + t_p * c_s, 0),
+            "K1": (t_p * sine, 1),
+            "K2": (t_s - t_p * c_s, 2),
+            "along r": (2 * t_p * c_s, 1),
+            "along z": (2j * t_p * sine, 0),
+            "around": (2 * t_s, 1),
+        }[part]
         psi = depth * n_s * c_s - focus * n_i * c_i + sum(mp.mpf(t) * n * cosine(n, rho) for n, t in of.paths)
-        return part / mp.sqrt(c_i) * mp.exp(1j * k * psi) * mp.besselj(order, v * rho) * rho
+        return amplitude / mp.sqrt(c_i) * mp.exp(1j * k * psi) * mp.besselj(order, v * rho) * rho
 
     cut = min(1.0, of.sample / of.NA)
     with mp.workdps(30):
@@ -59,21 +67,31 @@ def exact(of: Layers, order: int, depth: float, focus: float, v: float) -> compl
 
 
 @pytest.mark.parametrize(
-    ("of", "order", "depth", "focus", "v"),
+    ("of", "part", "depth", "focus", "v"),
     [
-        (OIL, 0, 2e-6, 2.6e-6, 3.0),
-        (TIRF, 1, 0.1e-6, 0.2e-6, 7.0),
-        (TIRF, 2, 1e-6, 0.9e-6, 12.0),
-        (WATER, 1, 3e-6, 2.0e-6, 5.0),
-        (COATED, 0, 0.3e-6, 0.5e-6, 2.0),
-        (COATED, 2, 0.3e-6, 0.5e-6, 2.0),
+        (OIL, "K0", 2e-6, 2.6e-6, 3.0),
+        (TIRF, "K1", 0.1e-6, 0.2e-6, 7.0),
+        (TIRF, "K2", 1e-6, 0.9e-6, 12.0),
+        (WATER, "K1", 3e-6, 2.0e-6, 5.0),
+        (COATED, "K0", 0.3e-6, 0.5e-6, 2.0),
+        (COATED, "K2", 0.3e-6, 0.5e-6, 2.0),
+        (TIRF, "along r", 0.1e-6, 0.2e-6, 4.0),
+        (TIRF, "along z", 0.1e-6, 0.2e-6, 0.0),
+        (DRY, "along z", 1e-6, 0.5e-6, 3.0),
+        (COATED, "around", 0.3e-6, 0.5e-6, 2.0),
     ],
 )
-def test_integrals_are_those_of_the_formulas_at_thirty_digits(of, order, depth, focus, v):
+def test_integrals_are_those_of_the_formulas_at_thirty_digits(of, part, depth, focus, v):
     planes = np.array([depth]), np.array([focus])
-    rule = debye.rule(of, VECTOR, *planes, v, 1e-13)
-    found = debye.fields(rule, VECTOR, *planes, np.array([v]))[order][0, 0]
-    assert abs(found - exact(of, order, depth, focus, v)) <= min(rule.error, 1e-12)
+    kind, place = {
+        "along r": ("radial", 0),
+        "along z": ("radial", 1),
+        "around": ("azimuthal", 0),
+    }.get(part, ("vectorial", int(part[-1]) if part[0] == "K" else 0))
+    model = debye.Model(kind)
+    rule = debye.rule(of, model, *planes, v, 1e-13)
+    found = debye.fields(rule, model, *planes, np.array([v]))[place][0, 0]
+    assert abs(found - exact(of, part, depth, focus, v)) <= min(rule.error, 1e-12)
 
 
 def random_system(rng: np.random.Generator) -> tuple[Layers, np.ndarray, np.ndarray]:
@@ -94,7 +112,7 @@ def test_no_integral_of_a_random_microscope_errs_by_more_than_its_bound(seed):
     of, depth, focus = random_system(rng)
     v = rng.uniform(0.0, 60.0, 7)
     tol = 10.0 ** rng.uniform(-10, -3)
-    kind = ("scalar", "vectorial", "vectorial")[seed % 3]
+    kind = ("scalar", "vectorial", "radial", "vectorial", "azimuthal")[seed % 5]
     model = debye.Model(kind, bool(seed % 2), bool(seed % 7))
     rule = debye.rule(of, model, depth, focus, float(v.max()), tol)
     found = debye.fields(rule, model, depth, focus, v)
@@ -127,14 +145,20 @@ def by_halves(of, model, depth, focus, v):
 
 @pytest.mark.parametrize("v", [0.0, 20.0])
 @pytest.mark.parametrize(
-    ("of", "model"), [*((of, VECTOR) for of in (OIL, TIRF, WATER, COATED, DRY)), (DRY, debye.Model(kind="scalar"))]
+    ("of", "model"),
+    [
+        *((of, VECTOR) for of in (OIL, TIRF, WATER, COATED, DRY)),
+        (DRY, debye.Model("scalar")),
+        (TIRF, debye.Model("radial")),
+        (DRY, debye.Model("azimuthal")),
+    ],
 )
 def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, model, v):
     depth, focus = np.array([1e-6]), np.array([2e-6])
     # A Bessel function is far below its bound.
-    above = 4.0 if v else 0.8 if (model.kind == "vectorial") else 0.3
+    above = {"scalar": 0.3, "azimuthal": math.inf}.get(model.kind, 0.8) if v == 0.0 else 4.0
     theta = np.linspace(0.0, 2 * np.pi, 3001)
-    for piece in debye.pieces(of, VECTOR):
+    for piece in debye.pieces(of, model):
         growth = piece.growth(model, depth, focus, v)
         fit = np.flatnonzero(np.isfinite(growth))
         assert fit.size >= 5
@@ -144,13 +168,15 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
             fixed, by_depth, by_focus = piece.rates(x)
             rho = np.sqrt(piece.square(x)) / of.NA
             wave = np.exp(1j * (fixed + depth * by_depth + focus * by_focus))
-            parts = [np.abs(wave * part * jv(m, v * rho)).max() for m, part in enumerate(piece.parts(x, model))]
-            assert math.log(max(parts)) <= growth[row] <= math.log(max(parts)) + above
+            pairs = zip(model.orders, piece.parts(x, model), strict=True)
+            parts = [0.0, *(np.abs(wave * part * jv(m, v * rho)).max() for m, part in pairs)]
+            largest = math.log(max(*parts, 1e-300))  # J1 is 0 on the axis
+            assert largest <= growth[row] <= largest + above
 
 
-@pytest.mark.parametrize("of", [OIL, DRY])
-def test_the_discs_cover_each_ellipse(of):
-    for piece in debye.pieces(of, VECTOR):
+@pytest.mark.parametrize(("of", "model"), [(OIL, VECTOR), (DRY, VECTOR), (TIRF, debye.Model("azimuthal"))])
+def test_the_discs_cover_each_ellipse(of, model):
+    for piece in debye.pieces(of, model):
         discs = piece.covered[0]
         half = 0.5 * (piece.high - piece.low)
         # The ends and the middles of the arcs, and near them.
@@ -172,6 +198,24 @@ def test_an_ellipse_round_the_branch_point_of_another_cosine_is_none():
     growth = piece.growth(VECTOR, np.zeros(1), np.zeros(1), 0.0)
     assert np.isinf(growth[largest < debye._ETA]).all()
     assert np.isfinite(growth[0.5 * largest > debye._ETA]).all()
+
+
+@pytest.mark.parametrize("of", [TIRF, DRY, *(Layers(NA, 1.518, 1.518, 1.0, (), (), 500e-9) for NA in (0.5, 1.3))])
+def test_ellipses_of_what_is_odd_do_not_hold_the_centre_but_round_the_centre(of):
+    model = debye.Model("azimuthal")
+    centre, *others = debye.pieces(of, model)
+    assert isinstance(centre, debye.Centre)
+    assert centre.low == 0.0
+    ends = [centre.high] + [math.sqrt(piece.square(piece.high)) / of.NA for piece in others]
+    starts = [math.sqrt(piece.square(piece.low)) / of.NA for piece in others]
+    assert [*starts, 1.0] == pytest.approx(ends)
+    for piece in others:
+        # rho = 0 is where c is 1: x = 0, or kappa = i.
+        scaled = ((1j if piece.above else 0.0) - piece.low) / (0.5 * (piece.high - piece.low)) - 1.0 + 0.0j
+        largest = math.log(max(abs(scaled + s * np.sqrt(scaled**2 - 1.0)) for s in (1, -1)))
+        growth = piece.growth(model, np.zeros(1), np.zeros(1), 0.0)
+        assert np.isinf(growth[largest < debye._ETA]).all()
+        assert np.isfinite(growth[0.8 * largest > debye._ETA]).any()
 
 
 def test_an_ellipse_round_a_zero_of_a_denominator_is_none(monkeypatch):

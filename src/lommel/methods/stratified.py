@@ -25,7 +25,10 @@ from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.stratified import Layers
 
-_FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0  # of the tolerance: what fields, over the root of the peak, and interpolation take
+_FIELD, _BETWEEN = (
+    1.0 / 32.0,
+    1.0 / 8.0,
+)  # of the tolerance: what fields, over the root of the peak, and interpolation take
 _LEAST = 2.0**-52
 
 T = TypeVar("T")
@@ -160,7 +163,15 @@ def _above(reach: float) -> float:
 
 @lru_cache(maxsize=32)
 def _angles(
-    layers: Layers, model: Model, shallow: float, deep: float, near: float, far: float, ratio: float, reach: float, tol: float
+    layers: Layers,
+    model: Model,
+    shallow: float,
+    deep: float,
+    near: float,
+    far: float,
+    ratio: float,
+    reach: float,
+    tol: float,
 ) -> tuple[Rule, Array, Array]:
     """Return angles for all planes between two depths and two foci, the latter counted from ``ratio depth``."""
     depth = np.array([max(shallow, 0.0), max(shallow, 0.0), deep, deep])

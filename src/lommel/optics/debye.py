@@ -1,9 +1,10 @@
 r"""Integrals over the angles of a microscope's light, by Gauss-Legendre quadrature that is proven to suffice.
 
 [0, 1] is cut at the critical angle of the sample, ``rho = n_s / NA``. Below, the variable is 1 - c, with the cosine c
-in the layer of the lowest index, with ``rho d rho = -(n / NA)^2 c dc``; above, ``kappa = abs(c_s)``. In these every
-integrand is analytic on both sides, and the rule converges like ``exp(-2 n eta)`` for each ellipse that holds no
-branch point of another cosine and no zero of a denominator. Discs that cover the ellipse bound the integrand: see
+in the layer of the lowest index, with ``rho d rho = -(n / NA)^2 c dc``; above, ``kappa = abs(c_s)``. In these what is
+even in rho is analytic on both sides, and the rule converges like ``exp(-2 n eta)`` for each ellipse that holds no
+branch point of another cosine and no zero of a denominator. What is odd in rho, of radial and azimuthal polarisation,
+is integrated over the centre in the variable rho itself. Discs that cover the ellipse bound the integrand: see
 docs/certificate.md.
 
 References
@@ -33,18 +34,23 @@ _ARCS = 1024
 _GLANCE = 48  # points of an ellipse
 _ROUNDOFF = 2.0**-53
 _RADII = 2048  # at once
-_ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,)}
+_ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (1, 0), "azimuthal": (1,)}
+_ODD = ("radial", "azimuthal")
+# Where the centre ends, in 1 - c and in rho over n / NA: as far from rho = n / NA as the rest is from rho = 0.
+_CENTRE = 0.3
+_CENTRE_RHO = math.sqrt(_CENTRE * (2.0 - _CENTRE))
 Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
 class Model:
-    """What is integrated: the three parts of the vectorial field, or one scalar field.
+    """What is integrated: the parts of a vectorial field, or one scalar field.
 
     Attributes
     ----------
-    kind : {"vectorial", "scalar"}
-        K0, K1 and K2; U.
+    kind : {"vectorial", "scalar", "radial", "azimuthal"}
+        K0, K1 and K2; U; the fields along r and z of a radially polarised beam; that around the axis of one polarised
+        so.
     aplanatic : bool
         Whether the amplitude is ``c_i^(-1/2)``, of the sine condition, or 1.
     supercritical : bool
@@ -84,12 +90,16 @@ class Covered(NamedTuple):
 
 @dataclass(frozen=True)
 class Piece:
-    """One side of the critical angle, in the variable in which the integrand is analytic."""
+    """One side of the critical angle, in the variable in which the integrand is analytic.
+
+    Where it is `odd` in rho, that is on ellipses which do not hold rho = 0.
+    """
 
     layers: Layers
     low: float
     high: float
     above: bool = False
+    odd: bool = False
 
     @property
     def lowest(self) -> float:
@@ -127,6 +137,10 @@ class Piece:
             return (2.0 * light,)
         t_s, t_p, _ = self.amplitudes(x)
         sine = np.sqrt(self.square(x)) / self.layers.sample
+        if model.kind == "azimuthal":
+            return (2.0 * light * t_s,)
+        if model.kind == "radial":
+            return 2.0 * light * t_p * c_s, 2.0j * light * t_p * sine
         return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
 
     def _ellipses(self, eta: Array, arcs: int) -> Disc:
@@ -150,14 +164,25 @@ class Piece:
         rates = self.rates(x)
         denominators = self.amplitudes(x).denominators
         fit = np.all([windings(each) == 0 for each in denominators], axis=0)
-        for index in (self.layers.immersion, self.layers.glass):
+        for index in self._rooted:
             c = self.cosine(x, index)
             fit &= np.isfinite(c.radius).all(axis=-1) & (c.centre.real > c.radius).all(axis=-1)
+        if self.odd:
+            fit &= windings(self.square(x)) == 0
+        return Covered(x, rates, self._height(x), fit)
+
+    @property
+    def _rooted(self) -> tuple[float, ...]:
+        """The indices of layers whose cosines are roots of what must stay in the right half plane."""
+        return self.layers.immersion, self.layers.glass
+
+    def _height(self, x: Disc) -> Array:
+        """Return what bounds ``abs(Im rho)``."""
         square = self.square(x) * self.layers.NA**-2
         root = np.sqrt(square.centre)
         size = np.maximum(np.abs(root), 1e-300)
-        height = np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), np.abs(root.imag) + square.radius / size)
-        return Covered(x, rates, height, fit)
+        near = np.abs(root.imag) + square.radius / size
+        return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), near))
 
     def growth(
         self, model: Model, depth: Array, focus: Array, v: float, rows: tuple[int, ...] | None = None
@@ -211,6 +236,30 @@ class Piece:
         return max(2, math.ceil(needed))
 
 
+class Centre(Piece):
+    """The centre of the pupil in the variable rho, in which what is odd in rho is analytic, too."""
+
+    def square(self, x: Values) -> Values:
+        """Return ``(NA rho)^2``."""
+        return x * x * self.layers.NA**2
+
+    def cosine(self, x: Values, index: float) -> Values:
+        """Return c_m of a layer."""
+        within = 1.0 - self.square(x) * index**-2
+        return within.sqrt() if isinstance(within, Disc) else np.sqrt(within + 0.0j)
+
+    def jacobian(self, x: Values) -> Values:
+        """Return rho."""
+        return x
+
+    @property
+    def _rooted(self) -> tuple[float, ...]:
+        return self.layers.immersion, self.layers.glass, self.layers.sample
+
+    def _height(self, x: Disc) -> Array:
+        return np.asarray(np.abs(x.centre.imag) + x.radius)
+
+
 @lru_cache(maxsize=32)
 def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None, arcs: int) -> tuple[Covered, Array]:
     """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each of their arcs.
@@ -234,6 +283,10 @@ def _largest(piece: Piece, model: Model, x: Disc) -> Array:
         t_s, t_p, _ = piece.amplitudes(x)
         c_s = piece.cosine(x, piece.layers.sample)
         sine = np.sqrt(piece.square(x).largest) / piece.layers.sample
+        if model.kind == "azimuthal":
+            return np.asarray(light + np.log(2.0 * t_s.largest))
+        if model.kind == "radial":
+            return np.asarray(light + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
         return np.asarray(light + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
 
 
@@ -249,13 +302,19 @@ def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
 @lru_cache(maxsize=8)
 def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
     """Return the parts of the pupil, the one beyond the critical angle of the sample last, if its light counts."""
-    if layers.sample < layers.NA:
-        reach = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
-        below, above = Piece(layers, 0.0, 1.0), Piece(layers, 0.0, reach, above=True)
-        return (below, above) if model.supercritical else (below,)
+    odd = model.kind in _ODD
     lowest = min(layers.immersion, layers.glass, layers.sample)
-    sine = layers.NA / lowest
-    return (Piece(layers, 0.0, sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))),)
+    sine = min(1.0, layers.NA / lowest)
+    edge = sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
+    found: list[Piece] = []
+    if odd:
+        found.append(Centre(layers, 0.0, min(1.0, _CENTRE_RHO * lowest / layers.NA)))
+    if not odd or edge > _CENTRE:
+        found.append(Piece(layers, _CENTRE if odd else 0.0, edge, odd=odd))
+    if layers.sample < layers.NA and model.supercritical:
+        reach = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
+        found.append(Piece(layers, 0.0, reach, above=True, odd=odd))
+    return tuple(found)
 
 
 class Rule(NamedTuple):

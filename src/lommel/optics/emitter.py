@@ -26,6 +26,7 @@ Form = NDArray[np.complex128]
 
 
 _JONES: dict[str, tuple[complex, complex]] = {"circular": (1.0, 1.0j), "x": (1.0, 0.0), "y": (0.0, 1.0)}
+_AROUND = ("radial", "azimuthal")
 
 
 class Harmonic(NamedTuple):
@@ -146,9 +147,10 @@ class Beam:
 
     Parameters
     ----------
-    polarization : {"circular", "x", "y"} or (complex, complex), default "circular"
+    polarization : {"circular", "x", "y", "radial", "azimuthal"} or (complex, complex), default "circular"
         Jones vectors ``(a, b)`` are along the columns and the rows of the camera; their length does not matter.
-        "circular" is unpolarised light, too.
+        "circular" is unpolarised light, too. "radial" is polarised towards the axis everywhere in the pupil, and
+        "azimuthal" around it: a beam that is dark on the axis.
 
     Raises
     ------
@@ -160,7 +162,7 @@ class Beam:
 
     def __post_init__(self) -> None:
         if isinstance(self.polarization, str):
-            validation.choice("polarization", self.polarization, tuple(_JONES))
+            validation.choice("polarization", self.polarization, (*_JONES, *_AROUND))
             return
         jones = validation.array("polarization", self.polarization)
         fit = jones.shape == (2,) and jones.dtype.kind in "iufc"
@@ -172,6 +174,9 @@ class Beam:
     @property
     def light(self) -> Light:
         """What its intensity is made of."""
+        if isinstance(self.polarization, str) and self.polarization in _AROUND:
+            model = Model(self.polarization)
+            return Light(model, (Harmonic(0, np.eye(len(model.orders), dtype=np.complex128), 1.0, 0.0),))
         a, b = _JONES[self.polarization] if isinstance(self.polarization, str) else self.polarization
         power = abs(a) ** 2 + abs(b) ** 2
         turned = _form(3, {(0, 2): 1.0, (1, 1): 2.0})

@@ -28,6 +28,8 @@ from lommel.field.psf_grid import PSFGrid as PSFGrid
 from lommel.io.zernike_tables import ZernikeTable as ZernikeTable, save_zernike as save_zernike
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
+from lommel.lensfiles.microscope import Microscope as Microscope
+from lommel.lensfiles.microscope_files import load_microscope as load_microscope
 from lommel.lensfiles.zernike_files import load_zernike as load_zernike
 from lommel.measures.aperture_means import (
     centroid as centroid,

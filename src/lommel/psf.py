@@ -365,7 +365,7 @@ class PSF(Answer):
         return measures.pullback.pullback(self, g, of)
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
-        """Draw the values on matplotlib axes and return these, an array of them for a stack.
+        """Draw the values on matplotlib axes and return these, an array of them for a stack; sections of a z stack.
 
         See :func:`lommel.show.plot.plot`.
         """

@@ -13,7 +13,7 @@ from PIL import Image
 import lommel as lm
 from lommel.base.units import format_length
 from lommel.methods import METHODS
-from lommel.show.plot import HOW
+from lommel.show.drawing import HOW
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 SUFFIXES = (".tif", ".npy", ".npz", ".png")

@@ -12,7 +12,7 @@ import pytest
 import lommel as lm
 from lommel.lensfiles.instrument import wide_enough
 from lommel.reports import report
-from lommel.show.plot import HOW
+from lommel.show.drawing import HOW
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
 

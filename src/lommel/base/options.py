@@ -74,5 +74,6 @@ def require_known(door: Callable[..., Any], given: Mapping[str, Any], keywords: 
 
 def near(name: str, known: Iterable[str]) -> str:
     """Return what a name that is not known may have been meant to be, or all that are."""
-    found = difflib.get_close_matches(name[:60], known := list(known), n=1)
-    return f"did you mean {found[0]}?" if found else f"known are {', '.join(known)}"
+    each = {one.lower(): one for one in known}
+    found = difflib.get_close_matches(name[:60].lower(), each, n=1)
+    return f"did you mean {each[found[0]]}?" if found else f"known are {', '.join(each.values())}"

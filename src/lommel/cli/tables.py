@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.table import Table
 
 from lommel.base.units import format_length
-from lommel.show.plot import HOW, MEANING
+from lommel.show.drawing import HOW, MEANING
 
 if TYPE_CHECKING:
     from lommel.estimation.retrieval import Retrieval

@@ -21,6 +21,7 @@ from lommel.io.registry import Format
 from lommel.measures.answer import Answer
 from lommel.methods import method_from_dict
 from lommel.optics.grid import Grid
+from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
 
 Made = TypeVar("Made", bound=Answer)
@@ -41,10 +42,12 @@ class FileError(ValueError):
 def save(psf: Answer, path: str | PathLike[str]) -> None:
     """Write a PSF; the suffix chooses the format.
 
-    ``.tif``: OME-TIFF with the physical pixel size, all values. ``.npy``: the array, with the description behind
-    it, where NumPy does not look. ``.npz``: ``values`` and ``description``. ``.png``: a picture to look at,
-    16-bit grey, the square root of the values over their peak, enlarged by the whole number that makes the longer
-    side 512 pixels or more (a single PSF only; :meth:`lommel.PSF.load` gives its values back to 1.6e-5 of the peak).
+    ``.tif``: OME-TIFF with the physical pixel size, all values; that of a microscope has the size in the sample (the
+    pixel over the magnification), the step of evenly spaced planes, where each is, the wavelength, and what its
+    objective and layers are. ``.npy``: the array, with the description behind it, where NumPy does not look.
+    ``.npz``: ``values`` and ``description``. ``.png``: a picture to look at, 16-bit grey, the square root of the
+    values over their peak, enlarged by the whole number that makes the longer side 512 pixels or more (a single PSF
+    only; :meth:`lommel.PSF.load` gives its values back to 1.6e-5 of the peak).
 
     Derivatives go into ``.npz`` only. The description is JSON: version, pupil (wavefront, obscuration, wavelength,
     f-number, lens distances), method with all its options, normalisation, pixel, error bound, and a checksum of all
@@ -137,7 +140,7 @@ def describe(psf: Answer) -> dict[str, Any]:
 
 def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: type[Made]) -> Made:
     """Return the PSF of the arrays of a file, by name, and of their sealed description."""
-    pupil, method = Pupil.from_dict(description["pupil"]), method_from_dict(description["method"])
+    pupil, method = _pupil(description["pupil"]), method_from_dict(description["method"])
     method.require(pupil)
     bound, picture = description["error_bound"], description.get("png")
     if bound is not None:
@@ -158,7 +161,7 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
         ),
         pupil=pupil,
         method=method,
-        normalize=validation.choice("normalize", description["normalize"], ("energy", "strehl", "peak")),
+        normalize=validation.choice("normalize", description["normalize"], ("energy", "emitted", "strehl", "peak")),
         error_bound=bound,
         scale=scale,
         derivatives={
@@ -177,6 +180,12 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
     if description["checksum"] != checksum(description, arrays):
         raise ValueError("its checksum is another: it is damaged, or was changed after it was written")
     return made
+
+
+def _pupil(description: dict[str, Any]) -> Pupil | ObjectivePupil:
+    """Return a pupil of the kind that it says; those of lenses say none."""
+    kind = validation.choice("kind", description.get("kind", "Pupil"), ("Pupil", "ObjectivePupil"))
+    return (Pupil if kind == "Pupil" else ObjectivePupil).from_dict(description)
 
 
 def _values(stored: NDArray[Any], kind: str, picture: Any = None) -> NDArray[Any]:

@@ -4,19 +4,24 @@ from __future__ import annotations
 
 import io
 import json
+from functools import partial
 from typing import Any
 
 from lommel.base import atomic, reading
 from lommel.base.checksums import sealed
+from lommel.io import ome_microscope
 from lommel.measures.answer import Answer
+from lommel.optics.objective_pupil import ObjectivePupil
 
 
 def write(psf: Answer, description: dict[str, Any], planes: dict[str, Any] | None = None) -> bytes:
     """Return an OME-TIFF; `planes` are lists of OME attributes of its pages, which are then no stack in depth."""
     import tifffile
 
-    metric = psf.unit == "m"
+    metric, pupil = psf.unit == "m", psf.pupil
     size = psf.pixel * (1e6 if metric else 1.0)
+    if isinstance(pupil, ObjectivePupil):
+        description = description | ome_microscope.note(pupil)
     unit = "µm" if metric else "reference frame"
     metadata: dict[str, Any] = {
         "axes": "YX" if psf.values.ndim == 2 else "RYX" if planes else "ZYX",
@@ -30,7 +35,13 @@ def write(psf: Answer, description: dict[str, Any], planes: dict[str, Any] | Non
     if planes:
         metadata["Plane"] = planes
     values = psf.values if psf.values.ndim == 2 else psf.values.reshape(-1, *psf.shape[-2:])
-    return atomic.contents(tifffile.imwrite, values, ome=True, photometric="minisblack", metadata=metadata)
+    write = partial(tifffile.imwrite, photometric="minisblack")
+    if not isinstance(pupil, ObjectivePupil):
+        return atomic.contents(write, values, ome=True, metadata=metadata)
+    made, pages = tifffile.OmeXml(), (pupil.focus.size, 1, 1, psf.shape[-2], psf.shape[-1], 1)
+    made.addimage(values.dtype, values.shape, pages, **metadata | ome_microscope.image(psf, pupil))
+    xml = ome_microscope.with_objective(made.tostring(declaration=True), pupil)
+    return atomic.contents(write, values, description=xml.encode(), metadata=None)
 
 
 def read(data: bytes) -> tuple[dict[str, Any], str]:

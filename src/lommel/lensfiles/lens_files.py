@@ -3,48 +3,34 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from os import PathLike
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal
 
-import numpy as np
 from pydantic import (
     AfterValidator,
     BeforeValidator,
     Field,
-    ValidationError,
     ValidationInfo,
     field_validator,
     model_validator,
 )
 
-from lommel.base import reading, validation
-from lommel.base.options import near
-from lommel.base.units import parse_radius, with_units
+from lommel.base import validation
+from lommel.base.units import parse_radius
 from lommel.field.maps import FieldMap
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import field_tables, messages, zernike_files
+from lommel.lensfiles import field_tables, messages, toml_files, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
-from lommel.lensfiles.sections import Distance, Length, Number, Section, SignedLength, read_beside
+from lommel.lensfiles.sections import Distance, Length, Number, Section, Sensor, SignedLength, read_beside
+from lommel.lensfiles.toml_files import LensFileError
 from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
-
-
-class LensFileError(ValueError):
-    """A lens file that cannot be used; the message names every fault with its key and line."""
-
-
-def _shape(value: Any) -> tuple[int, int]:
-    try:
-        return validation.image_shape(value)
-    except TypeError as error:
-        raise ValueError(str(error)) from None
 
 
 def _radius(value: Any) -> str | float:
@@ -102,12 +88,6 @@ class _Aberrations(_Seidel):
 
 class _Object(Section):
     distance: Distance | None = None  # that in focus
-
-
-class _Sensor(Section):
-    pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
-    shape: Annotated[tuple[int, int], BeforeValidator(_shape)] | None = None
-    integrate: Annotated[bool, Field(strict=True)] | None = None
 
 
 _SEIDEL = tuple(_Seidel.model_fields)
@@ -185,7 +165,7 @@ class _File(Section):
     aperture: ApertureSection = ApertureSection()
     aberrations: _Aberrations = _Aberrations()
     object: _Object = _Object()
-    sensor: _Sensor
+    sensor: Sensor
     field: _Field | None = None
     report: _Report = _Report()
 
@@ -242,28 +222,16 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
         If it cannot be read.
     """
     source = validation.path("path", path)
-    try:
-        text = reading.text(source)
-        raw = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise LensFileError(f"{validation.line(source)}: not valid TOML: {reading.reason(error)}") from None
+    text, raw = toml_files.parsed(source)
+    if "objective" in raw and "lens" not in raw:
+        raise LensFileError(
+            f"{validation.line(source)}: describes a microscope, [objective], not a lens: "
+            "lommel.load_microscope reads it, and the commands info and psf take it"
+        )
     context = {"folder": source.parent, "folder_only": validation.truth("folder_only", folder_only)}
     table, found = _zernike(raw, text, context)
-    try:
-        file = _File.model_validate(raw, context=context)
-        if not found:
-            with np.errstate(over="raise", divide="raise", invalid="raise"):
-                return _instrument(file, table, source.stem)
-    except ValidationError as error:
-        every = error.errors(include_url=False, include_context=False, include_input=False)
-        count = len(every) + len(found)
-        found = [_describe(fault, text) for fault in every[: messages.TOLD]] + found
-        raise LensFileError(messages.together(source, found, count)) from None
-    except ArithmeticError as error:
-        found.append(f"its numbers lead beyond the range of numbers: {error}")
-    except ValueError as error:
-        found.append(str(error))
-    raise LensFileError(messages.together(source, found))
+    make = partial(_instrument, table=table, stem=source.stem)
+    return toml_files.built(source, raw, text, _File, make, context=context, found=tuple(found))
 
 
 def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[ZernikeTable | None, list[str]]:
@@ -289,7 +257,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
         return None, [f"{where(['file'])}: {error}"]
 
 
-def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrument:
+def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instrument:
     wavelength = file.lens.wavelength
     a = file.aberrations
     rms = 2.0 * math.pi * a.spherical_rms / wavelength
@@ -326,20 +294,3 @@ def _instrument(file: _File, table: ZernikeTable | None, stem: str) -> Instrumen
         return replace(found, sensor=file.field.sensor, aberrations_of_field=file.field.map(found.pupil()))
     except ValueError as error:
         raise ValueError(f"field: {error}") from None
-
-
-def _describe(fault: Any, text: str) -> str:
-    keys = [str(part) for part in fault["loc"] if not isinstance(part, int) or len(fault["loc"]) == 1]
-    message = with_units(fault["msg"].removeprefix("Value error, "))
-    if fault["type"] == "extra_forbidden":
-        model: Any = _File
-        for part in keys[:-1]:
-            model = model.model_fields[part].annotation
-            model = next((kind for kind in get_args(model) if kind is not type(None)), model)
-        message = f"unknown key; {near(keys[-1], model.model_fields)}"
-    elif fault["type"] == "missing":
-        message = "is missing"
-    elif fault["type"] in ("model_type", "dict_type"):
-        message = f"must be a section, [{'.'.join(keys)}]"
-    line = messages.line_of(text, keys)
-    return f"{'.'.join(keys)}{f' (line {line})' if line else ''}: {message}"

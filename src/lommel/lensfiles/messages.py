@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Sequence
 from functools import lru_cache
@@ -23,9 +24,13 @@ def _lines(text: str) -> dict[tuple[str, ...], int]:
     found: dict[tuple[str, ...], int] = {}
     section: tuple[str, ...] = ()
     for number, written in enumerate(text.splitlines(), 1):
-        if header := re.match(r"\s*\[\s*([\w.\"-]+)\s*\]", written):
-            section = tuple(header[1].replace('"', "").split("."))
+        if header := re.match(r"\s*\[(\[?)\s*([\w.\"-]+)\s*\]", written):
+            section = tuple(header[2].replace('"', "").split("."))
             found.setdefault(section, number)
+            if header[1]:  # one of several, each with its number
+                each = (k for k in itertools.count() if (*section, str(k)) not in found)
+                section = (*section, str(next(each)))
+                found[section] = number
         elif entry := re.match(r"\s*(\"[^\"]*\"|[\w-]+)\s*=", written):
             found.setdefault((*section, entry[1].strip('"')), number)
     return found

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
 
+from lommel.base import validation
 from lommel.base.units import parse_angle, parse_length
 from lommel.base.validation import shown
 
@@ -26,6 +28,13 @@ def finite(value: float) -> float:
     if not math.isfinite(value):
         raise ValueError(f"must be finite, got {value}")
     return value
+
+
+def _shape(value: Any) -> tuple[int, int]:
+    try:
+        return validation.image_shape(value)
+    except TypeError as error:
+        raise ValueError(str(error)) from None
 
 
 Distance = Annotated[float, BeforeValidator(parse_length), AfterValidator(_positive)]
@@ -54,3 +63,11 @@ class Section(BaseModel):
     """A section of a lens file: unknown keys are refused."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class Sensor(Section):
+    """The section [sensor]: its pixels, and how many of them a window has."""
+
+    pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
+    shape: Annotated[tuple[int, int], BeforeValidator(_shape)] | None = None
+    integrate: Annotated[bool, Field(strict=True)] | None = None

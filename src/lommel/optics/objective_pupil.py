@@ -121,7 +121,12 @@ class ObjectivePupil(BasePupil):
         if isinstance(jones := emitter.get("polarization"), tuple):
             emitter["polarization"] = [[part.real, part.imag] for part in jones]
         emitter["kind"] = type(self.emitter).__name__
-        return {"layers": layers, "magnification": self.magnification, "emitter": emitter} | planes
+        return {
+            "kind": "ObjectivePupil",
+            "layers": layers,
+            "magnification": self.magnification,
+            "emitter": emitter,
+        } | planes
 
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> ObjectivePupil:

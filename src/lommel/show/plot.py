@@ -11,33 +11,25 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.base.optional import library
 from lommel.measures.answer import Answer, AnswerGrid
+from lommel.show.drawing import HOW, MEANING, USER, norm_of, pyplot
+from lommel.show.sections import is_z_stack, sections
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-MEANING = {
-    "energy": "fraction of all light per pixel",
-    "strehl": "1 = unaberrated peak",
-    "peak": "1 = largest value",
-}
-"""What a value is, by the normalisation."""
-
-HOW = {"pixel": "averaged over each pixel", "center": "sampled at pixel centres"}
-"""How values see their pixels, by :attr:`lommel.PSF.sampling`."""
-
-_USER = ("plots need", "plot")
 _MOST = 64  # PSFs of a stack in one figure
-_FLOOR = 1e-5  # of the peak: the bottom of logarithmic scales
 
 
 def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
-    """Draw a single PSF, or a stack of them side by side, all on one scale.
+    """Draw a single PSF, or a stack of them side by side, all on one scale; of a z stack, three sections.
 
     Parameters
     ----------
     psf : PSF
-        Of a stack at most 64 are drawn: one of shape (rows, columns) so, others in rows of eight at most.
+        Of a stack at most 64 are drawn: one of shape (rows, columns) so, others in rows of eight at most. One of a
+        microscope whose z rises or falls has sections xy, xz and yz through its brightest voxel instead, in the
+        sample: :func:`lommel.show.sections.sections`.
     ax : matplotlib Axes, optional
         Of a single PSF. By default those of a new figure, which has a title and a bar that says what a value is.
     stretch : {"sqrt", "linear", "log"}
@@ -45,7 +37,7 @@ def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
 
     Returns
     -------
-    matplotlib Axes, or for a stack an ndarray of Axes of its shape
+    matplotlib Axes, or for a stack an ndarray of Axes of its shape, for a z stack one of three
 
     Raises
     ------
@@ -59,8 +51,8 @@ def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
         return _stack(psf, ax, stretch)
     axes = _draw(
         psf,
-        _pyplot().subplots(layout="constrained")[1] if ax is None else ax,
-        _norm(stretch, float(psf.values.max()) or 1.0),
+        pyplot().subplots(layout="constrained")[1] if ax is None else ax,
+        norm_of(stretch, float(psf.values.max()) or 1.0),
     )
     if ax is None:
         axes.set_title(_title(psf), fontsize=9)
@@ -74,12 +66,14 @@ def _stack(psf: Answer, ax: Axes | None, stretch: str) -> NDArray[Any]:
     count = int(np.prod(shape))
     if ax is not None:
         raise ValueError(f"ax must be None for a stack, which takes many, got a stack of shape {shape}")
+    if is_z_stack(psf):
+        return sections(psf, stretch=stretch)
     if count > _MOST:
         raise ValueError(f"at most {_MOST} PSFs can be drawn, got a stack of shape {shape}; index it, as psf[:8]")
     columns = shape[1] if len(shape) == 2 else min(count, 8)
     rows = -(-count // columns)
-    figure = _pyplot().figure(figsize=(min(2.0 * columns, 14.0) + 1.2, 2.0 * rows + 0.8), layout="constrained")
-    norm = _norm(stretch, float(psf.values.max()) or 1.0)
+    figure = pyplot().figure(figsize=(min(2.0 * columns, 14.0) + 1.2, 2.0 * rows + 0.8), layout="constrained")
+    norm = norm_of(stretch, float(psf.values.max()) or 1.0)
     drawn = np.empty(shape, dtype=object)
     for k, index in enumerate(np.ndindex(shape)):
         axes = drawn[index] = _draw(psf[index], figure.add_subplot(rows, columns, k + 1), norm)
@@ -140,7 +134,7 @@ def compare(answers: Mapping[str, Answer], reference: str) -> Figure:
     if reference not in answers:
         raise ValueError(f"reference must be one of {', '.join(answers)}, got {validation.shown(reference)}")
     columns = max(len(answers), 3)
-    figure: Figure = library("matplotlib.figure", *_USER).Figure(figsize=(2.2 * columns, 7.2), layout="constrained")
+    figure: Figure = library("matplotlib.figure", *USER).Figure(figsize=(2.2 * columns, 7.2), layout="constrained")
     parts: Any = figure.subfigures(2, 1, height_ratios=(1.0, 1.6))
     pictures, graphs = parts
     for k, (name, psf) in enumerate(answers.items()):
@@ -202,7 +196,7 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     ImportError
         If matplotlib is not installed.
     """
-    mpl = library("matplotlib", *_USER)
+    mpl = library("matplotlib", *USER)
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
     rows, columns, height, width = grid.values.shape
     axes = _field_axes(grid) if ax is None else ax
@@ -220,7 +214,7 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
             values,
             extent=(x - half_width, x + half_width, y + half_height, y - half_height),
             cmap=colors,
-            norm=_norm(stretch, float(values.max()) or 1.0),
+            norm=norm_of(stretch, float(values.max()) or 1.0),
             interpolation=interpolation,
         )
     axes.set_xlim(-0.5 * sensor[1], 0.5 * sensor[1])
@@ -235,14 +229,6 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     length = _round_length(0.8 * width * grid.psf.pixel * inner)
     _scale_bar(axes, length / (grid.psf.pixel * inner) * cell / sensor[1], f"{length:g} {inner_unit} in the PSFs")
     return axes
-
-
-def _norm(stretch: str, peak: float) -> Any:
-    from matplotlib.colors import LogNorm, Normalize, PowerNorm
-
-    if stretch == "log":
-        return LogNorm(_FLOOR * peak, peak, clip=True)
-    return PowerNorm(0.5, 0.0, peak) if stretch == "sqrt" else Normalize(0.0, peak)
 
 
 def _round_length(most: float) -> float:
@@ -262,11 +248,7 @@ def _field_axes(grid: AnswerGrid) -> Any:
     """Return axes of a new figure of the shape of the sensor."""
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
-    return _pyplot().subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
-
-
-def _pyplot() -> Any:
-    return library("matplotlib.pyplot", *_USER)
+    return pyplot().subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
 
 
 def _scale(psf: Answer) -> tuple[float, str]:

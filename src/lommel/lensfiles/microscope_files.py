@@ -1,0 +1,216 @@
+"""Descriptions of microscopes in TOML, as those of lenses: every error at once, unknown keys refused."""
+
+from __future__ import annotations
+
+from functools import partial
+from os import PathLike
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, BeforeValidator, Field, field_validator, model_validator
+
+from lommel.base import validation
+from lommel.base.units import parse_length
+from lommel.lensfiles import toml_files
+from lommel.lensfiles.microscope import Microscope
+from lommel.lensfiles.sections import Angle, Length, Number, Section, Sensor, SignedLength
+from lommel.lensfiles.toml_files import LensFileError
+from lommel.optics.emitter import Beam, Dipole, Emitter, emitter_of
+from lommel.optics.layer import DEPTH_MOST, Design, Layer, length, refractive_index
+from lommel.optics.objective import Objective
+
+PLANES_MOST = 4096
+
+Index = Annotated[Number, AfterValidator(partial(refractive_index, "index"))]
+
+
+class _Objective(Section):
+    NA: Annotated[Number, Field(gt=0)]
+    magnification: Annotated[Number, Field(gt=0)]
+    working_distance: Length
+    immersion: Annotated[Number, AfterValidator(partial(refractive_index, "immersion"))]
+    dipping: Annotated[bool, Field(strict=True)] = False
+
+
+class _Layer(Section):
+    index: Index
+    thickness: Length
+
+    def layer(self) -> Layer:
+        """Return it as the library has it."""
+        return Layer(self.index, self.thickness)
+
+
+class _Design(Section):
+    immersion: Annotated[Number, AfterValidator(partial(refractive_index, "immersion"))] | None = None
+    coverslip: _Layer | None = None
+
+
+class _Sample(Section):
+    index: Index
+    depth: Annotated[float, BeforeValidator(parse_length)]
+
+    @field_validator("depth")
+    @classmethod
+    def _depth(cls, value: float) -> float:
+        return length("depth", value, DEPTH_MOST)
+
+
+class _Dipole(Section):
+    polar: Angle
+    azimuth: Angle = 0.0
+    wobble: Annotated[Number, Field(ge=0, le=1)] = 0.0
+
+
+class _Beam(Section):
+    polarization: Annotated[str, Field(strict=True)] = "circular"
+
+    @field_validator("polarization")
+    @classmethod
+    def _known(cls, value: str) -> str:
+        Beam(value)
+        return value
+
+
+class _Emission(Section):
+    wavelength: Annotated[Length, AfterValidator(validation.wavelength)]
+    emitter: Literal["isotropic", "scalar"] = "isotropic"
+    dipole: _Dipole | None = None
+    beam: _Beam | None = None
+
+    @model_validator(mode="after")
+    def _one(self) -> _Emission:
+        if len(given := self.model_fields_set & {"emitter", "dipole", "beam"}) > 1:
+            raise ValueError(f"takes one of emitter, dipole and beam, got {' and '.join(sorted(given))}")
+        return self
+
+    def made(self) -> Emitter:
+        """Return what emits, or is focused into the sample."""
+        if self.dipole is not None:
+            return Dipole(**dict(self.dipole))
+        return emitter_of(self.emitter) if self.beam is None else Beam(self.beam.polarization)
+
+
+class _Stack(Section):
+    planes: Annotated[int, Field(strict=True, ge=1, le=PLANES_MOST)]
+    step: SignedLength
+    origin: Literal["brightest", "paraxial", "coverslip"] = "brightest"
+
+    @field_validator("step")
+    @classmethod
+    def _step(cls, value: float) -> float:
+        if not 0.0 < abs(value) < DEPTH_MOST:
+            raise ValueError(f"must be a length of the stage, not 0 and below 10 mm, got {value:g} m")
+        return value
+
+
+class _File(Section):
+    name: str | None = None
+    source: str = ""
+    objective: _Objective
+    coverslip: _Layer | None = None
+    films: list[_Layer] = Field(default_factory=list)
+    design: _Design | None = None
+    sample: _Sample
+    emission: _Emission
+    stack: _Stack | None = None
+    sensor: Sensor
+
+    @model_validator(mode="after")
+    def _glass(self) -> _File:
+        if self.objective.dipping == (self.coverslip is not None):
+            fault = "has no meaning for" if self.objective.dipping else "is missing; leave it out only of"
+            raise ValueError(f"[coverslip] {fault} an objective that dips into the sample, dipping = true")
+        return self
+
+
+def describes_microscope(path: str | PathLike[str]) -> bool:
+    """Return whether a file is about a microscope, and not about a lens.
+
+    Parameters
+    ----------
+    path : path
+
+    Returns
+    -------
+    bool
+
+    Raises
+    ------
+    LensFileError
+        If it is no TOML.
+    OSError
+        If it cannot be read.
+    """
+    _, raw = toml_files.parsed(validation.path("path", path))
+    return "objective" in raw and "lens" not in raw
+
+
+def load_microscope(path: str | PathLike[str]) -> Microscope:
+    """Read the file of a microscope.
+
+    Lengths are texts with a unit (``"170 um"``), angles also numbers of radians. Sections and keys: ``name`` (by
+    default that of the file) and ``source``; ``[objective]`` NA, magnification, working_distance, immersion (a
+    refractive index), and dipping, true for one without a cover glass; ``[coverslip]`` index and thickness;
+    ``[[films]]``, one for each thin film from the glass to the sample, index and thickness; ``[design]`` immersion
+    and ``[design.coverslip]``, where what the objective was corrected for is not what it is used with; ``[sample]``
+    index and depth, of the emitter from the glass; ``[emission]`` wavelength and emitter ("isotropic", which is the
+    default, or "scalar"), or else a section ``[emission.dipole]`` with polar, azimuth and wobble, or
+    ``[emission.beam]`` with polarization, of light that is focused into the sample; ``[stack]`` planes, step and
+    origin ("brightest", the default, "paraxial" or "coverslip": where plane ``planes // 2`` is), without which there
+    is one plane at the brightest focus; ``[sensor]`` pixel, on the camera, shape and integrate as of a lens.
+
+    Parameters
+    ----------
+    path : path
+
+    Returns
+    -------
+    Microscope
+
+    Raises
+    ------
+    LensFileError
+        If the file is not valid TOML, or for every missing, unknown or impossible entry, with key and line.
+    OSError
+        If it cannot be read.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> microscope = lm.load_microscope("examples/objectives/zeiss-63x-1.4-oil.toml")  # doctest: +SKIP
+    >>> psf = lm.psf(microscope.pupil(), microscope.window, microscope.pixel)  # doctest: +SKIP
+    """
+    source = validation.path("path", path)
+    text, raw = toml_files.parsed(source)
+    if "lens" in raw and "objective" not in raw:
+        raise LensFileError(
+            f"{validation.line(source)}: describes a lens, [lens], not a microscope: lommel.load_instrument reads it"
+        )
+    return toml_files.built(source, raw, text, _File, partial(_microscope, stem=source.stem))
+
+
+def _microscope(file: _File, *, stem: str) -> Microscope:
+    used, design = None if file.coverslip is None else file.coverslip.layer(), None
+    if file.design is not None:
+        glass = file.design.coverslip
+        meant = file.objective.immersion if file.design.immersion is None else file.design.immersion
+        design = Design(meant, used if glass is None else glass.layer())
+    given: dict[str, Any] = {key: value for key, value in file.objective if key != "dipping"}
+    objective = Objective(
+        **given,
+        coverslip=used,
+        sample=file.sample.index,
+        films=[film.layer() for film in file.films],
+        design=design,
+    )
+    stack = dict(file.stack) if file.stack is not None else {}
+    return Microscope(
+        stem if file.name is None else file.name,
+        file.source,
+        objective,
+        file.emission.wavelength,
+        file.sample.depth,
+        emitter=file.emission.made(),
+        **stack,
+        **dict(file.sensor),
+    )

@@ -1,0 +1,253 @@
+"""Files of microscopes: what they may say, and how every fault in them is told with its key and line."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.lensfiles.microscope_files import describes_microscope
+from lommel.lensfiles.toml_files import LensFileError
+
+EXAMPLES = sorted((Path(__file__).resolve().parents[2] / "examples" / "objectives").glob("*.toml"))
+PLAIN = """\
+name = "oil"
+source = "nobody"
+
+[objective]
+NA = 1.3
+magnification = 60
+working_distance = "0.2 mm"
+immersion = 1.518
+
+[coverslip]
+index = 1.5255
+thickness = "170 um"
+
+[sample]
+index = 1.33
+depth = "2 um"
+
+[emission]
+wavelength = "520 nm"
+
+[stack]
+planes = 5
+step = "200 nm"
+origin = "paraxial"
+
+[sensor]
+pixel = "6.5 um"
+shape = 9
+"""
+
+
+@pytest.fixture
+def load(tmp_path: Path):
+    """Write the file of a microscope with other lines in place of some, and load it."""
+
+    def write_and_load(*changes: tuple[str, str], more: str = "") -> lm.Microscope:
+        text = PLAIN + more
+        for old, new in changes:
+            assert old in text
+            text = text.replace(old, new, 1)
+        file = tmp_path / "objective.toml"
+        file.write_text(text, encoding="utf-8")
+        return lm.load_microscope(file)
+
+    return write_and_load
+
+
+def fault(load, *changes: tuple[str, str], more: str = "") -> str:
+    """The message about a faulty file, after its path."""
+    with pytest.raises(LensFileError) as caught:
+        load(*changes, more=more)
+    path, message = str(caught.value).split("objective.toml: ", 1)
+    assert Path(path).is_dir()
+    return message
+
+
+def test_a_file_says_what_the_python_would(load):
+    found = load()
+    objective = lm.Objective(
+        NA=1.3,
+        magnification=60,
+        immersion=1.518,
+        working_distance=0.2e-3,
+        coverslip=lm.Layer(1.5255, 170e-6),
+        sample=1.33,
+    )
+    z = np.array([-400e-9, -200e-9, 0.0, 200e-9, 400e-9])
+    assert found.objective == objective
+    assert (found.name, found.source, found.window, found.pixel) == ("oil", "nobody", (9, 9), 6.5e-6)
+    np.testing.assert_allclose(found.z, z, atol=1e-15)
+    assert found.pupil() == objective.pupil(depth=2e-6, z=found.z, wavelength=520e-9, origin="paraxial")
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_every_example_loads_and_says_where_its_figures_come_from(path):
+    found = lm.load_microscope(path)
+    assert len(found.name) > 20
+    assert "RRID SCR_028321" in found.source
+    assert found.planes > 1
+    assert 0.15e-3 < found.objective.working_distance < 0.25e-3
+    assert lm.load_microscope(str(path)) == found
+
+
+def test_there_are_three_examples():
+    found = {lm.load_microscope(path).objective.NA for path in EXAMPLES}
+    assert found == {1.3, 1.4}
+    assert len(EXAMPLES) == 3
+
+
+def test_a_file_without_a_stack_has_one_plane_at_the_brightest_focus(load):
+    stack = PLAIN[PLAIN.index("[stack]") : PLAIN.index("[sensor]")]
+    found = load((stack, ""))
+    assert found.pupil().shape == ()
+    assert found.pupil().focus == found.objective.focus(2e-6, wavelength=520e-9).brightest
+
+
+def test_films_are_from_the_glass_to_the_sample_and_the_design_is_what_it_says(load):
+    films = '[[films]]\nindex = 2.0\nthickness = "50 nm"\n[[films]]\nindex = 1.46\nthickness = "100 nm"\n'
+    found = load(more=f'[design]\nimmersion = 1.515\n[design.coverslip]\nindex = 1.52\nthickness = "160 um"\n{films}')
+    assert found.objective.films == (lm.Layer(2.0, 50e-9), lm.Layer(1.46, 100e-9))
+    assert found.objective.design == lm.Design(1.515, lm.Layer(1.52, 160e-6))
+    alone = load(more="[design]\nimmersion = 1.515\n").objective
+    assert alone.design == lm.Design(1.515, alone.coverslip)
+
+
+def test_an_objective_that_dips_has_no_cover_glass(load):
+    glass = PLAIN[PLAIN.index("[coverslip]") : PLAIN.index("[sample]")]
+    found = load(("immersion = 1.518", "immersion = 1.333\ndipping = true"), ("1.3\n", "0.8\n"), (glass, ""))
+    assert found.objective.coverslip is None
+    missing = fault(load, (glass, ""))
+    assert (
+        missing
+        == "[coverslip] is missing; leave it out only of an objective that dips into the sample, dipping = true"
+    )
+    assert "has no meaning for an objective that dips" in fault(load, ("= 1.518", "= 1.518\ndipping = true"))
+
+
+@pytest.mark.parametrize(
+    ("more", "emitter"),
+    [
+        ('emitter = "isotropic"', lm.Dipole(0.0, 0.0, wobble=1.0)),
+        ('emitter = "scalar"', lm.Scalar()),
+        (
+            '[emission.dipole]\npolar = "90 deg"\nazimuth = 0.5\nwobble = 0.25',
+            lm.Dipole(math.pi / 2, 0.5, wobble=0.25),
+        ),
+        ("[emission.beam]", lm.Beam()),
+        ('[emission.beam]\npolarization = "x"', lm.Beam("x")),
+    ],
+)
+def test_what_emits_is_a_name_or_a_section(load, more, emitter):
+    assert load(('"520 nm"\n', f'"520 nm"\n{more}\n')).emitter == emitter
+
+
+def test_a_window_that_is_not_named_holds_the_rays_and_a_margin(load):
+    found = load(("shape = 9", ""))
+    assert found.shape is None
+    assert found.window[0] == found.window[1]
+    half = found.window[0] // 2 * found.pixel
+    assert half >= float(found.pupil().geometric_radius().max())
+    assert dataclasses.replace(found, planes=2, step=1e-3, depth=0.0, origin="coverslip").window == (513, 513)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "where", "what"),
+    [
+        ("NA = 1.3", "NA = nan", "objective.NA (line 5)", "must be finite, got nan"),
+        ("NA = 1.3", "NA = 0", "objective.NA (line 5)", "greater than 0"),
+        ("NA = 1.3", 'NA = "1.3"', "objective.NA (line 5)", "number"),
+        ("NA = 1.3", "NA = 1.3\nna = 1.3", "objective.na (line 6)", "unknown key; did you mean NA?"),
+        ("magnification = 60", "magnification = 0", "objective.magnification (line 6)", "greater than 0"),
+        ("immersion = 1.518", "immersion = 1.518\nimersion = 2", "objective.imersion (line 9)", "mean immersion?"),
+        ('"0.2 mm"', '"0.2"', "objective.working_distance (line 7)", "'0.2' is a length without a unit"),
+        ('"0.2 mm"', '"-0.2 mm"', "objective.working_distance (line 7)", "must be positive"),
+        ("immersion = 1.518", "immersion = 0.9", "objective.immersion (line 8)", "a refractive index from 1 to 4"),
+        ("index = 1.5255", "index = 15255", "coverslip.index (line 11)", "a refractive index from 1 to 4, got 15255"),
+        ("index = 1.33", "index = true", "sample.index (line 15)", "number"),
+        ('depth = "2 um"', "depth = 2e-6", "sample.depth (line 16)", "is a length without a unit; write for example"),
+        ('depth = "2 um"', 'depth = "-2 um"', "sample.depth (line 16)", "must be at least 0"),
+        ('depth = "2 um"', 'depth = "2 m"', "sample.depth (line 16)", 'for 2 um write "2 um"'),
+        ('"520 nm"', "520", "emission.wavelength (line 19)", "'520' is a length without a unit"),
+        ('"520 nm"', '"520 m"', "emission.wavelength (line 19)", 'for 520 nm write "520 nm"'),
+        ('"520 nm"', '"520 nm"\nemitter = "dipole"', "emission.emitter (line 20)", "'isotropic' or 'scalar'"),
+        ('"520 nm"', '"520 nm"\n[emission.dipole]\npolar = 0\nwobble = 2', "emission.dipole.wobble (line 22)", "1"),
+        ('"520 nm"', '"520 nm"\n[emission.beam]\npolarization = "z"', "emission.beam.polarization (line 21)", "'z'"),
+        ("planes = 5", "planes = 0", "stack.planes (line 22)", "greater than or equal to 1"),
+        ("planes = 5", "planes = 5.5", "stack.planes (line 22)", "integer"),
+        ('"200 nm"', '"0 nm"', "stack.step (line 23)", "not 0 and below 10 mm"),
+        ('"200 nm"', '"200 mm"', "stack.step (line 23)", "not 0 and below 10 mm"),
+        ('"paraxial"', '"center"', "stack.origin (line 24)", "'brightest', 'paraxial' or 'coverslip'"),
+        ('"6.5 um"', "6.5", "sensor.pixel (line 27)", "'6.5' is a length without a unit"),
+        ("[stack]", "[stak]", "stak (line 21)", "unknown key; did you mean stack?"),
+        ("shape = 9", "shape = 9\n[lens]", "lens (line 29)", "unknown key"),
+    ],
+)  # fmt: skip
+def test_a_bad_entry_is_told_with_its_key_and_line(load, old, new, where, what):
+    message = fault(load, (old, new))
+    assert message.startswith(f"{where}: ")
+    assert what in message
+    assert "\n" not in message
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "what"),
+    [
+        ("NA = 1.3", "NA = 1.6", "NA must be below the index of immersion, 1.518, got 1.6"),
+        ('"0.2 mm"', '"0.2 m"', "working_distance is in metres"),
+        ('"170 um"', '"170 m"', 'for 170 um write "170 um"'),
+        ("[sensor]", '[[films]]\nindex = 1.4\nthickness = "3 um"\n[sensor]', "films[0].thickness"),
+        ("[sensor]", '[design.coverslip]\nindex = 1.5\nthickness = "1 um"\n[sensor]', ""),
+        ("[sensor]", '[design.coverslip]\nindex = 1.2\nthickness = "1 um"\n[sensor]', "design.coverslip, 1.2"),
+    ],
+)
+def test_what_cannot_be_together_is_told_in_the_words_of_the_library(load, old, new, what):
+    if what:
+        assert what in fault(load, (old, new))
+    else:
+        load((old, new))
+
+
+def test_one_of_several_films_is_told_by_its_line(load):
+    films = '[[films]]\nindex = 1.4\nthickness = "30 nm"\n[[films]]\nindex = 0.4\nthickness = "30 nm"\n'
+    assert fault(load, more=films).startswith("films.index (line 33): ")
+    assert fault(load, more=films.replace("0.4", "1.5\nidex = 1")).startswith(
+        "films.idex (line 34): unknown key; did"
+    )
+
+
+def test_every_fault_is_told_at_once(load):
+    message = fault(load, ("NA = 1.3", "NA = -1"), ('"520 nm"', "520"), ("planes = 5", "plane = 5"))
+    told = [line.strip().split(":")[0] for line in message.strip("\n").split("\n")]
+    assert sorted(told) == [
+        "emission.wavelength (line 19)",
+        "objective.NA (line 5)",
+        "stack.plane (line 22)",
+        "stack.planes",
+    ]
+
+
+def test_two_kinds_of_emitters_are_one_too_many(load):
+    change = ('"520 nm"', '"520 nm"\nemitter = "scalar"\n[emission.beam]')
+    assert "takes one of emitter, dipole and beam, got beam and emitter" in fault(load, change)
+
+
+def test_a_lens_is_no_microscope_and_either_reader_names_the_other(load, lenses, tmp_path):
+    with pytest.raises(LensFileError, match=r"phone.toml: describes a lens, \[lens\], .*load_instrument reads it"):
+        lm.load_microscope(lenses["phone"])
+    load()
+    with pytest.raises(LensFileError, match=r"describes a microscope, .*load_microscope reads it, and the commands"):
+        lm.load_instrument(tmp_path / "objective.toml")
+    assert describes_microscope(tmp_path / "objective.toml")
+    assert not describes_microscope(lenses["phone"])
+
+
+def test_what_is_no_toml_is_told(load):
+    assert fault(load, ("[stack]", "[stack")).startswith("not valid TOML: ")

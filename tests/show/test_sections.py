@@ -1,0 +1,119 @@
+"""Sections through a z stack of a microscope: what is drawn where, in which lengths."""
+
+from __future__ import annotations
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.show.sections import is_z_stack, sections, voxels
+
+OBJECTIVE = lm.Objective(
+    NA=1.2,
+    magnification=60,
+    immersion=1.333,
+    working_distance=0.28e-3,
+    coverslip=lm.Layer(1.5255, 170e-6),
+    sample=1.36,
+)
+RISING = np.arange(-3, 4) * 0.2e-6
+
+
+def stack(z=RISING, shape=(8, 9), pixel=6e-6, depth=2e-6, emitter="scalar", **options) -> lm.PSF:
+    pupil = OBJECTIVE.pupil(depth=depth, z=z, wavelength=520e-9, emitter=emitter)
+    return lm.psf(pupil, shape, pixel, **options)
+
+
+@pytest.fixture(autouse=True)
+def closed():
+    yield
+    plt.close("all")
+
+
+def drawn(axes) -> np.ndarray:
+    (mesh,) = axes.collections
+    return mesh.get_array().reshape(mesh.get_coordinates().shape[0] - 1, -1)
+
+
+@pytest.mark.parametrize("z", [RISING, RISING[::-1]], ids=["rising", "falling"])
+def test_a_z_stack_is_plotted_as_sections_through_its_brightest_voxel(z):
+    psf = stack(z, center=(2, 5))
+    xy, xz, yz = psf.plot()
+    low_to_high = psf.values[np.argsort(z)]
+    np.testing.assert_array_equal(drawn(xy), low_to_high[3])
+    np.testing.assert_array_equal(drawn(xz), low_to_high[:, 2])
+    np.testing.assert_array_equal(drawn(yz), low_to_high[:, :, 5].T)
+    assert [axes.get_title()[:2] for axes in (xy, xz, yz)] == ["xy", "xz", "yz"]
+
+
+def test_lengths_are_those_in_the_sample_and_of_the_stage():
+    xy, xz, yz = stack().plot()
+    np.testing.assert_allclose(xy.get_xlim(), (-0.45, 0.45), atol=1e-12)
+    np.testing.assert_allclose(xy.get_ylim(), (0.35, -0.45), atol=1e-12)  # rows from the top
+    np.testing.assert_allclose(xz.get_ylim(), (-0.7, 0.7), atol=1e-12)
+    np.testing.assert_allclose(yz.get_xlim(), (-0.7, 0.7), atol=1e-12)
+    assert xz.get_ylabel() == "z of the stage (µm)"
+    assert xy.get_aspect() == yz.get_aspect() == 1.0
+
+
+@pytest.mark.parametrize(
+    ("stretch", "said"),
+    [("sqrt", "square root"), ("linear", "brightness: the value"), ("log", "1e-5 of the largest")],
+)
+def test_the_stretch_and_the_voxels_are_said(stretch, said):
+    axes = stack().plot(stretch=stretch)
+    text = "\n".join(found.get_text() for found in axes[0].figure.axes[3].texts)
+    assert said in text
+    assert "7 planes, 0.2 µm apart" in text
+    assert "8 × 9 pixels of 0.1 µm in the sample" in text
+
+
+def test_planes_that_are_not_evenly_spaced_are_drawn_where_they_are():
+    (mesh,) = stack(np.array([0.0, 0.2e-6, 0.8e-6])).plot()[1].collections
+    np.testing.assert_allclose(mesh.get_coordinates()[:, 0, 1], (-0.1, 0.1, 0.5, 1.1), atol=1e-12)
+    figure = plt.gcf()
+    assert "3 planes, not evenly spaced" in figure.axes[3].texts[0].get_text()
+
+
+def test_a_stack_much_longer_than_wide_is_drawn_and_says_that_it_is_not_to_scale():
+    axes = stack(np.arange(-10, 11) * 1e-6, shape=9).plot()
+    assert axes[1].get_aspect() == "auto"
+    assert "z is not to the scale of x and y" in axes[0].figure.axes[3].texts[0].get_text()
+
+
+def test_one_row_of_pixels_has_a_height():
+    axes = stack(shape=(1, 9)).plot()
+    assert np.ptp(axes[0].get_ylim()) == 1.0
+
+
+@pytest.mark.parametrize(
+    "psf",
+    [
+        lambda: lm.psf(lm.Pupil(lm.Wavefront(np.linspace(0, 3, 4))), 5, 0.5),
+        lambda: stack(0.0),
+        lambda: stack(np.zeros(3)),
+        lambda: stack(np.array([0.0, 1e-7, 0.0])),
+        lambda: stack(np.array([[0.0, 1e-7]])),
+        lambda: stack(0.0, depth=np.array([1e-6, 2e-6])),
+    ],
+)
+def test_other_stacks_are_no_z_stacks(psf):
+    assert not is_z_stack(psf())
+
+
+def test_axes_for_a_z_stack_and_an_unknown_stretch_are_refused():
+    psf = stack()
+    with pytest.raises(ValueError, match="ax must be None for a stack"):
+        psf.plot(plt.figure().subplots())
+    with pytest.raises(ValueError, match="stretch must be one of"):
+        psf.plot(stretch="cube")
+
+
+def test_every_normalisation_has_words():
+    for normalize in ("energy", "emitted", "strehl", "peak"):
+        assert sections(stack(normalize=normalize)).shape == (3,)
+
+
+def test_voxels_are_not_below_zero():
+    assert voxels(stack(emitter="isotropic")).values.min() >= 0.0

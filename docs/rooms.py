@@ -27,7 +27,7 @@ ORDER = [
     {"psf"},
     {"estimation", "field"},
     {"imaging"},
-    {"lensfiles"},
+    {"lensfiles", "microscopy"},
     {"reports"},
     {"adapters", "page", "paper"},
     {"cli"},

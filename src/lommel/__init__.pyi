@@ -10,6 +10,7 @@ from lommel import (
     lensfiles as lensfiles,
     measures as measures,
     methods as methods,
+    microscopy as microscopy,
     optics as optics,
     page as page,
     reports as reports,

@@ -329,6 +329,15 @@ class PSF(Answer):
         """
         return measures.spot.fwhm(self, along)
 
+    @property
+    def z(self) -> NDArray[np.float64]:
+        """Where the stage is in each plane of a stack over z, metres; see :func:`lommel.measures.axial.stage`."""
+        return measures.axial.stage(self)
+
+    def axial_fwhm(self) -> Numbers:
+        """Return the width at half along z, metres of the stage; see :func:`lommel.measures.axial.axial_fwhm`."""
+        return measures.axial.axial_fwhm(self)
+
     def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> NDArray[np.complex128] | np.complex128:
         """Return the transfer function of what the window holds; :func:`lommel.otf` is that of all light.
 

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 from lommel.base import lazy
 
 if TYPE_CHECKING:
+    from lommel.measures import axial as axial
     from lommel.measures import energy as energy
     from lommel.measures import image_transfer as image_transfer
     from lommel.measures import pullback as pullback

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from lommel.core.answers import ToleranceError
+from lommel.methods.bead import Bead
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.closed_form import ClosedForm
 from lommel.methods.debye_wolf import DebyeWolf
@@ -18,6 +19,7 @@ from lommel.methods.method import FieldMethod, Method, RadialMethod
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.methods.nonuniform_fft import NonuniformFFT
 from lommel.methods.polychromatic import Polychromatic
+from lommel.methods.scanning import Confocal, TwoPhoton
 from lommel.methods.stratified import Stratified
 from lommel.methods.tuned_closed_form import TunedClosedForm
 from lommel.special.erf import AbramowitzErf, FresnelErf, TableErf
@@ -40,6 +42,9 @@ METHODS: dict[str, type[Method]] = {
 LAYERED: dict[str, type[Method]] = {"stratified": Stratified, "debye-wolf": DebyeWolf}
 """Those for the pupils of objectives."""
 
+_MADE: tuple[type[Method], ...] = (Polychromatic, Bead, Confocal, TwoPhoton)
+"""Those that are made of the answers of others."""
+
 ERFS: dict[str, type[Any]] = {"abramowitz": AbramowitzErf, "table": TableErf, "fresnel": FresnelErf}
 """The error functions of `ClosedForm` by the name the command line uses."""
 
@@ -60,11 +65,12 @@ def method_from_dict(description: dict[str, Any]) -> Method:
     ValueError
         If its name is unknown, or that of something else.
     """
-    kinds: list[type[Any]] = [*METHODS.values(), *LAYERED.values(), Polychromatic, *ERFS.values()]
+    kinds: list[type[Any]] = [*METHODS.values(), *LAYERED.values(), *_MADE, *ERFS.values()]
     known = {kind.__name__: kind for kind in kinds}
 
     def build(part: dict[str, Any]) -> Any:
-        options = {key: build(value) if isinstance(value, dict) else value for key, value in part.items()}
+        nested = {key: build(value) for key, value in part.items() if isinstance(value, dict) and "name" in value}
+        options = part | nested
         name = options.pop("name")
         if name not in known:
             raise ValueError(f"unknown method {name!r}; known are {', '.join(sorted(known))}")
@@ -80,8 +86,10 @@ __all__ = [
     "ERFS",
     "LAYERED",
     "METHODS",
+    "Bead",
     "ChordalGauss",
     "ClosedForm",
+    "Confocal",
     "DebyeWolf",
     "FieldMethod",
     "Fraunhofer",
@@ -98,5 +106,6 @@ __all__ = [
     "Stratified",
     "ToleranceError",
     "TunedClosedForm",
+    "TwoPhoton",
     "method_from_dict",
 ]

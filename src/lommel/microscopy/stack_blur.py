@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.estimation.noise import Noise
 from lommel.imaging.linear import LinearBlur
-from lommel.imaging.restoration import Progress, Restoration, restore_with
+from lommel.imaging.restoration.restore_with import Progress, Restoration, restore_with
 from lommel.imaging.richardson_lucy import RichardsonLucy
 from lommel.measures.axial import stage
 from lommel.psf import PSF

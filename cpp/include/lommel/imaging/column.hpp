@@ -89,14 +89,15 @@ struct Column {
 
 // What lies beside a column, [row from `widest` above its first point on][column from it on, rightwards or leftwards]. Windows
 // are alike on both sides: where nothing is hidden one sheet serves both. Of the same address for all points of a
-// column, in vectors that begin at cache lines, sums are loaded and stored in half the time that an image takes.
+// column, in vectors that begin at cache lines, sums are loaded and stored in half the time that an image takes. There is
+// room for a point more, which the last of an odd number is taken with and which spreads nothing.
 template <class I, class T>
 class Sheets {
    public:
     using V = Packed<I, T>;
     Sheets(const WindowBank<T>& bank, std::size_t height, std::size_t across, bool screened)
         : widest_(bank.widest), stride_(bank.stride), across_(static_cast<std::ptrdiff_t>(across)),
-          size_((height + 2 * widest_) * stride_), values_(size_ * (screened ? 5 : 1)), sums_((height + 1) * lanes) {}
+          size_((height + 1 + 2 * widest_) * stride_), values_(size_ * (screened ? 5 : 1)), sums_((height + 1) * lanes) {}
 
     static constexpr std::size_t lanes = sizeof(V) / sizeof(T);
     T* both() { return values_.data(); }

@@ -66,6 +66,14 @@ LOMMEL_INLINE V splat(Real x) {
 #endif
     return x - V{};
 }
+// Loaded once, where GCC, of such vectors, loads anew for each use.
+template <class V>
+LOMMEL_INLINE V loaded(V v) {
+#if defined(LOMMEL_X86) && !defined(__clang__)
+    asm("" : "+v"(v));
+#endif
+    return v;
+}
 template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
     return a > b ? a : b;
@@ -204,6 +212,10 @@ LOMMEL_INLINE V splat(Real x) {
     return p;
 }
 template <class V>
+LOMMEL_INLINE V loaded(V v) {
+    return v;
+}
+template <class V>
 LOMMEL_INLINE V larger(V a, V b) {
     return V::each(a, b, [](auto x, auto y) { return x > y ? x : y; });
 }
@@ -291,6 +303,14 @@ LOMMEL_INLINE V load(const Real* from) {
 template <class V, class Real>
 LOMMEL_INLINE void store(Real* to, V p) {
     std::memcpy(to, &p, sizeof p);
+}
+// Asks for what is loaded soon.
+LOMMEL_INLINE void prefetch(const void* at) {
+#if defined(__GNUC__) || defined(__clang__)
+    __builtin_prefetch(at);
+#else
+    static_cast<void>(at);
+#endif
 }
 // As many values as doubles, whatever they are.
 template <class I>

@@ -15,6 +15,10 @@ namespace lommel {
 template <class I, class T>
 using Packed = std::conditional_t<sizeof(T) == 4, typename I::floats, typename I::pack>;
 
+// Half as wide, where there is such a thing.
+template <class I>
+using Half = Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>;
+
 // Windows of one point, or of two below each other, a vector of columns from `from` on. Two that lie between the same four of
 // the bank load them once; windows are zeros beyond their halves, so that those of two may be as large as the larger.
 template <class Vec, class T, std::size_t Points, bool Alike>
@@ -35,18 +39,24 @@ struct Rows {
         }
     }
 
-    // A row of window j of the four of a point.
-    LOMMEL_INLINE V window(std::size_t p, std::size_t j, std::size_t row) const {
-        return load<V>(windows[Alike ? 0 : p] + j * room + row * stride);
+    // A row of window j of the four of each point.
+    LOMMEL_INLINE void window(std::size_t j, std::size_t row, V* values) const {
+        for (std::size_t p = 0; p < Points; ++p) {
+            if (p > 0 && Alike) {
+                values[p] = values[0] = loaded(values[0]);
+            } else {
+                values[p] = load<V>(windows[p] + j * room + row * stride);
+            }
+        }
     }
 
     LOMMEL_INLINE void mix(std::size_t row, V* mixed) const {
-        for (std::size_t p = 0; p < Points; ++p) {
-            mixed[p] = weight[p][0] * window(p, 0, row);
-        }
-        for (std::size_t j = 1; j < 4; ++j) {
+        V values[Points];
+        for (std::size_t j = 0; j < 4; ++j) {
+            window(j, row, values);
             for (std::size_t p = 0; p < Points; ++p) {
-                mixed[p] = mixed[p] + weight[p][j] * window(p, j, row);
+                const V part = weight[p][j] * values[p];
+                mixed[p] = j > 0 ? mixed[p] + part : part;
             }
         }
     }
@@ -59,7 +69,7 @@ struct Rows {
 template <class I, std::size_t Points, bool Alike, class T, class Visit>
 LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* points, std::size_t half, const Visit& visit) {
     using Whole = Rows<Packed<I, T>, T, Points, Alike>;
-    using Narrow = Rows<Packed<Isa<std::max<std::size_t>(2, I::lanes / 2), I::unroll>, T>, T, Points, Alike>;
+    using Narrow = Rows<Packed<Half<I>, T>, T, Points, Alike>;
     for (std::size_t from = 0; from <= half; from += Whole::lanes) {
         if (half < from + Narrow::lanes) {
             visit(Narrow(bank, points, half, from));
@@ -69,30 +79,33 @@ LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* point
     }
 }
 
-// The points of a column: where the first of them is in an image, how many, how far the widest of their windows goes, and
+// The points of a column: where the first of them is in an image and among all points, how many, how far the widest of their windows goes, and
 // whether anything hides some of them in part.
 struct Column {
     std::ptrdiff_t at;
-    std::size_t height, half;
+    std::size_t point, height, half;
     bool hidden;
 };
 
 // What lies beside a column, [row from `widest` above its first point on][column from it on, rightwards or leftwards]. Windows
 // are alike on both sides: where nothing is hidden one sheet serves both. Of the same address for all points of a
-// column, in vectors that begin at cache lines, sums are loaded and stored in half the time that an image takes.
+// column, in vectors that begin at cache lines, sums are loaded and stored in half the time that an image takes. There is
+// room for a point more, which the last of an odd number is taken with and which spreads nothing.
 template <class I, class T>
 class Sheets {
    public:
     using V = Packed<I, T>;
     Sheets(const WindowBank<T>& bank, std::size_t height, std::size_t across, bool screened)
         : widest_(bank.widest), stride_(bank.stride), across_(static_cast<std::ptrdiff_t>(across)),
-          size_((height + 2 * widest_) * stride_), values_(size_ * (screened ? 5 : 1)) {}
+          size_((height + 1 + 2 * widest_) * stride_), values_(size_ * (screened ? 5 : 1)), sums_((height + 1) * lanes) {}
 
+    static constexpr std::size_t lanes = sizeof(V) / sizeof(T);
     T* both() { return values_.data(); }
     T* right() { return values_.data() + size_; }
     T* left() { return values_.data() + 2 * size_; }
     T* seen_right() { return values_.data() + 3 * size_; }
     T* seen_left() { return values_.data() + 4 * size_; }
+    T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // zeros between columns
 
     // Where a row of what a point spreads begins, that of the column's first point being 0.
     LOMMEL_INLINE std::size_t place(std::ptrdiff_t row, std::size_t from) const {
@@ -101,21 +114,32 @@ class Sheets {
 
     // A zero, then ones.
     static constexpr T first_apart[] = {0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
-    static_assert(sizeof(V) / sizeof(T) < std::size(first_apart), "one more for vectors of ones");
+    static_assert(lanes < std::size(first_apart), "one more for vectors of ones");
 
     // Calls f(place, right, left, beside) for all vectors that the points reach: where it is in a sheet, and in an image on
-    // either side; `beside` leaves out the column in the middle, which is not on both.
+    // either side; `beside` leaves out the column in the middle, which is not on both. Narrow ones where they suffice: those
+    // that lie in two cache lines are dear.
     template <class F>
     LOMMEL_INLINE void each(const Column& column, const F& f) const {
-        constexpr std::size_t lanes = sizeof(V) / sizeof(T);
+        using Narrow = Packed<Half<I>, T>;
+        if (column.half < sizeof(Narrow) / sizeof(T)) {
+            down<Narrow>(column, 0, f);
+            return;
+        }
         for (std::size_t from = 0; from <= column.half; from += lanes) {
-            const V beside = load<V>(first_apart + (from > 0 ? 1 : 0));
-            const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(from), last = away + static_cast<std::ptrdiff_t>(lanes) - 1;
-            const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(column.half);
-            for (std::ptrdiff_t row = -beyond; row < static_cast<std::ptrdiff_t>(column.height) + beyond; ++row) {
-                const std::ptrdiff_t middle = column.at + row * across_;
-                f(place(row, from), middle + away, middle - last, beside);
-            }
+            down<V>(column, from, f);
+        }
+    }
+
+    template <class W, class F>
+    LOMMEL_INLINE void down(const Column& column, std::size_t from, const F& f) const {
+        const W beside = load<W>(first_apart + (from > 0 ? 1 : 0));
+        const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(from);
+        const std::ptrdiff_t last = away + static_cast<std::ptrdiff_t>(sizeof(W) / sizeof(T)) - 1;
+        const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(column.half);
+        for (std::ptrdiff_t row = -beyond; row < static_cast<std::ptrdiff_t>(column.height) + beyond; ++row) {
+            const std::ptrdiff_t middle = column.at + row * across_;
+            f(place(row, from), middle + away, middle - last, beside);
         }
     }
 
@@ -125,9 +149,10 @@ class Sheets {
     };
 
     LOMMEL_INLINE void see(const Column& column, const T* seen) {
-        each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, V) LOMMEL_INLINE_LAMBDA {
-            store(seen_right() + place, load<V>(seen + right));
-            store(seen_left() + place, permuted<Mirror, T>(load<V>(seen + left)));
+        each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
+            using W = decltype(beside);
+            store(seen_right() + place, load<W>(seen + right));
+            store(seen_left() + place, permuted<Mirror, T>(load<W>(seen + left)));
         });
     }
 
@@ -135,7 +160,7 @@ class Sheets {
     std::size_t widest_, stride_;
     std::ptrdiff_t across_;
     std::size_t size_;
-    Aligned<T> values_;
+    Aligned<T> values_, sums_;
 };
 
 // Points add what they spread to an image.
@@ -152,7 +177,7 @@ struct Giving {
     }
 
     template <bool Hiding, class R>
-    LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows, std::size_t, std::size_t) const {
+    LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows) const {
         using W = typename R::V;
         const auto to = [&](std::ptrdiff_t row, W sum) LOMMEL_INLINE_LAMBDA {
             const std::size_t at = sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from);
@@ -185,21 +210,22 @@ struct Giving {
     }
 
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
-        const auto take = [](T* sum) LOMMEL_INLINE_LAMBDA {
-            const V value = load<V>(sum);
-            store(sum, V{});
-            return value;
-        };
-        sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, V beside) LOMMEL_INLINE_LAMBDA {
-            const V both = take(sheets.both() + at);
-            V here = both, there = both;
+        sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
+            using W = decltype(beside);
+            const auto take = [](T* sum) LOMMEL_INLINE_LAMBDA {
+                const W value = load<W>(sum);
+                store(sum, W{});
+                return value;
+            };
+            const W both = take(sheets.both() + at);
+            W here = both, there = both;
             if (column.hidden) {
                 here = here + take(sheets.right() + at), there = there + take(sheets.left() + at);
             }
             // Both are loaded first: a processor waits for what is loaded where a part of it has just been stored. The column in
             // the middle is in both, and right in the second.
-            here = load<V>(out + right) + here;
-            store(out + left, load<V>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(there * beside));
+            here = load<W>(out + right) + here;
+            store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(there * beside));
             store(out + right, here);
         });
     }
@@ -211,14 +237,16 @@ struct Taking {
     using V = Packed<I, T>;
     T* out;
     const T *seen, *image;
+    std::size_t width;  // of `out`
 
     LOMMEL_INLINE void open(Sheets<I, T>& sheets, const Column& column) const {
         if (column.hidden) {
             sheets.see(column, seen);
         }
-        sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, V beside) LOMMEL_INLINE_LAMBDA {
-            const V here = load<V>(image + right);
-            const V there = permuted<typename Sheets<I, T>::Mirror, T>(load<V>(image + left)) * beside;
+        sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
+            using W = decltype(beside);
+            const W here = load<W>(image + right);
+            const W there = permuted<typename Sheets<I, T>::Mirror, T>(load<W>(image + left)) * beside;
             store(sheets.both() + at, here + there);
             if (column.hidden) {
                 store(sheets.right() + at, here), store(sheets.left() + at, there);
@@ -227,7 +255,7 @@ struct Taking {
     }
 
     template <bool Hiding, class R>
-    LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows, std::size_t to, std::size_t below) const {
+    LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows) const {
         using W = typename R::V;
         const auto light = [&](std::ptrdiff_t row) LOMMEL_INLINE_LAMBDA {
             const std::size_t at = sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from);
@@ -243,9 +271,11 @@ struct Taking {
         constexpr std::size_t last = R::points - 1;
         W sums[R::points][4], folded[R::points], over = light(0), under = light(static_cast<std::ptrdiff_t>(last));
         folded[0] = over, folded[last] = under;
-        for (std::size_t p = 0; p < R::points; ++p) {
-            for (std::size_t j = 0; j < 4; ++j) {
-                sums[p][j] = rows.window(p, j, 0) * folded[p];
+        W values[R::points];
+        for (std::size_t j = 0; j < 4; ++j) {
+            rows.window(j, 0, values);
+            for (std::size_t p = 0; p < R::points; ++p) {
+                sums[p][j] = values[p] * folded[p];
             }
         }
         for (std::size_t row = 1; row <= rows.half; ++row) {
@@ -258,23 +288,38 @@ struct Taking {
                 over = above, under = below;
             }
             for (std::size_t j = 0; j < 4; ++j) {
+                rows.window(j, row, values);
                 for (std::size_t p = 0; p < R::points; ++p) {
-                    sums[p][j] = sums[p][j] + rows.window(p, j, row) * folded[p];
+                    sums[p][j] = sums[p][j] + values[p] * folded[p];
                 }
             }
         }
         for (std::size_t p = 0; p < R::points; ++p) {
             const W total = (rows.weight[p][0] * sums[p][0] + rows.weight[p][1] * sums[p][1]) +
                             (rows.weight[p][2] * sums[p][2] + rows.weight[p][3] * sums[p][3]);
-            T sum = T(0);
-            for (std::size_t i = 0; i < R::lanes; ++i) {
-                sum += total[i];
-            }
-            out[to + p * below] += sum;
+            T* const sum = sheets.sums(point + p);
+            store(sum, load<W>(sum) + total);
         }
     }
 
-    LOMMEL_INLINE void close(Sheets<I, T>&, const Column&) const {}
+    // By short vectors, which every processor has.
+    LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
+        using Short = Packed<Portable, T>;
+        constexpr std::size_t some = sizeof(Short) / sizeof(T);
+        for (std::size_t i = 0; i < column.height; ++i) {
+            T* const sums = sheets.sums(i);
+            Short total{};
+            for (std::size_t j = 0; j < Sheets<I, T>::lanes; j += some) {
+                total = total + load<Short>(sums + j);
+                store(sums + j, Short{});
+            }
+            T sum = total[0];
+            for (std::size_t j = 1; j < some; ++j) {
+                sum += total[j];
+            }
+            out[column.point + i * width] += sum;
+        }
+    }
 };
 
 }  // namespace lommel

@@ -71,7 +71,7 @@ class Spreader {
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const {
         const std::size_t tall = std::max(least_rows, 2 * bank_.widest), broad = std::max(least_columns, 2 * margin_);
         const std::size_t tiles = (height_ + tall - 1) / tall, across = (width_ + broad - 1) / broad;
-        const auto value = [&](std::size_t y, std::size_t x) {
+        const auto value = [&](std::size_t y, std::size_t x) -> const T& {
             return image[scene_.rows[y] * down + scene_.columns[x] * right];
         };
         for (std::size_t parity = 0; parity < 4; ++parity) {
@@ -99,6 +99,7 @@ class Spreader {
     static constexpr std::size_t least_rows = 64, least_columns = 64, most_rows = 128;
     // Points that are looked at together: few beside the pixels that they reach.
     static constexpr std::size_t near = 8;
+    static constexpr std::size_t line = 64;  // bytes that are loaded at once
 
     template <class Value>
     void spread_tile(std::size_t top, std::size_t bottom, std::size_t left, std::size_t right, const Value& value,
@@ -110,8 +111,9 @@ class Spreader {
 
     void collect_strip(std::size_t top, std::size_t bottom, const T* image, T* out) const {
         dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            const auto one = [](std::size_t, std::size_t) { return T(1); };
-            pixels(isa, top, bottom, 0, width_, one, Taking<decltype(isa), T>{out, screen_.seen, image});
+            static constexpr T whole = T(1);
+            const auto one = [](std::size_t, std::size_t) -> const T& { return whole; };
+            pixels(isa, top, bottom, 0, width_, one, Taking<decltype(isa), T>{out, screen_.seen, image, width_});
         });
     }
 
@@ -164,6 +166,11 @@ class Spreader {
         for (std::size_t i = 0; i < tile.height; ++i) {
             const std::size_t row = static_cast<std::size_t>(scene_.rows[tile.top + i]) * scene_.across;
             const std::int64_t* const columns = scene_.columns + tile.left;
+            const std::size_t next = std::min(tile.top + i + 2, height_ - 1);
+            const double* const ahead = scene_.positions + static_cast<std::size_t>(scene_.rows[next]) * scene_.across;
+            for (std::size_t j = 0; j < tile.width; j += line / sizeof(double)) {
+                prefetch(ahead + columns[j]), prefetch(&value(next, tile.left + j));
+            }
             T* const values = tile.values.data() + i * Tile::broad;
             for (std::size_t j = 0; j < tile.width; ++j) {
                 positions[j] = scene_.positions[row + static_cast<std::size_t>(columns[j])];
@@ -184,8 +191,8 @@ class Spreader {
     LOMMEL_INLINE void one_column(I, const Tile& tile, std::size_t x, Mixture<T>* points, Sheets<I, T>& sheets,
                                   const Side& side) const {
         enum Kind { alike, other, hidden, apart, none };
-        Column column{static_cast<std::ptrdiff_t>((tile.top + bank_.widest) * across() + margin_ + tile.left + x), tile.height,
-                      0, false};
+        Column column{static_cast<std::ptrdiff_t>((tile.top + bank_.widest) * across() + margin_ + tile.left + x),
+                      tile.top * width_ + tile.left + x, tile.height, 0, false};
         std::size_t pairs[none + 1][(most_rows + 1) / 2], counts[none + 1] = {};
         for (std::size_t i = 0; i < tile.height; i += 2) {
             for (std::size_t k = i; k < i + 2; ++k) {
@@ -210,9 +217,7 @@ class Spreader {
             constexpr std::size_t together = decltype(count)::value;
             const std::size_t half = std::max(points[i].half, points[i + together - 1].half);
             each_block<I, together, decltype(same)::value>(bank_, points + i, half, [&](const auto& rows) LOMMEL_INLINE_LAMBDA {
-                const std::size_t to = (tile.top + i) * width_ + tile.left + x;
-                // One that is not there takes nothing, where the other is.
-                side.template add<decltype(in_part)::value>(sheets, i, rows, to, i + 1 < tile.height ? width_ : 0);
+                side.template add<decltype(in_part)::value>(sheets, i, rows);
             });
         };
         constexpr std::integral_constant<std::size_t, 1> one{};

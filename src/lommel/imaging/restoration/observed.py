@@ -154,7 +154,8 @@ class Observed:
 
     def discrepancies(self, model: NDArray[Any], ratio: NDArray[Any]) -> NDArray[np.float64]:
         """Return the Poisson deviance a known pixel of each channel: about 1 where the model is right."""
-        terms = np.log(np.maximum(ratio, _TINY))
+        terms = np.maximum(ratio, _TINY)
+        np.log(terms, out=terms)
         # m - y + y ln(y/m), by q = y/m: what cancels, 1 - q, is exact where q is near 1.
         terms *= ratio
         terms += 1.0 - ratio

@@ -70,20 +70,20 @@ class RichardsonLucy:
         # What no known pixel sees stays as it is.
         unseen = observed.seen <= 1e-6
         per = 1.0 / np.where(unseen, 1.0, observed.seen)
-        change = earlier = None
+        some_unseen, smallest = bool(unseen.any()), observed.smallest
+        # Kept for all steps: new memory costs more than what is done in it.
+        extrapolated, change, earlier = (np.empty_like(light) for _ in range(3))
+        size = overlap = 0.0  # of the squares of the earlier change; and of its products with the last one
         history: list[float] = []
         start = time.perf_counter()
         while True:
-            step, pace = len(history), 0.0
-            if change is not None and earlier is not None:
-                over = float(np.vdot(earlier, earlier))
-                pace = min(max(float(np.vdot(change, earlier)) / over, 0.0), 0.999) if over > 0.0 else 0.0
-            guess = light
+            step, guess = len(history), light
+            pace = min(max(overlap / size, 0.0), 0.999) if size > 0.0 else 0.0
             if pace > 0.0:
-                guess = light - before
+                guess = np.subtract(light, before, out=extrapolated)
                 guess *= pace
                 guess += light
-                np.maximum(guess, observed.smallest, out=guess)
+                np.maximum(guess, smallest, out=guess)
             model = observed.model(guess)
             ratio = observed.ratio(model)
             history.append(observed.discrepancy(model, ratio))
@@ -94,11 +94,14 @@ class RichardsonLucy:
             found = observed.blur.adjoint(ratio)
             found *= per
             found *= guess
-            np.copyto(found, guess, where=unseen)
+            if some_unseen:
+                np.copyto(found, guess, where=unseen)
             np.maximum(found, 0.0, out=found)
             before, light = light, found
             if self.accelerate:
-                change, earlier = found - guess, change
+                earlier, change = change, np.subtract(found, guess, out=earlier)
+                if step > 0:
+                    size, overlap = float(np.vdot(earlier, earlier)), float(np.vdot(change, earlier))
 
     def _stopped(self, history: list[float], slack: float) -> str | None:
         """Return why to stop here, if there is a reason."""

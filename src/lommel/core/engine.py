@@ -310,7 +310,7 @@ def layered_images(
 
 
 def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
-    """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, shape ``(n,)``."""
+    """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, ``(n,)``."""
     return _core.layered_profiles(*asked, v, threads)
 
 

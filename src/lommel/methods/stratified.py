@@ -19,13 +19,16 @@ from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import Layered, Window, layered_images, layered_profiles
 from lommel.methods.debye_wolf import DebyeWolf
 from lommel.optics import debye
-from lommel.optics.debye import Model, Rule
+from lommel.optics.debye import Complex, Model, Rule
 from lommel.optics.emitter import Light
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.stratified import Layers
 
-_FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0  # of the tolerance: what fields, over the root of the peak, and interpolation take
+_FIELD, _BETWEEN = (
+    1.0 / 32.0,
+    1.0 / 8.0,
+)  # of the tolerance: what fields, over the root of the peak, and interpolation take
 _LEAST = 2.0**-52
 
 T = TypeVar("T")
@@ -128,19 +131,18 @@ def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Imag
 
 
 def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
-    """Return a flattened stack as the core takes it, with angles for radii up to `reach` in v, fields exact to `tol`."""
+    """Return a flattened stack as the core takes it, by fields that are exact to `tol` up to `reach` in v."""
     depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
     layers, light = pupil.layers, pupil.light
-    # Emitters are in focus near where their depth over their focus is that of the indices.
     ratio = layers.immersion / layers.sample
     found, parts, rates = _angles(
-        layers, light.model, *_outwards(depth), *_outwards(focus - ratio * depth), ratio, _above(reach), tol
+        layers, light.model, _outwards(depth), _outwards(focus - ratio * depth), _above(reach), tol
     )
     planes = np.stack([depth, focus, pupil.power])
     return Layered(found.rho, parts, rates, found.error, planes, *_forms(light))
 
 
-def _forms(light: Light) -> tuple[Array, Array]:
+def _forms(light: Light) -> tuple[Complex, Array]:
     forms = np.stack([h.form for h in light.harmonics])
     return forms, np.array([[h.order, h.cosine, h.sine] for h in light.harmonics], dtype=np.float64)
 
@@ -160,10 +162,10 @@ def _above(reach: float) -> float:
 
 @lru_cache(maxsize=32)
 def _angles(
-    layers: Layers, model: Model, shallow: float, deep: float, near: float, far: float, ratio: float, reach: float, tol: float
-) -> tuple[Rule, Array, Array]:
-    """Return angles for all planes between two depths and two foci, the latter counted from ``ratio depth``."""
-    depth = np.array([max(shallow, 0.0), max(shallow, 0.0), deep, deep])
-    focus = ratio * depth + np.array([near, far, near, far])
+    layers: Layers, model: Model, depths: tuple[float, float], foci: tuple[float, float], reach: float, tol: float
+) -> tuple[Rule, Complex, Complex]:
+    """Return angles for all planes between two depths and two foci, these from where paraxial light is in focus."""
+    depth = np.repeat(np.maximum(depths, 0.0), 2)
+    focus = layers.immersion / layers.sample * depth + np.tile(foci, 2)
     found = debye.rule(layers, model, depth, focus, reach, tol)
     return found, np.stack(found.parts), np.stack(found.rates)

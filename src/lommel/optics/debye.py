@@ -184,7 +184,7 @@ class Piece:
         return np.where(covered.fit & np.isfinite(found), found + 1e-9, np.inf)
 
     def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
-        """Return as few nodes as are proven to err by at most `error`, by the ellipses that serve best at a glance."""
+        """Return as few nodes as are proven to err by at most `error`, by ellipses that serve best at a glance."""
         glance = self._needed(self._grown(model, depth, focus, v, None, _GLANCE), error)
         best = int(glance.argmin())
         rows = tuple(row for row in (best - 1, best, best + 1) if 0 <= row < _ETA.size)
@@ -213,7 +213,7 @@ class Piece:
 
 @lru_cache(maxsize=32)
 def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None, arcs: int) -> tuple[Covered, Array]:
-    """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each of their arcs.
+    """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each arc of these.
 
     Without its exponential and its Bessel function. Arcs that are fewer than those of proofs are points.
     """

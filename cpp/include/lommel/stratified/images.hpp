@@ -75,7 +75,7 @@ class LayeredImages {
         const Turned turned(planes_, *layout);
         const std::size_t stride = (layout->count + 2 * Between::tile) / Between::tile * Between::tile;
         profiles.run(threads_, [&](std::size_t first, std::size_t here, const double* values, const PartSizes* sizes) {
-            constexpr std::size_t together = Profiles::together;
+            constexpr std::size_t together = 6;  // twelve chains
             thread_local Doubles made;
             const std::size_t rows = profiles.harmonics() * here;
             made.resize((rows + together) * stride);

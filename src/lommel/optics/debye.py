@@ -185,13 +185,31 @@ class Piece:
 
     def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
         """Return as few nodes as are proven to err by at most `error`, by ellipses that serve best at a glance."""
+        return self.nodes(self._serving(model, depth, focus, v, error), error)
+
+    def slope_errors(
+        self, model: Model, depth: Array, focus: Array, v: float, error: float, n: int
+    ) -> tuple[float, float, float]:
+        """Return what n nodes, which serve to `error`, err by at most in derivatives by depth, focus and v."""
+        growth = self._serving(model, depth, focus, v, error)
+        rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
+        covered, _ = _enclosed(self, model, rows, _ARCS)
+        # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
+        rho = np.sqrt(self.square(covered.x).largest) / self.layers.NA
+        factors = covered.rates[1].largest, covered.rates[2].largest, rho
+        half, eta = 0.5 * (self.high - self.low), _ETA[list(rows)]
+        constant = math.log(64.0 / 15.0 * half) - np.log(-np.expm1(-2.0 * eta)) - 2.0 * n * eta + growth[list(rows)]
+        by_depth, by_focus, by_v = (float(np.exp((constant + np.log(each.max(axis=-1))).min())) for each in factors)
+        return by_depth, by_focus, by_v
+
+    def _serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
         glance = self._needed(self._grown(model, depth, focus, v, None, _GLANCE), error)
         best = int(glance.argmin())
         rows = tuple(row for row in (best - 1, best, best + 1) if 0 <= row < _ETA.size)
         growth = self.growth(model, depth, focus, v, rows)
         if not np.isfinite(growth).any():
             growth = self.growth(model, depth, focus, v)
-        return self.nodes(growth, error)
+        return growth
 
     def _needed(self, growth: Array, error: float) -> Array:
         half = 0.5 * (self.high - self.low)
@@ -270,12 +288,18 @@ class Rule(NamedTuple):
         The phase, and its derivatives by depth and focus.
     error : float
         What the rule is proven to err by, with an allowance for rounding.
+    rounding : float
+        That allowance.
+    counts : tuple of int
+        How many angles there are on each side of the critical angle.
     """
 
     rho: Array
     parts: tuple[Complex, ...]
     rates: tuple[Complex, Complex, Complex]
     error: float
+    rounding: float
+    counts: tuple[int, ...]
 
     def waves(self, depth: Array, focus: Array) -> Complex:
         """Return ``exp(i psi)`` for each plane and angle, shape ``(planes, q)``."""
@@ -301,10 +325,11 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
     -------
     Rule
     """
-    rhos, parts, rates = [], [], []
+    rhos, parts, rates, counts = [], [], [], []
     cut = pieces(layers, model)
     for piece in cut:
         n = piece.enough(model, depth, focus, v, tol / len(cut))
+        counts.append(n)
         x, w = gauss_legendre(n, piece.low, piece.high)
         rhos.append(np.sqrt(piece.square(x)) / layers.NA)
         parts.append([w * part for part in piece.parts(x, model)])
@@ -316,7 +341,21 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
     reach = layers.sample * depth.max(initial=0.0) + layers.immersion * np.abs(focus).max(initial=0.0) + paths
     size = max(float(np.abs(part).sum()) for part in joined)
     rounding = (4.0 * layers.wavenumber * reach + 4.0 * v + 2.0 * math.sqrt(rho.size) + 64.0) * _ROUNDOFF * size
-    return Rule(rho, joined, (fixed, by_depth, by_focus), float(tol + rounding))
+    return Rule(rho, joined, (fixed, by_depth, by_focus), float(tol + rounding), rounding, tuple(counts))
+
+
+def slope_errors(
+    found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
+) -> tuple[float, float, float]:
+    """Return what a :func:`rule` for these arguments errs by in derivatives by depth, focus and v."""
+    cut = pieces(layers, model)
+    each = [
+        piece.slope_errors(model, depth, focus, v, tol / len(cut), n)
+        for piece, n in zip(cut, found.counts, strict=True)
+    ]
+    largest = *(float(np.abs(rate).max()) for rate in found.rates[1:]), 1.0
+    sums = [sum(part) + found.rounding * size for part, size in zip(zip(*each, strict=True), largest, strict=True)]
+    return sums[0], sums[1], sums[2]
 
 
 def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tuple[Complex, ...]:
@@ -332,11 +371,12 @@ def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tu
     return found
 
 
-def power(layers: Layers, depth: Array, model: Model | None = None) -> tuple[Array, Array]:
+def power(layers: Layers, depth: Array, model: Model | None = None, *, slope: bool = False) -> tuple[Array, Array]:
     """Return the light of each part of an emitter's field, and of one far from the glass, over ``4 pi / (k NA)^2``.
 
     ``int abs(a T_m)^2 exp(-2 k d n_s Im c_s) rho d rho / 2``, the same at every focus, by rules of twice as many
-    angles until two agree to 1e-13; shapes ``(planes, parts)`` and ``(parts,)``.
+    angles until two agree to 1e-13; shapes ``(planes, parts)`` and ``(parts,)``. With `slope`, the derivative of the
+    former by the depth instead.
     """
     model = model or Model()
     before, near, far = np.full((1, 1), -1.0), np.zeros((depth.size, len(model.orders))), np.zeros(len(model.orders))
@@ -346,9 +386,10 @@ def power(layers: Layers, depth: Array, model: Model | None = None) -> tuple[Arr
             x, w = gauss_legendre(n, piece.low, piece.high)
             light = np.stack([w * np.abs(part) ** 2 for part in piece.parts(x, model)], axis=1)
             light /= 2.0 * piece.jacobian(x)[:, None]
-            near += np.exp(-2.0 * np.outer(depth, piece.rates(x)[1].imag)) @ light
+            fading = -2.0 * piece.rates(x)[1].imag
+            near += np.exp(np.outer(depth, fading)) @ (light * fading[:, None] if slope else light)
             far += 0.0 if piece.above else light.sum(axis=0)
-        if (np.abs(near - before) <= 1e-13 * near.sum(axis=1, keepdims=True)).all():
+        if (np.abs(near - before) <= 1e-13 * np.abs(near).sum(axis=1, keepdims=True)).all():
             break
         before = near
     return near, far

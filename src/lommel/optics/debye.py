@@ -62,18 +62,9 @@ class Model:
 
 
 class Covered(NamedTuple):
-    """Ellipses around a piece, each with as many discs along it.
+    """Ellipses around a piece, each with discs along it of the variable and of the rates of the phase.
 
-    Attributes
-    ----------
-    x : Disc
-        Of the variable.
-    rates : tuple of three Disc
-        Of the phase, and of its derivatives by depth and focus.
-    height : ndarray
-        What bounds ``abs(Im rho)``.
-    fit : ndarray of bool, one for each ellipse
-        Whether it is proven to hold no singularity.
+    `height` bounds ``abs(Im rho)``, and `fit` says of each whether it is proven to hold no singularity.
     """
 
     x: Disc
@@ -381,15 +372,26 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, slope: bo
     model = model or Model()
     before, near, far = np.full((1, 1), -1.0), np.zeros((depth.size, len(model.orders))), np.zeros(len(model.orders))
     for n in (32 * 2**k for k in range(9)):
-        near, far = np.zeros_like(near), np.zeros_like(far)
-        for piece in pieces(layers, model):
-            x, w = gauss_legendre(n, piece.low, piece.high)
-            light = np.stack([w * np.abs(part) ** 2 for part in piece.parts(x, model)], axis=1)
-            light /= 2.0 * piece.jacobian(x)[:, None]
-            fading = -2.0 * piece.rates(x)[1].imag
-            near += np.exp(np.outer(depth, fading)) @ (light * fading[:, None] if slope else light)
-            far += 0.0 if piece.above else light.sum(axis=0)
+        steady, fading, faint = _collected(layers, model, n)
+        far = steady
+        near = np.exp(np.outer(depth, fading)) @ (faint * fading[:, None] if slope else faint)
+        near += 0.0 if slope else steady
         if (np.abs(near - before) <= 1e-13 * np.abs(near).sum(axis=1, keepdims=True)).all():
             break
         before = near
     return near, far
+
+
+@lru_cache(maxsize=64)
+def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array]:
+    """Return the light of each part that reaches any depth, and at n angles beyond: how fast it fades, and how much."""
+    steady, fading, faint = np.zeros(len(model.orders)), np.zeros(0), np.zeros((0, len(model.orders)))
+    for piece in pieces(layers, model):
+        x, w = gauss_legendre(n, piece.low, piece.high)
+        light = np.stack([w * np.abs(part) ** 2 for part in piece.parts(x, model)], axis=1)
+        light /= 2.0 * piece.jacobian(x)[:, None]
+        if piece.above:
+            fading, faint = -2.0 * piece.rates(x)[1].imag, light
+        else:
+            steady = light.sum(axis=0)
+    return steady, fading, faint

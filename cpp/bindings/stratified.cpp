@@ -29,6 +29,7 @@ lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, 
                         plane + n,
                         plane + 2 * n,
                         n,
+                        {},
                         {}};
     for (std::size_t k = 0; k < orders; ++k) {
         const double* turn = turns.data() + 3 * k;
@@ -45,12 +46,32 @@ lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, 
 template <class T>
 bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates, double error, In<double, 2> planes,
                     In<complex, 3> forms, In<double, 2> turns, In<double, 2> centers, double step, bool integrate,
-                    double allowed, int threads, Out<T, 3> images, Out<double, 2> numbers) {
-    const lommel::Planes asked = planes_of(rho, parts, rates, error, planes, forms, turns);
+                    double allowed, int threads, Out<T, 3> images, Out<double, 2> numbers, In<double, 2> by,
+                    Out<double, 4> slopes, Out<double, 2> slope_errors) {
+    lommel::Planes asked = planes_of(rho, parts, rates, error, planes, forms, turns);
     const std::size_t n = asked.count;
     require(images.shape(0) == n && numbers.shape(0) == 3 && numbers.shape(1) == n, "one image, scale, bound and peak a plane");
     require(allowed > 0.0 && threads >= 0, "allowed must be positive, threads at least 0");
     require_centers(centers, centers.shape(0) == 1 ? 1 : n);
+    lommel::LayeredSlopes derivatives{};
+    if (by.is_valid()) {
+        const std::size_t count = by.shape(0);
+        require(by.shape(1) == 2 && count > 0, "derivatives are a number and an error each");
+        bool axis = false;
+        for (std::size_t d = 0; d < count; ++d) {
+            const double which = by.data()[2 * d];
+            require(!axis && (which == 0.0 || which == 1.0 || which == 2.0), "derivatives are 0, 1 or, the last, 2");
+            axis = which == 2.0;
+            asked.derivatives.push_back({static_cast<lommel::By>(static_cast<int>(which)), by.data()[2 * d + 1]});
+        }
+        const std::size_t made = count + (axis ? 1 : 0);
+        require(!axis || !integrate, "averages have no derivatives by the axis here");
+        require(slopes.is_valid() && slope_errors.is_valid() && slopes.shape(0) == made && slopes.shape(1) == n &&
+                    slopes.shape(2) == images.shape(1) && slopes.shape(3) == images.shape(2) &&
+                    slope_errors.shape(0) == made && slope_errors.shape(1) == n,
+                "derivatives must match the images");
+        derivatives = {slopes.data(), slope_errors.data()};
+    }
     const double* at = centers.data();
     const lommel::PixelWindow first = window_of(images.shape(1), images.shape(2), at[0], at[1], step, integrate);
     // One axis off the middle is one of each plane: the same table serves windows around any.
@@ -58,7 +79,7 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
     lommel::PixelWindows windows(first);
     if (centers.shape(0) == n && n > 1) {
         windows = {first, at, n};
-    } else if (!first.centered() || integrate) {
+    } else if (!first.centered() || integrate || !asked.derivatives.empty()) {
         for (std::size_t p = 0; p < n; ++p) {
             own.insert(own.end(), at, at + 2);
         }
@@ -69,7 +90,7 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
     }
     double* const scales = numbers.data();
     const lommel::Answer<T> answer{images.data(), scales, scales + n, scales + 2 * n, nullptr, 0, nullptr, nullptr};
-    released([&] { lommel::LayeredImages<T>(asked, windows, allowed, threads, answer).run(); });
+    released([&] { lommel::LayeredImages<T>(asked, windows, allowed, threads, answer, derivatives).run(); });
     return true;
 }
 
@@ -107,7 +128,8 @@ void bindings::define_stratified(nb::module_& m) {
     for_both([&](auto pixel) {
         m.def("layered_images", &layered_images<decltype(pixel)>, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a,
               "forms"_a, "turns"_a, "centers"_a, "step"_a, "integrate"_a, "allowed"_a, "threads"_a, "images"_a.noconvert(),
-              "numbers"_a.noconvert(),
+              "numbers"_a.noconvert(), "by"_a.none() = nb::none(), "slopes"_a.noconvert().none() = nb::none(),
+              "slope_errors"_a.noconvert().none() = nb::none(),
               "Images of planes through layers, and of each in `numbers` what it is multiplied by (0 on entry: over its largest "
               "value), the bound on its error over the peak, and that peak; False, with nothing written, for windows that this "
               "has no way for.");

@@ -6,7 +6,7 @@ or "met", and a negative bound for "not met", these say None, and raise a Tolera
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -280,9 +280,19 @@ class Layered(NamedTuple):
     turns: Array
 
 
+BY_DEPTH, BY_FOCUS, BY_AXIS = 0, 1, 2
+"""By what :func:`layered_images` differentiates."""
+
+
 def layered_images(
-    asked: Layered, window: Window, allowed: float, wanted: Wanted, *, integrate: bool = False
-) -> Images | None:
+    asked: Layered,
+    window: Window,
+    allowed: float,
+    wanted: Wanted,
+    *,
+    integrate: bool = False,
+    by: Sequence[tuple[int, float]] = (),
+) -> tuple[Images, Array, Array] | None:
     """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance.
 
     Parameters
@@ -294,23 +304,32 @@ def layered_images(
         Without `powers` and `terms`.
     integrate : bool, default False
         Whether pixels average.
+    by : sequence of (int, float)
+        Derivatives of I: BY_DEPTH, BY_FOCUS, BY_AXIS (two, by row and column; the last, of samples), and what each
+        part of the field's derivative is proven to err by.
 
     Returns
     -------
-    Images or None
-        None for windows that the core has no way for: wide ones of which pixels average or whose axis is not in the
-        middle, and, of light that depends on the azimuth, any such.
+    (Images, slopes, errors) or None
+        With derivatives, shape ``(k, n, height, width)``, and absolute bounds, shape ``(k, n)``. None for windows
+        that the core has no way for: wide ones of which pixels average, whose axis is not in the middle, or that
+        are differentiated; and, of light that depends on the azimuth, any such.
     """
     count = asked.planes.shape[1]
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     numbers, centers = np.empty((3, count)), np.asarray(window.center, dtype=np.float64).reshape(-1, 2)
     numbers[0] = 0.0 if wanted.scale is None else wanted.scale
-    made = _core.layered_images(*asked, centers, window.step, integrate, allowed, wanted.threads, values, numbers)
-    return Images(values, numbers[0], numbers[1], None, numbers[2]) if made else None
+    kinds = len(by) + sum(which == BY_AXIS for which, _ in by)
+    slopes, errors = np.empty((kinds, *values.shape)), np.empty((kinds, count))
+    given: tuple[Any, ...] = (centers, window.step, integrate, allowed, wanted.threads, values, numbers)
+    if by:
+        given += np.array(by, dtype=np.float64), slopes, errors
+    made = _core.layered_images(*asked, *given)
+    return (Images(values, numbers[0], numbers[1], None, numbers[2]), slopes, errors) if made else None
 
 
 def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
-    """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, shape ``(n,)``."""
+    """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, ``(n,)``."""
     return _core.layered_profiles(*asked, v, threads)
 
 

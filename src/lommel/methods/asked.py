@@ -16,7 +16,6 @@ from lommel.methods.method import Method, Shortcut, widened
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
-from lommel.optics.pupil import checked
 
 if TYPE_CHECKING:
     from lommel.methods.derivatives import Name
@@ -68,11 +67,8 @@ class Asked(NamedTuple):
         self.ways[0].require(pupil)
         question = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
         if names:
-            from lommel.methods.slopes import differentiated
-
-            method = self.ways[0] if self.named else None
-            of, tol = checked(pupil), self.ways[0].tol
-            return differentiated(method, of, self.grid, names, question, tol, energy=self.energy)
+            way = self.ways[0]
+            return way.differentiated(pupil, self.grid, names, question, named=self.named, energy=self.energy)
 
         def ask(way: Method) -> Images:
             made = way.images(pupil, self.grid, question)

@@ -33,6 +33,9 @@ POWERS = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
 SHIFTS: dict[str, Term] = {"row": (1, -1), "column": (1, 1)}
 """The tilt that moves the axis, by what it moves along; a pixel is its pitch in v."""
 
+LAYERED = ("z", "depth")
+"""Those of the pupils of an Objective: the stage, and the emitter."""
+
 _INDEXED = re.compile(r"(noll|ansi|fringe) +([0-9]{1,4})")
 
 
@@ -143,6 +146,8 @@ def parts(name: Name, pupil: Pupil, step: float, *, energy: bool) -> Parts:
         return Parts({POWERS[name]: 2.0 if name == "defocus" else 1.0})
     if name in SHIFTS:
         return Parts({SHIFTS[name]: step})
+    if name in LAYERED:
+        raise ValueError(f"derivatives by {name!r} are of the pupils of an Objective")
     return _OTHERS[name](_Values(pupil, -2.0 if energy else 0.0))
 
 
@@ -194,7 +199,7 @@ _OTHERS: dict[str, Callable[[_Values], Parts]] = {
     "object_distance": _object_distance,
     "focus_distance": _focus_distance,
 }
-_TEXTS = (*POWERS, *SHIFTS, *_OTHERS)
+_TEXTS = (*POWERS, *SHIFTS, *_OTHERS, *LAYERED)
 
 
 def _metric(name: str, pupil: Pupil) -> tuple[float, float]:

@@ -20,6 +20,7 @@ from lommel.methods.averaging import Taps, blocks, filtered_by, finer, least_ave
 from lommel.methods.choice import first_proven
 from lommel.methods.derivatives import SHIFTS
 from lommel.methods.method import Method
+from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 
@@ -82,7 +83,7 @@ def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Arr
     return total, error
 
 
-def tilted(engine: Method, pupil: Pupil, grid: Grid, threads: int = 0) -> list[tuple[Array, Array]]:
+def tilted(engine: Method, pupil: BasePupil, grid: Grid, threads: int = 0) -> list[tuple[Array, Array]]:
     """Return the derivatives of I by the :data:`TILTS`, ``-grad I``, from samples of I alone.
 
     Parameters
@@ -113,7 +114,7 @@ def tilted(engine: Method, pupil: Pupil, grid: Grid, threads: int = 0) -> list[t
 
 
 def _sampled(
-    engine: Method, pupil: Pupil, grid: Grid, taps: Taps, threads: int
+    engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int
 ) -> Iterator[tuple[slice, Array, Array]]:
     """Yield samples of I for such filters, some pupils at once, and bounds on their errors with those of sums."""
     fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
@@ -125,7 +126,7 @@ def _sampled(
         yield part, made.values, made.peak * (made.error + rounded)
 
 
-def _ask(pupil: Pupil, grid: Grid, threads: int, way: Method) -> Images:
+def _ask(pupil: BasePupil, grid: Grid, threads: int, way: Method) -> Images:
     return way.images(pupil, grid, Wanted(threads=threads))
 
 

@@ -7,10 +7,10 @@ and the pixels alone is kept. See docs/certificate.md, section 15, for what is p
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple, TypeVar
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -18,12 +18,17 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import Layered, Window, layered_images, layered_profiles
 from lommel.methods.debye_wolf import DebyeWolf
+from lommel.methods.method import Method
 from lommel.optics import debye
-from lommel.optics.debye import Model, Rule
+from lommel.optics.debye import Complex, Model, Rule
 from lommel.optics.emitter import Light
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.stratified import Layers
+
+if TYPE_CHECKING:
+    from lommel.methods.derivatives import Name
+    from lommel.methods.slopes import Slope
 
 _FIELD, _BETWEEN = (
     1.0 / 32.0,
@@ -32,6 +37,7 @@ _FIELD, _BETWEEN = (
 _LEAST = 2.0**-52
 
 T = TypeVar("T")
+_Question = tuple[Layers, Model, tuple[float, float], tuple[float, float], float, float]
 
 
 @dataclass(frozen=True)
@@ -83,6 +89,21 @@ class Stratified(DebyeWolf):
         made = _made(pupil, grid, self.tol, wanted)
         return super().images(pupil, grid, wanted) if made is None else made
 
+    def differentiated(
+        self, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, named: bool, energy: bool
+    ) -> tuple[Method, Images, list[Slope]]:
+        """Return itself, images, and derivatives by "z", "depth", "row", "column"; see :class:`Method`."""
+        from lommel.methods.layered_slopes import layered_slopes
+
+        return self, *layered_slopes(self, pupil, grid, names, wanted)
+
+    def differentiated_core(
+        self, pupil: ObjectivePupil, grid: Grid, by: Sequence[int], wanted: Wanted
+    ) -> tuple[Images, tuple[Array, Array] | None]:
+        """Return images, and derivatives by what the engine knows with absolute bounds, or None where it has none."""
+        made = _differentiated(pupil, grid, by, self.tol, wanted) if by else None
+        return (self.images(pupil, grid, wanted), None) if made is None else (made[0], made[1:])
+
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         made = _made(pupil, grid, tol, wanted)
         return super()._samples(pupil, grid, tol, wanted) if made is None else made
@@ -119,31 +140,42 @@ def _likely_peak(pupil: ObjectivePupil) -> float:
 
 def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
     """Return images by the engine, or None where it has none, or none that is exact enough."""
+    made = _differentiated(pupil, grid, (), tol, wanted)
+    return None if made is None else made[0]
+
+
+def _differentiated(
+    pupil: ObjectivePupil, grid: Grid, by: Sequence[int], tol: float, wanted: Wanted
+) -> tuple[Images, Array, Array] | None:
+    """Return images, derivatives by what the core knows, and bounds on these, as :func:`_made`."""
     step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
     window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
 
-    def attempt(accuracy: _Accuracy) -> tuple[Images | None, float]:
+    def attempt(accuracy: _Accuracy) -> tuple[tuple[Images, Array, Array] | None, float]:
         asked = layered(pupil, reach, accuracy.field)
-        made = layered_images(asked, window, accuracy.between, wanted, integrate=grid.integrate)
-        return made, 0.0 if made is None or made.error is None else float(made.error.max())
+        errors = _slope_errors(*_question(pupil, reach, accuracy.field)) if by else (0.0, 0.0, 0.0)
+        each = [(which, errors[which]) for which in by]
+        made = layered_images(asked, window, accuracy.between, wanted, integrate=grid.integrate, by=each)
+        return made, 0.0 if made is None or made[0].error is None else float(made[0].error.max())
 
     return _settled(attempt, pupil, tol)
 
 
 def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:
-    """Return a flattened stack as the core takes it, with angles for radii up to `reach` in v, fields exact to `tol`."""
-    depth, focus = pupil.depth.ravel(), pupil.focus.ravel()
-    layers, light = pupil.layers, pupil.light
-    # Emitters are in focus near where their depth over their focus is that of the indices.
-    ratio = layers.immersion / layers.sample
-    found, parts, rates = _angles(
-        layers, light.model, *_outwards(depth), *_outwards(focus - ratio * depth), ratio, _above(reach), tol
-    )
-    planes = np.stack([depth, focus, pupil.power])
-    return Layered(found.rho, parts, rates, found.error, planes, *_forms(light))
+    """Return a flattened stack as the core takes it, by fields that are exact to `tol` up to `reach` in v."""
+    found, parts, rates = _angles(*_question(pupil, reach, tol))
+    planes = np.stack([pupil.depth.ravel(), pupil.focus.ravel(), pupil.power])
+    return Layered(found.rho, parts, rates, found.error, planes, *_forms(pupil.light))
 
 
-def _forms(light: Light) -> tuple[Array, Array]:
+def _question(pupil: ObjectivePupil, reach: float, tol: float) -> _Question:
+    """Return what angles are found for: all planes between two depths, and two foci counted from paraxial ones."""
+    depth, layers = pupil.depth.ravel(), pupil.layers
+    away = pupil.focus.ravel() - layers.immersion / layers.sample * depth
+    return layers, pupil.light.model, _outwards(depth), _outwards(away), _above(reach), tol
+
+
+def _forms(light: Light) -> tuple[Complex, Array]:
     forms = np.stack([h.form for h in light.harmonics])
     return forms, np.array([[h.order, h.cosine, h.sine] for h in light.harmonics], dtype=np.float64)
 
@@ -161,20 +193,23 @@ def _above(reach: float) -> float:
     return unit * math.ceil(reach / unit)
 
 
+def _corners(layers: Layers, depths: tuple[float, float], foci: tuple[float, float]) -> tuple[Array, Array]:
+    depth = np.repeat(np.maximum(depths, 0.0), 2)
+    return depth, layers.immersion / layers.sample * depth + np.tile(foci, 2)
+
+
 @lru_cache(maxsize=32)
 def _angles(
-    layers: Layers,
-    model: Model,
-    shallow: float,
-    deep: float,
-    near: float,
-    far: float,
-    ratio: float,
-    reach: float,
-    tol: float,
-) -> tuple[Rule, Array, Array]:
-    """Return angles for all planes between two depths and two foci, the latter counted from ``ratio depth``."""
-    depth = np.array([max(shallow, 0.0), max(shallow, 0.0), deep, deep])
-    focus = ratio * depth + np.array([near, far, near, far])
-    found = debye.rule(layers, model, depth, focus, reach, tol)
+    layers: Layers, model: Model, depths: tuple[float, float], foci: tuple[float, float], reach: float, tol: float
+) -> tuple[Rule, Complex, Complex]:
+    found = debye.rule(layers, model, *_corners(layers, depths, foci), reach, tol)
     return found, np.stack(found.parts), np.stack(found.rates)
+
+
+@lru_cache(maxsize=32)
+def _slope_errors(
+    layers: Layers, model: Model, depths: tuple[float, float], foci: tuple[float, float], reach: float, tol: float
+) -> tuple[float, float, float]:
+    """Return what derivatives by depth, focus and v err by, with these angles."""
+    found, _, _ = _angles(layers, model, depths, foci, reach, tol)
+    return debye.slope_errors(found, layers, model, *_corners(layers, depths, foci), reach, tol)

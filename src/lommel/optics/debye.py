@@ -68,18 +68,9 @@ class Model:
 
 
 class Covered(NamedTuple):
-    """Ellipses around a piece, each with as many discs along it.
+    """Ellipses around a piece, each with discs along it of the variable and of the rates of the phase.
 
-    Attributes
-    ----------
-    x : Disc
-        Of the variable.
-    rates : tuple of three Disc
-        Of the phase, and of its derivatives by depth and focus.
-    height : ndarray
-        What bounds ``abs(Im rho)``.
-    fit : ndarray of bool, one for each ellipse
-        Whether it is proven to hold no singularity.
+    `height` bounds ``abs(Im rho)``, and `fit` says of each whether it is proven to hold no singularity.
     """
 
     x: Disc
@@ -209,14 +200,32 @@ class Piece:
         return np.where(covered.fit & np.isfinite(found), found + 1e-9, np.inf)
 
     def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
-        """Return as few nodes as are proven to err by at most `error`, by the ellipses that serve best at a glance."""
+        """Return as few nodes as are proven to err by at most `error`, by ellipses that serve best at a glance."""
+        return self.nodes(self._serving(model, depth, focus, v, error), error)
+
+    def slope_errors(
+        self, model: Model, depth: Array, focus: Array, v: float, error: float, n: int
+    ) -> tuple[float, float, float]:
+        """Return what n nodes, which serve to `error`, err by at most in derivatives by depth, focus and v."""
+        growth = self._serving(model, depth, focus, v, error)
+        rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
+        covered, _ = _enclosed(self, model, rows, _ARCS)
+        # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
+        rho = np.sqrt(self.square(covered.x).largest) / self.layers.NA
+        factors = covered.rates[1].largest, covered.rates[2].largest, rho
+        half, eta = 0.5 * (self.high - self.low), _ETA[list(rows)]
+        constant = math.log(64.0 / 15.0 * half) - np.log(-np.expm1(-2.0 * eta)) - 2.0 * n * eta + growth[list(rows)]
+        by_depth, by_focus, by_v = (float(np.exp((constant + np.log(each.max(axis=-1))).min())) for each in factors)
+        return by_depth, by_focus, by_v
+
+    def _serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
         glance = self._needed(self._grown(model, depth, focus, v, None, _GLANCE), error)
         best = int(glance.argmin())
         rows = tuple(row for row in (best - 1, best, best + 1) if 0 <= row < _ETA.size)
         growth = self.growth(model, depth, focus, v, rows)
         if not np.isfinite(growth).any():
             growth = self.growth(model, depth, focus, v)
-        return self.nodes(growth, error)
+        return growth
 
     def _needed(self, growth: Array, error: float) -> Array:
         half = 0.5 * (self.high - self.low)
@@ -262,7 +271,7 @@ class Centre(Piece):
 
 @lru_cache(maxsize=32)
 def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None, arcs: int) -> tuple[Covered, Array]:
-    """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each of their arcs.
+    """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each arc of these.
 
     Without its exponential and its Bessel function. Arcs that are fewer than those of proofs are points.
     """
@@ -329,12 +338,18 @@ class Rule(NamedTuple):
         The phase, and its derivatives by depth and focus.
     error : float
         What the rule is proven to err by, with an allowance for rounding.
+    rounding : float
+        That allowance.
+    counts : tuple of int
+        How many angles there are on each side of the critical angle.
     """
 
     rho: Array
     parts: tuple[Complex, ...]
     rates: tuple[Complex, Complex, Complex]
     error: float
+    rounding: float
+    counts: tuple[int, ...]
 
     def waves(self, depth: Array, focus: Array) -> Complex:
         """Return ``exp(i psi)`` for each plane and angle, shape ``(planes, q)``."""
@@ -360,10 +375,11 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
     -------
     Rule
     """
-    rhos, parts, rates = [], [], []
+    rhos, parts, rates, counts = [], [], [], []
     cut = pieces(layers, model)
     for piece in cut:
         n = piece.enough(model, depth, focus, v, tol / len(cut))
+        counts.append(n)
         x, w = gauss_legendre(n, piece.low, piece.high)
         rhos.append(np.sqrt(piece.square(x)) / layers.NA)
         parts.append([w * part for part in piece.parts(x, model)])
@@ -375,7 +391,21 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
     reach = layers.sample * depth.max(initial=0.0) + layers.immersion * np.abs(focus).max(initial=0.0) + paths
     size = max(float(np.abs(part).sum()) for part in joined)
     rounding = (4.0 * layers.wavenumber * reach + 4.0 * v + 2.0 * math.sqrt(rho.size) + 64.0) * _ROUNDOFF * size
-    return Rule(rho, joined, (fixed, by_depth, by_focus), float(tol + rounding))
+    return Rule(rho, joined, (fixed, by_depth, by_focus), float(tol + rounding), rounding, tuple(counts))
+
+
+def slope_errors(
+    found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
+) -> tuple[float, float, float]:
+    """Return what a :func:`rule` for these arguments errs by in derivatives by depth, focus and v."""
+    cut = pieces(layers, model)
+    each = [
+        piece.slope_errors(model, depth, focus, v, tol / len(cut), n)
+        for piece, n in zip(cut, found.counts, strict=True)
+    ]
+    largest = *(float(np.abs(rate).max()) for rate in found.rates[1:]), 1.0
+    sums = [sum(part) + found.rounding * size for part, size in zip(zip(*each, strict=True), largest, strict=True)]
+    return sums[0], sums[1], sums[2]
 
 
 def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tuple[Complex, ...]:
@@ -391,23 +421,36 @@ def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tu
     return found
 
 
-def power(layers: Layers, depth: Array, model: Model | None = None) -> tuple[Array, Array]:
+def power(layers: Layers, depth: Array, model: Model | None = None, *, slope: bool = False) -> tuple[Array, Array]:
     """Return the light of each part of an emitter's field, and of one far from the glass, over ``4 pi / (k NA)^2``.
 
     ``int abs(a T_m)^2 exp(-2 k d n_s Im c_s) rho d rho / 2``, the same at every focus, by rules of twice as many
-    angles until two agree to 1e-13; shapes ``(planes, parts)`` and ``(parts,)``.
+    angles until two agree to 1e-13; shapes ``(planes, parts)`` and ``(parts,)``. With `slope`, the derivative of the
+    former by the depth instead.
     """
     model = model or Model()
     before, near, far = np.full((1, 1), -1.0), np.zeros((depth.size, len(model.orders))), np.zeros(len(model.orders))
     for n in (32 * 2**k for k in range(9)):
-        near, far = np.zeros_like(near), np.zeros_like(far)
-        for piece in pieces(layers, model):
-            x, w = gauss_legendre(n, piece.low, piece.high)
-            light = np.stack([w * np.abs(part) ** 2 for part in piece.parts(x, model)], axis=1)
-            light /= 2.0 * piece.jacobian(x)[:, None]
-            near += np.exp(-2.0 * np.outer(depth, piece.rates(x)[1].imag)) @ light
-            far += 0.0 if piece.above else light.sum(axis=0)
-        if (np.abs(near - before) <= 1e-13 * near.sum(axis=1, keepdims=True)).all():
+        steady, fading, faint = _collected(layers, model, n)
+        far = steady
+        near = np.exp(np.outer(depth, fading)) @ (faint * fading[:, None] if slope else faint)
+        near += 0.0 if slope else steady
+        if (np.abs(near - before) <= 1e-13 * np.abs(near).sum(axis=1, keepdims=True)).all():
             break
         before = near
     return near, far
+
+
+@lru_cache(maxsize=64)
+def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array]:
+    """Return the light of each part that reaches any depth, and at n angles beyond: how fast it fades, and how much."""
+    steady, fading, faint = np.zeros(len(model.orders)), np.zeros(0), np.zeros((0, len(model.orders)))
+    for piece in pieces(layers, model):
+        x, w = gauss_legendre(n, piece.low, piece.high)
+        light = np.stack([w * np.abs(part) ** 2 for part in piece.parts(x, model)], axis=1)
+        light /= 2.0 * piece.jacobian(x)[:, None]
+        if piece.above:
+            fading, faint = -2.0 * piece.rates(x)[1].imag, light
+        else:
+            steady = light.sum(axis=0)
+    return steady, fading, faint

@@ -20,24 +20,32 @@
 
 namespace lommel {
 
+// Derivatives, the one by v last, as two by the axis: [derivative][plane][pixel], and [derivative][plane].
+struct LayeredSlopes {
+    double *images, *errors;
+};
+
 template <class T>
 class LayeredImages {
    public:
     // `allowed` is what interpolation may add to I, on a scale where 1 is the peak of a uniform aperture without aberration.
-    LayeredImages(const Planes& planes, const PixelWindows& windows, double allowed, int threads, const Answer<T>& answer)
-        : planes_(planes), windows_(windows), window_(windows.first), allowed_(allowed), answer_(answer) {
+    LayeredImages(const Planes& planes, const PixelWindows& windows, double allowed, int threads, const Answer<T>& answer,
+                  const LayeredSlopes& slopes)
+        : planes_(planes), windows_(windows), window_(windows.first), allowed_(allowed), answer_(answer), slopes_(slopes) {
         // Roughly, in microseconds.
         const double each = 0.5 + 1e-3 * static_cast<double>(pixels()) + 0.02 * static_cast<double>(planes.angles.count);
         threads_ = worthwhile_threads(threads, static_cast<double>(planes.count) * each);
     }
 
     // Whether this engine has such windows; those of light that depends on the azimuth are centred and sampled.
+    // Derivatives are of windows around axes anywhere.
     static bool fits(const Planes& planes, const PixelWindows& windows) {
-        return centered(windows) || (planes.radial() && windows.farthest * windows.first.step <= AnywhereTable::most_reach);
+        return (centered(windows) && planes.derivatives.empty()) ||
+               (planes.radial() && windows.farthest * windows.first.step <= AnywhereTable::most_reach);
     }
 
     void run() const {
-        if (!centered(windows_)) {
+        if (!centered(windows_) || !planes_.derivatives.empty()) {
             return around();
         }
         const auto layout = Layout::get(window_.height, window_.width);
@@ -75,7 +83,7 @@ class LayeredImages {
         const Turned turned(planes_, *layout);
         const std::size_t stride = (layout->count + 2 * Between::tile) / Between::tile * Between::tile;
         profiles.run(threads_, [&](std::size_t first, std::size_t here, const double* values, const PartSizes* sizes) {
-            constexpr std::size_t together = Profiles::together;
+            constexpr std::size_t together = 6;  // twelve chains
             thread_local Doubles made;
             const std::size_t rows = profiles.harmonics() * here;
             made.resize((rows + together) * stride);
@@ -108,8 +116,8 @@ class LayeredImages {
         const Profiles profiles(planes_, table, 1.0);
         profiles.run(threads_, [&](std::size_t first, std::size_t here, const double* values, const PartSizes* sizes) {
             thread_local WindowValues made;
-            for (std::size_t p = 0; p < here; ++p, values += profiles.stride()) {
-                const Judged judged(planes_, first + p, sizes[p]);
+            for (std::size_t p = 0; p < here; ++p, values += profiles.outputs() * profiles.stride(), sizes += profiles.kinds()) {
+                const Judged judged(planes_, first + p, *sizes);
                 made.make(*table, windows_[first + p], values, 1);
                 double size = 0.0, top = 0.0;
                 dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
@@ -120,8 +128,51 @@ class LayeredImages {
                 // Of samples the peak is I at any radius.
                 const double peak = std::max(top - off, window_.integrate ? 0.0 : size - judged.given);
                 finish(first + p, made.values.data(), top, peak, off);
+                for (std::size_t d = 0; d < planes_.derivatives.size(); ++d) {
+                    const double* profile = values + (d + 1) * profiles.stride();
+                    if (planes_.derivatives[d].by == By::radius) {
+                        slope(*table, d, first + p, profile, judged, sizes[0], sizes[d + 1], made);
+                    } else {
+                        const Judged of(planes_, first + p, sizes[0], sizes[d + 1], planes_.derivatives[d].error);
+                        made.make(*table, windows_[first + p], profile, 1);
+                        const double wrong =
+                            window_error(*table, made.penalty, of.most, of.given, 2.0 * of.swing, of.swing);
+                        differentiate(first + p, d, made.values.data(), wrong);
+                    }
+                }
             }
         });
+    }
+
+    // I' / v, even and of type 2, at most the largest |I''|; from it what moves the axis by a pixel along rows and columns.
+    void slope(const AnywhereTable& table, std::size_t d, std::size_t plane, const double* profile, const Judged& judged,
+               const PartSizes& of, const PartSizes& sizes, WindowValues& made) const {
+        thread_local Doubles divided, moved;
+        divided.resize(table.count + widest_step);
+        for (std::size_t i = 0; i < table.count; ++i) {
+            divided[i] = profile[i] / table.radii[i];
+        }
+        const Judged by_v(planes_, plane, of, sizes, planes_.derivatives[d].error);
+        const PixelWindow window = windows_[plane];
+        made.make(table, window, divided.data(), 1);
+        const double most = 4.0 * judged.swing, given = by_v.given / table.radii[0] + 2.0 * unit_roundoff * most;
+        const double wrong = window_error(table, made.penalty, most, given, 2.0 * most, most) + 8.0 * unit_roundoff * most;
+        const double pitch = window.step * window.step;
+        moved.resize(2 * pixels());
+        for (std::size_t y = 0, i = 0; y < window.height; ++y) {
+            for (std::size_t x = 0; x < window.width; ++x, ++i) {
+                moved[i] = pitch * made.values[i] * (window.center_y - static_cast<double>(y));
+                moved[pixels() + i] = pitch * made.values[i] * (window.center_x - static_cast<double>(x));
+            }
+        }
+        differentiate(plane, d, moved.data(), wrong * pitch * windows_.farthest);
+        differentiate(plane, d + 1, moved.data() + pixels(), wrong * pitch * windows_.farthest);
+    }
+
+    // As doubles, with absolute errors: callers sum derivatives of them.
+    void differentiate(std::size_t plane, std::size_t d, const double* values, double wrong) const {
+        std::copy_n(values, pixels(), slopes_.images + (d * planes_.count + plane) * pixels());
+        slopes_.errors[d * planes_.count + plane] = wrong;
     }
 
     void paint(std::size_t plane, const Layout& layout, const Turned& turned, const double* values, std::size_t stride,
@@ -169,6 +220,7 @@ class LayeredImages {
     double allowed_;
     int threads_;
     Answer<T> answer_;
+    LayeredSlopes slopes_;
 };
 
 }  // namespace lommel

@@ -18,22 +18,49 @@ struct Judged {
     double swing;  // how far it is from a constant
 
     Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes) {
-        const double sum = *std::max_element(sizes.most, sizes.most + most_parts);
-        const double e = planes.angles.error + planes.angles.rounding(BesselPieces::error) * sum;
-        std::array<double, most_parts> found{};
-        for (std::size_t m = 0; m < most_parts; ++m) {
-            found[m] = std::sqrt(sizes.found[m]);
-        }
+        const Parts F(planes, planes.angles.error, sizes);
         const std::size_t all = planes.harmonics.size();
         // Products, forms and the power, which is known to 1e-13, are a few roundings of the largest value each.
-        given = planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return e * (found[j] + found[l] + e); }, 0, all) +
-                4e-13 * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return found[j] * found[l]; }, 0, all);
-        const auto anywhere = [&](std::size_t j, std::size_t l) { return (sizes.most[j] + e) * (sizes.most[l] + e); };
+        given = planes.bilinear(
+                    plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, 0, all) +
+                rounding * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return F.found[j] * F.found[l]; }, 0, all);
+        const auto anywhere = [&](std::size_t j, std::size_t l) { return F.most[j] * F.most[l]; };
         const double steady = planes.bilinear(plane, anywhere, 0, 1), turning = planes.bilinear(plane, anywhere, 1, all);
         most = steady + turning;
         // What is never negative is within half its largest value of that half.
         swing = 0.5 * steady + turning;
     }
+
+    // The same of a derivative, where `of` is what was found of the field: 2 Re sum form G conj(F).
+    Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error) {
+        const Parts F(planes, planes.angles.error, of), G(planes, error, sizes);
+        const std::size_t all = planes.harmonics.size();
+        given = 2.0 * planes.bilinear(
+                          plane,
+                          [&](std::size_t j, std::size_t l) {
+                              return G.off * (F.found[l] + F.off) + (F.off + rounding * F.found[l]) * G.found[j];
+                          },
+                          0, all);
+        most = swing =
+            2.0 * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return G.most[j] * F.most[l]; }, 0, all);
+    }
+
+   private:
+    static constexpr double rounding = 4e-13;
+
+    struct Parts {
+        double off;
+        std::array<double, most_parts> found{}, most{};
+
+        Parts(const Planes& planes, double error, const PartSizes& sizes)
+            : off(error + planes.angles.rounding(BesselPieces::error) *
+                              *std::max_element(sizes.most, sizes.most + most_parts)) {
+            for (std::size_t m = 0; m < most_parts; ++m) {
+                found[m] = std::sqrt(sizes.found[m]);
+                most[m] = sizes.most[m] + off;
+            }
+        }
+    };
 };
 
 // Pixels of a centred window from the orders of the azimuth at its radii: what each order is multiplied by.

@@ -34,11 +34,23 @@ struct Harmonic {
     double size() const { return std::hypot(cosine, sine); }
 };
 
+// What derivatives are by: the emitter's depth, the stage, and v, the latter divided by v.
+enum class By { depth, focus, radius };
+struct Derivative {
+    By by;
+    double error;  // of each part of the field's, proven
+};
+
 struct Planes {
     Angles angles;
     const double *depth, *focus, *power;
     std::size_t count;
     std::vector<Harmonic> harmonics;
+    std::vector<Derivative> derivatives;
+
+    bool slopes() const {
+        return std::any_of(derivatives.begin(), derivatives.end(), [](const Derivative& d) { return d.by == By::radius; });
+    }
 
     bool radial() const { return harmonics.size() == 1; }
 
@@ -77,6 +89,22 @@ struct Planes {
                              y = a * sine[q] + b * cosine[q];
                 re[m * stride + q] = x;
                 im[m * stride + q] = y;
+                size += std::abs(x) + std::abs(y);
+            }
+            sizes[m] = size;
+        }
+    }
+
+    // Those times i d psi / dx.
+    void turn(By by, std::size_t stride, const double* re, const double* im, double* to_re, double* to_im, double* sizes) const {
+        const std::complex<double>* rate = by == By::depth ? angles.by_depth : angles.by_focus;
+        for (std::size_t m = 0; m < angles.parts; ++m) {
+            double size = 0.0;
+            for (std::size_t q = 0; q < angles.count; ++q) {
+                const std::size_t at = m * stride + q;
+                const double a = rate[q].real(), b = rate[q].imag(), x = -b * re[at] - a * im[at], y = a * re[at] - b * im[at];
+                to_re[at] = x;
+                to_im[at] = y;
                 size += std::abs(x) + std::abs(y);
             }
             sizes[m] = size;

@@ -27,36 +27,37 @@ class Profiles {
 
     Profiles(const Planes& planes, const std::shared_ptr<const Radii>& radii, double step)
         : planes_(planes), table_(AngleTable::get(radii, step, {planes.angles.rho, planes.angles.rho + planes.angles.count},
-                                                  planes.angles.parts, false)) {}
+                                                  planes.angles.parts, planes.slopes())) {}
 
     const Planes& planes() const { return planes_; }
     std::size_t stride() const { return table_->stride(); }
     std::size_t harmonics() const { return planes_.harmonics.size(); }
+    // Of each plane: the orders of the azimuth, then for each derivative those of that.
+    std::size_t outputs() const { return harmonics() * kinds(); }
+    std::size_t kinds() const { return 1 + planes_.derivatives.size(); }
 
-    // Hands the orders of the azimuth at the radii, values[(plane * harmonics + k) * stride + radius], and the sizes of each
-    // plane to take(first, count, values, sizes), for each group of planes.
+    // Hands values[(plane * outputs + k) * stride + radius], and of each plane the sizes of the field and of its derivatives, to
+    // take(first, count, values, sizes), for each group of planes.
     template <class Take>
     void run(int threads, const Take& take) const {
         parallel_for((planes_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
             thread_local Doubles re, im, values;
             thread_local std::vector<PartSizes> sizes;
             const std::size_t first = task * group, here = std::min(group, planes_.count - first);
-            const std::size_t parts = planes_.angles.parts, angles = (planes_.angles.count + row_lanes - 1) / row_lanes * row_lanes;
-            re.assign(group * parts * angles, 0.0);
-            im.assign(group * parts * angles, 0.0);
-            values.resize((group * harmonics() + 1) * stride());
-            sizes.assign(group, {});
+            const std::size_t parts = planes_.angles.parts, apart = kinds() * parts * padded();
+            re.assign(group * apart, 0.0);
+            im.assign(group * apart, 0.0);
+            values.resize((group * outputs() + 1) * stride());
+            sizes.assign(group * kinds(), {});
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 for (std::size_t p = 0; p < here; ++p) {
-                    planes_.waves(isa, first + p, angles, re.data() + p * parts * angles, im.data() + p * parts * angles,
-                                  sizes[p].most);
+                    coefficients(isa, first + p, re.data() + p * apart, im.data() + p * apart, sizes.data() + p * kinds());
                 }
                 for (std::size_t t = 0; t < table_->tiles; ++t) {
                     for (std::size_t p = 0; p < here; p += together) {
                         for (std::size_t i = 0; i < AngleTable::tile; i += 2 * decltype(isa)::lanes) {
-                            tile(isa, t, i, first + p, std::min(together, here - p), re.data() + p * parts * angles,
-                                 im.data() + p * parts * angles, angles, values.data() + p * harmonics() * stride(),
-                                 sizes.data() + p);
+                            tile(isa, t, i, first + p, std::min(together, here - p), re.data() + p * apart,
+                                 im.data() + p * apart, values.data() + p * outputs() * stride(), sizes.data() + p * kinds());
                         }
                     }
                 }
@@ -71,13 +72,30 @@ class Profiles {
         V re[most_parts][together][2], im[most_parts][together][2];
     };
 
+    std::size_t padded() const { return (planes_.angles.count + row_lanes - 1) / row_lanes * row_lanes; }
+
+    template <class I>
+    LOMMEL_INLINE void coefficients(I isa, std::size_t plane, double* re, double* im, PartSizes* sizes) const {
+        const std::size_t block = planes_.angles.parts * padded();
+        planes_.waves(isa, plane, padded(), re, im, sizes->most);
+        for (std::size_t d = 1; d < kinds(); ++d) {
+            const By by = planes_.derivatives[d - 1].by;
+            if (by == By::radius) {
+                // Of the same waves, and by Bessel functions whose derivatives are at most 1.
+                std::copy_n(sizes->most, most_parts, sizes[d].most);
+            } else {
+                planes_.turn(by, padded(), re, im, re + d * block, im + d * block, sizes[d].most);
+            }
+        }
+    }
+
     // Fields of some planes at two vectors of radii: bound by multiply-adds.
     template <class I, class V>
-    LOMMEL_INLINE void fields(I, std::size_t t, std::size_t i, const double* re, const double* im, std::size_t angles,
+    LOMMEL_INLINE void fields(I, std::size_t t, std::size_t i, std::size_t kind, const double* re, const double* im,
                               Fields<V>& out) const {
-        const std::size_t parts = planes_.angles.parts, apart = parts * angles;
+        const std::size_t parts = planes_.angles.parts, angles = padded(), apart = kinds() * parts * angles;
         for (std::size_t m = 0; m < parts; ++m) {
-            const double *row = table_->of(t, m) + i, *x = re + m * angles, *y = im + m * angles;
+            const double *row = table_->of(t, kind + m) + i, *x = re + m * angles, *y = im + m * angles;
             V a[together][2] = {}, b[together][2] = {};
             for (std::size_t q = 0; q < planes_.angles.count; ++q, row += AngleTable::tile) {
                 const V j[2] = {load<V>(row), load<V>(row + I::lanes)};
@@ -100,46 +118,66 @@ class Profiles {
 
     template <class I>
     LOMMEL_INLINE void tile(I isa, std::size_t t, std::size_t i, std::size_t plane, std::size_t here, const double* re,
-                            const double* im, std::size_t angles, double* values, PartSizes* sizes) const {
+                            const double* im, double* values, PartSizes* sizes) const {
         using V = typename I::pack;
-        Fields<V> F;
-        fields(isa, t, i, re, im, angles, F);
-        for (std::size_t p = 0; p < here; ++p) {
-            for (std::size_t m = 0; m < planes_.angles.parts; ++m) {
-                V most = splat<V>(0.0);
-                for (std::size_t u = 0; u < 2; ++u) {
-                    most = larger(most, F.re[m][p][u] * F.re[m][p][u] + F.im[m][p][u] * F.im[m][p][u]);
-                }
-                for (std::size_t lane = 0; lane < I::lanes; ++lane) {
-                    sizes[p].found[m] = std::max(sizes[p].found[m], double(most[lane]));
-                }
+        const std::size_t block = planes_.angles.parts * padded();
+        Fields<V> F, G;
+        fields(isa, t, i, 0, re, im, F);
+        for (std::size_t d = 0; d < kinds(); ++d) {
+            if (d > 0) {
+                const bool slope = planes_.derivatives[d - 1].by == By::radius;
+                const std::size_t from = slope ? 0 : d * block;
+                fields(isa, t, i, slope ? planes_.angles.parts : 0, re + from, im + from, G);
             }
-            for (std::size_t k = 0; k < harmonics(); ++k) {
-                for (std::size_t u = 0; u < 2; ++u) {
-                    const V sum = formed(planes_.harmonics[k], F, p, u) * splat<V>(1.0 / planes_.power[plane + p]);
-                    store(values + (p * harmonics() + k) * stride() + t * AngleTable::tile + i + u * I::lanes, sum);
+            const Fields<V>& given = d > 0 ? G : F;
+            for (std::size_t p = 0; p < here; ++p) {
+                measure<I>(given, p, sizes[p * kinds() + d]);
+                const V unit = splat<V>((d > 0 ? 2.0 : 1.0) / planes_.power[plane + p]);
+                for (std::size_t k = 0; k < harmonics(); ++k) {
+                    double* to = values + (p * outputs() + d * harmonics() + k) * stride() + t * AngleTable::tile + i;
+                    for (std::size_t u = 0; u < 2; ++u) {
+                        store(to + u * I::lanes, unit * formed(planes_.harmonics[k], given, F, p, u));
+                    }
                 }
             }
         }
     }
 
-    // Of a Hermitian form the terms above its diagonal count twice.
+    template <class I, class V>
+    LOMMEL_INLINE void measure(const Fields<V>& F, std::size_t p, PartSizes& sizes) const {
+        for (std::size_t m = 0; m < planes_.angles.parts; ++m) {
+            V most = splat<V>(0.0);
+            for (std::size_t u = 0; u < 2; ++u) {
+                most = larger(most, F.re[m][p][u] * F.re[m][p][u] + F.im[m][p][u] * F.im[m][p][u]);
+            }
+            for (std::size_t lane = 0; lane < I::lanes; ++lane) {
+                sizes.found[m] = std::max(sizes.found[m], double(most[lane]));
+            }
+        }
+    }
+
+    // Re sum over j, l of form[j][l] G_j conj(F_l), a Hermitian form.
     template <class V>
-    LOMMEL_INLINE V formed(const Harmonic& harmonic, const Fields<V>& F, std::size_t p, std::size_t u) const {
+    LOMMEL_INLINE V formed(const Harmonic& harmonic, const Fields<V>& G, const Fields<V>& F, std::size_t p,
+                           std::size_t u) const {
         V sum = splat<V>(0.0);
+        const auto real = [&](std::size_t j, std::size_t l) LOMMEL_INLINE_LAMBDA {
+            return G.re[j][p][u] * F.re[l][p][u] + G.im[j][p][u] * F.im[l][p][u];
+        };
+        const auto imaginary = [&](std::size_t j, std::size_t l) LOMMEL_INLINE_LAMBDA {
+            return G.im[j][p][u] * F.re[l][p][u] - G.re[j][p][u] * F.im[l][p][u];
+        };
         for (std::size_t j = 0; j < planes_.angles.parts; ++j) {
-            const V a = F.re[j][p][u], b = F.im[j][p][u];
             if (const double diagonal = harmonic.form[j][j].real(); diagonal != 0.0) {
-                sum = sum + splat<V>(diagonal) * (a * a + b * b);
+                sum = sum + splat<V>(diagonal) * real(j, j);
             }
             for (std::size_t l = j + 1; l < planes_.angles.parts; ++l) {
-                const V c = F.re[l][p][u], d = F.im[l][p][u];
-                const std::complex<double> entry = 2.0 * harmonic.form[j][l];
+                const std::complex<double> entry = harmonic.form[j][l];
                 if (entry.real() != 0.0) {
-                    sum = sum + splat<V>(entry.real()) * (a * c + b * d);
+                    sum = sum + splat<V>(entry.real()) * (real(j, l) + real(l, j));
                 }
                 if (entry.imag() != 0.0) {
-                    sum = sum - splat<V>(entry.imag()) * (b * c - a * d);
+                    sum = sum - splat<V>(entry.imag()) * (imaginary(j, l) - imaginary(l, j));
                 }
             }
         }

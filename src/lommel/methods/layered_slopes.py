@@ -1,0 +1,100 @@
+r"""Derivatives of stacks through layers, each with a proven bound: by the stage, the emitter's depth and its place.
+
+Fields are sums of ``exp(i psi)``, so that derivatives by what psi is linear in are sums over the same angles with a
+factor ``i dpsi/dx``. Samples move with the axis by ``dI/dv``, averages by filters of finer samples
+(:func:`lommel.methods.growth.tilted`). Light that an emitter near the glass loses changes with its depth.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.core import engine
+from lommel.core.answers import Images, Wanted
+from lommel.methods.growth import TILTS, tilted
+from lommel.methods.method import storing
+from lommel.methods.slopes import Slope
+from lommel.optics import debye
+from lommel.optics.grid import Grid
+from lommel.optics.objective_pupil import ObjectivePupil
+
+if TYPE_CHECKING:
+    from lommel.methods.derivatives import Name
+    from lommel.methods.stratified import Stratified
+
+_BY = {"depth": engine.BY_DEPTH, "z": engine.BY_FOCUS}
+_AXIS = ("row", "column")
+
+
+def layered_slopes(
+    method: Stratified, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted
+) -> tuple[Images, list[Slope]]:
+    """Return images and their derivatives by checked names.
+
+    Parameters
+    ----------
+    method : Stratified
+    pupil, grid
+    names : sequence
+    wanted : Wanted
+        With a scale.
+
+    Returns
+    -------
+    images : Images
+    slopes : list of Slope
+        One for each name.
+
+    Raises
+    ------
+    ValueError
+        If there are no such derivatives.
+    ToleranceError
+        If the tolerance cannot be met.
+    """
+    if unknown := [name for name in names if name not in (*_BY, *_AXIS)]:
+        raise ValueError(
+            f"derivatives of the pupils of an Objective are by 'z', 'depth', 'row' and 'column', got {unknown[0]!r}"
+        )
+    by = [_BY[name] for name in dict.fromkeys(names) if isinstance(name, str) and name in _BY]
+    axis = any(name in _AXIS for name in names)
+    sampled = axis and not grid.integrate and pupil.radial
+    made, found = method.differentiated_core(pupil, grid, [*by, *([engine.BY_AXIS] if sampled else [])], wanted)
+    each: dict[Name, tuple[Array, Array]] = {}
+    if found is None:
+        if by:
+            raise ValueError(
+                "derivatives by 'z' and 'depth' are of light that is radially symmetric, in windows up to "
+                f"{110.0 / grid.step(pupil):.0f} pixels from each axis"
+            )
+    else:
+        kinds = [name for name in dict.fromkeys(names) if name in _BY] + list(_AXIS if sampled else ())
+        each = {name: (found[0][k], found[1][k]) for k, name in enumerate(kinds)}
+    if axis and "row" not in each:
+        step = grid.step(pupil)
+        for name, term in zip(("column", "row"), tilted(method, pupil, grid, wanted.threads), strict=True):
+            assert len(TILTS) == 2  # in this sequence
+            each[name] = step * term[0], step * term[1]
+    return made, [_stored(name, *each[name], pupil, made, wanted) for name in names]
+
+
+def _stored(name: Name, values: Array, wrong: Array, pupil: ObjectivePupil, made: Images, wanted: Wanted) -> Slope:
+    """Return a derivative of images from that of I at a fixed power, as they are stored."""
+    assert made.peak is not None
+    scale = np.broadcast_to(np.asarray(made.scale, dtype=np.float64), wrong.shape)
+    total = values * scale[:, None, None]
+    error = wrong / made.peak
+    # What is over the light far from the glass does not change with the light that is collected.
+    if name == "depth" and not isinstance(wanted.scale, np.ndarray):
+        slope, _ = debye.power(pupil.layers, pupil.depth.ravel(), pupil.light.model, slope=True)
+        rate = slope @ pupil.light.shares / pupil.power
+        total -= made.values * rate[:, None, None]
+        assert made.error is not None
+        error = error + np.abs(rate) * (made.error + 1e-12)
+    kept = total.astype(wanted.dtype)
+    largest = np.abs(total).reshape(len(total), -1).max(axis=1)
+    return Slope(kept, error + (storing(wanted.dtype) + 2.0**-48) * largest / (made.peak * scale))

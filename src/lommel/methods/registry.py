@@ -7,6 +7,7 @@ from typing import Any
 from lommel.core.answers import ToleranceError
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.closed_form import ClosedForm
+from lommel.methods.debye_rings import DebyeRings
 from lommel.methods.debye_wolf import DebyeWolf
 from lommel.methods.fraunhofer import Fraunhofer
 from lommel.methods.geometric import Geometric
@@ -37,7 +38,7 @@ METHODS: dict[str, type[Method]] = {
 }
 """Every method for the pupils of lenses, by the name the command line uses."""
 
-LAYERED: dict[str, type[Method]] = {"stratified": Stratified, "debye-wolf": DebyeWolf}
+LAYERED: dict[str, type[Method]] = {"stratified": Stratified, "debye-rings": DebyeRings, "debye-wolf": DebyeWolf}
 """Those for the pupils of objectives."""
 
 ERFS: dict[str, type[Any]] = {"abramowitz": AbramowitzErf, "table": TableErf, "fresnel": FresnelErf}
@@ -82,6 +83,7 @@ __all__ = [
     "METHODS",
     "ChordalGauss",
     "ClosedForm",
+    "DebyeRings",
     "DebyeWolf",
     "FieldMethod",
     "Fraunhofer",

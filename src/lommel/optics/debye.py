@@ -16,6 +16,7 @@ L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013),
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
@@ -158,8 +159,11 @@ class Piece:
         near = np.abs(root.imag) + square.radius / size
         return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), near))
 
-    def growth(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
-        """Return the logarithm of a bound on the integrands on each ellipse, infinite where one may be singular."""
+    def growth(self, model: Model, depth: Array, focus: Array, v: float, factor: Array | float = 0.0) -> Array:
+        """Return the logarithm of a bound on the integrands on each ellipse, infinite where one may be singular.
+
+        `factor` is that of a bound on what they are multiplied by, on each disc.
+        """
         _, (fixed, by_depth, by_focus), height, fit = self.covered
         amplitude = _largest(self, model)
         worst = np.full(height.shape, -np.inf)
@@ -167,7 +171,7 @@ class Piece:
             for d, f in extremes(depth, focus):
                 phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
                 worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
-            found = (amplitude + worst + v * height).max(axis=-1)
+            found = (amplitude + worst + v * height + factor).max(axis=-1)
         return np.where(fit & np.isfinite(found), found + 1e-9, np.inf)
 
     def nodes(self, growth: Array, error: float) -> int:
@@ -281,7 +285,15 @@ class Rule(NamedTuple):
         return np.asarray(np.exp(1j * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))))
 
 
-def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float) -> Rule:
+def rule(
+    layers: Layers,
+    model: Model,
+    depth: Array,
+    focus: Array,
+    v: float,
+    tol: float,
+    factor: Callable[[Piece], Array] | None = None,
+) -> Rule:
     """Return angles enough for every part to err by at most `tol`, at any radius up to `v`, in the planes given.
 
     Parameters
@@ -294,6 +306,9 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
         ``k NA r`` at the largest radius.
     tol : float
         Of the fields, whose focus is 1 where NA is small.
+    factor : callable, optional
+        Of integrands with a further factor, analytic as they are and at most 1 for real rho: the logarithm of a bound
+        on its modulus on each disc around a piece.
 
     Returns
     -------
@@ -302,7 +317,8 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
     rhos, parts, rates = [], [], []
     cut = pieces(layers, model)
     for piece in cut:
-        n = piece.nodes(piece.growth(model, depth, focus, v), tol / len(cut))
+        growth = piece.growth(model, depth, focus, v, factor(piece) if factor else 0.0)
+        n = piece.nodes(growth, tol / len(cut))
         x, w = gauss_legendre(n, piece.low, piece.high)
         rhos.append(np.sqrt(piece.square(x)) / layers.NA)
         parts.append([w * part for part in piece.parts(x, model)])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, ClassVar, NamedTuple
@@ -23,7 +22,11 @@ from lommel.special import equal_steps
 from lommel.special.bessel import bessel_sequence
 
 _BAND = 1.2  # radians a step, of what is interpolated
-_VALUES = 2**21  # on circles, of one field, at once
+_VALUES = 2**20  # on circles, of one field, at once
+_KEPT = 2**25  # on circles of all planes that are interpolated at once
+_WEIGHTS = 2**24  # of pixels, at once
+_TAPS_MOST = 60
+_FINER = 4
 _LEAST = 1e-15
 _ROUNDING = 2.0**-53
 
@@ -73,8 +76,8 @@ class DebyeRings(Method):
 
     References
     ----------
-    J. J. M. Braat, P. Dirksen, A. J. E. M. Janssen and A. S. van de Nes, J. Opt. Soc. Am. A 20, 2281 (2003): fields by
-    orders of the azimuth.
+    J. J. M. Braat, P. Dirksen, A. J. E. M. Janssen and A. S. van de Nes, J. Opt. Soc. Am. A 20, 2281 (2003):
+    fields by orders of the azimuth.
     """
 
     layered: ClassVar[bool | None] = True
@@ -113,83 +116,94 @@ class DebyeRings(Method):
         return painted(made, grid, wanted)._replace(peak=made.peak)
 
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        """Return I at the centres of pixels around one axis, exact enough for the peak that is found."""
-        share = 0.01
-        while True:
-            values, error, top = _window(pupil, grid, share * tol)
-            least = top - error
-            relative = np.divide(error, least, out=np.full(top.shape, np.inf), where=least > 0.0)
-            if (worst := float(relative.max(initial=0.0))) <= tol:
-                return Intensities(values, relative, least)
-            if share * tol <= _LEAST:
+        """Return I at the centres of pixels around one axis, exact enough for the peaks that are found."""
+        x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
+        step = grid.step(pupil) / grid.pixel
+        v, azimuth = np.hypot(x, y).ravel() * step, np.arctan2(y, x).ravel()
+        count = math.ceil(2.0 * float(v.max()) / _BAND) + _TAPS_MOST // 2 + 1
+        values = np.empty((pupil.focus.size, v.size))
+        relative, least = np.empty(pupil.focus.size), np.empty(pupil.focus.size)
+        fields, first = 1e-3 * tol, 0
+        while first < pupil.focus.size:
+            circles = on_circles(pupil, first, count, fields)
+            part = slice(first, first + circles.error.size)
+            tops = circles.values.max(axis=(0, 1))
+            worst = float((circles.error / tops).max())
+            if worst > 0.03 * tol and fields > _LEAST:
+                fields = max(_LEAST, fields * max(1e-4, min(0.5, 0.02 * tol / worst)))
+                continue
+            values[part], error = _between(circles, v, azimuth, 0.1 * tol * float(tops.min()))
+            least[part] = tops - circles.error
+            relative[part] = np.divide(error, least[part], out=np.full(tops.shape, np.inf), where=least[part] > 0.0)
+            if (worst := float(relative[part].max())) > tol:
                 raise not_met(self.tol, worst, "the peak")
-            share = max(_LEAST / tol, share * max(1e-4, min(0.5, 0.5 * tol / worst)))
+            first = part.stop
+        return Intensities(values.reshape(-1, *grid.shape), relative, least)
 
 
-def _window(pupil: ObjectivePupil, grid: Grid, error: float) -> tuple[Array, Array, Array]:
-    """Return I at pixels, bounds on its error in each plane, and the largest value there, on circles or pixels."""
-    x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
-    step = grid.step(pupil) / grid.pixel
-    v, azimuth = np.hypot(x, y).ravel() * step, np.arctan2(y, x).ravel()
-    along = equal_steps.steps(_BAND, error)
-    values = np.empty((*grid.shape, pupil.focus.size))
-    bounds, tops = np.empty(pupil.focus.size), np.empty(pupil.focus.size)
-    for part, circles in on_circles(pupil, float(v.max()), along.taps, error):
-        angles, count, planes = circles.values.shape
-        around = equal_steps.steps(2.0 * math.pi * max(circles.most, 1) / angles, error)
-        matrix = _interpolation(v, azimuth, (angles, count), along, around)
-        made = matrix @ circles.values.reshape(angles * count, planes)
-        values[..., part] = np.maximum(made, 0.0).reshape(*grid.shape, planes)
-        tops[part] = circles.values.max(axis=(0, 1))
-        # Of a circle's orders, by Cauchy's inequality.
-        rms = np.sqrt(np.mean(circles.values**2, axis=0)).max(axis=0)
-        orders = math.sqrt(2 * circles.most + 1) * rms
-        gain = along.gain * around.gain
-        rounding = (matrix.nnz // v.size + 16) * _ROUNDING * gain * tops[part]
-        bounds[part] = along.error + along.gain * around.error * orders + gain * circles.error + rounding
-    return np.ascontiguousarray(np.moveaxis(values, -1, 0)), bounds, tops
+def _between(circles: Circles, v: Array, azimuth: Array, error: float) -> tuple[Array, Array]:
+    """Return I at polar coordinates, shape (planes, places), and a bound on its error in each plane."""
+    angles, count, planes = circles.values.shape
+    # The moduli of the orders of a circle, by Cauchy's inequality.
+    squares = np.einsum("acp,acp->cp", circles.values, circles.values) / angles
+    orders = math.sqrt(2 * circles.most + 1) * np.sqrt(squares.max(axis=0))
+    finest = 1e-13
+    along = equal_steps.steps(_BAND, max(error, finest))
+    band = 2.0 * math.pi * circles.most / angles
+    around = equal_steps.steps(band, max(error / (3.0 * float(orders.max())), finest))
+    values = np.empty((planes, v.size))
+    each = max(1, _WEIGHTS // (along.taps * around.taps))
+    flat = circles.values.reshape(angles * count, planes)
+    for start in range(0, v.size, each):
+        some = slice(start, start + each)
+        made = _interpolation(v[some], azimuth[some], (angles, count), along, around) @ flat
+        np.maximum(made.T, 0.0, out=values[:, some])
+    gain = along.gain * around.gain
+    rounding = (along.taps * around.taps + 64) * _ROUNDING * gain * circles.values.max(axis=(0, 1))
+    return values, along.error + along.gain * around.error * orders + gain * circles.error + rounding
 
 
-def on_circles(pupil: ObjectivePupil, far: float, margin: int, error: float) -> Iterator[tuple[slice, Circles]]:
-    """Yield parts of a flattened stack on circles `_BAND` / 2 apart in v, `margin` / 2 of them beyond `far`.
+def on_circles(pupil: ObjectivePupil, first: int, count: int, error: float) -> Circles:
+    """Return I on so many circles `_BAND` / 2 apart in v, by fields that err by about `error`.
 
-    Fields err by about `error`.
+    Of planes of the flattened stack from the `first` on, as many as are kept at once.
     """
+    from scipy.fft import ifft, irfft, rfft
+
     assert pupil.aberrations is not None
-    light, depth, focus = pupil.light, pupil.depth.ravel(), pupil.focus.ravel()
-    count = math.ceil(2.0 * far / _BAND) + margin // 2 + 1
-    terms = azimuths.sizes(pupil.aberrations)
+    light, terms = pupil.light, azimuths.sizes(pupil.aberrations)
     kept = azimuths.orders(terms, 0.1 * error)
-    v = 0.5 * _BAND * np.arange(count)
-    asked = pupil.layers, light.model, depth, focus, float(v[-1]), error
+    most = max(1, kept.most + max(map(abs, light.waves.orders)))
+    # The orders of the intensity are twice those of a field: for so many angles no two are alike, for more it is smooth.
+    angles = 2 * next_fast(2 * most + 1)
+    part = slice(first, first + max(1, _KEPT // (_FINER * angles * count)))
+    depth, focus, power = pupil.depth.ravel()[part], pupil.focus.ravel()[part], pupil.power[part]
+    asked = pupil.layers, light.model, depth, focus, 0.5 * _BAND * (count - 1), error
     rule = debye.rule(*asked, lambda piece: azimuths.growth(piece, terms))
-    measured = azimuths.components(pupil.aberrations, rule.rho, kept)
-    mixed = _mixed(light.waves.form)
-    reach = max(map(abs, light.waves.orders))
-    most = kept.most + reach
+    wavefront = pupil.aberrations.flattened()
+    across = azimuths.components(wavefront[part] if wavefront.shape[0] > 1 else wavefront, rule.rho, kept)
     table = _bessel(rule.rho.tobytes(), count, most + 1)
-    # Twice the orders of a field are those of the intensity.
-    angles = _even(math.ceil(2.0 * math.pi * 2 * max(most, 1) / _BAND))
-    size = max(float(np.abs(part).sum()) for part in rule.parts)
+    size = max(float(np.abs(each).sum()) for each in rule.parts)
     off = rule.error + (kept.error + 64.0 * math.sqrt(angles) * _ROUNDING) * size
+    total, bound = np.empty((_FINER * angles, count, depth.size)), np.zeros(depth.size)
     each = max(1, _VALUES // (angles * count))
-    for first in range(0, depth.size, each):
-        part = slice(first, min(first + each, depth.size))
-        waves = rule.waves(depth[part], focus[part])
-        across = measured[part] if len(measured) > 1 else measured
-        total = np.zeros((angles, count, len(waves)))
-        bound = np.zeros(len(waves))
-        for row in mixed:
-            field = np.zeros((angles, count, len(waves)), np.complex128)
+    for some in (slice(k, min(k + each, depth.size)) for k in range(0, depth.size, each)):
+        waves = rule.waves(depth[some], focus[some])
+        components = across[some] if len(across) > 1 else across
+        summed = np.zeros((angles, count, len(waves)))
+        for row in _mixed(light.waves.form):
+            field = np.zeros(summed.shape, np.complex128)
             for n in range(most + 1):
-                _put(field, n, table[n], _sources(light, row, waves, rule.parts, across, n))
-            values = np.fft.ifft(field, axis=0, norm="forward")
-            light_of = values.real**2 + values.imag**2
-            total += light_of
+                _put(field, n, table[n], _sources(light, row, waves, rule.parts, components, n))
+            field = ifft(field, axis=0, norm="forward", overwrite_x=True)
+            squared = field.real**2 + field.imag**2
+            summed += squared
             much = off * float(np.abs(row).sum())
-            bound += much * (2.0 * np.sqrt(light_of.max(axis=(0, 1))) + much)
-        power = pupil.power[part]
-        yield part, Circles(total / power, bound / power, 2 * most)
+            bound[some] += much * (2.0 * np.sqrt(squared.max(axis=(0, 1))) + much)
+        summed /= power[some]
+        orders = rfft(summed, axis=0, norm="forward", overwrite_x=True)
+        total[..., some] = irfft(orders, _FINER * angles, axis=0, norm="forward", overwrite_x=True)
+    return Circles(total, bound / power, 2 * most)
 
 
 def _mixed(form: NDArray[np.complex128]) -> Array:
@@ -216,14 +230,14 @@ def _sources(light: Any, row: Any, waves: Any, parts: Any, across: Any, n: int) 
 
 
 def _put(field: NDArray[np.complex128], n: int, table: Array, sources: list[Any]) -> None:
-    """Add integrals with J_n, shape (circles, nodes), to the orders of a field."""
+    """Write integrals with J_n, shape (circles, nodes), as orders of a field."""
     rows = np.concatenate([part for source in sources for part in (source.real, source.imag)])
     found = table @ rows.T
     planes = field.shape[2]
     turned = (-1j) ** n
     for k, order in enumerate((n, -n)[: len(sources)]):
         start = 2 * k * planes
-        field[order] += turned * (found[:, start : start + planes] + 1j * found[:, start + planes :][:, :planes])
+        field[order] = turned * (found[:, start : start + planes] + 1j * found[:, start + planes :][:, :planes])
 
 
 @lru_cache(maxsize=2)
@@ -242,20 +256,22 @@ def _interpolation(
 
     angles, count = shape
     ring, angle = v / (0.5 * _BAND), np.mod(azimuth * (angles / (2.0 * math.pi)), angles)
-    first, start = np.floor(ring).astype(np.int64), np.floor(angle).astype(np.int64)
-    rings = first[:, None] + np.arange(along.taps) - (along.taps // 2 - 1)
-    spokes = start[:, None] + np.arange(around.taps) - (around.taps // 2 - 1)
+    first, start = np.floor(ring).astype(np.int32), np.floor(angle).astype(np.int32)
+    rings = first[:, None] + np.arange(1 - along.taps // 2, along.taps // 2 + 1, dtype=np.int32)
+    spokes = start[:, None] + np.arange(1 - around.taps // 2, around.taps // 2 + 1, dtype=np.int32)
+    column = rings[:, :, None] + (np.mod(spokes, angles) * count)[:, None, :]
     # A circle of negative radius is that of the positive one, half a turn on.
-    turned = np.where(rings < 0, angles // 2, 0)
-    column = np.mod(spokes[:, None, :] + turned[..., None], angles) * count + np.abs(rings)[..., None]
-    weights = along.at(ring - first)[..., None] * around.at(angle - start)[:, None, :]
+    near = np.flatnonzero(rings[:, 0] < 0)
+    turned = np.where(rings[near] < 0, angles // 2, 0)[:, :, None]
+    column[near] = np.mod(spokes[near, None, :] + turned, angles) * count + np.abs(rings[near])[:, :, None]
+    weights = along.at(ring - first)[:, :, None] * around.at(angle - start)[:, None, :]
     each = along.taps * around.taps
-    places = (weights.ravel(), column.ravel(), np.arange(0, v.size * each + 1, each))
+    places = (weights.ravel(), column.ravel(), np.arange(0, v.size * each + 1, each, dtype=np.int32))
     return csr_array(places, shape=(v.size, angles * count))
 
 
-def _even(least: int) -> int:
-    """Return an even number of which transforms are fast."""
+def next_fast(least: int) -> int:
+    """Return a number from `least` on of which transforms are fast."""
     from scipy.fft import next_fast_len
 
-    return 2 * int(next_fast_len((least + 1) // 2))
+    return int(next_fast_len(least))

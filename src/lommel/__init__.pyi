@@ -44,6 +44,7 @@ from lommel.measures.focus import best_focus as best_focus
 from lommel.measures.transfer import mtf as mtf, mtf_frequency as mtf_frequency, otf as otf, ptf as ptf
 from lommel.methods.chordal_gauss import ChordalGauss as ChordalGauss
 from lommel.methods.closed_form import ClosedForm as ClosedForm
+from lommel.methods.debye_rings import DebyeRings as DebyeRings
 from lommel.methods.debye_wolf import DebyeWolf as DebyeWolf
 from lommel.methods.fraunhofer import Fraunhofer as Fraunhofer
 from lommel.methods.geometric import Geometric as Geometric

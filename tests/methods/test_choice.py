@@ -64,7 +64,9 @@ def test_each_rule_of_the_table_has_a_pupil_that_it_is_the_first_for():
         NA=1.2, magnification=60, immersion=1.33, working_distance=3e-4, coverslip=None, sample=1.33
     )
     behind_layers = objective.pupil(depth=0.0, wavelength=500e-9)
+    measured = objective.pupil(depth=0.0, wavelength=500e-9, aberrations=lm.Wavefront(spherical=1.0))
     cases = [
+        (measured, 33),
         (behind_layers, 33),
         (lm.Pupil(), 33),
         (COMA, 33),
@@ -79,7 +81,7 @@ def test_each_rule_of_the_table_has_a_pupil_that_it_is_the_first_for():
     for pupil, most in ((COMA, 64), (STACK, 128), (STACK[:7], 64)):
         for side, first in ((most, lm.ChordalGauss), (most + 1, lm.NijboerZernike)):
             assert type(choice.candidates(pupil, lm.Grid((3, side), 0.5))[0]) is first
-    assert "up to 64 samples a side (128 of 8 pupils or more)" in choice.RULES[2].pupils
+    assert "up to 64 samples a side (128 of 8 pupils or more)" in choice.RULES[3].pupils
 
 
 def test_the_page_on_how_to_choose_has_the_table_of_the_code():

@@ -61,7 +61,19 @@ def _layered() -> tuple[type[Any], ...]:
     return (Stratified,)
 
 
+def _measured() -> tuple[type[Any], ...]:
+    from lommel.methods.debye_rings import DebyeRings
+
+    return (DebyeRings,)
+
+
 RULES = (
+    Rule(
+        "of a microscope's objective, with aberrations",
+        lambda pupil, _: pupil.aberrated,
+        _measured,
+        "a matrix product for each order of the azimuth, transforms on circles, and a sparse product",
+    ),
     Rule(
         "of a microscope's objective, through plane layers",
         lambda pupil, _: pupil.layered,
@@ -199,7 +211,7 @@ def reference(pupil: BasePupil) -> Method:
     if pupil.layered:
         from lommel.methods.debye_wolf import DebyeWolf
 
-        return DebyeWolf(tol=1e-9)
+        return _measured()[0](tol=1e-9) if pupil.aberrated else DebyeWolf(tol=1e-9)
     if pupil.radial:
         from lommel.methods.hankel import Hankel  # for reports, which are rare
 

@@ -8,6 +8,7 @@ from lommel.core.answers import ToleranceError
 from lommel.methods.bead import Bead
 from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.closed_form import ClosedForm
+from lommel.methods.debye_rings import DebyeRings
 from lommel.methods.debye_wolf import DebyeWolf
 from lommel.methods.fraunhofer import Fraunhofer
 from lommel.methods.geometric import Geometric
@@ -39,7 +40,7 @@ METHODS: dict[str, type[Method]] = {
 }
 """Every method for the pupils of lenses, by the name the command line uses."""
 
-LAYERED: dict[str, type[Method]] = {"stratified": Stratified, "debye-wolf": DebyeWolf}
+LAYERED: dict[str, type[Method]] = {"stratified": Stratified, "debye-rings": DebyeRings, "debye-wolf": DebyeWolf}
 """Those for the pupils of objectives."""
 
 _MADE: tuple[type[Method], ...] = (Polychromatic, Bead, Confocal, TwoPhoton)
@@ -90,6 +91,7 @@ __all__ = [
     "ChordalGauss",
     "ClosedForm",
     "Confocal",
+    "DebyeRings",
     "DebyeWolf",
     "FieldMethod",
     "Fraunhofer",

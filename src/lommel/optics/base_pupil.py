@@ -81,6 +81,11 @@ class BasePupil(ABC):
         """Return everything in plain types."""
 
     @property
+    def aberrated(self) -> bool:
+        """Whether a measured wavefront is on top of what plane layers do."""
+        return False
+
+    @property
     def left_out(self) -> tuple[float, float]:
         """Largest phase that the wavefront does not hold, radians, and the share of the amplitude likewise."""
         return 0.0, 0.0

@@ -16,6 +16,7 @@ L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013),
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
@@ -176,18 +177,32 @@ class Piece:
         return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), near))
 
     def growth(
-        self, model: Model, depth: Array, focus: Array, v: float, rows: tuple[int, ...] | None = None
+        self,
+        model: Model,
+        depth: Array,
+        focus: Array,
+        v: float,
+        rows: tuple[int, ...] | None = None,
+        factor: Array | float = 0.0,
     ) -> Array:
         """Return the logarithm of a bound on the integrands on each ellipse, infinite where one may be singular.
 
-        Where `rows` are given, of these ellipses alone; the others count as singular.
+        Where `rows` are given, of these ellipses alone; the others count as singular. `factor` is that of a bound on
+        what the integrands are multiplied by, on each disc of all ellipses.
         """
         found = np.full(_ETA.shape, np.inf)
-        found[list(rows or range(_ETA.size))] = self._grown(model, depth, focus, v, rows, _ARCS)
+        found[list(rows or range(_ETA.size))] = self._grown(model, depth, focus, v, rows, _ARCS, factor)
         return found
 
     def _grown(
-        self, model: Model, depth: Array, focus: Array, v: float, rows: tuple[int, ...] | None, arcs: int
+        self,
+        model: Model,
+        depth: Array,
+        focus: Array,
+        v: float,
+        rows: tuple[int, ...] | None,
+        arcs: int,
+        factor: Array | float = 0.0,
     ) -> Array:
         covered, amplitude = _enclosed(self, model, rows, arcs)
         fixed, by_depth, by_focus = covered.rates
@@ -196,7 +211,7 @@ class Piece:
             for d, f in extremes(depth, focus):
                 phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
                 worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
-            found = (amplitude + worst + v * covered.height).max(axis=-1)
+            found = (amplitude + worst + v * covered.height + factor).max(axis=-1)
         return np.where(covered.fit & np.isfinite(found), found + 1e-9, np.inf)
 
     def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
@@ -357,7 +372,15 @@ class Rule(NamedTuple):
         return np.asarray(np.exp(1j * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))))
 
 
-def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float) -> Rule:
+def rule(
+    layers: Layers,
+    model: Model,
+    depth: Array,
+    focus: Array,
+    v: float,
+    tol: float,
+    factor: Callable[[Piece], Array] | None = None,
+) -> Rule:
     """Return angles enough for every part to err by at most `tol`, at any radius up to `v`, in the planes given.
 
     Parameters
@@ -370,6 +393,9 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
         ``k NA r`` at the largest radius.
     tol : float
         Of the fields, whose focus is 1 where NA is small.
+    factor : callable, optional
+        Of integrands with a further factor, analytic as they are and at most 1 for real rho: the logarithm of a bound
+        on its modulus on each disc around a piece.
 
     Returns
     -------
@@ -378,7 +404,10 @@ def rule(layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol
     rhos, parts, rates, counts = [], [], [], []
     cut = pieces(layers, model)
     for piece in cut:
-        n = piece.enough(model, depth, focus, v, tol / len(cut))
+        if factor is None:
+            n = piece.enough(model, depth, focus, v, tol / len(cut))
+        else:
+            n = piece.nodes(piece.growth(model, depth, focus, v, factor=factor(piece)), tol / len(cut))
         counts.append(n)
         x, w = gauss_legendre(n, piece.low, piece.high)
         rhos.append(np.sqrt(piece.square(x)) / layers.NA)

@@ -47,6 +47,29 @@ class Harmonic(NamedTuple):
     sine: float
 
 
+class Waves(NamedTuple):
+    r"""What the intensity is made of where the phase across the pupil is any: of pairs of fields.
+
+    With P its exponential, these are
+
+    .. math:: U_a = \frac{1}{2 \pi} \int\!\!\int P \, T_a(\rho) \, e^{i q_a \theta}
+       e^{i \psi - i v \rho \cos(\theta - \phi)} \rho \, d\rho \, d\theta .
+
+    Attributes
+    ----------
+    orders : tuple of int
+        Each q.
+    parts : tuple of int
+        Which part of the model each T is.
+    form : ndarray of complex, shape (fields, fields)
+        Hermitian; ``I = sum_ab form[a, b] U_a conj(U_b)``.
+    """
+
+    orders: tuple[int, ...]
+    parts: tuple[int, ...]
+    form: Form
+
+
 class Light(NamedTuple):
     """What is integrated, and what the intensity is made of.
 
@@ -55,10 +78,12 @@ class Light(NamedTuple):
     model : Model
     harmonics : tuple of Harmonic
         The one of order 0, whose form is diagonal, first.
+    waves : Waves
     """
 
     model: Model
     harmonics: tuple[Harmonic, ...]
+    waves: Waves
 
     @property
     def radial(self) -> bool:
@@ -79,9 +104,18 @@ def _form(parts: int, entries: dict[tuple[int, int], complex]) -> Form:
     return form
 
 
-def _light(model: Model, *harmonics: Harmonic) -> Light:
+_U = np.eye(5)[:, :, None]  # U_0, U_1, U_-1, U_2 and U_-2, of K0, K1, K1, K2, K2
+_B, _C = -0.5 * (_U[3] + _U[4]), -0.5j * (_U[4] - _U[3])
+# The fields along x and y on the camera of dipoles along x, y and z. By reciprocity these are fields of beams, too,
+# along x, y and z in the sample.
+_CAMERA = np.stack(
+    [np.hstack([_U[0] + _B, _C, _U[1] + _U[2]]), np.hstack([_C, _U[0] - _B, -1j * (_U[1] - _U[2])])]
+).astype(np.complex128)
+
+
+def _vectorial(form: Form, *harmonics: Harmonic) -> Light:
     kept = [each for each in harmonics if not each.order or each.cosine or each.sine]
-    return Light(model, tuple(kept))
+    return Light(Model(), tuple(kept), Waves((0, 1, -1, 2, -2), (0, 1, 1, 2, 2), form))
 
 
 _ALONG = _form(3, {(0, 1): 0.5j, (1, 2): -0.5j})
@@ -133,8 +167,8 @@ class Dipole:
         p = np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.cos(self.polar)])
         M = 3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3)
         level = 0.5 * (M[0, 0] + M[1, 1])
-        return _light(
-            Model(),
+        return _vectorial(
+            0.5 * np.einsum("caj,jl,cbl->ab", _CAMERA, M, _CAMERA.conj()),
             Harmonic(0, _form(3, {(0, 0): level, (1, 1): 2.0 * M[2, 2], (2, 2): level}), 1.0, 0.0),
             Harmonic(1, _ALONG, 2.0 * M[0, 2], 2.0 * M[1, 2]),
             Harmonic(2, _ACROSS, M[0, 0] - M[1, 1], 2.0 * M[0, 1]),
@@ -149,8 +183,8 @@ class Beam:
     ----------
     polarization : {"circular", "x", "y", "radial", "azimuthal"} or (complex, complex), default "circular"
         Jones vectors ``(a, b)`` are along the columns and the rows of the camera; their length does not matter.
-        "circular" is unpolarised light, too. "radial" is polarised towards the axis everywhere in the pupil, and
-        "azimuthal" around it: a beam that is dark on the axis.
+        "circular", (1, i), is unpolarised light, too, where there are no aberrations. "radial" is polarised towards
+        the axis everywhere in the pupil, and "azimuthal" around it: a beam that is dark on the axis.
 
     Raises
     ------
@@ -176,13 +210,19 @@ class Beam:
         """What its intensity is made of."""
         if isinstance(self.polarization, str) and self.polarization in _AROUND:
             model = Model(self.polarization)
-            return Light(model, (Harmonic(0, np.eye(len(model.orders), dtype=np.complex128), 1.0, 0.0),))
+            steady = Harmonic(0, np.eye(len(model.orders), dtype=np.complex128), 1.0, 0.0)
+            orders, parts, shares = ((1, -1, 0), (0, 0, 1), (0.5, 0.5, 1.0))
+            some = len(model.orders) + 1
+            waves = Waves(orders[:some], parts[:some], np.diag(shares[:some]).astype(np.complex128))
+            return Light(model, (steady,), waves)
         a, b = _JONES[self.polarization] if isinstance(self.polarization, str) else self.polarization
         power = abs(a) ** 2 + abs(b) ** 2
         turned = _form(3, {(0, 2): 1.0, (1, 1): 2.0})
         across, along = (abs(a) ** 2 - abs(b) ** 2) / power, 2.0 * (a * np.conj(b)).real / power
         steady = Harmonic(0, np.diag([1.0, 2.0, 1.0]).astype(np.complex128), 1.0, 0.0)
-        return _light(Model(), steady, Harmonic(2, turned, across, along))
+        field = np.stack([*(each[:, :2] @ (a, b) for each in _CAMERA), _CAMERA[:, :, 2].T @ (a, b)])
+        form = np.einsum("ca,cb->ab", field, field.conj()) / power
+        return _vectorial(form, steady, Harmonic(2, turned, across, along))
 
 
 @dataclass(frozen=True)
@@ -213,7 +253,8 @@ class Scalar:
     def light(self) -> Light:
         """What its intensity is made of."""
         model = Model("scalar", aplanatic=self.apodization == "aplanatic", supercritical=self.supercritical)
-        return Light(model, (Harmonic(0, np.eye(1, dtype=np.complex128), 1.0, 0.0),))
+        one = np.eye(1, dtype=np.complex128)
+        return Light(model, (Harmonic(0, one, 1.0, 0.0),), Waves((0,), (0,), one))
 
 
 Emitter = Dipole | Beam | Scalar

@@ -12,13 +12,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
-from lommel.optics import debye, foci
+from lommel.optics import azimuths, debye, foci
 from lommel.optics.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.focal import FocalField, Focus, Nyquist, ScalarField
 from lommel.optics.layer import Design, Layer, depths, film_stack, heights, length, refractive_index
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.stage import Stage
 from lommel.optics.stratified import Amplitudes, Layers, cosines
+from lommel.optics.wavefront import Wavefront
 
 _TURNING = emitter_of("isotropic").light.shares
 _DISTANCE_MOST = 0.1
@@ -137,6 +138,7 @@ class Objective(Stage):
         wavelength: float,
         origin: str = "brightest",
         emitter: str | Dipole | Beam | Scalar = "isotropic",
+        aberrations: Wavefront | None = None,
     ) -> ObjectivePupil:
         """Return the pupil with an emitter at a depth and the stage at a position, for :func:`lommel.psf`.
 
@@ -153,6 +155,9 @@ class Objective(Stage):
         emitter : {"isotropic", "scalar"}, Dipole, Beam or Scalar, default "isotropic"
             An emitter that turns freely, the scalar model of Gibson and Lanni, a :class:`lommel.Dipole`, or the light
             of a :class:`lommel.Beam` that is focused into the sample, of the same depth of focus.
+        aberrations : Wavefront, optional
+            A measured phase on top of that of the layers, its piston left out; a stack broadcasts with depth and z.
+            `origin` does not regard it.
 
         Returns
         -------
@@ -164,7 +169,12 @@ class Objective(Stage):
             On anything out of range, or at positions that the working distance does not reach.
         """
         layers, light = self._layers(wavelength), emitter_of(emitter)
-        d, offset = validation.broadcast("depth and z", depths(depth), validation.real_array("z", z))
+        measured = azimuths.checked(aberrations)
+        stack = np.empty(measured.shape if measured else ())
+        given = depths(depth), validation.real_array("z", z), stack
+        d, offset, _ = validation.broadcast("depth, z and aberrations", *given)
+        if measured and measured.shape:
+            measured = measured.broadcast(d.shape)
         if not d.size:
             raise ValueError(f"z must not be empty, got shape {offset.shape}")
         start = np.zeros(())
@@ -176,7 +186,7 @@ class Objective(Stage):
             start = np.array(best)[place].reshape(d.shape)
         focus = start + offset
         self._planes(d, focus)
-        return ObjectivePupil(layers, self.magnification, d, focus, offset, light)
+        return ObjectivePupil(layers, self.magnification, d, focus, offset, light, measured)
 
     @property
     def critical_angle(self) -> float | None:

@@ -16,6 +16,7 @@ from lommel.optics import debye
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.emitter import Beam, Dipole, Emitter, Light, Scalar
 from lommel.optics.stratified import Layers, cosines
+from lommel.optics.wavefront import Wavefront, same_path
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,6 +34,8 @@ class ObjectivePupil(BasePupil):
         Metres: of the emitter from the glass; of the stage since the surface of the cover glass was in paraxial
         focus; of the stage from the origin that was asked for.
     emitter : Dipole, Beam or Scalar
+    aberrations : Wavefront, optional
+        Measured, on top of what the layers do: one, or a stack of the shape of the planes.
     """
 
     layered: ClassVar[bool] = True
@@ -42,6 +45,7 @@ class ObjectivePupil(BasePupil):
     focus: Array
     z: Array
     emitter: Emitter
+    aberrations: Wavefront | None = None
 
     circular = True
     amplitude = transmission = 1.0
@@ -70,7 +74,17 @@ class ObjectivePupil(BasePupil):
     @property
     def radial(self) -> bool:
         """Whether what it makes depends on the distance from the axis only."""
-        return self.light.radial
+        return self.light.radial and not self.aberrated
+
+    @property
+    def aberrated(self) -> bool:
+        """Whether a measured wavefront is on top of what the layers do."""
+        return self.aberrations is not None
+
+    @property
+    def left_out(self) -> tuple[float, float]:
+        """Largest phase that the aberrations do not hold, radians, and no amplitude."""
+        return 0.0 if self.aberrations is None else self.aberrations.left_out, 0.0
 
     @cached_property
     def aperture(self) -> tuple[Any, ...]:
@@ -100,18 +114,22 @@ class ObjectivePupil(BasePupil):
 
     def __getitem__(self, index: Any) -> ObjectivePupil:
         """Return part of a stack, as NumPy indexes arrays of its shape."""
-        return self._planes(lambda part: np.asarray(part[index]))
+        return self._planes(lambda part: part[index])
 
     def broadcast(self, shape: tuple[int, ...]) -> ObjectivePupil:
         """Return a stack of another `shape`, which this one is broadcast to."""
-        return self._planes(lambda part: np.broadcast_to(part, shape))
+        return self._planes(lambda part: _broadcast(part, shape))
 
-    def _planes(self, of: Callable[[Array], Array]) -> ObjectivePupil:
-        return replace(self, depth=of(self.depth), focus=of(self.focus), z=of(self.z))
+    def _planes(self, of: Callable[[Any], Any]) -> ObjectivePupil:
+        planes: dict[str, Any] = {name: np.asarray(of(getattr(self, name))) for name in _PLANES}
+        measured = self.aberrations
+        return replace(self, **planes, aberrations=of(measured) if measured and measured.shape else measured)
 
     def in_light(self, wavelength: float) -> ObjectivePupil:
-        """Return it in light of another `wavelength` (metres), the indices kept."""
-        return replace(self, layers=replace(self.layers, wavelength=validation.wavelength(wavelength)))
+        """Return it in light of another `wavelength` (metres): indices and path differences of aberrations stay."""
+        layers = replace(self.layers, wavelength=validation.wavelength(wavelength))
+        measured = self.aberrations and same_path(self.aberrations, self.wavelength, layers.wavelength)
+        return replace(self, layers=layers, aberrations=measured)
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
@@ -126,6 +144,7 @@ class ObjectivePupil(BasePupil):
             "layers": layers,
             "magnification": self.magnification,
             "emitter": emitter,
+            "aberrations": self.aberrations and self.aberrations.to_dict(),
         } | planes
 
     @classmethod
@@ -140,7 +159,11 @@ class ObjectivePupil(BasePupil):
         pairs: dict[str, Any] = {name: tuple((float(n), float(t)) for n, t in layers[name]) for name in _PAIRS}
         planes: dict[str, Any] = {name: validation.real_array(name, description[name]) for name in _PLANES}
         magnification = validation.real("magnification", description["magnification"], above=0.0)
-        return cls(Layers(**numbers, **pairs), magnification, emitter=kind(**plain), **planes)
+        measured = description.get("aberrations")
+        aberrations = measured and Wavefront.from_dict(measured)
+        return cls(
+            Layers(**numbers, **pairs), magnification, emitter=kind(**plain), aberrations=aberrations, **planes
+        )
 
     def __eq__(self, other: object) -> bool:
         """Return whether two are the same."""
@@ -155,7 +178,12 @@ class ObjectivePupil(BasePupil):
             for name, at in (("depth", self.depth), ("z", self.z))
         )
         of = f"NA {self.layers.NA:g}, {1e9 * self.wavelength:g} nm"
-        return f"<ObjectivePupil {of}, {planes}: {spans}, {self.emitter!r}>"
+        measured = f", {self.aberrations!r}" if self.aberrations else ""
+        return f"<ObjectivePupil {of}, {planes}: {spans}, {self.emitter!r}{measured}>"
+
+
+def _broadcast(part: Any, shape: tuple[int, ...]) -> Any:
+    return part.broadcast(shape) if isinstance(part, Wavefront) else np.broadcast_to(part, shape)
 
 
 _PLANES = ("depth", "focus", "z")

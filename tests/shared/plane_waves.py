@@ -1,0 +1,87 @@
+"""The light of a microscope as a plain sum of plane waves, s and p, over both dimensions of the pupil."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+import lommel as lm
+
+
+def nodes(objective: lm.Objective, rings: int) -> tuple[np.ndarray, np.ndarray]:
+    """Radii in the pupil and their weights, by angles in the sample, imaginary ones beyond the critical angle."""
+    x, w = np.polynomial.legendre.leggauss(rings)
+    x, w = 0.5 * (1.0 + x), 0.5 * w
+    end = objective.NA / objective.sample
+    alpha = math.asin(min(1.0, end))
+    rho, weight = np.sin(alpha * x) / end, alpha * w * np.cos(alpha * x) * np.sin(alpha * x) / end**2
+    if end <= 1.0:
+        return rho, weight
+    beta = math.acosh(end)
+    above = np.cosh(beta * x) / end, beta * w * np.cosh(beta * x) * np.sinh(beta * x) / end**2
+    return np.append(rho, above[0]), np.append(weight, above[1])
+
+
+def intensity(
+    objective: lm.Objective, pupil: object, x: np.ndarray, y: np.ndarray, rings: int = 150, angles: int = 300
+) -> np.ndarray:
+    """Return the intensity on the camera, or of a beam in the sample, at points in metres of the camera.
+
+    Shape (planes, points), not divided by what is collected.
+    """
+    rho, weight = nodes(objective, rings)
+    theta = 2.0 * np.pi * (np.arange(angles) + 0.3) / angles
+    wave = pupil.wavelength
+    t_s, t_p = objective.transmission(rho, wavelength=wave)
+    sine = objective.NA * rho / objective.sample
+    cosine = np.sqrt(1.0 - sine**2 + 0j)
+    inside = np.sqrt(1.0 - (objective.NA * rho / objective.immersion) ** 2)
+    around, cos, sin = np.ones((rho.size, 1)), np.cos(theta), np.sin(theta)
+    p_pupil = np.stack(np.broadcast_arrays(around * cos, around * sin, 0.0 * around))
+    s_wave = np.stack(np.broadcast_arrays(-around * sin, around * cos, 0.0 * around))
+    p_wave = np.stack(np.broadcast_arrays(cosine[:, None] * cos, cosine[:, None] * sin, sine[:, None]))
+    kx, ky = (2.0 * np.pi / wave * objective.NA * rho[:, None] * part for part in (cos, sin))
+    kernel = np.exp(-1j * (np.multiply.outer(x, kx) + np.multiply.outer(y, ky)) / objective.magnification)
+    amplitude = 2.0 * weight[:, None] * inside[:, None] ** -0.5 / angles
+
+    def seen(field: np.ndarray) -> np.ndarray:
+        return np.tensordot(kernel, amplitude * plane * field, axes=([1, 2], [0, 1]))
+
+    def transmitted(along_p: np.ndarray, along_s: np.ndarray, p: np.ndarray, s: np.ndarray) -> list[np.ndarray]:
+        return [seen(t_p[:, None] * along_p * p[c] + t_s[:, None] * along_s * s[c]) for c in range(3)]
+
+    found = []
+    for k in np.ndindex(pupil.shape):
+        psi = objective.phase(rho, depth=float(pupil.depth[k]), focus=float(pupil.focus[k]), wavelength=wave)
+        plane = np.exp(1j * psi)[:, None] * around
+        if pupil.aberrations is not None:
+            measured = pupil.aberrations[k] if pupil.aberrations.shape else pupil.aberrations
+            plane = plane * np.exp(1j * measured.phase(rho[:, None], theta))
+        found.append(
+            sum(np.abs(part) ** 2 for part in _fields(pupil.emitter, p_pupil, s_wave, p_wave, transmitted, seen))
+        )
+    return np.array(found)
+
+
+def _fields(emitter, p_pupil, s_wave, p_wave, transmitted, seen):
+    if isinstance(emitter, lm.Scalar):
+        return [seen(np.ones(p_wave.shape[1:]))]
+    if isinstance(emitter, lm.Beam):
+        if emitter.polarization in ("radial", "azimuthal"):
+            share = float(emitter.polarization == "radial")
+            return transmitted(share, 1.0 - share, p_wave, s_wave)
+        names = {"x": (1, 0), "y": (0, 1), "circular": (1, 1j)}
+        jones = names[emitter.polarization] if isinstance(emitter.polarization, str) else emitter.polarization
+        a, b = np.array(jones) / np.linalg.norm(jones)
+        entering = [a * part[0] + b * part[1] for part in (p_pupil, s_wave)]
+        return transmitted(*entering, p_wave, s_wave)
+    flat = math.sin(emitter.polar)
+    moment = np.array([flat * math.cos(emitter.azimuth), flat * math.sin(emitter.azimuth), math.cos(emitter.polar)])
+    dipoles = [math.sqrt(1.5 * (1.0 - emitter.wobble)) * moment]
+    dipoles += [math.sqrt(0.5 * emitter.wobble) * axis for axis in np.eye(3)]
+    fields = []
+    for p in dipoles:
+        sent = [np.tensordot(p, part, 1) for part in (p_wave, s_wave)]
+        fields += transmitted(*sent, p_pupil, s_wave)
+    return fields

@@ -121,12 +121,7 @@ class ObjectivePupil(BasePupil):
         if isinstance(jones := emitter.get("polarization"), tuple):
             emitter["polarization"] = [[part.real, part.imag] for part in jones]
         emitter["kind"] = type(self.emitter).__name__
-        return {
-            "kind": "ObjectivePupil",
-            "layers": layers,
-            "magnification": self.magnification,
-            "emitter": emitter,
-        } | planes
+        return {"layers": layers, "magnification": self.magnification, "emitter": emitter} | planes
 
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> ObjectivePupil:

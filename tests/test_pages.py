@@ -62,6 +62,8 @@ def folder(tmp_path, monkeypatch) -> Path:
     lenses = {path.stem: path.read_text(encoding="utf-8") for path in (ROOT / "examples" / "lenses").glob("*.toml")}
     for name, lens in (("lens", "phone"), ("hubble", "hubble-1990"), ("camera", "camera-field")):
         (tmp_path / f"{name}.toml").write_text(lenses[lens], encoding="utf-8")
+    objective = (ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml").read_text(encoding="utf-8")
+    (tmp_path / "objective.toml").write_text(objective.replace("shape = 128", "shape = 17"), encoding="utf-8")
     y, x = np.mgrid[:48, :64]
     image = np.where((x // 8 + y // 8)[..., None] % 2, (200, 120, 40), (60, 140, 220)).astype(np.uint8)
     photo, exif = Image.fromarray(image), Image.Exif()

@@ -83,7 +83,7 @@ BAD = [
     ("psf {phone} -m closed-form --set tangent=", "tangent must be a real number, got ''"),
     ("psf {phone} -m closed-form --set variant=new", "variant must be one of 'corrected', 'printed', got 'new'"),
     ("psf {phone} -m huygens-fresnel --set nodes=64", "nodes must be (radial, azimuthal), got 64"),
-    ("psf {phone} --normalize area", "'area' is not one of 'energy', 'strehl', 'peak'"),
+    ("psf {phone} --normalize area", "'area' is not one of 'energy', 'emitted', 'strehl', 'peak'"),
     ("psf {phone} --dtype float16", "'float16' is not one of 'float32', 'float64'"),
     ("psf {phone} --dtype float32 --tol 1e-9", "dtype float32 cannot hold --tol 1e-09"),
     ("psf {hubble} -m lommel-series -o a.tif", "LommelSeries supports defocus only"),

@@ -124,6 +124,7 @@ def format_length(metres: float, *, like: float | None = None, digits: int = 4) 
 def with_units(message: str) -> str:
     """Return a message of the library with lengths as they are written at the edges, ``"3.45 um"`` for 3.45e-6."""
     units = {"6": "um", "9": "nm"}
+    message = re.sub(r"\bfor ([\d.e+-]+ mm) [\d.e+-]+e-3\b", r'for \1 "\1"', message)
     return re.sub(r"\bgive ([\d.]+)e-([69])\b", lambda found: f'write "{found[1]} {units[found[2]]}"', message)
 
 

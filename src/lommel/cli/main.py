@@ -16,6 +16,7 @@ from lommel.methods import METHODS, ClosedForm
 try:
     import click
 
+    from lommel.cli import microscope_command
     from lommel.cli.depth_commands import depth, precision
     from lommel.cli.live_command import live
     from lommel.cli.methods import build_method, methods
@@ -70,12 +71,14 @@ def _psf_command(command: Callable[..., None]) -> Callable[..., None]:
 def main() -> None:
     """Point spread functions of defocused and aberrated lenses.
 
-    A lens is described by a TOML file; see examples/lenses. Lengths carry units: "550 nm", "3.45 um", "1.5 m".
+    A lens is described by a TOML file; see examples/lenses, and examples/objectives for microscopes. Lengths carry
+    units: "550 nm", "3.45 um", "1.5 m".
 
     \b
     Examples:
       lommel info    lens.toml                          # what is known without an image
       lommel psf     lens.toml -o psf.tif -o psf.png    # the PSF, as data and as a picture
+      lommel psf     objective.toml -o stack.ome.tif -o sections.png    # that of a microscope
       lommel compare lens.toml --figure compare.png     # every method against the reference
       lommel methods                                    # what they are, and their options
       lommel paper   out                                # every figure and number of the paper
@@ -93,6 +96,7 @@ for command in (blur, depth, focus_pull, live, methods, precision, restore, retr
 
 @main.command()
 @_psf_command
+@microscope_command.stack_options
 @click.option("-o", "--output", "outputs", multiple=True, type=FILE,
               help="The values: .tif (OME), .npy or .npz; or a grey picture to look at: .png, the square root of the "
               "values, enlarged to 512 pixels or more. Repeatable. With --field .tif, .zarr or .npz.")  # fmt: skip
@@ -106,8 +110,10 @@ for command in (blur, depth, focus_pull, live, methods, precision, restore, retr
 @click.option("--tol", type=float, help="Tolerance, relative to the peak, of methods that have one.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
               help="An option of the method, such as tangent=200 or erf=abramowitz:30; may be repeated.")  # fmt: skip
-@click.option("--normalize", default="energy", show_default=True, type=click.Choice(["energy", "strehl", "peak"]),
-              help="Fraction of all light per pixel, or 1 = unaberrated peak, or 1 = largest value.")  # fmt: skip
+@click.option("--normalize", default="energy", show_default=True,
+              type=click.Choice(["energy", "emitted", "strehl", "peak"]),
+              help="Fraction of all light per pixel, or of what a microscope collects far from the glass, or 1 = "
+              "unaberrated peak, or 1 = largest value.")  # fmt: skip
 @click.option("--dtype", type=click.Choice(["float32", "float64"]), help="Of the values.")
 @one_line_errors
 def psf(
@@ -120,9 +126,14 @@ def psf(
     as_json: bool,
     normalize: str,
     dtype: str | None,
+    stack: int | None,
+    step: float | None,
+    depth: float | None,
     **lens: Any,
 ) -> None:
     """Compute the PSF of a lens, print what it is, and write it to files.
+
+    Or of a microscope, where the file has a section [objective]: a stack of planes, whose pictures are sections.
 
     \b
     Examples:
@@ -130,6 +141,7 @@ def psf(
       lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz
       lommel psf camera.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
       lommel psf camera.toml --field 5x7 --plot field.png -o field.tif
+      lommel psf objective.toml --stack 64 --step "100 nm" --depth "2 um" -o psf.ome.tif -o psf.png
     """  # noqa: D301 (\b is meant)
     from lommel.cli import tables
     from lommel.io import field_files, psf_files
@@ -140,12 +152,17 @@ def psf(
         (psf_files if field is None else field_files).find(path, "--output")
     if figure is not None:
         figure_format(figure)
-    instrument = instrument_of(**lens)
     options: dict[str, Any] = {"method": build_method(method_name, settings), "tol": tol, "normalize": normalize}
+    options["dtype"] = dtype
     if tol is not None and any(setting.startswith("tol=") for setting in settings):
         raise ValueError("tol is given twice, by --tol and by --set")
+    microscope = microscope_command.microscope_of(**lens, field=field, stack=stack, step=step, depth=depth)
+    if microscope is not None:
+        microscope_command.psf(microscope, outputs, figure, as_json, options)
+        return
+    instrument = instrument_of(**lens)
     window, pixel = instrument.window, instrument.pixel
-    options |= {"dtype": dtype, "integrate": instrument.integrate}
+    options["integrate"] = instrument.integrate
     work: Callable[[], Any]
     if field is None:
         count, work = "", partial(compute, instrument.pupil(), window, pixel, **options)
@@ -197,22 +214,31 @@ def _of_picture(answer: PSF) -> str:
 
 @main.command()
 @_lens_command
+@microscope_command.DEPTH
 @one_line_errors
-def info(as_json: bool, **lens: Any) -> None:
-    """Print what is known about a lens.
+def info(as_json: bool, depth: float | None, **lens: Any) -> None:
+    """Print what is known about a lens, or a microscope.
 
     Wavefront in radians and waves, what narrows the aperture, Airy radius, geometric blur, Strehl ratio and
     Marechal's estimate of it, full width at half of the largest intensity, contrast at the Nyquist frequency of the
     pixels and frequency of half contrast (of round apertures), and encircled energies beside those of the same
     aperture without aberration.
 
+    Of a microscope, a file with a section [objective]: where an emitter is in focus by its depth, how wide and how
+    bright that is, how much light is collected, the critical angle, and how finely to sample.
+
     \b
-    Example:
+    Examples:
       lommel info camera.toml --object-distance "3 m"
+      lommel info objective.toml --depth "10 um"
     """  # noqa: D301 (\b is meant)
     from lommel.cli import tables
     from lommel.reports import report
 
+    microscope = microscope_command.microscope_of(**lens, depth=depth)
+    if microscope is not None:
+        microscope_command.info(microscope, as_json)
+        return
     facts = report.describe_lens(instrument_of(**lens))
     if as_json:
         print_json(facts)

@@ -112,7 +112,7 @@ def _with_options(message: str) -> str:
         return option + (" " if equals and value else "")
 
     # What only names look like: "`missing`", "largest=", "tol=1e-9", "f_number"; not what was given as --set tol=1.
-    message = re.sub(r"`([a-z_]+)`|(?<!--set )\b([a-z][a-z_]*)(=)?(?=([\w'])?)", told, message)
+    message = re.sub(r"`([a-z_]+)`|(?<!--set )\b([a-z][a-z_]*)(=)?(?=([\w'\"])?)", told, message)
     return re.sub(
         r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
     )

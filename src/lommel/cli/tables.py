@@ -26,13 +26,14 @@ _NOTES = {
 }
 
 
-def _console() -> Console:
+def console_of() -> Console:
+    """Return where tables go, standard output."""
     # A pipe has no width; tables are then as wide as they need to be. Names are shown as they are written.
     width = None if sys.stdout.isatty() else 160
     return Console(width=width, markup=False, emoji=False, highlight=False)
 
 
-def _table(*names: str, left: int = 0, no_wrap: bool = False, title: str | None = None) -> Table:
+def table_of(*names: str, left: int = 0, no_wrap: bool = False, title: str | None = None) -> Table:
     """Return a table with columns of these names, that at the place `left` of words and the others of numbers."""
     table = Table(box=None, pad_edge=False, title=title, title_justify="left")
     for place, name in enumerate(names):
@@ -40,7 +41,7 @@ def _table(*names: str, left: int = 0, no_wrap: bool = False, title: str | None 
     return table
 
 
-def _list(rows: Iterable[tuple[str, str]], title: str | None = None) -> Table:
+def list_of(rows: Iterable[tuple[str, str]], title: str | None = None) -> Table:
     """Return a table of what there is to say, each with its name."""
     table = Table(box=None, pad_edge=False, title=title, title_justify="left", show_header=False)
     table.add_column(style="cyan")
@@ -50,7 +51,8 @@ def _list(rows: Iterable[tuple[str, str]], title: str | None = None) -> Table:
     return table
 
 
-def _how_made(facts: dict[str, Any]) -> list[tuple[str, str]]:
+def made_how(facts: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return rows about the error and the time of values."""
     bound = "none claimed" if facts["error_bound"] is None else f"{facts['error_bound']:.2g} of the peak"
     return [("error bound", bound), ("time", f"{1e3 * facts['seconds']:.1f} ms")]
 
@@ -91,17 +93,17 @@ def print_lens(facts: dict[str, Any]) -> None:
              f" with the pixel {facts['mtf_at_nyquist_with_pixel']:.4g}"),
         ] if facts["mtf_at_nyquist_with_pixel"] is not None else []),
     ]  # fmt: skip
-    terms = _table("name", "(n, m)", "waves rms", title="Zernike terms")
+    terms = table_of("name", "(n, m)", "waves rms", title="Zernike terms")
     for term in facts["zernike"]:
         terms.add_row(term["name"], f"({term['n']}, {term['m']})", f"{term['waves_rms']:+.4g}")
-    energies = _table("within", "radius", "this lens", "unaberrated", title="Encircled energy")
+    energies = table_of("within", "radius", "this lens", "unaberrated", title="Encircled energy")
     for row in facts["encircled_energy"]:
         here = "-" if row["fraction"] is None else f"{row['fraction']:.1%}"
         ideal = "-" if row["unaberrated"] is None else f"{row['unaberrated']:.1%}"
         energies.add_row(row["within"], format_length(row["radius"]), here, ideal)
-    console = _console()
+    console = console_of()
     console.print(facts["name"], style="bold")
-    console.print(_list(lines))
+    console.print(list_of(lines))
     if any(term["m"] for term in facts["zernike"]):
         console.print()
         console.print(terms)
@@ -131,7 +133,7 @@ def _print_field_of_lens(console: Console, field: dict[str, Any]) -> None:
     if seidel:
         seidel = f": {seidel} waves {format_length(field['reach'])} from the axis"
     names = ("from the axis", "Strehl ratio", "rms (waves)", "largest Zernike terms (waves rms)")
-    table = _table(*names, left=3, title=f"Over the field{seidel}")
+    table = table_of(*names, left=3, title=f"Over the field{seidel}")
     for place in field["places"]:
         largest = sorted(place["zernike"], key=lambda term: -abs(term["waves_rms"]))[:3]
         terms = ", ".join(f"{term['name']} {term['waves_rms']:+.2g}" for term in largest if term["waves_rms"])
@@ -198,11 +200,11 @@ def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
         ("pixels", f"{HOW[facts['sampling']]}, {facts['pixel_over_lambda_N']:.3g} lambda*N wide"),
         ("largest value", f"{facts['peak']:.4g}"),
         ("energy in the window", f"{facts['energy']:.2%}"),
-        *_how_made(facts),
+        *made_how(facts),
     ]
-    console = _console()
+    console = console_of()
     console.print()
-    console.print(_list(lines, title="PSF"))
+    console.print(list_of(lines, title="PSF"))
     if facts["sum"] is not None:
         console.print(
             f"The values sum to {facts['sum']:.4g}, not to the light in the window: samples this far apart are no "
@@ -236,9 +238,9 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
         peaks.add_column(format_length(x, like=reach), justify="right", no_wrap=True)
     for y, values in zip(facts["y"], facts["peak"], strict=True):
         peaks.add_row(format_length(y, like=reach), *(f"{value:.4g}" for value in values))
-    console = _console()
+    console = console_of()
     console.print(facts["name"], style="bold")
-    console.print(_list([*lines, *_how_made(facts)]))
+    console.print(list_of([*lines, *made_how(facts)]))
     console.print()
     console.print(peaks)
 
@@ -249,7 +251,7 @@ def print_comparison(
     """Print the rows of :func:`lommel.reports.report.compare`, judged by the `reference` of that name."""
     height, width = instrument.window
     size = f"{height} x {width} pixels of {format_length(instrument.pixel)}, {HOW[sampling]}"
-    table = _table("method", "time", "MSE", "peak error", "error bound", no_wrap=True)
+    table = table_of("method", "time", "MSE", "peak error", "error bound", no_wrap=True)
     table.add_column("")
 
     def number(value: float | None) -> str:
@@ -266,7 +268,7 @@ def print_comparison(
         spent = "-" if row["seconds"] is None else f"{1e3 * row['seconds']:.1f} ms"
         errors = (number(row[key]) for key in ("mse", "peak_error", "error_bound"))
         table.add_row(row["method"], spent, *errors, note)
-    console = _console()
+    console = console_of()
     console.print(instrument.name, style="bold")
     # A reference with a row of its own is marked there.
     console.print(size if any(row["method"] == reference for row in rows) else f"{size}; judged by {reference}")
@@ -281,7 +283,7 @@ def print_methods(rows: list[dict[str, Any]]) -> None:
         table.add_column(name, no_wrap=name == "method")
     for row in rows:
         table.add_row(row["name"], row["what"], " ".join(f"{name}={value}" for name, value in row["options"].items()))
-    _console().print(table)
+    console_of().print(table)
 
 
 def print_numbers(rows: list[dict[str, Any]]) -> None:
@@ -289,21 +291,21 @@ def print_numbers(rows: list[dict[str, Any]]) -> None:
     from lommel.paper.numbers import closest_text, number
 
     names = ("quantity", "paper", "as printed", "corrected", "closest, as printed")
-    table = _table(*names, no_wrap=True, title="The numbers of the paper")
+    table = table_of(*names, no_wrap=True, title="The numbers of the paper")
     for row in rows:
         values = [number(row[key]) for key in ("paper", "printed", "corrected")]
         table.add_row(row["quantity"], *values, closest_text(row["closest"]["printed"]))
-    _console().print(table)
+    console_of().print(table)
 
 
 def print_retrieval(found: Retrieval, unit: str) -> None:
     """Print what was found behind images, the wavefront in this unit, and what it is worth."""
     from lommel.estimation.retrieval import label
 
-    console = _console()
+    console = console_of()
     short = {"radians": "rad"}.get(unit, unit)
     values, deviations = found.in_unit(unit)
-    table = _table("term", f"{short}", "+-")
+    table = table_of("term", f"{short}", "+-")
     for name, value in values.items():
         table.add_row(label(name), *_with_deviation(value, deviations[name]))
     for name in found.coefficients.keys() - values.keys():
@@ -316,7 +318,7 @@ def print_retrieval(found: Retrieval, unit: str) -> None:
         "flux": found.flux,
         "background": found.background,
     }
-    images = _table("image", *(column for name in own for column in (name, "+-")))
+    images = table_of("image", *(column for name in own for column in (name, "+-")))
     for k in range(len(found.flux)):
         pairs = [_with_deviation(float(each[name][k]), float(found.deviation[name][k])) for name in own]
         images.add_row(str(k), *(cell for pair in pairs for cell in pair))
@@ -327,12 +329,12 @@ def print_retrieval(found: Retrieval, unit: str) -> None:
 
 def print_precision(rows: Iterable[tuple[float, float]]) -> None:
     """Print distances and how well each can be known, metres."""
-    table = _table("distance", "+-", "of it")
+    table = table_of("distance", "+-", "of it")
     for distance, deviation in rows:
         known = math.isfinite(deviation)
         share = f"{100.0 * deviation / distance:.2g} %" if known else ""
         table.add_row(format_length(distance), format_length(deviation, digits=3) if known else "inf", share)
-    _console().print(table)
+    console_of().print(table)
 
 
 def _with_deviation(value: float, deviation: float) -> tuple[str, str]:

@@ -122,7 +122,7 @@ def describe(psf: Answer) -> dict[str, Any]:
     """
     return {
         "software": f"lommel {version()}",
-        "pupil": psf.pupil.to_dict(),
+        "pupil": {"kind": type(psf.pupil).__name__} | psf.pupil.to_dict(),
         "method": psf.method.to_dict(),
         "sampling": psf.sampling,
         "normalize": psf.normalize,
@@ -183,9 +183,10 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
 
 
 def _pupil(description: dict[str, Any]) -> Pupil | ObjectivePupil:
-    """Return a pupil of the kind that it says; those of lenses say none."""
-    kind = validation.choice("kind", description.get("kind", "Pupil"), ("Pupil", "ObjectivePupil"))
-    return (Pupil if kind == "Pupil" else ObjectivePupil).from_dict(description)
+    """Return a pupil of the kind that it says; those of lenses did not always say it."""
+    plain = dict(description)
+    kind = validation.choice("kind", plain.pop("kind", "Pupil"), ("Pupil", "ObjectivePupil"))
+    return (Pupil if kind == "Pupil" else ObjectivePupil).from_dict(plain)
 
 
 def _values(stored: NDArray[Any], kind: str, picture: Any = None) -> NDArray[Any]:

@@ -7,12 +7,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.optics.emitter import Emitter
+from lommel.optics.layer import DEPTH_MOST
 from lommel.optics.objective import Objective
 from lommel.optics.objective_pupil import ObjectivePupil
 
+PLANES_MOST = 4096
 _LEAST_SIDE, _MOST_SIDE = 33, 513
+
+
+def stage_step(value: float) -> float:
+    """Return how far planes are apart, metres; ValueError where that is nothing, or no stage goes so far."""
+    if not 0.0 < abs(value) < DEPTH_MOST:
+        raise ValueError(f"step must be of the stage, not 0 and below 10 mm, got {value:g} m")
+    return value
 
 
 @dataclass(frozen=True)
@@ -39,6 +49,11 @@ class Microscope:
         Height and width of the window, in pixels, where the file names them; see :attr:`window`.
     integrate : bool or None
         Whether pixels average or sample, as of :func:`lommel.psf`; None where the file does not say.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If planes are no number from 1 to 4096, or there are several without a step.
     """
 
     name: str
@@ -53,6 +68,11 @@ class Microscope:
     origin: str = "brightest"
     shape: tuple[int, int] | None = None
     integrate: bool | None = None
+
+    def __post_init__(self) -> None:
+        validation.integer("planes", self.planes, least=1, most=PLANES_MOST)
+        if self.planes > 1:
+            stage_step(validation.real("step", self.step))
 
     @property
     def z(self) -> Array:

@@ -11,14 +11,12 @@ from pydantic import AfterValidator, BeforeValidator, Field, field_validator, mo
 from lommel.base import validation
 from lommel.base.units import parse_length
 from lommel.lensfiles import toml_files
-from lommel.lensfiles.microscope import Microscope
+from lommel.lensfiles.microscope import PLANES_MOST, Microscope, stage_step
 from lommel.lensfiles.sections import Angle, Length, Number, Section, Sensor, SignedLength
 from lommel.lensfiles.toml_files import LensFileError
 from lommel.optics.emitter import Beam, Dipole, Emitter, emitter_of
 from lommel.optics.layer import DEPTH_MOST, Design, Layer, length, refractive_index
 from lommel.optics.objective import Objective
-
-PLANES_MOST = 4096
 
 Index = Annotated[Number, AfterValidator(partial(refractive_index, "index"))]
 
@@ -92,15 +90,8 @@ class _Emission(Section):
 
 class _Stack(Section):
     planes: Annotated[int, Field(strict=True, ge=1, le=PLANES_MOST)]
-    step: SignedLength
+    step: Annotated[SignedLength, AfterValidator(stage_step)]
     origin: Literal["brightest", "paraxial", "coverslip"] = "brightest"
-
-    @field_validator("step")
-    @classmethod
-    def _step(cls, value: float) -> float:
-        if not 0.0 < abs(value) < DEPTH_MOST:
-            raise ValueError(f"must be a length of the stage, not 0 and below 10 mm, got {value:g} m")
-        return value
 
 
 class _File(Section):

@@ -129,7 +129,8 @@ _WAYS = {
     "Wavefront": "a Wavefront; Pupil(wavefront) has a round aperture",
     "PSF": "a PSF; psf.pupil is its pupil, and psf.mtf(fx, fy) and psf.otf(fx, fy) are those of the image",
     "FieldMap": "a FieldMap; field.pupil(x, y) is that of a position",
-    "ObjectivePupil": "that of an Objective, whose wavefront layers shape; lommel.psf takes it",
+    "Microscope": "a Microscope; microscope.pupil() is its pupil",
+    "ObjectivePupil": "that of an Objective, which has no one wavefront; lommel.psf takes it, and measures its PSF",
 }
 
 

@@ -265,8 +265,8 @@ def emitter_of(value: Any) -> Emitter:
     """Return what emits; TypeError or ValueError where it is none."""
     if isinstance(value, Emitter):
         return value
-    if isinstance(value, str):
-        return _NAMED[validation.choice("emitter", value, tuple(_NAMED))]
-    raise TypeError(
+    if isinstance(value, str) and value in _NAMED:
+        return _NAMED[value]
+    raise (ValueError if isinstance(value, str) else TypeError)(
         f'emitter must be "isotropic", "scalar", a Dipole, a Beam or a Scalar, got {validation.shown(value)}'
     )

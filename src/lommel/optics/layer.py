@@ -82,7 +82,8 @@ def length(name: str, value: Any, most: float, *, positive: bool = False) -> flo
     """Return metres from 0 to `most`; a number that was meant in um or mm is refused with a hint."""
     metres = validation.real(name, value)
     if not (0.0 <= metres <= most) or (positive and metres == 0.0):
-        hint = f"; for {metres:g} um give {metres:g}e-6, for {metres:g} mm {metres:g}e-3" if metres > most else ""
+        meant = metres > max(most, 1e-3)  # in another unit, as nothing of less is
+        hint = f"; for {metres:g} um give {metres:g}e-6, for {metres:g} mm {metres:g}e-3" if meant else ""
         least = "above 0" if positive else "at least 0"
         raise ValueError(f"{name} is in metres and must be {least} and at most {most:g}, got {metres:g}{hint}")
     return metres

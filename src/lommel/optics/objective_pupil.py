@@ -140,7 +140,6 @@ class ObjectivePupil(BasePupil):
             emitter["polarization"] = [[part.real, part.imag] for part in jones]
         emitter["kind"] = type(self.emitter).__name__
         return {
-            "kind": "ObjectivePupil",
             "layers": layers,
             "magnification": self.magnification,
             "emitter": emitter,

@@ -186,7 +186,7 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
     this one does not hold 95 % and is smaller, else None.
     """
     energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), answer.pixel)
-    return _how_made(answer, seconds) | {
+    return how_made(answer, seconds) | {
         "wide_enough": side if energy < 0.95 and min(answer.shape) < side else None,
         "energy": energy,
     }
@@ -195,10 +195,10 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
 def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dict[str, Any]:
     """Return what there is to say about PSFs over the field: lengths in metres, one entry for each of the grid."""
     place = {"sensor": list(grid.sensor), "x": grid.x.tolist(), "y": grid.y.tolist()}
-    return {"name": instrument.name, "source": instrument.source} | place | _how_made(grid.psf, seconds)
+    return {"name": instrument.name, "source": instrument.source} | place | how_made(grid.psf, seconds)
 
 
-def _how_made(answer: Answer, seconds: float) -> dict[str, Any]:
+def how_made(answer: Answer, seconds: float) -> dict[str, Any]:
     """Return what there is to say about values and how they were made, sums and peaks for each of a stack."""
     # Fractions of the light that sample too far apart are none.
     stray = answer.normalize == "energy" and answer.undersampled

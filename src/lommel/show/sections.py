@@ -75,6 +75,7 @@ def sections(psf: Answer, *, stretch: str = "sqrt") -> NDArray[Any]:
     wide, high, deep = (max(length, longest / _LONGEST) for length in lengths)
     inch = _SIDE / longest
     figure = pyplot().figure(figsize=(inch * (wide + deep) + 1.9, inch * (high + deep) + 1.3), layout="compressed")
+    figure.get_layout_engine().set(w_pad=0.1, h_pad=0.1)
     grid = figure.subplots(2, 2, width_ratios=(wide, deep), height_ratios=(high, deep))
     xy, yz, xz, legend = grid.flat
     norm = norm_of(stretch, float(values.max()) or 1.0)

@@ -1,0 +1,167 @@
+"""Microscopes at the command line: what is printed and written, and what is refused."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image
+
+import lommel as lm
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLE = ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml"
+SCALAR = 'emitter = "scalar"'
+STACK = ["--stack", 4, "--step", "200 nm", "--depth", "3 um", "--shape", "5x6"]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A folder with a microscope, whose PSF takes no time, and a lens."""
+    text = EXAMPLE.read_text(encoding="utf-8").replace('emitter = "isotropic"', SCALAR)
+    (tmp_path / "objective.toml").write_text(text, encoding="utf-8")
+    stack = text[text.index("[stack]") : text.index("[sensor]")]
+    (tmp_path / "plane.toml").write_text(text.replace(stack, ""), encoding="utf-8")
+    shutil.copy(ROOT / "examples" / "lenses" / "phone.toml", tmp_path / "lens.toml")
+    yield tmp_path
+    plt.close("all")
+
+
+def test_a_stack_is_written_as_data_and_as_sections(folder, call_lommel):
+    outputs = ["-o", "a.ome.tif", "-o", "a.npz", "-o", "a.png", "--plot", "a.pdf"]
+    result = call_lommel("psf", "objective.toml", *STACK, *outputs, folder=folder)
+    assert (result.returncode, result.stderr) == (0, "")
+    psf = lm.PSF.load(folder / "a.npz")
+    assert psf.shape == (4, 5, 6)
+    np.testing.assert_allclose(psf.pupil.z, [-4e-7, -2e-7, 0.0, 2e-7], atol=1e-18)
+    assert set(psf.pupil.depth) == {3e-6}
+    np.testing.assert_array_equal(tifffile.imread(folder / "a.ome.tif"), psf.values)
+    with Image.open(folder / "a.png") as picture:
+        assert min(picture.size) > 400
+    assert (folder / "a.pdf").read_bytes().startswith(b"%PDF")
+    last = result.stdout.splitlines()[-4:]
+    how = ": sections xy, xz and yz, the square root of the values"
+    assert last == ["wrote a.ome.tif", "wrote a.npz", f"wrote a.png{how}", f"wrote a.pdf{how}"]
+    assert "4 x 5 x 6 float32" in result.stdout
+
+
+def test_one_plane_is_written_as_the_picture_of_a_psf(folder, call_lommel):
+    result = call_lommel("psf", "plane.toml", "--shape", 5, "-o", "a.png", "--plot", "b.png", folder=folder)
+    assert result.returncode == 0, result.stderr
+    assert lm.PSF.load(folder / "a.png").shape == (5, 5)
+    assert "sections" not in result.stdout
+    assert "emitter 2 um deep" in result.stdout
+
+
+def test_the_json_is_what_python_says(folder, call_lommel):
+    result = call_lommel("psf", "objective.toml", *STACK, "--json", "-o", "a.npy", folder=folder)
+    facts = json.loads(result.stdout)
+    assert (facts["NA"], facts["depth"], facts["planes"], facts["step"]) == (1.4, 3e-6, 4, 2e-7)
+    assert facts["psf"]["shape"] == [4, 5, 6]
+    assert facts["files"] == ["a.npy"]
+    info = json.loads(call_lommel("info", "objective.toml", "--depth", "3 um", "--json", folder=folder).stdout)
+    assert info["focus"] == facts["focus"]
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "examples" / "objectives").glob("*.toml")), ids=lambda p: p.stem)
+def test_info_shows_every_example(path, folder, call_lommel):
+    result = call_lommel("info", path, folder=folder)
+    assert (result.returncode, result.stderr) == (0, "")
+    found, out = lm.load_microscope(path), result.stdout
+    assert out.splitlines()[0] == found.name
+    rows = [line.split() for line in out.splitlines() if line[:9].strip().isdigit()]
+    assert all(len(row) == 9 for row in rows)
+    depth = f"{1e6 * found.depth:g}"
+    (row,) = (row for row in rows if row[0] == depth)
+    best = found.objective.focus(found.depth, wavelength=found.wavelength)
+    assert float(row[2]) == pytest.approx(1e6 * best.brightest, abs=6e-4)
+    assert float(row[4]) == pytest.approx(1e9 * best.axial_fwhm, abs=0.6)
+    coarse = found.pixel > found.objective.nyquist(wavelength=found.wavelength).pixel
+    assert ("is coarser than Nyquist's" in out) == coarse
+    assert ("critical angle  none" in out) == (found.objective.critical_angle is None)
+
+
+def test_what_the_file_has_besides_is_told(folder, call_lommel):
+    out = call_lommel("info", ROOT / "examples" / "objectives" / "zeiss-100x-1.4-oil.toml", folder=folder).stdout
+    for told in (
+        "20 nm of index 1.46",
+        "immersion 1.518, cover glass 170 um of index 1.5255",
+        "60 deg from the axis",
+    ):
+        assert told in out
+
+
+@pytest.mark.parametrize("columns", [60, 200])
+def test_no_digit_is_left_out_of_narrow_tables(columns, folder, call_lommel, monkeypatch):
+    from lommel.cli import tables
+
+    monkeypatch.setattr(tables.sys.stdout, "isatty", lambda: True, raising=False)
+    monkeypatch.setenv("COLUMNS", str(columns))
+    assert "…" not in call_lommel("info", "objective.toml", folder=folder).stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (
+            ["psf", "objective.toml", "--object-distance", "1 m"],
+            "--object-distance is for lenses, and objective.toml",
+        ),
+        (["info", "objective.toml", "--object-distance", "1 m"], "--depth says where the emitter is"),
+        (["psf", "objective.toml", "--field", "2x2"], "--field is for lenses, and objective.toml describes a micro"),
+        (["psf", "lens.toml", "--stack", "3"], "--stack is for microscopes, files with a section [objective]; lens"),
+        (["psf", "lens.toml", "--step", "1 um"], "--step is for microscopes"),
+        (["psf", "lens.toml", "--depth", "1 um"], "--depth is for microscopes"),
+        (["info", "lens.toml", "--depth", "1 um"], "--depth is for microscopes"),
+        (["psf", "lens.toml", "--normalize", "emitted"], '--normalize "emitted" is for the pupils of an Objective'),
+        (["psf", "objective.toml", "-m", "hankel"], "supports no pupils of an Objective"),
+        (["psf", "objective.toml", "--stack", "0"], "0 is not in the range"),
+        (["psf", "objective.toml", "--step", "0 nm"], "step must be of the stage, not 0 and below 10 mm, got 0 m"),
+        (["psf", "plane.toml", "--step", "1 um"], "--step needs --stack, where the file has no stack"),
+        (["psf", "plane.toml", "--stack", "3"], "--stack needs --step, where the file has no stack; at most 279 nm"),
+        (["psf", "objective.toml", "--depth", "-1 um"], "depth is in metres and must be at least 0"),
+        (["psf", "objective.toml", "--depth", "1 m"], 'for 1 um write "1 um", for 1 mm "1 mm"'),
+        (["psf", "objective.toml", "--depth", "2"], "'2' is a length without a unit"),
+        (["psf", "objective.toml", "--depth", "180 um"], "where the objective touches the cover glass"),
+        (["psf", "objective.toml", "--plot", "a.gif"], "a figure must end in .png, .pdf or .svg"),
+        (["psf", "objective.toml", "-o", "a.jpg"], "--output must end in .tif"),
+        (["info", "objective.toml", "--pixel", "6.5 m"], 'for 6.5 um write "6.5 um"'),
+    ],
+)
+def test_options_of_the_other_kind_and_numbers_out_of_range_are_refused_in_a_line(
+    arguments, said, folder, call_lommel
+):
+    result = call_lommel(*arguments, folder=folder)
+    assert result.returncode == 2
+    assert said in result.stderr
+    assert result.stderr.splitlines()[-1].startswith("Error: ")
+    assert sorted(path.name for path in folder.iterdir()) == ["lens.toml", "objective.toml", "plane.toml"]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "compare objective.toml",
+        "live objective.toml",
+        "blur photo.png depth.tif objective.toml --focus 1m -o out.png",
+        "focus-pull photo.png depth.tif objective.toml --from 1m --to 2m -o out.gif",
+        "restore photo.png depth.tif objective.toml --focus 1m --white 1 --read 2 -o out.png",
+        "depth depth.tif depth.tif objective.toml --focus 1m --focus 2m --between 1m 3m --white 9 --read 2",
+        "precision objective.toml --focus 1m --focus 2m --between 1m 3m --photons 9",
+        "retrieve depth.tif objective.toml --read 2",
+    ],
+    ids=lambda line: line.split()[0],
+)
+def test_commands_that_need_a_lens_refuse_a_microscope_in_a_sentence(line, folder, call_lommel):
+    Image.fromarray(np.zeros((8, 9, 3), np.uint8)).save(folder / "photo.png")
+    tifffile.imwrite(folder / "depth.tif", np.ones((8, 9), np.float32))
+    result = call_lommel(*line.split(), folder=folder)
+    assert result.returncode == 2
+    assert "objective.toml: describes a microscope, [objective], not a lens: " in result.stderr
+    assert "the commands info and psf take it" in result.stderr
+    assert len(result.stderr.splitlines()) == 1

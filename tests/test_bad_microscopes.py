@@ -1,0 +1,156 @@
+"""Every bad input of a microscope: a sentence that names the argument, the value, and the way out."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+GLASS = lm.Layer(1.5255, 170e-6)
+OBJECTIVE = {
+    "NA": 1.4,
+    "magnification": 63,
+    "immersion": 1.518,
+    "working_distance": 0.19e-3,
+    "coverslip": GLASS,
+    "sample": 1.33,
+}
+PUPIL = {"depth": 2e-6, "z": 0.0, "wavelength": 520e-9, "origin": "paraxial", "emitter": "scalar"}
+WINDOW = {"shape": 3, "pixel": 6.5e-6}
+
+
+def psf(**changes) -> lm.PSF:
+    """The PSF of a microscope with other arguments, each in its place."""
+
+    def of(plain: dict) -> dict:
+        return {name: changes.pop(name, value) for name, value in plain.items()}
+
+    kept = {name: changes.pop(name) for name in ("films", "design") if name in changes}
+    pupil = lm.Objective(**of(OBJECTIVE), **kept).pupil(**of(PUPIL))
+    return lm.psf(pupil, **of(WINDOW), **changes)
+
+
+TABLE = [
+    ("depth", math.nan, "depth must be finite, got nan"),
+    ("depth", -1e-6, "depth is in metres and must be at least 0 and at most 0.01, got -1e-06"),
+    ("depth", 2.0, "must be at least 0 and at most 0.01, got 2; for 2 um give 2e-6, for 2 mm 2e-3"),
+    ("depth", "2 um", "depth must hold real numbers, got '2 um'"),
+    ("depth", [], "depth must not be empty, got shape (0,)"),
+    ("depth", 180e-6, "focus, where depth and z lead, must be at most 0.00019 metres, where the objective touches"),
+    ("z", [], "z must not be empty, got shape (0,)"),
+    ("z", "0", "z must hold real numbers, got '0'"),
+    ("z", math.inf, "z must be finite, got inf"),
+    ("z", 1e-3, "focus, where depth and z lead, must be at most 0.00019 metres, where the objective touches"),
+    ("z", -2.0, "focus, where depth and z lead, is in metres and must be at least -0.01, got -2"),
+    ("wavelength", 520, "wavelength is in metres and must be from 1e-12 to 1e-2, got 520; for 520 nm give 520e-9"),
+    ("wavelength", 0.52, "must be from 1e-12 to 1e-2, got 0.52; for 0.52 um give 0.52e-6"),
+    ("wavelength", "520 nm", "wavelength must be a real number, got '520 nm'"),
+    ("origin", "center", "origin must be one of 'coverslip', 'paraxial', 'brightest', got 'center'"),
+    ("emitter", "dipole", 'emitter must be "isotropic", "scalar", a Dipole, a Beam or a Scalar, got \'dipole\''),
+    ("emitter", None, 'emitter must be "isotropic", "scalar", a Dipole, a Beam or a Scalar, got None'),
+    ("NA", 1.6, "NA must be below the index of immersion, 1.518, got 1.6"),
+    ("NA", 0, "NA must be >= 0.001, got 0"),
+    ("NA", math.nan, "NA must be finite, got nan"),
+    ("coverslip", lm.Layer(1.3, 170e-6), "NA must be below the index of coverslip, 1.3, got 1.4"),
+    ("coverslip", 170e-6, "coverslip must be of the type Layer, or None, got 0.00017"),
+    ("magnification", 0, "magnification must be >= 0.001 and < 1e+06, got 0"),
+    ("magnification", -63, "magnification must be >= 0.001 and < 1e+06, got -63"),
+    ("immersion", 15.18, "immersion must be a refractive index from 1 to 4, got 15.18"),
+    ("sample", 0.0, "sample must be a refractive index from 1 to 4, got 0"),
+    ("sample", math.nan, "sample must be finite, got nan"),
+    ("working_distance", 0, "working_distance is in metres and must be above 0 and at most 0.1, got 0"),
+    ("working_distance", 0.19, "for 0.19 um give 0.19e-6, for 0.19 mm 0.19e-3"),
+    ("films", lm.Layer(1.46, 1e-7), "films must be a sequence of Layer, got Layer(index=1.46, thickness=1e-07)"),
+    ("films", [lm.Layer(1.46, 3e-6)], "films[0].thickness is in metres and must be at least 0 and at most 2e-06"),
+    ("films", [GLASS, 1.46], "films[0].thickness is in metres and must be at least 0 and at most 2e-06, got 0.00017"),
+    ("films", [1.46], "films[0] must be a Layer, got 1.46"),
+    ("design", 1.5, "design must be of the type Design, or None, got 1.5"),
+    ("design", lm.Design(1.33, GLASS), "NA must be below the index of design.immersion, 1.33, got 1.4"),
+    ("pixel", 6.5, "pixel is in metres for a pupil with a wavelength and must be at most 0.1, got 6.5"),
+    ("shape", 0, "shape must be from 1 to 16384, got 0"),
+    ("normalize", "sum", "normalize must be one of 'energy', 'emitted', 'strehl', 'peak', got 'sum'"),
+    ("method", lm.NijboerZernike(), "NijboerZernike supports no pupils of an Objective, behind layers; use Strat"),
+    ("tol", 1e-30, "tol must be >= 1e-12 and < 0.1, got 1e-30"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "value", "said"), TABLE, ids=[f"{n}={str(v)[:24]}" for n, v, _ in TABLE])
+def test_a_bad_argument_is_told_in_one_sentence(name, value, said):
+    with pytest.raises((TypeError, ValueError), match=re.escape(said)) as caught:
+        psf(**{name: value})
+    assert "\n" not in str(caught.value)
+
+
+def test_without_a_fault_there_is_a_psf():
+    assert psf().shape == (3, 3)
+    assert len(TABLE) >= 25
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda: lm.Dipole(math.nan, 0.0), "polar must be finite, got nan"),
+        (lambda: lm.Dipole(0.0, "x"), "azimuth must be a real number, got 'x'"),
+        (lambda: lm.Dipole(0.0, 0.0, wobble=1.5), "wobble must be from 0 to 1, got 1.5"),
+        (lambda: lm.Dipole(0.0, 0.0, wobble=-0.1), "wobble must be >= 0, got -0.1"),
+        (lambda: lm.Beam((0, 0)), "polarization must be a name or two finite numbers, not both 0, got (0, 0)"),
+        (
+            lambda: lm.Beam((1, math.nan)),
+            "polarization must be a name or two finite numbers, not both 0, got (1, nan)",
+        ),
+        (lambda: lm.Beam((1, 0, 0)), "polarization must be a name or two finite numbers, not both 0, got (1, 0, 0)"),
+        (lambda: lm.Beam("z"), "polarization must be one of 'circular', 'x', 'y'"),
+        (lambda: lm.Scalar("cosine"), "apodization must be one of 'uniform', 'aplanatic', got 'cosine'"),
+        (lambda: lm.Scalar(supercritical=1), "supercritical must be True or False, got 1"),
+        (lambda: lm.Layer(0.5, 1e-4), "index must be a refractive index from 1 to 4, got 0.5"),
+        (lambda: lm.Layer(1.5, 170), "for 170 um give 170e-6, for 170 mm 170e-3"),
+    ],
+)
+def test_bad_parts_of_a_microscope_are_told_where_they_are_made(make, said):
+    with pytest.raises((TypeError, ValueError), match=re.escape(said)):
+        make()
+
+
+def test_a_glass_that_leaves_no_room_is_told_with_how_far_it_reaches():
+    with pytest.raises(ValueError, match="working_distance must leave room for the cover glass, got 0"):
+        psf(coverslip=lm.Layer(1.5255, 5e-3), design=lm.Design(1.518, GLASS))
+
+
+def test_depths_and_planes_that_do_not_go_together_are_told():
+    with pytest.raises(ValueError, match=r"depth.* and .*must broadcast, got shapes \(2,\) and \(3,\)"):
+        psf(depth=np.array([1e-6, 2e-6]), z=np.zeros(3))
+    with pytest.raises(TypeError, match="z must not be masked; fill it, or leave out what is masked"):
+        psf(z=np.ma.masked_array([0.0, 1e-7], [True, False]))
+
+
+@pytest.mark.parametrize(
+    ("take", "said"),
+    [
+        (
+            lambda one: lm.psf(one, 3, 6.5e-6),
+            r"an Objective; objective.pupil\(depth=..., wavelength=...\) is its pupil",
+        ),
+        (lambda one: lm.mtf(one.pupil(**PUPIL), 0.1), "that of an Objective, which has no one wavefront; lommel.psf"),
+        (lambda one: lm.strehl(one.pupil(**PUPIL)), "lommel.psf takes it, and measures its PSF"),
+    ],
+)
+def test_what_takes_the_pupil_of_a_lens_says_what_to_do_with_another(take, said):
+    with pytest.raises(TypeError, match=said):
+        take(lm.Objective(**OBJECTIVE))
+
+
+def test_a_microscope_of_a_file_has_a_pupil():
+    found = lm.Microscope("", "", lm.Objective(**OBJECTIVE), 520e-9, 2e-6, 6.5e-6, lm.Scalar())
+    with pytest.raises(TypeError, match=r"a Microscope; microscope.pupil\(\) is its pupil"):
+        lm.psf(found, 3, 6.5e-6)
+
+
+def test_what_only_microscopes_have_is_refused_of_lenses_with_the_other_way():
+    with pytest.raises(ValueError, match='"emitted" is for the pupils of an Objective; for a lens use "energy"'):
+        lm.psf(lm.Pupil(), 3, 0.5, normalize="emitted")
+    with pytest.raises(ValueError, match="Stratified supports the pupils of an Objective only; for a lens use Nijb"):
+        lm.psf(lm.Pupil(), 3, 0.5, method=lm.Stratified())

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import re
+import runpy
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import lommel as lm
 
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = (ROOT / "docs" / "microscopes-peers.md").read_text(encoding="utf-8")
+microscope_peers = runpy.run_path(str(ROOT / "benchmarks" / "microscope_peers.py"))
 DEPTH = 2e-6
 Z = np.linspace(-1.0, 3.0, 21)  # micrometres
 
@@ -35,3 +42,25 @@ def test_psfmodels_agrees_within_its_quadrature(NA, most, vectorial):
     ours = kind(np.arange(11) * 0.05e-6, depth=DEPTH, focus=focus, wavelength=0.61e-6).intensity
     theirs = peer[:, 10, 10:]
     assert np.abs(ours / ours.max() - theirs / theirs.max()).max() < most
+
+
+@pytest.mark.parametrize("name", microscope_peers["PEERS"])
+def test_the_page_has_what_the_packages_say(name):
+    told = re.split(r"^### ", PAGE, flags=re.MULTILINE)
+    (section,) = (part for part in told if part.startswith(name))
+    answer = microscope_peers["compared"](name)
+    if answer is None:
+        pytest.skip(f"{name} is not installed: make peers")
+    version, rows = answer
+    assert section.startswith(f"{name} {version}\n")
+    written = dict(re.findall(r"^\| (.+?) \| ([\d.e+-]+) ?.*\|$", section, flags=re.MULTILINE))
+    assert written.keys() == {row.asked for row in rows}
+    for row in rows:
+        # What rounding is of differs by machine.
+        assert row.found == pytest.approx(float(written[row.asked]), rel=0.1, abs=1e-6)
+
+
+def test_a_package_that_is_missing_has_not_run(monkeypatch):
+    tables = microscope_peers["tables"]
+    monkeypatch.setitem(tables.__globals__, "PEERS", {"no-such-package": microscope_peers["pyotf"]})
+    assert tables() == "### no-such-package: not run\n\none medium, by the FFT of a sampled pupil.\n"

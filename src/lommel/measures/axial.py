@@ -85,9 +85,7 @@ def _lines(answer: Answer) -> Array:
     """Return the light along z, of the shape of the stack."""
     pupil = answer.pupil
     if answer.radial_method is not None:
-        # At the axis alone the peak, to which errors relate, would be missing.
-        v = np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 64)
-        found = answer.radial_method.profile(pupil, v).values[:, 0]
+        found = answer.radial_method.profile(pupil, np.zeros(1)).values
         return np.asarray(answer.scale * found.reshape(pupil.shape))
     stacks = answer.values.reshape(-1, pupil.shape[-1], math.prod(answer.grid.shape)).astype(np.float64)
     brightest = stacks.max(axis=1).argmax(axis=1)

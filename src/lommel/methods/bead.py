@@ -12,8 +12,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Intensities
 from lommel.methods.disc_means import disc_means, ellipses, gauss_error
 from lommel.methods.method import RadialMethod
-from lommel.methods.proven import proven
-from lommel.methods.stratified import Stratified
+from lommel.methods.proven import light, proven
 from lommel.optics.objective_pupil import ObjectivePupil
 
 _NODES_MOST = 200
@@ -82,19 +81,16 @@ class Bead(RadialMethod):
             discs = [disc_means(at, size * float(np.sqrt(1.0 - u * u)), tol) for u in heights[half:]]
             discs = discs[: -half - 1 : -1] + discs  # the same below the middle
             places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
-            made = Stratified(max(tol, Stratified.least_tol)).profile(stack, places)
-            assert made.error is not None
-            assert made.peak is not None
-            light = made.values.reshape(*depths.shape, places.size)
-            each = (made.error * made.peak).reshape(depths.shape)
+            found, off_each = light(stack, places, tol, self.tol)
+            values_at, errors = found.reshape(*depths.shape, places.size), off_each.reshape(depths.shape)
             share = weights[:, None] * power
             share /= share.sum(axis=0)
             values, error, first = np.zeros((depths.shape[1], at.size)), np.full(depths.shape[1], off), 0
             for k, means in enumerate(discs):
                 here = rows[first : first + means.places.size]
                 first += means.places.size
-                values += share[k, :, None] * (light[k][:, here] @ means.weights)
-                error += share[k] * (each[k] * means.gain + means.error)
+                values += share[k, :, None] * (values_at[k][:, here] @ means.weights)
+                error += share[k] * (errors[k] * means.gain + means.error)
             return np.maximum(values, 0.0), error
 
         return proven(v, made_of, self.tol)

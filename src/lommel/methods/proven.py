@@ -8,9 +8,24 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Intensities, not_met
+from lommel.methods.stratified import Stratified
+from lommel.optics.objective_pupil import ObjectivePupil
 
-LEAST = 1e-13
+_LEAST = 1e-13
+_FINEST = 0.05
 _BRIGHT = (0.0, 1.8412)  # the axis, and the maximum of J1: where something is bright in most planes
+
+
+def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> tuple[Array, Array]:
+    """Return the intensity of a pupil at rising v and what it is off by at most, ``(n,)``.
+
+    Its error is `asked` of its own peak, or 0.05 `tol`, which does where errors relate to that peak as those that are
+    asked about do, and which double precision can hold.
+    """
+    made = Stratified(max(asked, _FINEST * tol, Stratified.least_tol)).profile(pupil, v)
+    assert made.error is not None
+    peak = made.values.max(axis=1) if made.peak is None else made.peak
+    return made.values, made.error * peak
 
 
 def proven(v: Array, made_of: Callable[[Array, float], tuple[Array, Array]], tol: float) -> Intensities:
@@ -40,6 +55,6 @@ def proven(v: Array, made_of: Callable[[Array, float], tuple[Array, Array]], tol
         relative = np.divide(error, least, out=np.full(least.shape, np.inf), where=least > 0.0)
         if (worst := float(relative.max(initial=0.0))) <= tol:
             return Intensities(values[:, where[: v.size]], relative, least)
-        if asked <= LEAST:
+        if asked <= _LEAST:
             raise not_met(tol, worst, "the peak")
-        asked = max(LEAST, asked * max(1e-4, min(0.5, 0.5 * tol / worst)))
+        asked = max(_LEAST, asked * max(1e-4, min(0.5, 0.5 * tol / worst)))

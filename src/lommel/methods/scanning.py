@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields, replace
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -13,27 +13,12 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Intensities
 from lommel.methods.disc_means import disc_means
 from lommel.methods.method import RadialMethod
-from lommel.methods.proven import proven
-from lommel.methods.stratified import Stratified
+from lommel.methods.proven import light, proven
 from lommel.optics.objective_pupil import ObjectivePupil
 
 AIRY = 2.0 * math.pi * 0.61
 """``0.61 lambda / NA``, the Airy unit, in v."""
 _PINHOLE_MOST = 100.0
-
-
-class _Light(NamedTuple):
-    """Intensities, and what they are off by, relating to the aperture without aberration."""
-
-    values: Array
-    error: Array
-
-
-def _light(pupil: ObjectivePupil, v: Array, tol: float) -> _Light:
-    made = Stratified(max(tol, Stratified.least_tol)).profile(pupil, v)
-    assert made.error is not None
-    peak = made.values.max(axis=1) if made.peak is None else made.peak
-    return _Light(made.values, made.error * peak)
 
 
 class _Scanning(RadialMethod):
@@ -121,11 +106,11 @@ class Confocal(_Scanning):
 
         def made_of(at: Array, tol: float) -> tuple[Array, Array]:
             means = disc_means(at, radius, tol / max(1.0, share))
-            excited, seen = _light(lit, faster * at, tol), _light(pupil, means.places, tol)
-            passed = np.maximum(share * (seen.values @ means.weights), 0.0)
-            off = share * (seen.error * means.gain + means.error)
-            error = excited.error * passed.max(axis=1) + off * (excited.values.max(axis=1) + excited.error)
-            return excited.values * passed, error + 2.0**-50
+            excited, off = light(lit, faster * at, tol, self.tol)
+            seen, error = light(pupil, means.places, tol, self.tol)
+            passed = np.maximum(share * (seen @ means.weights), 0.0)
+            error = share * (error * means.gain + means.error)
+            return excited * passed, off * passed.max(axis=1) + error * (excited.max(axis=1) + off) + 2.0**-50
 
         return proven(v, made_of, self.tol)
 
@@ -166,7 +151,7 @@ class TwoPhoton(_Scanning):
         """Return the square of the intensity at rising v."""
 
         def made_of(at: Array, tol: float) -> tuple[Array, Array]:
-            values, error = _light(pupil, at, tol)
+            values, error = light(pupil, at, tol, self.tol)
             return values**2, error * (2.0 * values.max(axis=1) + error) + 2.0**-50
 
         return proven(v, made_of, self.tol)

@@ -94,6 +94,7 @@ def deconvolve(
     noise: Noise,
     *,
     method: RichardsonLucy | None = None,
+    margin: tuple[int, int] | None = None,
     progress: Progress | None = None,
 ) -> Restoration:
     """Restore a stack of planes that a microscope recorded, by its PSF and its noise.
@@ -105,8 +106,13 @@ def deconvolve(
     psf : PSF
         As :class:`lommel.microscopy.StackBlur` takes it, in the steps and pixels of the recording.
     noise : Noise
+        Of one number each: maps of pixels have no margin.
     method : RichardsonLucy, optional
         By default ``lm.imaging.RichardsonLucy()``, which the noise stops.
+    margin : (int, int), optional
+        How many planes and pixels are restored beyond each face of the recording, of which nothing is known but the
+        light that comes in; by default half of those of the PSF. With (0, 0) all outside is dark, and light that
+        comes from there a misfit.
     progress : callable, optional
         As of :func:`lommel.imaging.restore_with`.
 
@@ -124,8 +130,15 @@ def deconvolve(
     recorded = validation.array("stack", stack)
     if recorded.dtype.kind != "f" or recorded.ndim != 3:
         raise TypeError(f"stack must hold floats, (planes, height, width), got {validation.shown(stack)}")
-    blur = StackBlur(psf, recorded.shape)
-    last = np.moveaxis(recorded, 0, -1)
-    found = restore_with(blur, last if blur.channels > 1 else last[..., 0], noise, method=method, progress=progress)
-    light = np.moveaxis(found.values.reshape(*blur.shape, blur.channels), -1, 0)
-    return replace(found, values=light, light=light)
+    validation.instance("psf", psf, PSF)
+    asked = (psf.shape[0] // 2, max(psf.grid.shape) // 2) if margin is None else margin
+    if not isinstance(asked, tuple | list) or len(asked) != 2:
+        raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
+    planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in asked)
+    sides = [(planes, planes), (pixels, pixels), (pixels, pixels)]
+    wide = np.moveaxis(np.pad(recorded, sides, constant_values=np.nan), 0, -1)
+    blur = StackBlur(psf, (wide.shape[-1], *wide.shape[:2]))
+    found = restore_with(blur, wide if blur.channels > 1 else wide[..., 0], noise, method=method, progress=progress)
+    whole = np.moveaxis(found.values.reshape(*blur.shape, blur.channels), -1, 0)
+    inside = tuple(slice(low, size - low) for (low, _), size in zip(sides, whole.shape, strict=True))
+    return replace(found, values=whole[inside], light=whole[inside])

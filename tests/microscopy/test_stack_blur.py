@@ -1,0 +1,101 @@
+"""Stacks of planes as a linear operator: against sums over all points, and the way back."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.signal import convolve
+
+import lommel as lm
+
+OIL = lm.Objective(
+    NA=1.3,
+    magnification=60,
+    immersion=1.515,
+    working_distance=0.2e-3,
+    coverslip=lm.Layer(1.5255, 170e-6),
+    sample=1.33,
+)
+Z = np.arange(-3, 4) * 0.3e-6
+PIXEL = 6e-6
+
+
+def kernel(z=Z, shape=(7, 9), **given):
+    return lm.psf(OIL.pupil(depth=5e-6, z=z, wavelength=520e-9), shape, PIXEL, tol=1e-4, **given)
+
+
+PSF = kernel()
+
+
+def test_a_point_is_spread_as_the_psf_is():
+    blur = lm.microscopy.StackBlur(PSF, (9, 12, 14), np.float64)
+    image = np.zeros((12, 14, 9))
+    image[6, 7, 4] = 1.0
+    found = blur.forward(image)
+    assert found[3:10, 3:12, 1:8] == pytest.approx(np.moveaxis(PSF.values / PSF.values.sum(), 0, 2), rel=1e-6)
+    assert found.sum() == pytest.approx(1.0)
+
+
+def test_what_is_outside_is_dark_and_nothing_wraps_around():
+    blur = lm.microscopy.StackBlur(PSF, (4, 5, 6), np.float64)
+    specimen = np.random.default_rng(0).random((4, 5, 6))
+    known = convolve(specimen, PSF.values.astype(float) / PSF.values.sum(dtype=float), mode="full", method="direct")
+    found = blur.forward(np.moveaxis(specimen, 0, 2))
+    assert np.moveaxis(found, 2, 0) == pytest.approx(known[3:7, 3:8, 4:10], abs=1e-12)
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_the_adjoint_is_the_transpose(dtype):
+    blur = lm.microscopy.StackBlur(PSF, (4, 10, 8), dtype)
+    a, b = np.random.default_rng(1).random((2, 10, 8, 4)).astype(dtype)
+    one, other = (np.vdot(x.astype(float), y) for x, y in ((blur.forward(a), b), (blur.adjoint(b), a)))
+    assert one == pytest.approx(other, rel=1e-5 if dtype == np.float32 else 1e-12)
+    assert blur.forward(a).dtype == dtype
+
+
+def test_a_stack_of_counts_is_restored_until_its_noise_stops_it():
+    specimen = np.zeros((9, 24, 24))
+    specimen[2, 7, 7] = specimen[6, 8, 9] = specimen[5, 16, 14] = 2e5
+    noise = lm.Noise(read=1.0, offset=100.0)
+    psf = kernel(np.arange(-6, 7) * 0.3e-6, 17)
+    blur = lm.microscopy.StackBlur(psf, specimen.shape, np.float64)
+    light = np.moveaxis(blur.forward(np.moveaxis(specimen, 0, 2)), 2, 0)
+    stack = noise.record(np.maximum(light, 0.0) + 50.0, seed=0)
+    found = lm.microscopy.deconvolve(stack, psf, noise)
+    assert found.stopped == "noise"
+    assert found.values.shape == stack.shape
+    for place in zip(*np.nonzero(specimen), strict=True):
+        part = tuple(slice(k - 1, k + 2) for k in place)
+        assert found.values[part].sum() > 0.6 * 2e5 > 3.0 * (stack[part] - 150.0).sum()
+
+
+def test_one_plane_is_a_stack_too():
+    noise = lm.Noise(read=1.0)
+    stack = np.full((1, 12, 12), 50.0)
+    found = lm.microscopy.deconvolve(stack, PSF, noise, method=lm.imaging.RichardsonLucy(steps=3))
+    assert found.values.shape == stack.shape
+
+
+@pytest.mark.parametrize(
+    ("psf", "shape", "said"),
+    [
+        (PSF, (4, 5), "shape must be \\(planes, height, width\\)"),
+        (PSF, (4, 0, 5), "shape must be from 1 to"),
+        (PSF.values, (4, 5, 5), "psf must be a PSF"),
+        (PSF[3], (4, 5, 5), "z must be that of a stack of planes"),
+        (PSF[[0, 1, 3]], (4, 5, 5), "even steps of z"),
+        (PSF[:3], (4, 5, 5), "psf must have a plane at z = 0, the nearest is at -3e-07 metres"),
+        (kernel(center=(1, 1)), (4, 5, 5), "psf must have its axis in the middle pixel"),
+    ],
+)
+def test_what_spreads_no_stack_is_refused(psf, shape, said):
+    with pytest.raises((TypeError, ValueError), match=said):
+        lm.microscopy.StackBlur(psf, shape)
+
+
+def test_what_is_no_stack_is_refused():
+    for stack in (np.zeros((4, 5)), np.zeros((4, 5, 5), int), "stack"):
+        with pytest.raises(TypeError, match="stack must hold floats, \\(planes, height, width\\)"):
+            lm.microscopy.deconvolve(stack, PSF, lm.Noise(read=1.0))
+    with pytest.raises(TypeError, match="method must be of the type RichardsonLucy, or None"):
+        lm.microscopy.deconvolve(np.ones((4, 5, 5)), PSF, lm.Noise(read=1.0), method=lm.imaging.TotalVariation())

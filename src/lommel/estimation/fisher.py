@@ -17,7 +17,7 @@ from lommel.estimation.noise import Noise
 from lommel.methods.derivatives import Name
 from lommel.methods.derivatives import checked as checked_names
 from lommel.methods.method import Method
-from lommel.optics.pupil import Pupil, checked
+from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.psf import PSF, Plan
 
 _UNITS: dict[Name, str] = {
@@ -28,6 +28,8 @@ _UNITS: dict[Name, str] = {
     "obscuration": "",
     "object_distance": "m",
     "focus_distance": "m",
+    "z": "m",
+    "depth": "m",
     "photons": "electrons",
     "background": "electrons/pixel",
 }
@@ -37,7 +39,7 @@ _EPS = float(np.finfo(np.float64).eps)
 
 
 def fisher(
-    pupil: Pupil | Sequence[Pupil],
+    pupil: BasePupil | Sequence[BasePupil],
     shape: int | tuple[int, int],
     pixel: float,
     *,
@@ -56,7 +58,7 @@ def fisher(
 
     Parameters
     ----------
-    pupil : Pupil or sequence of Pupil
+    pupil : Pupil, ObjectivePupil or a sequence of these
         What made the image. A stack is as many scenes, with an image each, and makes arrays of deviations. A sequence
         of pupils is several images of one scene, such as at several foci, whose information adds; stacks in it
         broadcast, and are scenes again.
@@ -64,7 +66,7 @@ def fisher(
         As of :func:`lommel.psf`.
     of : sequence
         What is to be found, all else being known: names of derivatives as :func:`lommel.psf` takes them, such as
-        "defocus", "row", "column", a Zernike term (3, 1) or "object_distance"; "photons" and "background". Several
+        "defocus", "row", "column", a Zernike term (3, 1), "object_distance" or a microscope's "z"; "photons" and "background". Several
         images of one scene share each but the last two, of which every image has its own.
     photons : array_like
         Light of the point, electrons: what a sensor would count of it in an infinite window. Arrays broadcast with
@@ -134,8 +136,8 @@ def fisher(
         )
         for each in (_TOLERANCES if method is None and tol is None else (tol,))
     ]
-    one = isinstance(pupil, Pupil)
-    pupils = [pupil] if isinstance(pupil, Pupil) else _several(pupil)
+    one = isinstance(pupil, BasePupil)
+    pupils = [pupil] if isinstance(pupil, BasePupil) else _several(pupil)
     answers = [_exactest(plans, each, names) for each in pupils]
     images = _broadcast("stacks of pupils", [answer.pupil.shape for answer in answers])
     images = images if one else (len(answers), *images)
@@ -153,7 +155,7 @@ def fisher(
     return _joined(names, roots, errors, tuple(range(len(every))) if together else same)
 
 
-def _exactest(plans: list[Plan], pupil: Pupil, names: tuple[Name, ...]) -> PSF:
+def _exactest(plans: list[Plan], pupil: BasePupil, names: tuple[Name, ...]) -> PSF:
     """Return the PSF and its derivatives by the first of several plans whose tolerance can be met."""
     wanted = tuple(name for name in names if name not in _OWN)
     *exact, last = plans
@@ -232,11 +234,11 @@ def _names(of: Any) -> tuple[Name, ...]:
     return tuple(dict.fromkeys(name if name in _OWN else checked_names((name,), others)[0] for name in of))
 
 
-def _several(pupils: Any) -> Sequence[Pupil]:
+def _several(pupils: Any) -> Sequence[BasePupil]:
     """Return a sequence of pupils."""
     if not isinstance(pupils, Sequence) or not pupils or isinstance(pupils, str):
         raise TypeError(f"pupil must be a Pupil or a sequence of some, got {validation.shown(pupils)}")
-    return [checked(pupil) for pupil in pupils]
+    return [imaged(pupil) for pupil in pupils]
 
 
 def _light(name: str, value: ArrayLike) -> Array:

@@ -12,7 +12,7 @@ from lommel.base import validation
 from lommel.estimation.noise import Noise
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.restoration.restore_with import Progress, Restoration, restore_with
-from lommel.imaging.richardson_lucy import RichardsonLucy
+from lommel.imaging.restoration.richardson_lucy import RichardsonLucy
 from lommel.measures.axial import stage
 from lommel.psf import PSF
 

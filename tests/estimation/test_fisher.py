@@ -326,3 +326,25 @@ def test_bad_input_is_refused_in_a_line_that_says_what_is_wrong(changes, error, 
 def test_light_that_does_not_fit_a_sequence_is_refused():
     with pytest.raises(ValueError, match=r"must broadcast with images of shape \(1,\), got \(3,\)"):
         lm.fisher([LENS.pupil(1.9)], of=("row",), **(CAMERA | {"photons": [1e3, 1e4, 1e5]}))
+
+
+def test_images_of_a_microscope_tell_what_their_differences_do():
+    objective = lm.Objective(
+        NA=1.2, magnification=60, immersion=1.333, working_distance=0.28e-3, coverslip=None, sample=1.333
+    )
+    camera = {"shape": 9, "pixel": 6.5e-6}
+    steps = {"z": 2e-9, "row": 1e-3}
+
+    def image(z=0.4e-6, row=4.0):
+        pupil = objective.pupil(depth=0.0, z=z, wavelength=520e-9)
+        return 1e3 * lm.psf(pupil, **camera, center=(row, 4.0), tol=1e-9).values + 5.0
+
+    slopes = [
+        (image(**{name: at + step}) - image(**{name: at - step})) / (2.0 * step)
+        for (name, step), at in zip(steps.items(), (0.4e-6, 4.0), strict=True)
+    ]
+    information = np.array([[(a * b / image()).sum() for a in slopes] for b in slopes])
+    pupil = objective.pupil(depth=0.0, z=0.4e-6, wavelength=520e-9)
+    found = lm.fisher(pupil, **camera, of=tuple(steps), photons=1e3, background=5)
+    assert list(found.deviation.values()) == pytest.approx(np.sqrt(np.diag(np.linalg.inv(information))), rel=1e-3)
+    assert repr(found).splitlines()[1].endswith("nm")

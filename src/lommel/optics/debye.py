@@ -384,7 +384,7 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, slope: bo
 
 @lru_cache(maxsize=64)
 def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array]:
-    """Return the light of each part that reaches any depth, and at n angles beyond: how fast it fades, and how much."""
+    """Return the light of each part that reaches any depth and, at n angles, how fast other light fades, and it."""
     steady, fading, faint = np.zeros(len(model.orders)), np.zeros(0), np.zeros((0, len(model.orders)))
     for piece in pieces(layers, model):
         x, w = gauss_legendre(n, piece.low, piece.high)

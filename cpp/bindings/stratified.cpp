@@ -74,12 +74,12 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
     }
     const double* at = centers.data();
     const lommel::PixelWindow first = window_of(images.shape(1), images.shape(2), at[0], at[1], step, integrate);
-    // One axis off the middle is one of each plane: the same table serves windows around any.
+    // One axis off the middle is one of each plane: the same table serves windows around any; derivatives are of such.
     std::vector<double> own;
     lommel::PixelWindows windows(first);
     if (centers.shape(0) == n && n > 1) {
         windows = {first, at, n};
-    } else if (!first.centered() || integrate || !asked.derivatives.empty()) {
+    } else if (!first.centered() || (!integrate && !asked.derivatives.empty())) {
         for (std::size_t p = 0; p < n; ++p) {
             own.insert(own.end(), at, at + 2);
         }

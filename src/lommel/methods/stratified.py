@@ -25,10 +25,8 @@ from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.stratified import Layers
 
-_FIELD, _BETWEEN = (
-    1.0 / 32.0,
-    1.0 / 8.0,
-)  # of the tolerance: what fields, over the root of the peak, and interpolation take
+# Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.
+_FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0
 _LEAST = 2.0**-52
 
 T = TypeVar("T")

@@ -188,9 +188,8 @@ class Piece:
         # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
         rho = np.sqrt(self.square(covered.x).largest) / self.layers.NA
         factors = covered.rates[1].largest, covered.rates[2].largest, rho
-        half, eta = 0.5 * (self.high - self.low), _ETA[list(rows)]
-        constant = math.log(64.0 / 15.0 * half) - np.log(-np.expm1(-2.0 * eta)) - 2.0 * n * eta + growth[list(rows)]
-        by_depth, by_focus, by_v = (float(np.exp((constant + np.log(each.max(axis=-1))).min())) for each in factors)
+        proven = (self._constant() - 2.0 * n * _ETA + growth)[list(rows)]
+        by_depth, by_focus, by_v = (float(np.exp((proven + np.log(each.max(axis=-1))).min())) for each in factors)
         return by_depth, by_focus, by_v
 
     def _serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
@@ -202,11 +201,12 @@ class Piece:
             growth = self.growth(model, depth, focus, v)
         return growth
 
+    def _constant(self) -> Array:
+        return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * _ETA)))
+
     def _needed(self, growth: Array, error: float) -> Array:
-        half = 0.5 * (self.high - self.low)
         with np.errstate(over="ignore"):
-            constant = math.log(64.0 / 15.0 * half) - np.log(-np.expm1(-2.0 * _ETA)) - math.log(error)
-        return np.asarray((growth + constant) / (2.0 * _ETA))
+            return np.asarray((growth + self._constant() - math.log(error)) / (2.0 * _ETA))
 
     def nodes(self, growth: Array, error: float) -> int:
         """Return the fewest nodes whose rule is proven to err by at most `error`."""
@@ -339,10 +339,10 @@ def slope_errors(
     found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
 ) -> tuple[float, float, float]:
     """Return what a :func:`rule` for these arguments errs by in derivatives by depth, focus and v."""
-    cut = pieces(layers, model)
+    share = tol / len(found.counts)
     each = [
-        piece.slope_errors(model, depth, focus, v, tol / len(cut), n)
-        for piece, n in zip(cut, found.counts, strict=True)
+        piece.slope_errors(model, depth, focus, v, share, n)
+        for piece, n in zip(pieces(layers, model), found.counts, strict=True)
     ]
     largest = *(float(np.abs(rate).max()) for rate in found.rates[1:]), 1.0
     sums = [sum(part) + found.rounding * size for part, size in zip(zip(*each, strict=True), largest, strict=True)]

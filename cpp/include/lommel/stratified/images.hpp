@@ -106,9 +106,9 @@ class LayeredImages {
             for (std::size_t p = 0; p < here; ++p) {
                 const Judged judged(planes_, first + p, sizes[p]);
                 // Radii are off by a few roundings of the farthest, where I changes by twice its swing at most.
-                const double off = between->magnification() * judged.given + between->error * judged.swing +
-                                   unit_roundoff * (between->rounding() * judged.most +
-                                                    12.0 * layout->reach() * window_.step * judged.swing);
+                const double off =
+                    between->magnification() * judged.given + between->error * judged.swing +
+                    unit_roundoff * (between->rounding() * judged.most + 12.0 * layout->reach() * window_.step * judged.swing);
                 paint(first + p, *layout, turned, made.data() + p * profiles.harmonics() * stride, stride, off);
             }
         });
@@ -120,7 +120,8 @@ class LayeredImages {
         const Profiles profiles(planes_, table, 1.0);
         profiles.run(threads_, [&](std::size_t first, std::size_t here, const double* values, const PartSizes* sizes) {
             thread_local WindowValues made;
-            for (std::size_t p = 0; p < here; ++p, values += profiles.outputs() * profiles.stride(), sizes += profiles.kinds()) {
+            for (std::size_t p = 0; p < here;
+                 ++p, values += profiles.outputs() * profiles.stride(), sizes += profiles.kinds()) {
                 const Judged judged(planes_, first + p, *sizes);
                 double size = 0.0, top = 0.0;
                 dispatch([&](auto) LOMMEL_INLINE_LAMBDA { size = largest(values, table->count); });
@@ -178,8 +179,8 @@ class LayeredImages {
         const double wrong = window(table, plane, divided.data(), by_v, by_v.most, made) + 8.0 * unit_roundoff * by_v.most;
         const PixelWindow here = windows_[plane];
         const double pitch = here.step * here.step;
-        double *const down = slopes_.images + (d * planes_.count + plane) * pixels(),
-                      *const across = down + planes_.count * pixels();
+        double *const down = slopes_.images + (d * planes_.count + plane) * pixels(), *const across =
+                                                                                          down + planes_.count * pixels();
         for (std::size_t y = 0, i = 0; y < here.height; ++y) {
             for (std::size_t x = 0; x < here.width; ++x, ++i) {
                 down[i] = pitch * made.values[i] * (here.center_y - static_cast<double>(y));

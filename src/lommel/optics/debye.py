@@ -62,13 +62,14 @@ class Model:
 
 
 class Covered(NamedTuple):
-    """Ellipses around a piece, each with discs along it of the variable and of the rates of the phase.
+    """Ellipses around a piece, each with discs along it: of the variable, the rates of the phase, the amplitudes.
 
     `height` bounds ``abs(Im rho)``, and `fit` says of each whether it is proven to hold no singularity.
     """
 
     x: Disc
     rates: tuple[Disc, Disc, Disc]
+    amplitudes: Amplitudes
     height: Array
     fit: NDArray[np.bool_]
 
@@ -138,9 +139,8 @@ class Piece:
 
     def _cover(self, eta: Array, arcs: int) -> Covered:
         x = self._ellipses(eta, arcs)
-        rates = self.rates(x)
-        denominators = self.amplitudes(x).denominators
-        fit = np.all([windings(each) == 0 for each in denominators], axis=0)
+        rates, amplitudes = self.rates(x), self.amplitudes(x)
+        fit = np.all([windings(each) == 0 for each in amplitudes.denominators], axis=0)
         for index in (self.layers.immersion, self.layers.glass):
             c = self.cosine(x, index)
             fit &= np.isfinite(c.radius).all(axis=-1) & (c.centre.real > c.radius).all(axis=-1)
@@ -148,7 +148,7 @@ class Piece:
         root = np.sqrt(square.centre)
         size = np.maximum(np.abs(root), 1e-300)
         height = np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), np.abs(root.imag) + square.radius / size)
-        return Covered(x, rates, height, fit)
+        return Covered(x, rates, amplitudes, height, fit)
 
     def growth(
         self, model: Model, depth: Array, focus: Array, v: float, rows: tuple[int, ...] | None = None
@@ -230,17 +230,17 @@ def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None, arcs: in
         covered = piece.covered
     else:
         covered = piece._cover(_ETA if rows is None else _ETA[list(rows)], arcs)
-    return covered, _largest(piece, model, covered.x)
+    return covered, _largest(piece, model, covered)
 
 
-def _largest(piece: Piece, model: Model, x: Disc) -> Array:
+def _largest(piece: Piece, model: Model, covered: Covered) -> Array:
+    x, (t_s, t_p, _) = covered.x, covered.amplitudes
     with np.errstate(all="ignore"):
         light = np.log(piece.jacobian(x).largest)
         if model.aplanatic:
             light -= 0.5 * np.log(piece.cosine(x, piece.layers.immersion).least)
         if model.kind == "scalar":
             return np.asarray(light + math.log(2.0))
-        t_s, t_p, _ = piece.amplitudes(x)
         c_s = piece.cosine(x, piece.layers.sample)
         sine = np.sqrt(piece.square(x).largest) / piece.layers.sample
         return np.asarray(light + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))

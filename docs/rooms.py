@@ -43,6 +43,7 @@ CORE_ORDER = [
     {"radial"},
     {"zernike"},
     {"chordal"},
+    {"stratified"},
     {"paper", "imaging", "measures"},
 ]
 # Files that stand in no folder of their room's name.

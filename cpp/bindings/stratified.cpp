@@ -67,19 +67,19 @@ bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rate
         const std::size_t made = count + (axis ? 1 : 0);
         require(!axis || !integrate, "averages have no derivatives by the axis here");
         require(slopes.is_valid() && slope_errors.is_valid() && slopes.shape(0) == made && slopes.shape(1) == n &&
-                    slopes.shape(2) == images.shape(1) && slopes.shape(3) == images.shape(2) &&
-                    slope_errors.shape(0) == made && slope_errors.shape(1) == n,
+                    slopes.shape(2) == images.shape(1) && slopes.shape(3) == images.shape(2) && slope_errors.shape(0) == made &&
+                    slope_errors.shape(1) == n,
                 "derivatives must match the images");
         derivatives = {slopes.data(), slope_errors.data()};
     }
     const double* at = centers.data();
     const lommel::PixelWindow first = window_of(images.shape(1), images.shape(2), at[0], at[1], step, integrate);
-    // One axis off the middle is one of each plane: the same table serves windows around any.
+    // One axis off the middle is one of each plane: the same table serves windows around any; derivatives are of such.
     std::vector<double> own;
     lommel::PixelWindows windows(first);
     if (centers.shape(0) == n && n > 1) {
         windows = {first, at, n};
-    } else if (!first.centered() || integrate || !asked.derivatives.empty()) {
+    } else if (!first.centered() || (!integrate && !asked.derivatives.empty())) {
         for (std::size_t p = 0; p < n; ++p) {
             own.insert(own.end(), at, at + 2);
         }
@@ -126,13 +126,14 @@ std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(In<double, 1> rho, In
 
 void bindings::define_stratified(nb::module_& m) {
     for_both([&](auto pixel) {
-        m.def("layered_images", &layered_images<decltype(pixel)>, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a,
-              "forms"_a, "turns"_a, "centers"_a, "step"_a, "integrate"_a, "allowed"_a, "threads"_a, "images"_a.noconvert(),
-              "numbers"_a.noconvert(), "by"_a.none() = nb::none(), "slopes"_a.noconvert().none() = nb::none(),
-              "slope_errors"_a.noconvert().none() = nb::none(),
-              "Images of planes through layers, and of each in `numbers` what it is multiplied by (0 on entry: over its largest "
-              "value), the bound on its error over the peak, and that peak; False, with nothing written, for windows that this "
-              "has no way for.");
+        m.def(
+            "layered_images", &layered_images<decltype(pixel)>, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a, "forms"_a,
+            "turns"_a, "centers"_a, "step"_a, "integrate"_a, "allowed"_a, "threads"_a, "images"_a.noconvert(),
+            "numbers"_a.noconvert(), "by"_a.none() = nb::none(), "slopes"_a.noconvert().none() = nb::none(),
+            "slope_errors"_a.noconvert().none() = nb::none(),
+            "Images of planes through layers, and of each in `numbers` what it is multiplied by (0 on entry: over its largest "
+            "value), the bound on its error over the peak, and that peak; False, with nothing written, for windows that this "
+            "has no way for.");
     });
     m.def("layered_profiles", &layered_profiles, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a, "forms"_a, "turns"_a,
           "v"_a, "threads"_a, "The orders of the azimuth of the intensity at rising v, and what their sum is off by.");

@@ -13,8 +13,7 @@ from scipy.special import j0
 
 import lommel as lm
 from lommel import _core
-from lommel.methods.annulus import annulus
-from lommel.methods.method import normalized_error, relative_error
+from lommel.methods.method import annulus, normalized_error, relative_error
 from lommel.special.legendre import gauss_legendre
 from rendering import rendered
 

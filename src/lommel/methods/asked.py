@@ -16,6 +16,7 @@ from lommel.methods.method import Method, Shortcut, widened
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.pupil import checked
 
 if TYPE_CHECKING:
     from lommel.methods.derivatives import Name
@@ -66,9 +67,16 @@ class Asked(NamedTuple):
         """
         self.ways[0].require(pupil)
         question = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
+        if names and isinstance(pupil, ObjectivePupil):
+            from lommel.methods.layered_slopes import layered_slopes
+
+            return layered_slopes(self.ways[0], pupil, self.grid, names, question)
         if names:
-            way = self.ways[0]
-            return way.differentiated(pupil, self.grid, names, question, named=self.named, energy=self.energy)
+            from lommel.methods.slopes import differentiated
+
+            method = self.ways[0] if self.named else None
+            of, tol = checked(pupil), self.ways[0].tol
+            return differentiated(method, of, self.grid, names, question, tol, energy=self.energy)
 
         def ask(way: Method) -> Images:
             made = way.images(pupil, self.grid, question)

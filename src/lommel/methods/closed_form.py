@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.core.answers import FieldValues
-from lommel.methods.annulus import annulus
-from lommel.methods.method import FieldMethod, powers_cancel
+from lommel.methods.method import FieldMethod, annulus, powers_cancel
 from lommel.methods.nijboer_zernike import NijboerZernike
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,16 +12,12 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted, not_met
 from lommel.methods.averaging import averaged_images
-from lommel.methods.method import Method, RadialMethod, painted
+from lommel.methods.method import RadialMethod, painted
 from lommel.methods.subpixel import subpixel_intensity
 from lommel.optics import debye
 from lommel.optics.emitter import Harmonic
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
-
-if TYPE_CHECKING:
-    from lommel.methods.derivatives import Name
-    from lommel.methods.slopes import Slope
 
 _LEAST = 1e-15
 _BRIGHT_RING = 1.8412  # the maximum of J1
@@ -98,12 +93,6 @@ class DebyeWolf(RadialMethod):
         if pupil.radial or not grid.integrate or wanted.terms or wanted.powers:
             return super().images(pupil, grid, wanted)
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
-
-    def differentiated(
-        self, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, named: bool, energy: bool
-    ) -> tuple[Method, Images, list[Slope]]:
-        """Raise ValueError: the engine has derivatives, the reference none."""
-        raise ValueError(f"derivatives are not available from {type(self).__name__}; use Stratified")
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         made = self._sampled(pupil, grid, max(tol, _LEAST))

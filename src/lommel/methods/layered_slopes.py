@@ -16,28 +16,28 @@ from lommel.base.arrays import Array
 from lommel.core import engine
 from lommel.core.answers import Images, Wanted
 from lommel.methods.growth import TILTS, tilted
-from lommel.methods.method import storing
+from lommel.methods.method import Method, storing
 from lommel.methods.slopes import Slope
+from lommel.methods.stratified import Stratified, differentiated
 from lommel.optics import debye
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 
 if TYPE_CHECKING:
     from lommel.methods.derivatives import Name
-    from lommel.methods.stratified import Stratified
 
 _BY = {"depth": engine.BY_DEPTH, "z": engine.BY_FOCUS}
 _AXIS = ("row", "column")
 
 
 def layered_slopes(
-    method: Stratified, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted
-) -> tuple[Images, list[Slope]]:
-    """Return images and their derivatives by checked names.
+    method: Method, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted
+) -> tuple[Method, Images, list[Slope]]:
+    """Return the method, images and their derivatives by checked names.
 
     Parameters
     ----------
-    method : Stratified
+    method : Method
     pupil, grid
     names : sequence
     wanted : Wanted
@@ -45,6 +45,7 @@ def layered_slopes(
 
     Returns
     -------
+    method : Method
     images : Images
     slopes : list of Slope
         One for each name.
@@ -52,10 +53,14 @@ def layered_slopes(
     Raises
     ------
     ValueError
-        If there are no such derivatives.
+        If the method is another than Stratified, or there are no such derivatives.
     ToleranceError
         If the tolerance cannot be met.
     """
+    if not isinstance(method, Stratified):
+        raise ValueError(
+            f"derivatives are not available from {type(method).__name__} of an Objective; use Stratified"
+        )
     if unknown := [name for name in names if name not in (*_BY, *_AXIS)]:
         raise ValueError(
             f"derivatives of the pupils of an Objective are by 'z', 'depth', 'row' and 'column', got {unknown[0]!r}"
@@ -63,23 +68,24 @@ def layered_slopes(
     by = [_BY[name] for name in dict.fromkeys(names) if isinstance(name, str) and name in _BY]
     axis = any(name in _AXIS for name in names)
     sampled = axis and not grid.integrate and pupil.radial
-    made, found = method.differentiated_core(pupil, grid, [*by, *([engine.BY_AXIS] if sampled else [])], wanted)
+    engines = [*by, *([engine.BY_AXIS] if sampled else [])]
+    found = differentiated(pupil, grid, engines, method.tol, wanted) if engines else None
+    if found is None and by:
+        raise ValueError(
+            "derivatives by 'z' and 'depth' are of light that is radially symmetric, in windows up to "
+            f"{110.0 / grid.step(pupil):.0f} pixels from each axis, or averages in any around their middle pixel"
+        )
+    made = method.images(pupil, grid, wanted) if found is None else found[0]
     each: dict[Name, tuple[Array, Array]] = {}
-    if found is None:
-        if by:
-            raise ValueError(
-                "derivatives by 'z' and 'depth' are of light that is radially symmetric, in windows up to "
-                f"{110.0 / grid.step(pupil):.0f} pixels from each axis"
-            )
-    else:
+    if found is not None:
         kinds = [name for name in dict.fromkeys(names) if name in _BY] + list(_AXIS if sampled else ())
-        each = {name: (found[0][k], found[1][k]) for k, name in enumerate(kinds)}
+        each = {name: (found[1][k], found[2][k]) for k, name in enumerate(kinds)}
     if axis and "row" not in each:
         step = grid.step(pupil)
         for name, term in zip(("column", "row"), tilted(method, pupil, grid, wanted.threads), strict=True):
             assert len(TILTS) == 2  # in this sequence
             each[name] = step * term[0], step * term[1]
-    return made, [_stored(name, *each[name], pupil, made, wanted) for name in names]
+    return method, made, [_stored(name, *each[name], pupil, made, wanted) for name in names]
 
 
 def _stored(name: Name, values: Array, wrong: Array, pupil: ObjectivePupil, made: Images, wanted: Wanted) -> Slope:

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.core.answers import FieldValues
-from lommel.methods.annulus import annulus
-from lommel.methods.method import FieldMethod
+from lommel.methods.method import FieldMethod, annulus
 from lommel.optics.pupil import Pupil
 from lommel.special.bessel import bessel_sequence
 

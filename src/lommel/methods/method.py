@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import fields, replace
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeAlias
 
@@ -18,8 +18,6 @@ from lommel.optics.wavefront import MAX_HIGHER
 from lommel.special.bessel import _radii
 
 if TYPE_CHECKING:
-    from lommel.methods.derivatives import Name
-    from lommel.methods.slopes import Slope
     from lommel.optics.spectrum import Component
 
 AnyPupil: TypeAlias = Any
@@ -178,19 +176,6 @@ class Method(ABC):
             way = finer
             made = way.intensity(pupil, grid, wanted.threads)
         return painted(made, grid, wanted)
-
-    def differentiated(
-        self, pupil: AnyPupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, named: bool, energy: bool
-    ) -> tuple[Method, Images, list[Slope]]:
-        """Return what made images, these, and their derivatives by checked names.
-
-        Where not this method was `named`, any will do that has such derivatives; `energy`: values are fractions of
-        all light. ValueError, TypeError or ToleranceError where there are none.
-        """
-        from lommel.methods.slopes import differentiated  # which imports methods
-        from lommel.optics.pupil import checked
-
-        return differentiated(self if named else None, checked(pupil), grid, names, wanted, self.tol, energy=energy)
 
     def plan(self, pupil: AnyPupil, grid: Grid, wanted: Wanted) -> Shortcut | None:
         """Return a shorter way to the images of further pupils, where there is one; here, there is none.
@@ -400,3 +385,24 @@ def powers_cancel(pupil: AnyPupil) -> str | None:
         f"takes powers of rho up to {2 * (2 + MAX_HIGHER)}, and those of radially symmetric terms of higher degree "
         "cancel: use NijboerZernike"
     )
+
+
+def annulus(
+    disk: Callable[[NDArray[np.float64], NDArray[np.float64]], FieldValues],
+    pupil: AnyPupil,
+    v: NDArray[np.float64],
+) -> FieldValues:
+    """Build the field of an obscured aperture from that of full ones.
+
+    ``U(v) = U_disk(v) - eps^2 U_inner(eps v)``, where the inner disk carries the phase of rho < eps, that is
+    coefficients ``c_k eps^(2k)``. `disk` maps coefficients and v to a field.
+    """
+    coefficients = pupil.coefficients()
+    outer = disk(coefficients, v)
+    if pupil.obscuration == 0.0:
+        return outer
+    area = pupil.obscuration**2
+    powers = area ** np.arange(1, 1 + coefficients.shape[1])
+    inner = disk(coefficients * powers, pupil.obscuration * v)
+    error = None if outer.error is None or inner.error is None else outer.error + area * inner.error
+    return FieldValues(outer.values - area * inner.values, error)

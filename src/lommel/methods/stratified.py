@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -18,7 +18,6 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import Layered, Window, layered_images, layered_profiles
 from lommel.methods.debye_wolf import DebyeWolf
-from lommel.methods.method import Method
 from lommel.optics import debye
 from lommel.optics.debye import Complex, Model, Rule
 from lommel.optics.emitter import Light
@@ -26,14 +25,8 @@ from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.stratified import Layers
 
-if TYPE_CHECKING:
-    from lommel.methods.derivatives import Name
-    from lommel.methods.slopes import Slope
-
-_FIELD, _BETWEEN = (
-    1.0 / 32.0,
-    1.0 / 8.0,
-)  # of the tolerance: what fields, over the root of the peak, and interpolation take
+# Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.
+_FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0
 _LEAST = 2.0**-52
 
 T = TypeVar("T")
@@ -89,21 +82,6 @@ class Stratified(DebyeWolf):
         made = _made(pupil, grid, self.tol, wanted)
         return super().images(pupil, grid, wanted) if made is None else made
 
-    def differentiated(
-        self, pupil: ObjectivePupil, grid: Grid, names: Sequence[Name], wanted: Wanted, *, named: bool, energy: bool
-    ) -> tuple[Method, Images, list[Slope]]:
-        """Return itself, images, and derivatives by "z", "depth", "row", "column"; see :class:`Method`."""
-        from lommel.methods.layered_slopes import layered_slopes
-
-        return self, *layered_slopes(self, pupil, grid, names, wanted)
-
-    def differentiated_core(
-        self, pupil: ObjectivePupil, grid: Grid, by: Sequence[int], wanted: Wanted
-    ) -> tuple[Images, tuple[Array, Array] | None]:
-        """Return images, and derivatives by what the engine knows with absolute bounds, or None where it has none."""
-        made = _differentiated(pupil, grid, by, self.tol, wanted) if by else None
-        return (self.images(pupil, grid, wanted), None) if made is None else (made[0], made[1:])
-
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         made = _made(pupil, grid, tol, wanted)
         return super()._samples(pupil, grid, tol, wanted) if made is None else made
@@ -140,14 +118,18 @@ def _likely_peak(pupil: ObjectivePupil) -> float:
 
 def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:
     """Return images by the engine, or None where it has none, or none that is exact enough."""
-    made = _differentiated(pupil, grid, (), tol, wanted)
+    made = differentiated(pupil, grid, (), tol, wanted)
     return None if made is None else made[0]
 
 
-def _differentiated(
+def differentiated(
     pupil: ObjectivePupil, grid: Grid, by: Sequence[int], tol: float, wanted: Wanted
 ) -> tuple[Images, Array, Array] | None:
-    """Return images, derivatives by what the core knows, and bounds on these, as :func:`_made`."""
+    """Return images exact to `tol`, derivatives of I by what the core knows, and absolute bounds on their errors.
+
+    None where the engine has no such windows, or none that is exact enough; see
+    :func:`lommel.core.engine.layered_images`.
+    """
     step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
     window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
 

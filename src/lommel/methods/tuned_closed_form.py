@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.core import engine
 from lommel.core.answers import FieldValues, Intensities, ToleranceError
-from lommel.methods.annulus import annulus
-from lommel.methods.method import FieldMethod, powers_cancel, relative_error
+from lommel.methods.method import FieldMethod, annulus, powers_cancel, relative_error
 from lommel.optics.pupil import Pupil
 from lommel.special.piecewise import fit_quadratics
 

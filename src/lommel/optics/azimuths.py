@@ -102,7 +102,7 @@ def components(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.com
 @lru_cache(maxsize=16)
 def growth(piece: Piece, terms: Sizes) -> Array:
     """Return the logarithm of a bound on ``abs(exp(i W))`` at any azimuth, on each disc around a piece."""
-    x, _, height, _ = piece.covered
+    x, height = piece.covered.x, piece.covered.height
     square = piece.square(x) * piece.layers.NA**-2
     root = np.sqrt(square.largest)
     total = np.zeros(height.shape)

@@ -69,13 +69,14 @@ class Model:
 
 
 class Covered(NamedTuple):
-    """Ellipses around a piece, each with discs along it of the variable and of the rates of the phase.
+    """Ellipses around a piece, each with discs along it: of the variable, the rates of the phase, the amplitudes.
 
     `height` bounds ``abs(Im rho)``, and `fit` says of each whether it is proven to hold no singularity.
     """
 
     x: Disc
     rates: tuple[Disc, Disc, Disc]
+    amplitudes: Amplitudes
     height: Array
     fit: NDArray[np.bool_]
 
@@ -153,15 +154,14 @@ class Piece:
 
     def _cover(self, eta: Array, arcs: int) -> Covered:
         x = self._ellipses(eta, arcs)
-        rates = self.rates(x)
-        denominators = self.amplitudes(x).denominators
-        fit = np.all([windings(each) == 0 for each in denominators], axis=0)
+        rates, amplitudes = self.rates(x), self.amplitudes(x)
+        fit = np.all([windings(each) == 0 for each in amplitudes.denominators], axis=0)
         for index in self._rooted:
             c = self.cosine(x, index)
             fit &= np.isfinite(c.radius).all(axis=-1) & (c.centre.real > c.radius).all(axis=-1)
         if self.odd:
             fit &= windings(self.square(x)) == 0
-        return Covered(x, rates, self._height(x), fit)
+        return Covered(x, rates, amplitudes, self._height(x), fit)
 
     @property
     def _rooted(self) -> tuple[float, ...]:
@@ -228,9 +228,8 @@ class Piece:
         # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
         rho = np.sqrt(self.square(covered.x).largest) / self.layers.NA
         factors = covered.rates[1].largest, covered.rates[2].largest, rho
-        half, eta = 0.5 * (self.high - self.low), _ETA[list(rows)]
-        constant = math.log(64.0 / 15.0 * half) - np.log(-np.expm1(-2.0 * eta)) - 2.0 * n * eta + growth[list(rows)]
-        by_depth, by_focus, by_v = (float(np.exp((constant + np.log(each.max(axis=-1))).min())) for each in factors)
+        proven = (self._constant() - 2.0 * n * _ETA + growth)[list(rows)]
+        by_depth, by_focus, by_v = (float(np.exp((proven + np.log(each.max(axis=-1))).min())) for each in factors)
         return by_depth, by_focus, by_v
 
     def _serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
@@ -242,11 +241,12 @@ class Piece:
             growth = self.growth(model, depth, focus, v)
         return growth
 
+    def _constant(self) -> Array:
+        return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * _ETA)))
+
     def _needed(self, growth: Array, error: float) -> Array:
-        half = 0.5 * (self.high - self.low)
         with np.errstate(over="ignore"):
-            constant = math.log(64.0 / 15.0 * half) - np.log(-np.expm1(-2.0 * _ETA)) - math.log(error)
-        return np.asarray((growth + constant) / (2.0 * _ETA))
+            return np.asarray((growth + self._constant() - math.log(error)) / (2.0 * _ETA))
 
     def nodes(self, growth: Array, error: float) -> int:
         """Return the fewest nodes whose rule is proven to err by at most `error`."""
@@ -294,17 +294,17 @@ def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None, arcs: in
         covered = piece.covered
     else:
         covered = piece._cover(_ETA if rows is None else _ETA[list(rows)], arcs)
-    return covered, _largest(piece, model, covered.x)
+    return covered, _largest(piece, model, covered)
 
 
-def _largest(piece: Piece, model: Model, x: Disc) -> Array:
+def _largest(piece: Piece, model: Model, covered: Covered) -> Array:
+    x, (t_s, t_p, _) = covered.x, covered.amplitudes
     with np.errstate(all="ignore"):
         light = np.log(piece.jacobian(x).largest)
         if model.aplanatic:
             light -= 0.5 * np.log(piece.cosine(x, piece.layers.immersion).least)
         if model.kind == "scalar":
             return np.asarray(light + math.log(2.0))
-        t_s, t_p, _ = piece.amplitudes(x)
         c_s = piece.cosine(x, piece.layers.sample)
         sine = np.sqrt(piece.square(x).largest) / piece.layers.sample
         if model.kind == "azimuthal":
@@ -427,10 +427,10 @@ def slope_errors(
     found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
 ) -> tuple[float, float, float]:
     """Return what a :func:`rule` for these arguments errs by in derivatives by depth, focus and v."""
-    cut = pieces(layers, model)
+    share = tol / len(found.counts)
     each = [
-        piece.slope_errors(model, depth, focus, v, tol / len(cut), n)
-        for piece, n in zip(cut, found.counts, strict=True)
+        piece.slope_errors(model, depth, focus, v, share, n)
+        for piece, n in zip(pieces(layers, model), found.counts, strict=True)
     ]
     largest = *(float(np.abs(rate).max()) for rate in found.rates[1:]), 1.0
     sums = [sum(part) + found.rounding * size for part, size in zip(zip(*each, strict=True), largest, strict=True)]
@@ -472,7 +472,7 @@ def power(layers: Layers, depth: Array, model: Model | None = None, *, slope: bo
 
 @lru_cache(maxsize=64)
 def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array]:
-    """Return the light of each part that reaches any depth, and at n angles beyond: how fast it fades, and how much."""
+    """Return the light of each part that reaches any depth and, at n angles, how fast other light fades, and it."""
     steady, fading, faint = np.zeros(len(model.orders)), np.zeros(0), np.zeros((0, len(model.orders)))
     for piece in pieces(layers, model):
         x, w = gauss_legendre(n, piece.low, piece.high)

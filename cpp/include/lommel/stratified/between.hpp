@@ -130,7 +130,8 @@ struct Between : Radii {  // Chebyshev points of each piece, in v
     std::vector<double> signs_ = [this] {
         std::vector<double> made(nodes);
         for (std::size_t j = 0; j < nodes; ++j) {
-            const double angle = 3.14159265358979323846 * (static_cast<double>(nodes - 1 - j) + 0.5) / static_cast<double>(nodes);
+            const double angle =
+                3.14159265358979323846 * (static_cast<double>(nodes - 1 - j) + 0.5) / static_cast<double>(nodes);
             made[j] = (j % 2 == 0 ? 1.0 : -1.0) * std::sin(angle);
         }
         return made;

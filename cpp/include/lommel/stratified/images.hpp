@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
 #include "lommel/base/tasks.hpp"
 #include "lommel/bounds/settle.hpp"
 #include "lommel/pixels/layout.hpp"
+#include "lommel/pixels/anywhere.hpp"
 #include "lommel/pixels/render.hpp"
+#include "lommel/pixels/table.hpp"
 #include "lommel/pixels/window.hpp"
 #include "lommel/radial/average_values.hpp"
 #include "lommel/radial/stack.hpp"
@@ -40,13 +43,19 @@ class LayeredImages {
     // Whether this engine has such windows; those of light that depends on the azimuth are centred and sampled.
     // Derivatives are of windows around axes anywhere.
     static bool fits(const Planes& planes, const PixelWindows& windows) {
-        return (centered(windows) && planes.derivatives.empty()) ||
-               (planes.radial() && windows.farthest * windows.first.step <= AnywhereTable::most_reach);
+        if (windows.centers == nullptr) {
+            return windows.first.integrate ? planes.radial() : planes.derivatives.empty();
+        }
+        return planes.radial() && windows.farthest * windows.first.step <= AnywhereTable::most_reach;
     }
 
     void run() const {
-        if (!centered(windows_) || !planes_.derivatives.empty()) {
-            return around();
+        if (windows_.centers != nullptr || window_.integrate) {
+            const int level = static_cast<int>(std::min(15.0, std::max(3.0, std::ceil(-std::log10(allowed_)))));
+            if (windows_.centers == nullptr) {
+                return around(PixelTable::get(window_, level, threads_));
+            }
+            return around(AnywhereTable::get(window_.step, window_.integrate, windows_.farthest, level));
         }
         const auto layout = Layout::get(window_.height, window_.width);
         const double reach = layout->reach() * window_.step;
@@ -60,10 +69,6 @@ class LayeredImages {
     }
 
    private:
-    static bool centered(const PixelWindows& windows) {
-        return windows.centers == nullptr && windows.first.centered() && !windows.first.integrate;
-    }
-
     std::size_t pixels() const { return window_.height * window_.width; }
 
     void directly(const std::shared_ptr<const Layout>& layout) const {
@@ -101,77 +106,96 @@ class LayeredImages {
             for (std::size_t p = 0; p < here; ++p) {
                 const Judged judged(planes_, first + p, sizes[p]);
                 // Radii are off by a few roundings of the farthest, where I changes by twice its swing at most.
-                const double off = between->magnification() * judged.given + between->error * judged.swing +
-                                   unit_roundoff * (between->rounding() * judged.most +
-                                                    12.0 * layout->reach() * window_.step * judged.swing);
+                const double off =
+                    between->magnification() * judged.given + between->error * judged.swing +
+                    unit_roundoff * (between->rounding() * judged.most + 12.0 * layout->reach() * window_.step * judged.swing);
                 paint(first + p, *layout, turned, made.data() + p * profiles.harmonics() * stride, stride, off);
             }
         });
     }
 
     // Windows whose pixels average, or whose axis is anywhere.
-    void around() const {
-        const int level = static_cast<int>(std::min(15.0, std::max(3.0, std::ceil(-std::log10(allowed_)))));
-        const auto table = AnywhereTable::get(window_.step, window_.integrate, windows_.farthest, level);
+    template <class Table>
+    void around(const std::shared_ptr<const Table>& table) const {
         const Profiles profiles(planes_, table, 1.0);
         profiles.run(threads_, [&](std::size_t first, std::size_t here, const double* values, const PartSizes* sizes) {
             thread_local WindowValues made;
-            for (std::size_t p = 0; p < here; ++p, values += profiles.outputs() * profiles.stride(), sizes += profiles.kinds()) {
+            for (std::size_t p = 0; p < here;
+                 ++p, values += profiles.outputs() * profiles.stride(), sizes += profiles.kinds()) {
                 const Judged judged(planes_, first + p, *sizes);
-                made.make(*table, windows_[first + p], values, 1);
                 double size = 0.0, top = 0.0;
-                dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
-                    size = largest(values, table->count);
-                    top = largest(made.values.data(), made.count);
-                });
-                const double off = window_error(*table, made.penalty, size, judged.given, 2.0 * judged.swing, judged.swing);
+                dispatch([&](auto) LOMMEL_INLINE_LAMBDA { size = largest(values, table->count); });
+                const double off = window(*table, first + p, values, judged, size, made);
+                dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(made.values.data(), made.count); });
                 // Of samples the peak is I at any radius.
                 const double peak = std::max(top - off, window_.integrate ? 0.0 : size - judged.given);
-                finish(first + p, made.values.data(), top, peak, off);
+                const double scale = note(first + p, top, peak, off);
+                spread(*table, made, scale, T{0}, answer_.images + (first + p) * pixels());
                 for (std::size_t d = 0; d < planes_.derivatives.size(); ++d) {
                     const double* profile = values + (d + 1) * profiles.stride();
                     if (planes_.derivatives[d].by == By::radius) {
                         slope(*table, d, first + p, profile, judged, sizes[0], sizes[d + 1], made);
-                    } else {
-                        const Judged of(planes_, first + p, sizes[0], sizes[d + 1], planes_.derivatives[d].error);
-                        made.make(*table, windows_[first + p], profile, 1);
-                        const double wrong =
-                            window_error(*table, made.penalty, of.most, of.given, 2.0 * of.swing, of.swing);
-                        differentiate(first + p, d, made.values.data(), wrong);
+                        continue;
                     }
+                    const Judged of(planes_, first + p, sizes[0], sizes[d + 1], planes_.derivatives[d].error);
+                    differentiate(*table, first + p, d, window(*table, first + p, profile, of, of.most, made), made);
                 }
             }
         });
     }
 
+    // The values of a window from those at radii, of at most `size`; returns the bound on their error.
+    template <class Table>
+    double window(const Table& table, std::size_t plane, const double* profile, const Judged& of, double size,
+                  WindowValues& made) const {
+        made.make(table, windows_[plane], profile, 1);
+        return window_error(table, made.penalty, size, of.given, 2.0 * of.swing, of.swing);
+    }
+
+    template <class Real>
+    void spread(const AnywhereTable&, const WindowValues& made, double scale, Real least, Real* image) const {
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(made.values.data(), scale, made.count, least, image); });
+    }
+    template <class Real>
+    void spread(const PixelTable& table, const WindowValues& made, double scale, Real least, Real* image) const {
+        thread_local std::vector<Real> kept;
+        kept.resize(made.count);
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(made.values.data(), scale, made.count, least, kept.data()); });
+        table.groups.paint(kept.data(), 0, table.groups.rows.distances.size(), image);
+    }
+
     // I' / v, even and of type 2, at most the largest |I''|; from it what moves the axis by a pixel along rows and columns.
-    void slope(const AnywhereTable& table, std::size_t d, std::size_t plane, const double* profile, const Judged& judged,
+    template <class Table>
+    void slope(const Table& table, std::size_t d, std::size_t plane, const double* profile, const Judged& judged,
                const PartSizes& of, const PartSizes& sizes, WindowValues& made) const {
-        thread_local Doubles divided, moved;
+        thread_local Doubles divided;
         divided.resize(table.count + widest_step);
         for (std::size_t i = 0; i < table.count; ++i) {
             divided[i] = profile[i] / table.radii[i];
         }
-        const Judged by_v(planes_, plane, of, sizes, planes_.derivatives[d].error);
-        const PixelWindow window = windows_[plane];
-        made.make(table, window, divided.data(), 1);
-        const double most = 4.0 * judged.swing, given = by_v.given / table.radii[0] + 2.0 * unit_roundoff * most;
-        const double wrong = window_error(table, made.penalty, most, given, 2.0 * most, most) + 8.0 * unit_roundoff * most;
-        const double pitch = window.step * window.step;
-        moved.resize(2 * pixels());
-        for (std::size_t y = 0, i = 0; y < window.height; ++y) {
-            for (std::size_t x = 0; x < window.width; ++x, ++i) {
-                moved[i] = pitch * made.values[i] * (window.center_y - static_cast<double>(y));
-                moved[pixels() + i] = pitch * made.values[i] * (window.center_x - static_cast<double>(x));
+        Judged by_v(planes_, plane, of, sizes, planes_.derivatives[d].error);
+        by_v.most = by_v.swing = 4.0 * judged.swing;
+        by_v.given = by_v.given / table.radii[0] + 2.0 * unit_roundoff * by_v.most;
+        const double wrong = window(table, plane, divided.data(), by_v, by_v.most, made) + 8.0 * unit_roundoff * by_v.most;
+        const PixelWindow here = windows_[plane];
+        const double pitch = here.step * here.step;
+        double *const down = slopes_.images + (d * planes_.count + plane) * pixels(), *const across =
+                                                                                          down + planes_.count * pixels();
+        for (std::size_t y = 0, i = 0; y < here.height; ++y) {
+            for (std::size_t x = 0; x < here.width; ++x, ++i) {
+                down[i] = pitch * made.values[i] * (here.center_y - static_cast<double>(y));
+                across[i] = pitch * made.values[i] * (here.center_x - static_cast<double>(x));
             }
         }
-        differentiate(plane, d, moved.data(), wrong * pitch * windows_.farthest);
-        differentiate(plane, d + 1, moved.data() + pixels(), wrong * pitch * windows_.farthest);
+        slopes_.errors[d * planes_.count + plane] = slopes_.errors[(d + 1) * planes_.count + plane] =
+            wrong * pitch * windows_.farthest;
     }
 
     // As doubles, with absolute errors: callers sum derivatives of them.
-    void differentiate(std::size_t plane, std::size_t d, const double* values, double wrong) const {
-        std::copy_n(values, pixels(), slopes_.images + (d * planes_.count + plane) * pixels());
+    template <class Table>
+    void differentiate(const Table& table, std::size_t plane, std::size_t d, double wrong, const WindowValues& made) const {
+        spread(table, made, 1.0, std::numeric_limits<double>::lowest(),
+               slopes_.images + (d * planes_.count + plane) * pixels());
         slopes_.errors[d * planes_.count + plane] = wrong;
     }
 
@@ -184,27 +208,25 @@ class LayeredImages {
             all.resize(pixels());
             turned.sum(layout, values, stride, all.data());
             dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(all.data(), pixels()); });
-            return finish(plane, all.data(), top, top - off, off);
+            const double scale = note(plane, top, top - off, off);
+            return dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+                store_least(all.data(), scale, pixels(), T{0}, answer_.images + plane * pixels());
+            });
         }
         dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(values, layout.count); });
         profile.resize(layout.count);
         const double scale = note(plane, top, top - off, off);
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_light(values, scale, layout.count, profile.data()); });
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(values, scale, layout.count, T{0}, profile.data()); });
         scatter_rows(profile.data(), layout.index.data(), layout.height, layout.width, 0, layout.height / 2 + 1,
                      answer_.images + plane * pixels());
     }
 
-    void finish(std::size_t plane, const double* values, double top, double peak, double off) const {
-        const double scale = note(plane, top, peak, off);
-        T* const image = answer_.images + plane * pixels();
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_light(values, scale, pixels(), image); });
-    }
-
-    // No intensity is negative, and none less exact for it.
-    static LOMMEL_INLINE void store_light(const double* values, double scale, std::size_t count, T* out) {
+    // No intensity is negative, and none less exact for being `least`.
+    template <class Real>
+    static LOMMEL_INLINE void store_least(const double* values, double scale, std::size_t count, Real least, Real* out) {
         store_scaled(values, scale, count, out);
         for (std::size_t i = 0; i < count; ++i) {
-            out[i] = std::max(out[i], T{0});
+            out[i] = std::max(out[i], least);
         }
     }
 

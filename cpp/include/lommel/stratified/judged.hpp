@@ -21,9 +21,10 @@ struct Judged {
         const Parts F(planes, planes.angles.error, sizes);
         const std::size_t all = planes.harmonics.size();
         // Products, forms and the power, which is known to 1e-13, are a few roundings of the largest value each.
-        given = planes.bilinear(
-                    plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, 0, all) +
-                rounding * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return F.found[j] * F.found[l]; }, 0, all);
+        given =
+            planes.bilinear(
+                plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, 0, all) +
+            rounding * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return F.found[j] * F.found[l]; }, 0, all);
         const auto anywhere = [&](std::size_t j, std::size_t l) { return F.most[j] * F.most[l]; };
         const double steady = planes.bilinear(plane, anywhere, 0, 1), turning = planes.bilinear(plane, anywhere, 1, all);
         most = steady + turning;
@@ -53,8 +54,8 @@ struct Judged {
         std::array<double, most_parts> found{}, most{};
 
         Parts(const Planes& planes, double error, const PartSizes& sizes)
-            : off(error + planes.angles.rounding(BesselPieces::error) *
-                              *std::max_element(sizes.most, sizes.most + most_parts)) {
+            : off(error +
+                  planes.angles.rounding(BesselPieces::error) * *std::max_element(sizes.most, sizes.most + most_parts)) {
             for (std::size_t m = 0; m < most_parts; ++m) {
                 found[m] = std::sqrt(sizes.found[m]);
                 most[m] = sizes.most[m] + off;

@@ -96,7 +96,8 @@ struct Planes {
     }
 
     // Those times i d psi / dx.
-    void turn(By by, std::size_t stride, const double* re, const double* im, double* to_re, double* to_im, double* sizes) const {
+    void turn(By by, std::size_t stride, const double* re, const double* im, double* to_re, double* to_im,
+              double* sizes) const {
         const std::complex<double>* rate = by == By::depth ? angles.by_depth : angles.by_focus;
         for (std::size_t m = 0; m < angles.parts; ++m) {
             double size = 0.0;

@@ -161,9 +161,8 @@ class Profiles {
     LOMMEL_INLINE V formed(const Harmonic& harmonic, const Fields<V>& G, const Fields<V>& F, std::size_t p,
                            std::size_t u) const {
         V sum = splat<V>(0.0);
-        const auto real = [&](std::size_t j, std::size_t l) LOMMEL_INLINE_LAMBDA {
-            return G.re[j][p][u] * F.re[l][p][u] + G.im[j][p][u] * F.im[l][p][u];
-        };
+        const auto real = [&](std::size_t j, std::size_t l)
+                              LOMMEL_INLINE_LAMBDA { return G.re[j][p][u] * F.re[l][p][u] + G.im[j][p][u] * F.im[l][p][u]; };
         const auto imaginary = [&](std::size_t j, std::size_t l) LOMMEL_INLINE_LAMBDA {
             return G.im[j][p][u] * F.re[l][p][u] - G.re[j][p][u] * F.im[l][p][u];
         };

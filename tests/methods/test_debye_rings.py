@@ -93,6 +93,18 @@ def test_a_stack_in_parts_is_the_stack(monkeypatch):
         assert made == pytest.approx(whole, abs=2e-9 * whole.max())
 
 
+@pytest.mark.parametrize("integrate", [True, False])
+def test_each_plane_may_have_its_own_axis(integrate):
+    pupil = OIL.pupil(depth=0.0, z=[[-2e-7], [1e-7]], wavelength=WAVE, aberrations=FIVE)
+    rows, columns = np.array([2.0, 2.5, 1.0]), np.array([1.5, 2.0, 2.25])
+    asked = {"integrate": integrate, "tol": 1e-7, "dtype": np.float64}
+    made = lm.psf(pupil, 5, PIXEL, center=(rows, columns), **asked)
+    assert made.values.shape == (2, 3, 5, 5)
+    for k in np.ndindex(2, 3):
+        alone = lm.psf(pupil[k[0], 0], 5, PIXEL, center=(rows[k[1]], columns[k[1]]), **asked)
+        assert made.values[k] == pytest.approx(alone.values, abs=3e-7 * alone.values.max())
+
+
 def test_tilt_moves_the_image_and_a_turn_turns_it():
     given = {"depth": 1e-6, "z": 0.2e-6, "wavelength": WAVE}
     plain = OIL.pupil(**given)

@@ -57,7 +57,8 @@ class DebyeRings(Method):
     Parameters
     ----------
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance over the peak of each plane, 1e-12 to 1e-1. Below 1e-10 or so rounding keeps it from being met,
+        which :class:`ToleranceError` says.
 
     Raises
     ------
@@ -94,11 +95,7 @@ class DebyeRings(Method):
         if grid.integrate:
             made = self.images(pupil, grid, Wanted(threads=threads))
             return Intensities(made.values, made.error, made.peak)
-        if not grid.stack:
-            return self._sampled(pupil, grid, self.tol)
-        alone = [self._sampled(pupil[k], grid[k], self.tol) for k in np.ndindex(pupil.shape)]
-        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
-        return Intensities(values, error, peak)
+        return self._centres(pupil, grid, self.tol)
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
@@ -112,8 +109,16 @@ class DebyeRings(Method):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = self._sampled(pupil, grid, max(tol, _LEAST))
+        made = self._centres(pupil, grid, max(tol, _LEAST))
         return painted(made, grid, wanted)._replace(peak=made.peak)
+
+    def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
+        """Return I at the centres of pixels, around one axis or one for each plane."""
+        if not grid.stack:
+            return self._sampled(pupil, grid, tol)
+        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
+        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
+        return Intensities(values, error, peak)
 
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels around one axis, exact enough for the peaks that are found."""

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.methods import debye_rings
 from lommel.methods.debye_rings import DebyeRings
 from lommel.optics import azimuths, debye
 from plane_waves import intensity
@@ -46,7 +47,8 @@ def worst(objective, pupil, made, size, center=(None, None)):
 
 @pytest.mark.parametrize("emitter", EMITTERS, ids=repr)
 def test_the_light_is_the_sum_of_its_plane_waves(emitter):
-    pupil = OIL.pupil(depth=0.3e-6, z=[-0.3e-6, 0.2e-6], wavelength=WAVE, emitter=emitter, aberrations=FIVE)
+    given = {"depth": [0.05e-6, 0.3e-6], "z": [-0.3e-6, 0.2e-6], "emitter": emitter}
+    pupil = OIL.pupil(**given, wavelength=WAVE, aberrations=FIVE)
     made = lm.psf(pupil, 7, PIXEL, method=DebyeRings(1e-9), integrate=False)
     assert worst(OIL, pupil, made, 7) <= 2e-9
     assert made.error_bound <= 1e-9
@@ -79,6 +81,28 @@ def test_a_stack_of_wavefronts_is_each_of_them():
     assert flat == pupil
     assert type(pupil).from_dict(pupil.to_dict()) == pupil
     assert "Wavefront" in repr(pupil)
+
+
+def test_a_stack_in_parts_is_the_stack(monkeypatch):
+    wave = lm.Wavefront.zernike({(2, 2): [0.2, -0.4, 0.1], (3, 1): 0.3})
+    pupil = OIL.pupil(depth=[0.0, 1e-7, 1e-6], wavelength=WAVE, aberrations=wave)
+    whole = lm.psf(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
+    for name in ("_VALUES", "_KEPT", "_WEIGHTS"):
+        monkeypatch.setattr(debye_rings, name, 10_000)
+        made = lm.psf(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
+        assert made == pytest.approx(whole, abs=2e-9 * whole.max())
+
+
+@pytest.mark.parametrize("integrate", [True, False])
+def test_each_plane_may_have_its_own_axis(integrate):
+    pupil = OIL.pupil(depth=0.0, z=[[-2e-7], [1e-7]], wavelength=WAVE, aberrations=FIVE)
+    rows, columns = np.array([2.0, 2.5, 1.0]), np.array([1.5, 2.0, 2.25])
+    asked = {"integrate": integrate, "tol": 1e-7, "dtype": np.float64}
+    made = lm.psf(pupil, 5, PIXEL, center=(rows, columns), **asked)
+    assert made.values.shape == (2, 3, 5, 5)
+    for k in np.ndindex(2, 3):
+        alone = lm.psf(pupil[k[0], 0], 5, PIXEL, center=(rows[k[1]], columns[k[1]]), **asked)
+        assert made.values[k] == pytest.approx(alone.values, abs=3e-7 * alone.values.max())
 
 
 def test_tilt_moves_the_image_and_a_turn_turns_it():
@@ -119,15 +143,19 @@ def test_orders_left_out_are_less_than_they_are_proven_to_be(terms):
         assert kept.most < 58
 
 
-def test_the_growth_of_the_wavefront_is_above_every_sample():
-    wave = lm.Wavefront.zernike({(2, 2): 0.3, (2, -2): -0.4, (3, 1): 0.5, (5, -3): 0.3, (8, 0): 0.4, (12, 6): 0.2})
+@pytest.mark.parametrize(
+    "terms", [{(8, 0): 0.4}, {(2, 2): 0.3, (2, -2): -0.4, (3, 1): 0.5, (5, -3): 0.3, (8, 0): 0.4, (12, 6): 0.2}]
+)
+def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
+    wave = lm.Wavefront.zernike(terms)
     terms = azimuths.sizes(wave)
     theta = np.linspace(0.0, 2.0 * np.pi, 201)[:, None]
     for piece in debye.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, debye.Model()):
         bound = azimuths.growth(piece, terms)
-        x = piece.covered[0].centre
-        for row in (3, 12, 20):
-            rho = np.sqrt(piece.square(x[row])) / piece.layers.NA
+        discs = piece.covered[0]
+        for row, turn in ((3, 0.3), (12, -1.0), (20, 2.0), (20, 5.0)):
+            x = discs.centre[row] + 0.999 * discs.radius[row] * np.exp(1j * turn)
+            rho = np.sqrt(piece.square(x)) / piece.layers.NA
             phase = np.zeros((201, rho.size), complex)
             for (n, m), c in wave.edge_terms().items():
                 powers = {

@@ -21,12 +21,12 @@ from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.special import equal_steps
 from lommel.special.bessel import bessel_sequence
 
-_BAND = 1.2  # radians a step, of what is interpolated
-_VALUES = 2**20  # on circles, of one field, at once
+_BAND = 1.4  # radians a step, of what is interpolated
+_VALUES = 2**21  # on circles, of one field, at once
 _KEPT = 2**25  # on circles of all planes that are interpolated at once
 _WEIGHTS = 2**24  # of pixels, at once
-_TAPS_MOST = 60
-_FINER = 4
+_FINER = 4  # times the angles that tell the orders of the intensity, of which it is interpolated
+_FINEST = 2e-13  # of weights
 _LEAST = 1e-15
 _ROUNDING = 2.0**-53
 
@@ -57,7 +57,8 @@ class DebyeRings(Method):
     Parameters
     ----------
     tol : float, default 1e-6
-        Tolerance over the peak of each plane.
+        Tolerance over the peak of each plane, 1e-12 to 1e-1. Below 1e-10 or so rounding keeps it from being met,
+        which :class:`ToleranceError` says.
 
     Raises
     ------
@@ -94,11 +95,7 @@ class DebyeRings(Method):
         if grid.integrate:
             made = self.images(pupil, grid, Wanted(threads=threads))
             return Intensities(made.values, made.error, made.peak)
-        if not grid.stack:
-            return self._sampled(pupil, grid, self.tol)
-        alone = [self._sampled(pupil[k], grid[k], self.tol) for k in np.ndindex(pupil.shape)]
-        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
-        return Intensities(values, error, peak)
+        return self._centres(pupil, grid, self.tol)
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
@@ -112,18 +109,26 @@ class DebyeRings(Method):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = self._sampled(pupil, grid, max(tol, _LEAST))
+        made = self._centres(pupil, grid, max(tol, _LEAST))
         return painted(made, grid, wanted)._replace(peak=made.peak)
+
+    def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
+        """Return I at the centres of pixels, around one axis or one for each plane."""
+        if not grid.stack:
+            return self._sampled(pupil, grid, tol)
+        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
+        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
+        return Intensities(values, error, peak)
 
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels around one axis, exact enough for the peaks that are found."""
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
         step = grid.step(pupil) / grid.pixel
         v, azimuth = np.hypot(x, y).ravel() * step, np.arctan2(y, x).ravel()
-        count = math.ceil(2.0 * float(v.max()) / _BAND) + _TAPS_MOST // 2 + 1
+        count = math.ceil(2.0 * float(v.max()) / _BAND) + equal_steps.TAPS_MOST // 2 + 1
         values = np.empty((pupil.focus.size, v.size))
         relative, least = np.empty(pupil.focus.size), np.empty(pupil.focus.size)
-        fields, first = 1e-3 * tol, 0
+        fields, first = 2e-5 * tol, 0
         while first < pupil.focus.size:
             circles = on_circles(pupil, first, count, fields)
             part = slice(first, first + circles.error.size)
@@ -147,10 +152,9 @@ def _between(circles: Circles, v: Array, azimuth: Array, error: float) -> tuple[
     # The moduli of the orders of a circle, by Cauchy's inequality.
     squares = np.einsum("acp,acp->cp", circles.values, circles.values) / angles
     orders = math.sqrt(2 * circles.most + 1) * np.sqrt(squares.max(axis=0))
-    finest = 1e-13
-    along = equal_steps.steps(_BAND, max(error, finest))
+    along = equal_steps.steps(_BAND, max(error, _FINEST))
     band = 2.0 * math.pi * circles.most / angles
-    around = equal_steps.steps(band, max(error / (3.0 * float(orders.max())), finest))
+    around = equal_steps.steps(band, max(error / (3.0 * float(orders.max())), _FINEST))
     values = np.empty((planes, v.size))
     each = max(1, _WEIGHTS // (along.taps * around.taps))
     flat = circles.values.reshape(angles * count, planes)
@@ -168,14 +172,14 @@ def on_circles(pupil: ObjectivePupil, first: int, count: int, error: float) -> C
 
     Of planes of the flattened stack from the `first` on, as many as are kept at once.
     """
-    from scipy.fft import ifft, irfft, rfft
+    from scipy.fft import ifft, irfft, next_fast_len, rfft
 
     assert pupil.aberrations is not None
     light, terms = pupil.light, azimuths.sizes(pupil.aberrations)
     kept = azimuths.orders(terms, 0.1 * error)
     most = max(1, kept.most + max(map(abs, light.waves.orders)))
-    # The orders of the intensity are twice those of a field: for so many angles no two are alike, for more it is smooth.
-    angles = 2 * next_fast(2 * most + 1)
+    # The orders of the intensity are twice those of a field, and so many angles tell each from all others.
+    angles = 2 * next_fast_len(2 * most + 1)
     part = slice(first, first + max(1, _KEPT // (_FINER * angles * count)))
     depth, focus, power = pupil.depth.ravel()[part], pupil.focus.ravel()[part], pupil.power[part]
     asked = pupil.layers, light.model, depth, focus, 0.5 * _BAND * (count - 1), error
@@ -268,10 +272,3 @@ def _interpolation(
     each = along.taps * around.taps
     places = (weights.ravel(), column.ravel(), np.arange(0, v.size * each + 1, each, dtype=np.int32))
     return csr_array(places, shape=(v.size, angles * count))
-
-
-def next_fast(least: int) -> int:
-    """Return a number from `least` on of which transforms are fast."""
-    from scipy.fft import next_fast_len
-
-    return int(next_fast_len(least))

@@ -82,11 +82,7 @@ class DebyeWolf(RadialMethod):
             return Intensities(made.values, made.error, made.peak)
         if grid.symmetric and pupil.radial:
             return self.profile(pupil, grid.v(pupil))
-        if not grid.stack:
-            return self._sampled(pupil, grid, self.tol)
-        alone = [self._sampled(pupil[k], grid[k], self.tol) for k in np.ndindex(pupil.shape)]
-        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
-        return Intensities(values, error, peak)
+        return self._centres(pupil, grid, self.tol)
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
@@ -95,8 +91,16 @@ class DebyeWolf(RadialMethod):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = self._sampled(pupil, grid, max(tol, _LEAST))
+        made = self._centres(pupil, grid, max(tol, _LEAST))
         return painted(made, grid, wanted)._replace(peak=made.peak)
+
+    def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
+        """Return I at the centres of pixels, around one axis or one for each plane."""
+        if not grid.stack:
+            return self._sampled(pupil, grid, tol)
+        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
+        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
+        return Intensities(values, error, peak)
 
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels around one axis."""

@@ -16,7 +16,7 @@ import numpy as np
 from lommel.base.arrays import Array
 
 _DEGREE = 20
-_TAPS_MOST = 60
+TAPS_MOST = 36
 
 
 class Steps(NamedTuple):
@@ -56,11 +56,11 @@ def steps(band: float, error: float) -> Steps:
     falls below ``e^-48`` there), and one of degree 40 in t. As in :mod:`lommel.methods.averaging` it is at most
     sqrt(2) times as large as at 2 M Chebyshev points of either.
     """
-    for taps in range(4, _TAPS_MOST + 1, 2):
+    for taps in range(4, TAPS_MOST + 1, 2):
         made = _fitted(taps, band)
         if made.error <= error:
             return made
-    raise ValueError(f"no {_TAPS_MOST} neighbours are off by at most {error:.2g}: the band {band:.3g} is too wide")
+    raise ValueError(f"no {TAPS_MOST} neighbours are off by at most {error:.2g}: the band {band:.3g} is too wide")
 
 
 def _fitted(taps: int, band: float) -> Steps:

@@ -120,6 +120,12 @@ def test_a_glass_that_leaves_no_room_is_told_with_how_far_it_reaches():
         psf(coverslip=lm.Layer(1.5255, 5e-3), design=lm.Design(1.518, GLASS))
 
 
+def test_a_film_that_is_a_little_too_thick_was_not_meant_in_another_unit():
+    with pytest.raises(ValueError, match="films") as caught:
+        psf(films=[lm.Layer(1.46, 3e-6)])
+    assert "give" not in str(caught.value)
+
+
 def test_depths_and_planes_that_do_not_go_together_are_told():
     with pytest.raises(ValueError, match=r"depth.* and .*must broadcast, got shapes \(2,\) and \(3,\)"):
         psf(depth=np.array([1e-6, 2e-6]), z=np.zeros(3))

@@ -40,12 +40,12 @@ TABLE = [
     ("depth", 2.0, "must be at least 0 and at most 0.01, got 2; for 2 um give 2e-6, for 2 mm 2e-3"),
     ("depth", "2 um", "depth must hold real numbers, got '2 um'"),
     ("depth", [], "depth must not be empty, got shape (0,)"),
-    ("depth", 180e-6, "focus, where depth and z lead, must be at most 0.00019 metres, where the objective touches"),
+    ("depth", 180e-6, "focus, or where depth and z lead, must be at most 0.00019 metres, where the"),
     ("z", [], "z must not be empty, got shape (0,)"),
     ("z", "0", "z must hold real numbers, got '0'"),
     ("z", math.inf, "z must be finite, got inf"),
-    ("z", 1e-3, "focus, where depth and z lead, must be at most 0.00019 metres, where the objective touches"),
-    ("z", -2.0, "focus, where depth and z lead, is in metres and must be at least -0.01, got -2"),
+    ("z", 1e-3, "focus, or where depth and z lead, must be at most 0.00019 metres, where the"),
+    ("z", -2.0, "focus, or where depth and z lead, is in metres and must be at least -0.01, got -2"),
     ("wavelength", 520, "wavelength is in metres and must be from 1e-12 to 1e-2, got 520; for 520 nm give 520e-9"),
     ("wavelength", 0.52, "must be from 1e-12 to 1e-2, got 0.52; for 0.52 um give 0.52e-6"),
     ("wavelength", "520 nm", "wavelength must be a real number, got '520 nm'"),
@@ -118,6 +118,12 @@ def test_bad_parts_of_a_microscope_are_told_where_they_are_made(make, said):
 def test_a_glass_that_leaves_no_room_is_told_with_how_far_it_reaches():
     with pytest.raises(ValueError, match="working_distance must leave room for the cover glass, got 0"):
         psf(coverslip=lm.Layer(1.5255, 5e-3), design=lm.Design(1.518, GLASS))
+
+
+def test_a_film_that_is_a_little_too_thick_was_not_meant_in_another_unit():
+    with pytest.raises(ValueError, match="films") as caught:
+        psf(films=[lm.Layer(1.46, 3e-6)])
+    assert "give" not in str(caught.value)
 
 
 def test_depths_and_planes_that_do_not_go_together_are_told():

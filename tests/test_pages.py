@@ -158,6 +158,14 @@ def test_the_lens_file_of_the_page_about_the_command_line_is_the_first_example(f
     assert (shown.pixel, shown.window, shown.integrate) == (example.pixel, example.window, True)
 
 
+def test_the_file_of_the_page_about_microscopes_is_the_first_example(folder):
+    ((code, _),) = blocks(ROOT / "docs" / "microscopes.md", "toml")
+    Path("own.toml").write_text(code, encoding="utf-8")
+    shown, example = (lm.load_microscope(path) for path in ("own.toml", "examples/objectives/zeiss-63x-1.4-oil.toml"))
+    assert shown.pupil() == example.pupil()
+    assert (shown.pixel, shown.window) == (example.pixel, example.window)
+
+
 @pytest.mark.parametrize("shell", ["zsh", "fish"])
 def test_shells_are_told_how_to_complete(shell, tmp_path):
     script = Path(sys.executable).with_name("lommel")

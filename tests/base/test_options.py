@@ -8,7 +8,7 @@ from typing import TypedDict, Unpack
 
 import pytest
 
-from lommel.base.options import require_known, sentence, shares
+from lommel.base.options import near, require_known, sentence, shares
 
 
 class Keywords(TypedDict, total=False):
@@ -98,3 +98,15 @@ def test_what_is_no_option_is_named_with_those_that_are():
         sew("coat", color="red")
     with pytest.raises(TypeError, match=r"^Tailor\(\) has no option 'x'; known are length, width, colour$"):
         Tailor(x=1)
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("na", "did you mean NA?"),
+        ("MAGNIFICATION", "did you mean magnification?"),
+        ("zoom", "known are NA, magnification"),
+    ],
+)
+def test_a_name_in_other_letters_is_told_as_it_is_written(name, said):
+    assert near(name, ["NA", "magnification"]) == said

@@ -21,6 +21,7 @@ GOOD = (
     "blur photo.png depth.npy lens.toml --focus 2m --largest 9 -o out.png",
     "blur photo.png depth.npy --focal-length 50mm --f-number 8 --pixel 8um --focus 2m -o out.tif --bits float",
     "focus-pull photo.png depth.npy lens.toml --f-number 8 --from 1.9m --to 2.1m --frames 2 -o f-%02d.png",
+    "psf objective.toml --stack 2 --step 200nm --depth 1um --shape 5 -o a.tif", "info objective.toml --json",
 )  # fmt: skip
 HOSTILE = (
     "", "x", "-", "--", "-1", "0", "1", "nan", "inf", "-inf", "1e308", "1e-320", "1e400", "9" * 30, "1_0", "٣",
@@ -44,6 +45,10 @@ def folder(tmp_path) -> Path:
     (tmp_path / "lens.toml").write_text(lens)
     (tmp_path / "field.toml").write_text(lens + '[field]\nsensor = ["1 mm", "1 mm"]\nW131 = 1\n')
     (tmp_path / "broken.toml").write_text(lens.replace("f_number", "f_stop") + '[field]\nfile = "/dev/zero"\n')
+    light = '[emission]\nwavelength = "520 nm"\nemitter = "scalar"\n[sensor]\npixel = "6.5 um"\nshape = 5\n'
+    glass = '[coverslip]\nindex = 1.52\nthickness = "170 um"\n[sample]\nindex = 1.33\ndepth = "1 um"\n'
+    objective = '[objective]\nNA = 1.2\nmagnification = 60\nimmersion = 1.333\nworking_distance = "0.2 mm"\n'
+    (tmp_path / "objective.toml").write_text(objective + glass + light)
     np.save(tmp_path / "depth.npy", np.full((20, 30), 1.95))
     imaging.write_photo(tmp_path / "photo.png", np.full((20, 30, 3), 0.5))
     os.mkfifo(tmp_path / "fifo")

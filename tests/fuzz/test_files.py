@@ -50,6 +50,38 @@ shape = [9, 11]
 encircled_energy = ["5 um", "1 mrad"]
 """
 
+OBJECTIVE = """name = "a"
+[objective]
+NA = 1.3
+magnification = 60
+working_distance = "0.2 mm"
+immersion = 1.518
+[coverslip]
+index = 1.52
+thickness = "170 um"
+[[films]]
+index = 1.46
+thickness = "20 nm"
+[design]
+immersion = 1.515
+[design.coverslip]
+index = 1.5255
+thickness = "165 um"
+[sample]
+index = 1.33
+depth = "2 um"
+[emission]
+wavelength = "520 nm"
+[emission.dipole]
+polar = "60 deg"
+[stack]
+planes = 5
+step = "200 nm"
+[sensor]
+pixel = "6.5 um"
+shape = [9, 11]
+"""
+
 
 def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     """Each kind of file as the path of a good one, what reads it, and what of the answer must stay the same."""
@@ -69,6 +101,14 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     for suffix in (".tif", ".npy", ".npz", ".png"):
         psf.save(folder / f"psf{suffix}")
         found[f"psf{suffix}"] = (folder / f"psf{suffix}", of_psf, True)
+    (folder / "objective.toml").write_text(OBJECTIVE)
+    found["objective.toml"] = (folder / "objective.toml", lm.load_microscope, False)
+    through = lm.load_microscope(folder / "objective.toml").objective.pupil(
+        depth=2e-6, z=[0.0, 1e-7], wavelength=520e-9, origin="paraxial", emitter="scalar"
+    )
+    for suffix in (".tif", ".npz"):
+        lm.psf(through, 5, 6.5e-6).save(folder / f"stack{suffix}")
+        found[f"stack{suffix}"] = (folder / f"stack{suffix}", of_psf, True)
     for suffix in (".tif", ".npz"):
         grid.save(folder / f"grid{suffix}")
         found[f"grid{suffix}"] = (folder / f"grid{suffix}", of_grid, True)
@@ -128,6 +168,9 @@ KINDS = [
     "psf.npy",
     "psf.npz",
     "psf.png",
+    "stack.tif",
+    "stack.npz",
+    "objective.toml",
     "grid.tif",
     "grid.npz",
     "depth.npy",

@@ -10,6 +10,7 @@ import pytest
 import tifffile
 
 import lommel as lm
+from lommel.io import psf_files, psf_numpy
 
 OBJECTIVE = lm.Objective(
     NA=1.2,
@@ -82,6 +83,20 @@ def test_a_kind_of_pupil_that_is_not_known_is_told(tmp_path):
     (tmp_path / "a.npy").write_bytes(data.replace(b'"kind": "ObjectivePupil"', b'"kind": "Junk"'))
     with pytest.raises(ValueError, match="kind must be one of 'Pupil', 'ObjectivePupil', got 'Junk'"):
         lm.PSF.load(tmp_path / "a.npy")
+
+
+def test_a_file_that_does_not_say_what_kind_its_pupil_is_is_that_of_a_lens(tmp_path):
+    psf = lm.psf(lm.Pupil(lm.Wavefront(2.0)), 5, 0.5)
+    description = psf_files.describe(psf)
+    assert description["pupil"].pop("kind") == "Pupil"
+    (tmp_path / "a.npy").write_bytes(psf_numpy.npy(psf, description))
+    assert lm.PSF.load(tmp_path / "a.npy").pupil == psf.pupil
+
+
+def test_one_plane_has_neither_a_step_nor_a_word_about_steps(tmp_path):
+    root, description = xml(made(0.0), tmp_path)
+    assert "PhysicalSizeZ" not in root.find(".//{*}Pixels").attrib
+    assert "planes" not in description
 
 
 def test_sizes_are_those_in_the_sample_and_of_the_stage(tmp_path):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
@@ -96,6 +98,9 @@ def test_one_row_of_pixels_has_a_height():
         lambda: stack(np.array([0.0, 1e-7, 0.0])),
         lambda: stack(np.array([[0.0, 1e-7]])),
         lambda: stack(0.0, depth=np.array([1e-6, 2e-6])),
+        lambda: dataclasses.replace(
+            stack(), grid=lm.Grid((8, 9), 6e-6, center=(np.arange(7.0), 4.0), integrate=True)
+        ),
     ],
 )
 def test_other_stacks_are_no_z_stacks(psf):

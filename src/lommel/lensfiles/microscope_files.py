@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from os import PathLike
 from typing import Annotated, Any, Literal
@@ -195,7 +196,7 @@ def _microscope(file: _File, *, stem: str) -> Microscope:
         design=design,
     )
     stack = dict(file.stack) if file.stack is not None else {}
-    return Microscope(
+    found = Microscope(
         stem if file.name is None else file.name,
         file.source,
         objective,
@@ -205,3 +206,5 @@ def _microscope(file: _File, *, stem: str) -> Microscope:
         **stack,
         **dict(file.sensor),
     )
+    replace(found, origin="paraxial").pupil()  # whether the working distance reaches there; the brightest is not far
+    return found

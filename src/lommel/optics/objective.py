@@ -185,7 +185,7 @@ class Objective(Stage):
             best = [foci.brightest(layers, float(one)).brightest for one in each]
             start = np.array(best)[place].reshape(d.shape)
         focus = start + offset
-        self._planes(d, focus, ", where depth and z lead,")
+        self._planes(d, focus)
         return ObjectivePupil(layers, self.magnification, d, focus, offset, light, measured)
 
     @property

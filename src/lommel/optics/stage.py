@@ -50,15 +50,16 @@ class Stage:
         films = sum(film.thickness / film.index for film in self.films)
         return np.asarray(self.immersion * (depth / self.sample + films))
 
-    def _planes(self, depth: Any, focus: Any, of: str = "") -> tuple[Array, Array, tuple[int, ...]]:
-        """Return depths and places of the stage as flat arrays, with their shape, checked; messages have `of`."""
+    def _planes(self, depth: Any, focus: Any) -> tuple[Array, Array, tuple[int, ...]]:
+        """Return depths and positions of the stage as flat arrays, with their shape, checked."""
         f = validation.real_array("focus", focus)
         d, f = validation.broadcast("depth and focus", depths(depth), f)
+        name = "focus, or where depth and z lead,"
         if f.size and f.max() > self._clearance:
             raise ValueError(
-                f"focus{of} must be at most {self._clearance:.4g} metres, where the objective touches the cover "
-                f"glass, got {f.max():g}"
+                f"{name} must be at most {self._clearance:.4g} metres, where the objective touches the cover glass, "
+                f"got {f.max():g}"
             )
         if f.size and f.min() < -DEPTH_MOST:
-            raise ValueError(f"focus{of} is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
+            raise ValueError(f"{name} is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
         return d.ravel(), f.ravel(), d.shape

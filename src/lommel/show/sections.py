@@ -55,7 +55,7 @@ def sections(psf: Answer, *, stretch: str = "sqrt") -> NDArray[Any]:
     Parameters
     ----------
     psf : PSF
-        For which :func:`lommel.show.sections.is_z_stack` holds.
+        A stack of a microscope along one axis whose z rises or falls.
     stretch : {"sqrt", "linear", "log"}
 
     Returns

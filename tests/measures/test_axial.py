@@ -68,3 +68,12 @@ def test_what_is_no_stack_over_z_is_refused():
         made(depth=0.0, z=z[:3]).axial_fwhm()
     with pytest.raises(ValueError, match="do not fall to half of the largest on both sides within the stack"):
         made(depth=0.0, z=0.5 * z).axial_fwhm()
+
+
+def test_rings_beside_the_peak_do_not_count():
+    # Deep below the glass there is a second maximum beyond the first, more than half as bright.
+    far = np.arange(-20, 60) * STEP
+    stack = lm.psf(OIL.pupil(depth=100e-6, z=far, wavelength=WAVE), 3, PIXEL, tol=1e-3, integrate=False)
+    line = stack.profile([0.0])[1][:, 0]
+    assert np.count_nonzero(np.diff(line > 0.5 * line.max())) == 4
+    assert stack.axial_fwhm() == pytest.approx(OIL.focus(100e-6, wavelength=WAVE).axial_fwhm, rel=0.01)

@@ -124,3 +124,19 @@ def test_pupils_of_others_are_refused():
         lm.psf(lm.Pupil(lm.Wavefront()), 9, 0.3, method=TwoPhoton())
     with pytest.raises(ValueError, match="radially symmetric pupils only"):
         lm.psf(colours(emitter=lm.Dipole(0.7, 0.0))[1], 9, 6.5e-6, method=Confocal(excitation))
+
+
+def test_products_have_the_frequencies_of_both():
+    excitation, emission = colours()
+    for way, pupil, most in (
+        (Confocal(excitation, 1.0, 1e-9), emission, 2.0 * (1.0 + 525 / 488)),
+        (TwoPhoton(1e-9), excitation, 4.0),
+    ):
+        assert 2.0 * way.stretch(pupil) == pytest.approx(most)
+        # Along a line, with a window that leaves little beside each frequency.
+        v = np.arange(512) * 0.25
+        line = way.profile(pupil, v).values[0] * np.cos(0.5 * np.pi * v / v[-1]) ** 2
+        power = np.abs(np.fft.rfft(np.concatenate([line, line[:0:-1]])))
+        frequency = 2.0 * np.pi * np.fft.rfftfreq(2 * v.size - 1, 0.25)
+        assert power[frequency > most + 0.2].max() < 1e-6 * power[0]
+        assert power[frequency > 0.8 * most].max() > 1e-5 * power[0]

@@ -66,8 +66,8 @@ def fisher(
         As of :func:`lommel.psf`.
     of : sequence
         What is to be found, all else being known: names of derivatives as :func:`lommel.psf` takes them, such as
-        "defocus", "row", "column", a Zernike term (3, 1), "object_distance" or a microscope's "z"; "photons" and "background". Several
-        images of one scene share each but the last two, of which every image has its own.
+        "defocus", "row", "column", a Zernike term (3, 1), "object_distance" or a microscope's "z"; "photons" and
+        "background". Several images of one scene share each but the last two, of which every image has its own.
     photons : array_like
         Light of the point, electrons: what a sensor would count of it in an infinite window. Arrays broadcast with
         the images, whose shape is that of the stack, behind the number of pupils of a sequence.

@@ -84,9 +84,9 @@ def exact(of: Layers, part: str, depth: float, focus: float, v: float) -> comple
 def test_integrals_are_those_of_the_formulas_at_thirty_digits(of, part, depth, focus, v):
     planes = np.array([depth]), np.array([focus])
     kind, place = {
-        "along r": ("radial", 0),
-        "along z": ("radial", 1),
-        "around": ("azimuthal", 0),
+        "along r": ("radial", 1),
+        "along z": ("radial", 0),
+        "around": ("azimuthal", 1),
     }.get(part, ("vectorial", int(part[-1]) if part[0] == "K" else 0))
     model = debye.Model(kind)
     rule = debye.rule(of, model, *planes, v, 1e-13)

@@ -35,7 +35,7 @@ _ARCS = 1024
 _GLANCE = 48  # points of an ellipse
 _ROUNDOFF = 2.0**-53
 _RADII = 2048  # at once
-_ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (1, 0), "azimuthal": (1,)}
+_ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1)}
 _ODD = ("radial", "azimuthal")
 # Where the centre ends, in 1 - c and in rho over n / NA: as far from rho = n / NA as the rest is from rho = 0.
 _CENTRE = 0.3
@@ -50,8 +50,8 @@ class Model:
     Attributes
     ----------
     kind : {"vectorial", "scalar", "radial", "azimuthal"}
-        K0, K1 and K2; U; the fields along r and z of a radially polarised beam; that around the axis of one polarised
-        so.
+        K0, K1 and K2; U; the fields along z and r of a radially polarised beam; nothing, and the field around the
+        axis, of one polarised so.
     aplanatic : bool
         Whether the amplitude is ``c_i^(-1/2)``, of the sine condition, or 1.
     supercritical : bool
@@ -64,7 +64,7 @@ class Model:
 
     @property
     def orders(self) -> tuple[int, ...]:
-        """The orders of the Bessel functions, one for each part."""
+        """The orders of the Bessel functions, one for each part: 0, 1, ..."""
         return _ORDERS[self.kind]
 
 
@@ -131,9 +131,9 @@ class Piece:
         t_s, t_p, _ = self.amplitudes(x)
         sine = np.sqrt(self.square(x)) / self.layers.sample
         if model.kind == "azimuthal":
-            return (2.0 * light * t_s,)
+            return 0.0 * light, 2.0 * light * t_s
         if model.kind == "radial":
-            return 2.0 * light * t_p * c_s, 2.0j * light * t_p * sine
+            return 2.0j * light * t_p * sine, 2.0 * light * t_p * c_s
         return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
 
     def _ellipses(self, eta: Array, arcs: int) -> Disc:

@@ -210,10 +210,9 @@ class Beam:
         """What its intensity is made of."""
         if isinstance(self.polarization, str) and self.polarization in _AROUND:
             model = Model(self.polarization)
-            steady = Harmonic(0, np.eye(len(model.orders), dtype=np.complex128), 1.0, 0.0)
-            orders, parts, shares = ((1, -1, 0), (0, 0, 1), (0.5, 0.5, 1.0))
-            some = len(model.orders) + 1
-            waves = Waves(orders[:some], parts[:some], np.diag(shares[:some]).astype(np.complex128))
+            along = float(self.polarization == "radial")  # what is along the axis, only of the one
+            steady = Harmonic(0, np.diag([along, 1.0]).astype(np.complex128), 1.0, 0.0)
+            waves = Waves((1, -1, 0), (1, 1, 0), np.diag([0.5, 0.5, along]).astype(np.complex128))
             return Light(model, (steady,), waves)
         a, b = _JONES[self.polarization] if isinstance(self.polarization, str) else self.polarization
         power = abs(a) ** 2 + abs(b) ** 2

@@ -30,7 +30,9 @@ def write(psf: Answer, description: dict[str, Any]) -> bytes:
     from PIL import Image, PngImagePlugin
 
     if psf.values.ndim != 2:
-        raise ValueError(f"a .png holds a single PSF, got a stack of shape {psf.shape}")
+        raise ValueError(
+            f"a .png holds a single PSF, got a stack of shape {psf.shape}; index it, or draw it by plot()"
+        )
     peak = float(psf.values.max())
     if peak <= 0:
         raise ValueError("a .png needs a positive value; every value of this PSF is 0")

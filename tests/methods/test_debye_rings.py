@@ -8,7 +8,7 @@ import pytest
 import lommel as lm
 from lommel.methods import debye_rings
 from lommel.methods.debye_rings import DebyeRings
-from lommel.optics import azimuths, debye
+from lommel.optics import azimuths, pupil_pieces
 from plane_waves import intensity
 
 WAVE, PIXEL = 520e-9, 6.5e-6
@@ -150,7 +150,7 @@ def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
     wave = lm.Wavefront.zernike(terms)
     terms = azimuths.sizes(wave)
     theta = np.linspace(0.0, 2.0 * np.pi, 201)[:, None]
-    for piece in debye.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, debye.Model()):
+    for piece in pupil_pieces.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, pupil_pieces.Model()):
         bound = azimuths.growth(piece, terms)
         discs = piece.covered[0]
         for row, turn in ((3, 0.3), (12, -1.0), (20, 2.0), (20, 5.0)):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.optics import debye
+from lommel.optics import debye, pupil_pieces
 
 OIL = lm.Objective(
     NA=1.4,
@@ -25,7 +25,7 @@ def fields(pupil, side):
     y, x = np.mgrid[-(side // 2) : side - side // 2, -(side // 2) : side - side // 2] * PIXEL
     v = pupil.v(np.hypot(y, x).ravel())
     planes = pupil.depth.ravel(), pupil.focus.ravel()
-    model = debye.Model()
+    model = pupil_pieces.Model()
     found = debye.fields(debye.rule(pupil.layers, model, *planes, float(v.max()), 1e-13), model, *planes, v)
     return [part.reshape(-1, side, side) for part in found], np.arctan2(y, x)
 

@@ -115,7 +115,10 @@ def test_the_wobble_is_the_share_that_turns_freely():
         (lambda: lm.Beam("diagonal"), "polarization must be one of 'circular', 'x', 'y', 'radial', 'azimuthal'"),
         (lambda: lm.Scalar("sine"), "apodization must be one of 'uniform', 'aplanatic', got 'sine'"),
         (lambda: lm.Scalar(supercritical=1), "supercritical must be True or False, got 1"),
-        (lambda: emitter_of("dipole"), "emitter must be one of 'isotropic', 'scalar', got 'dipole'"),
+        (
+            lambda: emitter_of("dipole"),
+            """emitter must be "isotropic", "scalar", a Dipole, a Beam .*, got 'dipole'""",
+        ),
         (lambda: emitter_of(3), 'emitter must be "isotropic", "scalar", a Dipole, a Beam or a Scalar, got 3'),
     ],
 )

@@ -19,10 +19,11 @@ from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import Layered, Window, layered_images, layered_profiles
 from lommel.methods.debye_wolf import DebyeWolf
 from lommel.optics import debye
-from lommel.optics.debye import Complex, Model, Rule
+from lommel.optics.debye import Rule
 from lommel.optics.emitter import Light
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.pupil_pieces import Complex, Model
 from lommel.optics.stratified import Layers
 
 # Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.

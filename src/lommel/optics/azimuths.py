@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.optics.debye import Piece
+from lommel.optics.pupil_pieces import Piece
 from lommel.optics.wavefront import Wavefront
 
 DEGREE_MOST = 30  # powers of rho^2 lose 5.8^(n / 2) roundings

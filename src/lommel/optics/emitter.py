@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.optics.debye import Model
+from lommel.optics.pupil_pieces import Model
 
 Form = NDArray[np.complex128]
 

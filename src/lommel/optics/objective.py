@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,13 +11,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
-from lommel.optics import azimuths, debye, foci
+from lommel.optics import azimuths, debye, foci, pupil_pieces
 from lommel.optics.emitter import Beam, Dipole, Scalar, emitter_of
 from lommel.optics.focal import FocalField, Focus, Nyquist, ScalarField
 from lommel.optics.layer import Design, Layer, depths, film_stack, heights, length, refractive_index
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.stage import Stage
-from lommel.optics.stratified import Amplitudes, Layers, cosines
+from lommel.optics.stratified import Amplitudes
 from lommel.optics.wavefront import Wavefront
 
 _TURNING = emitter_of("isotropic").light.shares
@@ -124,11 +123,7 @@ class Objective(Stage):
             "design": used,
         }
         vars(self).update(values)
-        if not self._clearance > 0.0:
-            raise ValueError(
-                f"working_distance must leave room for the cover glass, got {working_distance:g}: with this glass, "
-                f"thicker than the design's, the objective would be {-self._clearance:.3g} m inside it"
-            )
+        self._require_clearance()
 
     def pupil(
         self,
@@ -154,10 +149,10 @@ class Objective(Stage):
             or where the surface of the cover glass is in paraxial focus.
         emitter : {"isotropic", "scalar"}, Dipole, Beam or Scalar, default "isotropic"
             An emitter that turns freely, the scalar model of Gibson and Lanni, a :class:`lommel.Dipole`, or the light
-            of a :class:`lommel.Beam` that is focused into the sample, of the same depth of focus.
+            of a :class:`lommel.Beam` that is focused into the sample.
         aberrations : Wavefront, optional
             A measured phase on top of that of the layers, its piston left out; a stack broadcasts with depth and z.
-            `origin` does not regard it.
+            `origin` does not regard it, nor how an emitter is turned.
 
         Returns
         -------
@@ -177,14 +172,7 @@ class Objective(Stage):
             measured = measured.broadcast(d.shape)
         if not d.size:
             raise ValueError(f"z must not be empty, got shape {offset.shape}")
-        start = np.zeros(())
-        if validation.choice("origin", origin, _ORIGINS) != "coverslip":
-            start = self._paraxial(d)
-        if origin == "brightest":
-            each, place = np.unique(d, return_inverse=True)
-            best = [foci.brightest(layers, float(one)).brightest for one in each]
-            start = np.array(best)[place].reshape(d.shape)
-        focus = start + offset
+        focus = self._start(validation.choice("origin", origin, _ORIGINS), layers, d) + offset
         self._planes(d, focus)
         return ObjectivePupil(layers, self.magnification, d, focus, offset, light, measured)
 
@@ -257,7 +245,7 @@ class Objective(Stage):
             On anything out of range.
         """
         at, layers = heights(rho), self._layers(wavelength)
-        found: Amplitudes = layers.amplitudes(_cosine(layers, at), ((self.NA * at) ** 2).astype(np.complex128))
+        found: Amplitudes = layers.amplitudes(layers.cosine(at), ((self.NA * at) ** 2).astype(np.complex128))
         return np.asarray(found.s), np.asarray(found.p)
 
     def fields(
@@ -300,7 +288,7 @@ class Objective(Stage):
         ----------
         P. Torok et al., J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325.
         """
-        (K0, K1, K2), error = self._integrals(debye.Model(), radius, depth, focus, wavelength, tol)
+        (K0, K1, K2), error = self._integrals(pupil_pieces.Model(), radius, depth, focus, wavelength, tol)
         return FocalField(K0, K1, K2, error)
 
     def scalar(
@@ -392,12 +380,8 @@ class Objective(Stage):
         lateral = layers.wavelength / (4.0 * self.NA)
         return Nyquist(lateral, 0.5 * foci.depth_of_focus(layers), lateral * self.magnification)
 
-    def _rates(self, rho: Any, wavelength: Any) -> tuple[Any, Any, Any]:
-        layers = self._layers(wavelength)
-        return layers.rates(_cosine(layers, heights(rho)))
-
     def _integrals(
-        self, model: debye.Model, radius: Any, depth: Any, focus: Any, wavelength: Any, tol: Any
+        self, model: pupil_pieces.Model, radius: Any, depth: Any, focus: Any, wavelength: Any, tol: Any
     ) -> tuple[list[NDArray[np.complex128]], float]:
         layers = self._layers(wavelength)
         r = validation.real_array("radius", radius, least=0.0)
@@ -413,7 +397,3 @@ class Objective(Stage):
         distinct, place = np.unique(v, return_inverse=True)  # of the pixels of an image, an eighth
         parts = debye.fields(rule, model, d, f, distinct)
         return [part[:, place.ravel()].reshape(shape + r.shape) for part in parts], rule.error
-
-
-def _cosine(layers: Layers, rho: Array) -> Callable[[float], NDArray[np.complex128]]:
-    return lambda index: cosines(layers.NA, rho, index)

@@ -15,7 +15,7 @@ from lommel.base.cached import cached_property
 from lommel.optics import debye
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.emitter import Beam, Dipole, Emitter, Light, Scalar
-from lommel.optics.stratified import Layers, cosines
+from lommel.optics.stratified import Layers
 from lommel.optics.wavefront import Wavefront, same_path
 
 
@@ -107,7 +107,7 @@ class ObjectivePupil(BasePupil):
     def geometric_radius(self) -> Array:
         """Return how far from the axis rays meet the camera, metres there, within 0.98 of the critical angle."""
         rho = np.linspace(0.0, 0.98, 65) * min(1.0, self.layers.sample / self.layers.NA)
-        rates = self.layers.rates(lambda index: cosines(self.layers.NA, rho, index))
+        rates = self.layers.rates(self.layers.cosine(rho))
         fixed, by_depth, by_focus = (np.gradient(rate.real, rho) for rate in rates)
         height = fixed + self.depth[..., None] * by_depth + self.focus[..., None] * by_focus
         return np.asarray(np.abs(height).max(axis=-1) * (self.scale / math.pi))

@@ -8,7 +8,8 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.optics.layer import DEPTH_MOST, Design, Layer, depths
+from lommel.optics import foci
+from lommel.optics.layer import DEPTH_MOST, Design, Layer, depths, heights
 from lommel.optics.stratified import Layers
 
 
@@ -63,3 +64,25 @@ class Stage:
         if f.size and f.min() < -DEPTH_MOST:
             raise ValueError(f"{name} is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
         return d.ravel(), f.ravel(), d.shape
+
+    def _require_clearance(self) -> None:
+        """Raise ValueError where the cover glass would be in the objective."""
+        if not self._clearance > 0.0:
+            raise ValueError(
+                f"working_distance must leave room for the cover glass, got {self.working_distance:g}: with this "
+                f"glass, thicker than the design's, the objective would be {-self._clearance:.3g} m inside it"
+            )
+
+    def _start(self, origin: str, layers: Layers, depth: Array) -> Array:
+        """Return where the stage is at z = 0, for each depth."""
+        if origin == "coverslip":
+            return np.zeros(())
+        if origin == "paraxial":
+            return self._paraxial(depth)
+        each, place = np.unique(depth, return_inverse=True)
+        best = np.array([foci.brightest(layers, float(one)).brightest for one in each])
+        return np.asarray(best[place].reshape(depth.shape))
+
+    def _rates(self, rho: Any, wavelength: Any) -> tuple[Any, Any, Any]:
+        layers = self._layers(wavelength)
+        return layers.rates(layers.cosine(heights(rho)))

@@ -69,6 +69,10 @@ class Layers:
         """``2 pi / lambda``, 1/metres."""
         return 2.0 * math.pi / self.wavelength
 
+    def cosine(self, rho: NDArray[np.float64]) -> Callable[[float], NDArray[np.complex128]]:
+        """Return what gives c_m at rho of an index."""
+        return lambda index: cosines(self.NA, rho, index)
+
     def rates(self, cosine: Callable[[float], Values]) -> tuple[Values, Values, Values]:
         """Return the phase at depth 0 and focus 0, and its derivatives by depth and by focus, 1/metres.
 

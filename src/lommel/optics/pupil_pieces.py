@@ -1,0 +1,336 @@
+r"""The pupil of a microscope in pieces on which the integrands are analytic, and how many angles each takes.
+
+[0, 1] is cut at the critical angle of the sample, ``rho = n_s / NA``. Below, the variable is 1 - c, with the cosine c
+in the layer of the lowest index, with ``rho d rho = -(n / NA)^2 c dc``; above, ``kappa = abs(c_s)``. In these what is
+even in rho is analytic on both sides, and the rule of Gauss converges like ``exp(-2 n eta)`` for each ellipse that
+holds no branch point of another cosine and no zero of a denominator. What is odd in rho, of radial and azimuthal
+polarisation, is integrated over the centre in the variable rho itself. Discs that cover the ellipse bound the
+integrand: see docs/certificate.md.
+
+References
+----------
+L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013), chapter 19.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
+from lommel.optics.stratified import Amplitudes, Layers, Values
+from lommel.special.discs import Disc, windings
+
+_ETA = np.geomspace(4e-3, 2.5, 28)
+_ARCS = 1024
+_GLANCE = 48  # points of an ellipse
+_ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1)}
+_ODD = ("radial", "azimuthal")
+# Where the centre ends, in 1 - c and in rho over n / NA: as far from rho = n / NA as the rest is from rho = 0.
+_CENTRE = 0.3
+_CENTRE_RHO = math.sqrt(_CENTRE * (2.0 - _CENTRE))
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Model:
+    """What is integrated: the parts of a vectorial field, or one scalar field.
+
+    Attributes
+    ----------
+    kind : {"vectorial", "scalar", "radial", "azimuthal"}
+        K0, K1 and K2; U; the fields along z and r of a radially polarised beam; nothing, and the field around the
+        axis, of one polarised so.
+    aplanatic : bool
+        Whether the amplitude is ``c_i^(-1/2)``, of the sine condition, or 1.
+    supercritical : bool
+        Whether light beyond the critical angle of the sample counts.
+    """
+
+    kind: str = "vectorial"
+    aplanatic: bool = True
+    supercritical: bool = True
+
+    @property
+    def orders(self) -> tuple[int, ...]:
+        """The orders of the Bessel functions, one for each part: 0, 1, ..."""
+        return _ORDERS[self.kind]
+
+
+class Covered(NamedTuple):
+    """Ellipses around a piece, each with discs along it: of the variable, the rates of the phase, the amplitudes.
+
+    `height` bounds ``abs(Im rho)``, and `fit` says of each whether it is proven to hold no singularity.
+    """
+
+    x: Disc
+    rates: tuple[Disc, Disc, Disc]
+    amplitudes: Amplitudes
+    height: Array
+    fit: NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One side of the critical angle, in the variable in which the integrand is analytic.
+
+    Where it is `odd` in rho, that is on ellipses which do not hold rho = 0.
+    """
+
+    layers: Layers
+    low: float
+    high: float
+    above: bool = False
+    odd: bool = False
+
+    @property
+    def lowest(self) -> float:
+        """The index of the layer whose cosine c is ``1 - x``, or ``i x`` above the critical angle."""
+        return min(self.layers.immersion, self.layers.glass, self.layers.sample)
+
+    def square(self, x: Values) -> Values:
+        """Return ``(NA rho)^2``."""
+        return self.lowest**2 * (x * x + 1.0 if self.above else x * (2.0 - x))
+
+    def cosine(self, x: Values, index: float) -> Values:
+        """Return c_m of a layer."""
+        if index == self.lowest:
+            return 1j * x if self.above else 1.0 + 0.0j - x
+        within = 1.0 - self.square(x) * index**-2
+        return within.sqrt() if isinstance(within, Disc) else np.sqrt(within + 0.0j)
+
+    def amplitudes(self, x: Values) -> Amplitudes:
+        """Return the transmission at x."""
+        return self.layers.amplitudes(lambda index: self.cosine(x, index), self.square(x))
+
+    def rates(self, x: Values) -> tuple[Values, Values, Values]:
+        """Return the phase without depth and focus, and its derivatives by these."""
+        return self.layers.rates(lambda index: self.cosine(x, index))
+
+    def jacobian(self, x: Values) -> Values:
+        """Return ``rho d rho / dx``."""
+        return (x if self.above else 1.0 - x) * (self.lowest / self.layers.NA) ** 2
+
+    def parts(self, x: Array, model: Model) -> tuple[Complex, ...]:
+        """Return what multiplies ``exp(i psi) J_m``, in the order of `model`, with the Jacobian."""
+        c_i, c_s = self.cosine(x, self.layers.immersion), self.cosine(x, self.layers.sample)
+        light = self.jacobian(x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
+        if model.kind == "scalar":
+            return (2.0 * light,)
+        t_s, t_p, _ = self.amplitudes(x)
+        sine = np.sqrt(self.square(x)) / self.layers.sample
+        if model.kind == "azimuthal":
+            return 0.0 * light, 2.0 * light * t_s
+        if model.kind == "radial":
+            return 2.0j * light * t_p * sine, 2.0 * light * t_p * c_s
+        return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
+
+    def _ellipses(self, eta: Array, arcs: int) -> Disc:
+        """Return discs that cover the ellipses around the piece, one for each eta, shape ``(eta, arcs)``."""
+        step = 2.0 * math.pi / arcs
+        theta = (np.arange(arcs) + 0.5) * step
+        half = 0.5 * (self.high - self.low)
+        centre = self.low + half * (1.0 + np.cos(theta + 1j * eta[:, None]))
+        # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
+        slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
+        radius = 0.5 * step * half * slope * (1.0 + 1e-12) + 1e-15
+        return Disc(np.asarray(centre, np.complex128), radius if arcs == _ARCS else np.zeros(radius.shape))
+
+    @cached_property
+    def covered(self) -> Covered:
+        """What is known of all ellipses."""
+        return self._cover(_ETA, _ARCS)
+
+    def _cover(self, eta: Array, arcs: int) -> Covered:
+        x = self._ellipses(eta, arcs)
+        rates, amplitudes = self.rates(x), self.amplitudes(x)
+        fit = np.all([windings(each) == 0 for each in amplitudes.denominators], axis=0)
+        for index in self._rooted:
+            c = self.cosine(x, index)
+            fit &= np.isfinite(c.radius).all(axis=-1) & (c.centre.real > c.radius).all(axis=-1)
+        if self.odd:
+            fit &= windings(self.square(x)) == 0
+        return Covered(x, rates, amplitudes, self._height(x), fit)
+
+    @property
+    def _rooted(self) -> tuple[float, ...]:
+        """The indices of layers whose cosines are roots of what must stay in the right half plane."""
+        return self.layers.immersion, self.layers.glass
+
+    def _height(self, x: Disc) -> Array:
+        """Return what bounds ``abs(Im rho)``."""
+        square = self.square(x) * self.layers.NA**-2
+        root = np.sqrt(square.centre)
+        size = np.maximum(np.abs(root), 1e-300)
+        near = np.abs(root.imag) + square.radius / size
+        return np.asarray(np.minimum(np.hypot(root.imag, np.sqrt(square.radius)), near))
+
+    def growth(
+        self,
+        model: Model,
+        depth: Array,
+        focus: Array,
+        v: float,
+        rows: tuple[int, ...] | None = None,
+        factor: Array | float = 0.0,
+    ) -> Array:
+        """Return the logarithm of a bound on the integrands on each ellipse, infinite where one may be singular.
+
+        Where `rows` are given, of these ellipses alone; the others count as singular. `factor` is that of a bound on
+        what the integrands are multiplied by, on each disc of all ellipses.
+        """
+        found = np.full(_ETA.shape, np.inf)
+        found[list(rows or range(_ETA.size))] = self._grown(model, depth, focus, v, rows, _ARCS, factor)
+        return found
+
+    def _grown(
+        self,
+        model: Model,
+        depth: Array,
+        focus: Array,
+        v: float,
+        rows: tuple[int, ...] | None,
+        arcs: int,
+        factor: Array | float = 0.0,
+    ) -> Array:
+        covered, amplitude = _enclosed(self, model, rows, arcs)
+        fixed, by_depth, by_focus = covered.rates
+        worst = np.full(covered.height.shape, -np.inf)
+        with np.errstate(all="ignore"):
+            for d, f in extremes(depth, focus):
+                phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
+                worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
+            found = (amplitude + worst + v * covered.height + factor).max(axis=-1)
+        return np.where(covered.fit & np.isfinite(found), found + 1e-9, np.inf)
+
+    def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
+        """Return as few nodes as are proven to err by at most `error`, by ellipses that serve best at a glance."""
+        return self.nodes(self._serving(model, depth, focus, v, error), error)
+
+    def slope_errors(
+        self, model: Model, depth: Array, focus: Array, v: float, error: float, n: int
+    ) -> tuple[float, float, float]:
+        """Return what n nodes, which serve to `error`, err by at most in derivatives by depth, focus and v."""
+        growth = self._serving(model, depth, focus, v, error)
+        rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
+        covered, _ = _enclosed(self, model, rows, _ARCS)
+        # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
+        rho = np.sqrt(self.square(covered.x).largest) / self.layers.NA
+        factors = covered.rates[1].largest, covered.rates[2].largest, rho
+        proven = (self._constant() - 2.0 * n * _ETA + growth)[list(rows)]
+        by_depth, by_focus, by_v = (float(np.exp((proven + np.log(each.max(axis=-1))).min())) for each in factors)
+        return by_depth, by_focus, by_v
+
+    def _serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
+        glance = self._needed(self._grown(model, depth, focus, v, None, _GLANCE), error)
+        best = int(glance.argmin())
+        rows = tuple(row for row in (best - 1, best, best + 1) if 0 <= row < _ETA.size)
+        growth = self.growth(model, depth, focus, v, rows)
+        if not np.isfinite(growth).any():
+            growth = self.growth(model, depth, focus, v)
+        return growth
+
+    def _constant(self) -> Array:
+        return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * _ETA)))
+
+    def _needed(self, growth: Array, error: float) -> Array:
+        with np.errstate(over="ignore"):
+            return np.asarray((growth + self._constant() - math.log(error)) / (2.0 * _ETA))
+
+    def nodes(self, growth: Array, error: float) -> int:
+        """Return the fewest nodes whose rule is proven to err by at most `error`."""
+        needed = float(self._needed(growth, error).min())
+        if not math.isfinite(needed):
+            thinner = "films must be thinner, or " if self.layers.films else ""
+            raise ValueError(
+                f"{thinner}NA must be farther below the indices of immersion and cover glass: at {self.layers.NA:g} "
+                "no number of angles is proven to suffice"
+            )
+        return max(2, math.ceil(needed))
+
+
+class Centre(Piece):
+    """The centre of the pupil in the variable rho, in which what is odd in rho is analytic, too."""
+
+    def square(self, x: Values) -> Values:
+        """Return ``(NA rho)^2``."""
+        return x * x * self.layers.NA**2
+
+    def cosine(self, x: Values, index: float) -> Values:
+        """Return c_m of a layer."""
+        within = 1.0 - self.square(x) * index**-2
+        return within.sqrt() if isinstance(within, Disc) else np.sqrt(within + 0.0j)
+
+    def jacobian(self, x: Values) -> Values:
+        """Return rho."""
+        return x
+
+    @property
+    def _rooted(self) -> tuple[float, ...]:
+        return self.layers.immersion, self.layers.glass, self.layers.sample
+
+    def _height(self, x: Disc) -> Array:
+        return np.asarray(np.abs(x.centre.imag) + x.radius)
+
+
+@lru_cache(maxsize=32)
+def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None, arcs: int) -> tuple[Covered, Array]:
+    """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each arc of these.
+
+    Without its exponential and its Bessel function. Arcs that are fewer than those of proofs are points.
+    """
+    if rows is None and arcs == _ARCS:
+        covered = piece.covered
+    else:
+        covered = piece._cover(_ETA if rows is None else _ETA[list(rows)], arcs)
+    return covered, _largest(piece, model, covered)
+
+
+def _largest(piece: Piece, model: Model, covered: Covered) -> Array:
+    x, (t_s, t_p, _) = covered.x, covered.amplitudes
+    with np.errstate(all="ignore"):
+        light = np.log(piece.jacobian(x).largest)
+        if model.aplanatic:
+            light -= 0.5 * np.log(piece.cosine(x, piece.layers.immersion).least)
+        if model.kind == "scalar":
+            return np.asarray(light + math.log(2.0))
+        c_s = piece.cosine(x, piece.layers.sample)
+        sine = np.sqrt(piece.square(x).largest) / piece.layers.sample
+        if model.kind == "azimuthal":
+            return np.asarray(light + np.log(2.0 * t_s.largest))
+        if model.kind == "radial":
+            return np.asarray(light + np.log(2.0 * np.maximum((t_p * c_s).largest, t_p.largest * sine)))
+        return np.asarray(light + np.log(np.maximum(t_s.largest + (t_p * c_s).largest, t_p.largest * sine)))
+
+
+def extremes(depth: Array, focus: Array) -> list[tuple[float, float]]:
+    """Return the pairs of depth and focus that bound all others: the phase is linear in both."""
+    found = []
+    for d in np.unique(depth):
+        here = focus[depth == d]
+        found += [(float(d), float(f)) for f in {here.min(), here.max()}]
+    return found
+
+
+@lru_cache(maxsize=8)
+def pieces(layers: Layers, model: Model) -> tuple[Piece, ...]:
+    """Return the parts of the pupil, the one beyond the critical angle of the sample last, if its light counts."""
+    odd = model.kind in _ODD
+    lowest = min(layers.immersion, layers.glass, layers.sample)
+    sine = min(1.0, layers.NA / lowest)
+    edge = sine**2 / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
+    found: list[Piece] = []
+    if odd:
+        found.append(Centre(layers, 0.0, min(1.0, _CENTRE_RHO * lowest / layers.NA)))
+    if not odd or edge > _CENTRE:
+        found.append(Piece(layers, _CENTRE if odd else 0.0, edge, odd=odd))
+    if layers.sample < layers.NA and model.supercritical:
+        reach = math.sqrt((layers.NA / layers.sample - 1.0) * (layers.NA / layers.sample + 1.0))
+        found.append(Piece(layers, 0.0, reach, above=True, odd=odd))
+    return tuple(found)

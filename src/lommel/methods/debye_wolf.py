@@ -82,11 +82,7 @@ class DebyeWolf(RadialMethod):
             return Intensities(made.values, made.error, made.peak)
         if grid.symmetric and pupil.radial:
             return self.profile(pupil, grid.v(pupil))
-        if not grid.stack:
-            return self._sampled(pupil, grid, self.tol)
-        alone = [self._sampled(pupil[k], grid[k], self.tol) for k in np.ndindex(pupil.shape)]
-        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
-        return Intensities(values, error, peak)
+        return self._each_sampled(pupil, grid, self.tol)
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
@@ -95,11 +91,18 @@ class DebyeWolf(RadialMethod):
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = self._sampled(pupil, grid, max(tol, _LEAST))
+        made = self._each_sampled(pupil, grid, max(tol, _LEAST))
         return painted(made, grid, wanted)._replace(peak=made.peak)
 
+    def _each_sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
+        """Return I at the centres of pixels around one axis, or each plane's own."""
+        if not grid.stack:
+            return self._sampled(pupil, grid, tol)
+        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
+        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
+        return Intensities(values, error, peak)
+
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        """Return I at the centres of pixels around one axis."""
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
         radius, place = np.unique(np.hypot(x, y), return_inverse=True)
         azimuth = np.arctan2(y, x)

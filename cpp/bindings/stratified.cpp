@@ -109,7 +109,9 @@ std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(In<double, 1> rho, In
         radii->count = count;
         radii->radii.assign(v.data(), v.data() + count);
         radii->radii.resize(count + lommel::widest_step, v.data()[count - 1]);
-        const lommel::Profiles profiles(asked, radii, 1.0);
+        const std::vector<double> angles(asked.angles.rho, asked.angles.rho + asked.angles.count);
+        const lommel::Profiles profiles(
+            asked, std::make_shared<const lommel::AngleTable>(radii, 1.0, angles, asked.angles.parts, false));
         profiles.run(threads, [&](std::size_t first, std::size_t here, const double* found, const lommel::PartSizes* sizes) {
             for (std::size_t row = 0; row < here * orders; ++row) {
                 std::copy_n(found + row * profiles.stride(), count, values.data() + (first * orders + row) * count);

@@ -103,7 +103,6 @@ class DebyeWolf(RadialMethod):
         return Intensities(values, error, peak)
 
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        """Return I at the centres of pixels around one axis."""
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
         radius, place = np.unique(np.hypot(x, y), return_inverse=True)
         azimuth = np.arctan2(y, x)

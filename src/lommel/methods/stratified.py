@@ -40,8 +40,9 @@ class Stratified(DebyeWolf):
 
     Supports what :class:`lommel.methods.DebyeWolf` does, with the same contract. Fields are summed over angles whose
     number is proven to suffice, at few radii; between these the intensity, which is of exponential type 2 in v, is
-    interpolated with a proven error. Light that depends on the azimuth has that engine on samples around the default
-    axis; around others, and where a tolerance is near what rounding allows, it is computed as `DebyeWolf` does.
+    interpolated with a proven error. Of light that depends on the azimuth that engine has samples, around any axis;
+    averages over pixels are made of them. Where the axis is not the middle pixel and pixels are farther from it than
+    110 in v, and where a tolerance is near what rounding allows, it is computed as `DebyeWolf` does.
 
     Parameters
     ----------

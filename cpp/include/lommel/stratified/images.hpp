@@ -46,7 +46,8 @@ class LayeredImages {
         if (windows.centers == nullptr) {
             return windows.first.integrate ? planes.radial() : planes.derivatives.empty();
         }
-        return planes.radial() && windows.farthest * windows.first.step <= AnywhereTable::most_reach;
+        const bool has = planes.radial() || (!windows.first.integrate && planes.derivatives.empty());
+        return has && windows.farthest * windows.first.step <= AnywhereTable::most_reach;
     }
 
     void run() const {
@@ -55,7 +56,8 @@ class LayeredImages {
             if (windows_.centers == nullptr) {
                 return around(PixelTable::get(window_, level, threads_));
             }
-            return around(AnywhereTable::get(window_.step, window_.integrate, windows_.farthest, level));
+            const auto table = AnywhereTable::get(window_.step, window_.integrate, windows_.farthest, level);
+            return planes_.radial() ? around(table) : turned(table);
         }
         const auto layout = Layout::get(window_.height, window_.width);
         const double reach = layout->reach() * window_.step;
@@ -142,6 +144,54 @@ class LayeredImages {
                 }
             }
         });
+    }
+
+    // Samples around any axis of light that depends on the azimuth. h_m / v^m is even and of type 2: h_1 and h_2 begin with v and v^2,
+    // so that it is at most the largest |h_1'| or half of |h_2''|, both twice that of h_m. With places in v it makes the image.
+    void turned(const std::shared_ptr<const AnywhereTable>& table) const {
+        const Profiles profiles(planes_, table, 1.0);
+        profiles.run(threads_, [&](std::size_t first, std::size_t here, const double* values, const PartSizes* sizes) {
+            thread_local WindowValues made;
+            thread_local Doubles divided, total;
+            divided.resize(table->count + widest_step);
+            total.resize(pixels());
+            for (std::size_t p = 0; p < here; ++p) {
+                double off = 0.0;
+                std::fill(total.begin(), total.end(), 0.0);
+                for (std::size_t k = 0; k < profiles.harmonics(); ++k, values += profiles.stride()) {
+                    const Harmonic& h = planes_.harmonics[k];
+                    const double order = static_cast<double>(h.order), reach = std::pow(table->reach(), order);
+                    for (std::size_t i = 0; i < table->count; ++i) {
+                        divided[i] = h.size() * values[i] / std::pow(table->radii[i], order);
+                    }
+                    Judged of(planes_, first + p, sizes[p], k, k + 1);
+                    of.most *= h.order == 0 ? 1.0 : 2.0;
+                    of.swing *= h.order == 0 ? 1.0 : 2.0;
+                    of.given = of.given / std::pow(table->radii[0], order) + 8.0 * unit_roundoff * of.most;
+                    off +=
+                        reach * (window(*table, first + p, divided.data(), of, of.most, made) + 16.0 * unit_roundoff * of.most);
+                    add(h, windows_[first + p], made.values.data(), total.data());
+                }
+                double top = 0.0;
+                dispatch([&](auto) LOMMEL_INLINE_LAMBDA { top = largest(total.data(), pixels()); });
+                const double scale = note(first + p, top, top - off, off);
+                T* const image = answer_.images + (first + p) * pixels();
+                dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(total.data(), scale, pixels(), T{0}, image); });
+            }
+        });
+    }
+
+    static void add(const Harmonic& h, const PixelWindow& here, const double* values, double* total) {
+        const double cosine = h.cosine / h.size(), sine = h.sine / h.size();
+        for (std::size_t row = 0, i = 0; row < here.height; ++row) {
+            const double y = here.step * (static_cast<double>(row) - here.center_y);
+            for (std::size_t column = 0; column < here.width; ++column, ++i) {
+                const double x = here.step * (static_cast<double>(column) - here.center_x);
+                total[i] += values[i] * (h.order == 0   ? 1.0
+                                         : h.order == 1 ? cosine * x + sine * y
+                                                        : cosine * (x * x - y * y) + sine * 2.0 * x * y);
+            }
+        }
     }
 
     // The values of a window from those at radii, of at most `size`; returns the bound on their error.

@@ -17,19 +17,25 @@ struct Judged {
     double most;   // what its orders of the azimuth sum to anywhere, at most
     double swing;  // how far it is from a constant
 
-    Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes) {
+    Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes)
+        : Judged(planes, plane, sizes, 0, planes.harmonics.size()) {}
+
+    // The same of some orders of the azimuth, the first before the last.
+    Judged(const Planes& planes, std::size_t plane, const PartSizes& sizes, std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, sizes);
-        const std::size_t all = planes.harmonics.size();
         // Products, forms and the power, which is known to 1e-13, are a few roundings of the largest value each.
         given =
             planes.bilinear(
-                plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, 0, all) +
-            rounding * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return F.found[j] * F.found[l]; }, 0, all);
+                plane, [&](std::size_t j, std::size_t l) { return F.off * (F.found[j] + F.found[l] + F.off); }, first, last) +
+            rounding *
+                planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return F.found[j] * F.found[l]; }, first, last);
         const auto anywhere = [&](std::size_t j, std::size_t l) { return F.most[j] * F.most[l]; };
-        const double steady = planes.bilinear(plane, anywhere, 0, 1), turning = planes.bilinear(plane, anywhere, 1, all);
-        most = steady + turning;
+        const std::size_t turning = std::max<std::size_t>(first, 1);
+        const double steady = first == 0 ? planes.bilinear(plane, anywhere, 0, 1) : 0.0;
+        most = swing = planes.bilinear(plane, anywhere, turning, last);
         // What is never negative is within half its largest value of that half.
-        swing = 0.5 * steady + turning;
+        most += steady;
+        swing += 0.5 * steady;
     }
 
     // The same of a derivative, where `of` is what was found of the field: 2 Re sum form G conj(F).

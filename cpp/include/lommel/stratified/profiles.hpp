@@ -6,6 +6,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
@@ -26,8 +27,10 @@ class Profiles {
     static constexpr std::size_t group = 24;    // planes a task
 
     Profiles(const Planes& planes, const std::shared_ptr<const Radii>& radii, double step)
-        : planes_(planes), table_(AngleTable::get(radii, step, {planes.angles.rho, planes.angles.rho + planes.angles.count},
-                                                  planes.angles.parts, planes.slopes())) {}
+        : Profiles(planes, AngleTable::get(radii, step, {planes.angles.rho, planes.angles.rho + planes.angles.count},
+                                           planes.angles.parts, planes.slopes())) {}
+    // By a table that is not kept.
+    Profiles(const Planes& planes, std::shared_ptr<const AngleTable> table) : planes_(planes), table_(std::move(table)) {}
 
     const Planes& planes() const { return planes_; }
     std::size_t stride() const { return table_->stride(); }

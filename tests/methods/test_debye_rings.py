@@ -180,7 +180,7 @@ def test_what_is_not_taken_is_said_in_a_sentence():
         ValueError, match="DebyeWolf supports no aberrations on top of those of layers; use DebyeRings"
     ):
         lm.psf(measured, 5, PIXEL, method=lm.DebyeWolf())
-    with pytest.raises(ValueError, match="with aberrations only; without these use Stratified or DebyeWolf"):
+    with pytest.raises(ValueError, match="supports aberrations only; without these use Stratified or DebyeWolf"):
         lm.psf(OIL.pupil(**given), 5, PIXEL, method=DebyeRings())
     with pytest.raises(TypeError, match=r"aberrations must be of the type Wavefront, or None, got 0\.1"):
         OIL.pupil(**given, aberrations=0.1)

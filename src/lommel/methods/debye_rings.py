@@ -84,11 +84,14 @@ class DebyeRings(Method):
     layered: ClassVar[bool | None] = True
     apodized: ClassVar[bool] = True
     nonradial: ClassVar[bool] = True
-    aberrated: ClassVar[bool] = True
     tol: float = 1e-6
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
+
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
+        """Return why `pupil` is not supported, or None if it is."""
+        return None if pupil.aberrated else "supports aberrations only; without these use Stratified or DebyeWolf"
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return I on the pixels of `grid`."""

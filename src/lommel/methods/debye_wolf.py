@@ -67,6 +67,10 @@ class DebyeWolf(RadialMethod):
     def __post_init__(self) -> None:
         object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
+    def unsupported(self, pupil: ObjectivePupil) -> str | None:
+        """Return why `pupil` is not supported, or None if it is."""
+        return "supports no aberrations on top of those of layers; use DebyeRings" if pupil.aberrated else None
+
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
         # Light that is dark on the axis is bright here: errors relate to the peak, wherever that is.

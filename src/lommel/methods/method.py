@@ -49,9 +49,6 @@ class Method(ABC):
     layered: ClassVar[bool | None] = False
     """Whether it is pupils of a microscope's objective that are supported, or, where None, both kinds."""
 
-    aberrated: ClassVar[bool] = False
-    """Whether, of an objective's, it is those with aberrations that are supported."""
-
     keeps_tol: ClassVar[bool] = True
     """Whether a bound, where there is one, counts everything, storing included, and never exceeds `tol`."""
 
@@ -205,12 +202,6 @@ class Method(ABC):
             )
             raise ValueError(f"{type(self).__name__} {fault}")
         reason = self.unsupported(pupil)
-        if reason is None and self.layered and pupil.aberrated != self.aberrated:
-            reason = (
-                "supports pupils with aberrations only; without these use Stratified or DebyeWolf"
-                if self.aberrated
-                else "supports no aberrations on top of those of layers; use DebyeRings"
-            )
         if reason is None and not (pupil.circular or self.any_aperture):
             reason = (
                 "supports plain discs and annuli only; for a spider, vignetting or a mask use NonuniformFFT, "

@@ -230,11 +230,12 @@ class Piece:
     def _serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
         glance = self._needed(self._grown(model, depth, focus, v, None, _GLANCE), error)
         best = int(glance.argmin())
-        rows = tuple(row for row in (best - 1, best, best + 1) if 0 <= row < _ETA.size)
-        growth = self.growth(model, depth, focus, v, rows)
-        if not np.isfinite(growth).any():
-            growth = self.growth(model, depth, focus, v)
-        return growth
+        # One is nearly always enough: the next cost as much each.
+        for rows in ((best,), tuple(row for row in (best - 1, best + 1) if 0 <= row < _ETA.size)):
+            growth = self.growth(model, depth, focus, v, rows)
+            if np.isfinite(growth).any():
+                return growth
+        return self.growth(model, depth, focus, v)
 
     def _constant(self) -> Array:
         return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * _ETA)))

@@ -126,7 +126,10 @@ class ObjectivePupil(BasePupil):
         return replace(self, **planes, aberrations=of(measured) if measured and measured.shape else measured)
 
     def in_light(self, wavelength: float) -> ObjectivePupil:
-        """Return it in light of another `wavelength` (metres): indices and path differences of aberrations stay."""
+        """Return it in light of another `wavelength` (metres): indices and path differences of aberrations stay.
+
+        TypeError or ValueError if it is none.
+        """
         layers = replace(self.layers, wavelength=validation.wavelength(wavelength))
         measured = self.aberrations and same_path(self.aberrations, self.wavelength, layers.wavelength)
         return replace(self, layers=layers, aberrations=measured)
@@ -148,7 +151,7 @@ class ObjectivePupil(BasePupil):
 
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> ObjectivePupil:
-        """Rebuild a pupil from a `description` by :meth:`to_dict`."""
+        """Rebuild a pupil from a `description` by :meth:`to_dict`; TypeError or ValueError if it is none."""
         plain = dict(description["emitter"])
         kind = {each.__name__: each for each in (Dipole, Beam, Scalar)}[plain.pop("kind")]
         if isinstance(jones := plain.get("polarization"), list):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +15,12 @@ from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, Shortcut, widened
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import checked
 
 if TYPE_CHECKING:
     from lommel.methods.derivatives import Name
     from lommel.methods.slopes import Slope
+    from lommel.optics.objective_pupil import ObjectivePupil
 
 
 class Asked(NamedTuple):
@@ -67,10 +67,10 @@ class Asked(NamedTuple):
         """
         self.ways[0].require(pupil)
         question = self.wanted._replace(out=None if out is None else out.reshape(self.flat))
-        if names and isinstance(pupil, ObjectivePupil):
+        if names and pupil.layered:
             from lommel.methods.layered_slopes import layered_slopes
 
-            return layered_slopes(self.ways[0], pupil, self.grid, names, question)
+            return layered_slopes(self.ways[0], cast("ObjectivePupil", pupil), self.grid, names, question)
         if names:
             from lommel.methods.slopes import differentiated
 
@@ -118,8 +118,6 @@ def asked_about(
         )
     scale: float | Array | None = None
     if normalize == "emitted":
-        if not isinstance(pupil, ObjectivePupil):
-            raise ValueError('normalize="emitted" is for the pupils of an Objective; for a lens use "energy"')
         scale = grid.step(pupil) ** 2 / (4.0 * math.pi) * pupil.collected.ravel()
     elif normalize == "energy":
         scale = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)

@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -117,7 +117,7 @@ class Piece:
         """Return ``rho d rho / dx``."""
         return (x if self.above else 1.0 - x) * (self.lowest / self.layers.NA) ** 2
 
-    def parts(self, x: Array, model: Model) -> tuple[Complex, ...]:
+    def parts(self, x: Array | Complex, model: Model) -> tuple[Complex, ...]:
         """Return what multiplies ``exp(i psi) J_m``, in the order of `model`, with the Jacobian."""
         c_i, c_s = self.cosine(x, self.layers.immersion), self.cosine(x, self.layers.sample)
         light = self.jacobian(x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
@@ -131,32 +131,39 @@ class Piece:
             return 2.0j * light * t_p * sine, 2.0 * light * t_p * c_s
         return light * (t_s + t_p * c_s), light * t_p * sine, light * (t_s - t_p * c_s)
 
-    def _ellipses(self, eta: Array, arcs: int) -> Disc:
-        """Return discs that cover the ellipses around the piece, one for each eta, shape ``(eta, arcs)``."""
-        step = 2.0 * math.pi / arcs
-        theta = (np.arange(arcs) + 0.5) * step
+    def _ellipses(self, eta: Array, theta: NDArray[Any]) -> Complex:
+        """Return points on the ellipses around the piece, one for each eta, shape ``(eta, theta)``."""
         half = 0.5 * (self.high - self.low)
-        centre = self.low + half * (1.0 + np.cos(theta + 1j * eta[:, None]))
-        # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
-        slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
-        radius = 0.5 * step * half * slope * (1.0 + 1e-12) + 1e-15
-        return Disc(np.asarray(centre, np.complex128), radius if arcs == _ARCS else np.zeros(radius.shape))
+        return np.asarray(self.low + half * (1.0 + np.cos(theta + 1j * eta[:, None])))
 
     @cached_property
     def covered(self) -> Covered:
         """What is known of all ellipses."""
-        return self._cover(_ETA, _ARCS)
+        return self._cover(_ETA)
 
-    def _cover(self, eta: Array, arcs: int) -> Covered:
-        x = self._ellipses(eta, arcs)
+    def _cover(self, eta: Array) -> Covered:
+        step = 2.0 * math.pi / _ARCS
+        theta = (np.arange(_ARCS) + 0.5) * step
+        # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
+        slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
+        radius = 0.25 * step * (self.high - self.low) * slope * (1.0 + 1e-12) + 1e-15
+        x = Disc(self._ellipses(eta, theta), radius)
         rates, amplitudes = self.rates(x), self.amplitudes(x)
         fit = np.all([windings(each) == 0 for each in amplitudes.denominators], axis=0)
-        for index in self._rooted:
-            c = self.cosine(x, index)
-            fit &= np.isfinite(c.radius).all(axis=-1) & (c.centre.real > c.radius).all(axis=-1)
+        fit &= self._in_sheet(x)
         if self.odd:
             fit &= windings(self.square(x)) == 0
         return Covered(x, rates, amplitudes, self._height(x), fit)
+
+    def _in_sheet(self, x: Disc) -> NDArray[np.bool_]:
+        """Return on which ellipses all cosines are known, and those that may have branch points have none within."""
+        fit = np.ones(x.radius.shape[:-1], np.bool_)
+        for index in {*self._rooted, self.layers.sample}:
+            c = self.cosine(x, index)
+            fit &= np.isfinite(c.radius).all(axis=-1)
+            if index in self._rooted:
+                fit &= (c.centre.real > c.radius).all(axis=-1)
+        return fit
 
     @property
     def _rooted(self) -> tuple[float, ...]:
@@ -185,29 +192,31 @@ class Piece:
         Where `rows` are given, of these ellipses alone; the others count as singular. `factor` is that of a bound on
         what the integrands are multiplied by, on each disc of all ellipses.
         """
-        found = np.full(_ETA.shape, np.inf)
-        found[list(rows or range(_ETA.size))] = self._grown(model, depth, focus, v, rows, _ARCS, factor)
-        return found
-
-    def _grown(
-        self,
-        model: Model,
-        depth: Array,
-        focus: Array,
-        v: float,
-        rows: tuple[int, ...] | None,
-        arcs: int,
-        factor: Array | float = 0.0,
-    ) -> Array:
-        covered, amplitude = _enclosed(self, model, rows, arcs)
+        covered, amplitude = _enclosed(self, model, rows)
         fixed, by_depth, by_focus = covered.rates
         worst = np.full(covered.height.shape, -np.inf)
         with np.errstate(all="ignore"):
             for d, f in extremes(depth, focus):
                 phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
                 worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
-            found = (amplitude + worst + v * covered.height + factor).max(axis=-1)
-        return np.where(covered.fit & np.isfinite(found), found + 1e-9, np.inf)
+            grown = (amplitude + worst + v * covered.height + factor).max(axis=-1)
+        found = np.full(_ETA.shape, np.inf)
+        found[list(rows or range(_ETA.size))] = np.where(covered.fit & np.isfinite(grown), grown + 1e-9, np.inf)
+        return found
+
+    def _glance(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
+        """Return what :meth:`growth` may be, from some points of each ellipse: no bound, at a tenth of the cost."""
+        x = self._ellipses(_ETA, (np.arange(_GLANCE) + 0.5) * (2.0 * math.pi / _GLANCE))
+        fixed, by_depth, by_focus = self.rates(x)
+        square, none = self.square(x), np.zeros(x.shape)
+        fit = self._in_sheet(Disc(x, none))
+        for around in (*self.amplitudes(x).denominators, *([square] if self.odd else [])):
+            fit &= windings(Disc(around, none)) == 0
+        with np.errstate(all="ignore"):
+            light = np.log(np.max([np.abs(part) for part in self.parts(x, model)], axis=0))
+            fading = np.min([(fixed + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
+            found = (light - fading + v / self.layers.NA * np.abs(np.sqrt(square).imag)).max(axis=-1)
+        return np.where(fit & np.isfinite(found), found, np.inf)
 
     def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
         """Return as few nodes as are proven to err by at most `error`, by ellipses that serve best at a glance."""
@@ -219,7 +228,7 @@ class Piece:
         """Return what n nodes, which serve to `error`, err by at most in derivatives by depth, focus and v."""
         growth = self._serving(model, depth, focus, v, error)
         rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
-        covered, _ = _enclosed(self, model, rows, _ARCS)
+        covered, _ = _enclosed(self, model, rows)
         # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
         rho = np.sqrt(self.square(covered.x).largest) / self.layers.NA
         factors = covered.rates[1].largest, covered.rates[2].largest, rho
@@ -228,7 +237,7 @@ class Piece:
         return by_depth, by_focus, by_v
 
     def _serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
-        glance = self._needed(self._grown(model, depth, focus, v, None, _GLANCE), error)
+        glance = self._needed(self._glance(model, depth, focus, v), error)
         best = int(glance.argmin())
         # One is nearly always enough: the next cost as much each.
         for rows in ((best,), tuple(row for row in (best - 1, best + 1) if 0 <= row < _ETA.size)):
@@ -272,6 +281,16 @@ class Centre(Piece):
         """Return rho."""
         return x
 
+    def _in_sheet(self, x: Disc) -> NDArray[np.bool_]:
+        """Return on which ellipses all cosines are known, and those that may have branch points have none within."""
+        fit = np.ones(x.radius.shape[:-1], np.bool_)
+        for index in {*self._rooted, self.layers.sample}:
+            c = self.cosine(x, index)
+            fit &= np.isfinite(c.radius).all(axis=-1)
+            if index in self._rooted:
+                fit &= (c.centre.real > c.radius).all(axis=-1)
+        return fit
+
     @property
     def _rooted(self) -> tuple[float, ...]:
         return self.layers.immersion, self.layers.glass, self.layers.sample
@@ -281,15 +300,12 @@ class Centre(Piece):
 
 
 @lru_cache(maxsize=32)
-def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None, arcs: int) -> tuple[Covered, Array]:
+def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None) -> tuple[Covered, Array]:
     """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each arc of these.
 
-    Without its exponential and its Bessel function. Arcs that are fewer than those of proofs are points.
+    Without its exponential and its Bessel function.
     """
-    if rows is None and arcs == _ARCS:
-        covered = piece.covered
-    else:
-        covered = piece._cover(_ETA if rows is None else _ETA[list(rows)], arcs)
+    covered = piece.covered if rows is None else piece._cover(_ETA[list(rows)])
     return covered, _largest(piece, model, covered)
 
 

@@ -145,7 +145,7 @@ photo: build ## blur a photograph by its depth, near, far and from one to the ot
 		--between 2m 5.2m --white 50000 --read 3 --output out/motorcycle-found.tif --plot out/motorcycle-found.png
 
 test: build lint types ## build, lint, check the types and run the tests
-	@.venv/bin/pytest
+	@.venv/bin/pytest --numprocesses auto --maxprocesses 4 --dist worksteal
 
 # 100 000 bad arguments, 2 000 bad command lines, 1 000 mutations of each kind of file; `make test` has a sample.
 fuzz: build ## try what no user should: bad arguments, command lines and files

@@ -109,7 +109,7 @@ def test_arrays_of_real_numbers_are_copied_and_read_only(values):
     assert not np.shares_memory(array, given_array)
 
 
-@pytest.mark.parametrize("value", [["1"], [True], [1j], [None], [[1], [2, 3]], "1", {}, [object()]], ids=repr)
+@pytest.mark.parametrize("value", [["1"], [True], [1j], [None], [[1], [2, 3]], "1", {}, [object()]])
 def test_arrays_of_anything_else_are_refused(value):
     with pytest.raises((TypeError, ValueError), match="a must hold real numbers, got "):
         validation.real_array("a", value)

@@ -192,3 +192,10 @@ def test_astigmatism_in_the_middle_is_a_bessel_function():
 def test_a_degree_beyond_the_limit_is_refused():
     with pytest.raises(ValueError, match=f"polynomials of a degree over {MAX_DEGREE}"):
         degree_needed([(4, 1e9)], 1.0, lm.Apodization(), 1e-6)
+
+
+@pytest.mark.parametrize("shift", [5e-324, 1e-200, 1e-16])
+def test_a_cats_eye_that_is_hardly_shifted_is_a_disc(shift):
+    eye = Opening(0.25, None, CatEye((0.0, shift), 1.0)).rule(20)
+    disc = Opening(0.25, None, None).rule(20)
+    assert eye.weight.sum() == pytest.approx(disc.weight.sum(), abs=1e-14)

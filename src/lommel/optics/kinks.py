@@ -82,6 +82,8 @@ class Kinks:
 
     def _eye(self, eye: CatEye, eps: float) -> None:
         distance, toward = math.hypot(*eye.shift), math.atan2(eye.shift[1], eye.shift[0])
+        if distance < 1e-15:  # which no angle can tell from none
+            return
         for radius in (1.0, eps):
             cosine = (distance**2 + radius**2 - eye.radius**2) / (2.0 * distance * radius) if radius > 0.0 else 2.0
             if abs(cosine) <= 1.0:

@@ -54,7 +54,7 @@ def axial_fwhm(answer: Answer) -> Numbers:
     float or ndarray, shape ``pupil.shape[:-1]``
         Metres of the stage. Of the light on the axis, where pupil and method are radial; else of the pixel that is
         brightest in all of the stack. By cubic splines through the planes: within about 1 % where these are no
-        farther apart than half of :attr:`lommel.optics.focal.Nyquist.axial`.
+        farther apart than half of ``axial`` of :meth:`lommel.Objective.nyquist`.
 
     Raises
     ------

@@ -49,7 +49,7 @@ def otf(
     Returns
     -------
     complex or complex ndarray, shape ``pupil.shape + s``
-        With s what fx and fy broadcast to. 1 at frequency 0, and 0 from :attr:`lommel.Pupil.cutoff` on. A shift of
+        With s what fx and fy broadcast to. 1 at frequency 0, and 0 from ``pupil.cutoff`` on. A shift of
         the image by (a, b) multiplies by ``exp(-2 pi i (fx a + fy b))``.
 
     Raises

@@ -38,7 +38,7 @@ _Question = tuple[Layers, Model, tuple[float, float], tuple[float, float], float
 class Stratified(DebyeWolf):
     r"""Certified stacks through plane layers, by products of matrices: the default for an :class:`lommel.Objective`.
 
-    Supports what :class:`lommel.methods.DebyeWolf` does, with the same contract. Fields are summed over angles whose
+    Supports what :class:`lommel.DebyeWolf` does, with the same contract. Fields are summed over angles whose
     number is proven to suffice, at few radii; between these the intensity, which is of exponential type 2 in v, is
     interpolated with a proven error. Of light that depends on the azimuth that engine has samples, around any axis;
     averages over pixels are made of them. Where the axis is not the middle pixel and pixels are farther from it than

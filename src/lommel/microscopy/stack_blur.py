@@ -73,11 +73,17 @@ class StackBlur(LinearBlur):
         return self._planes
 
     def forward(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the recording of a specimen, both (height, width, planes); see :meth:`LinearBlur.forward`."""
+        """Return the recording of a specimen, both (height, width, planes).
+
+        See :meth:`lommel.imaging.LinearBlur.forward`.
+        """
         return self._filtered(image, self._transfer)
 
     def adjoint(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the transpose of :meth:`forward` applied to a recording; see :meth:`LinearBlur.adjoint`."""
+        """Return the transpose of :meth:`forward` applied to a recording.
+
+        See :meth:`lommel.imaging.LinearBlur.adjoint`.
+        """
         return self._filtered(image, self._transfer.conj())
 
     def _filtered(self, image: NDArray[Any], transfer: NDArray[Any]) -> NDArray[Any]:

@@ -184,7 +184,7 @@ class Pupil(BasePupil):
         """Return the pupil in light of another `wavelength`, metres.
 
         Its aperture, distances and f-number stay, and so do the paths of light: see
-        :func:`lommel.optics.wavefront.same_path`.
+        ``same_path`` in lommel.optics.wavefront.
         """
         assert self.wavelength is not None
         return self.carrying(same_path(self.wavefront, self.wavelength, wavelength), self.geometry, wavelength)

@@ -5,16 +5,15 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted, not_met
 from lommel.methods.averaging import averaged_images
-from lommel.methods.method import Method, painted
+from lommel.methods.layered import LEAST, LayeredMethod
 from lommel.optics import azimuths, debye
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
@@ -27,7 +26,6 @@ _KEPT = 2**25  # on circles of all planes that are interpolated at once
 _WEIGHTS = 2**24  # of pixels, at once
 _FINER = 4  # times the angles that tell the orders of the intensity, of which it is interpolated
 _FINEST = 2e-13  # of weights
-_LEAST = 1e-15
 _ROUNDING = 2.0**-53
 
 
@@ -49,7 +47,7 @@ class Circles(NamedTuple):
 
 
 @dataclass(frozen=True)
-class DebyeRings(Method):
+class DebyeRings(LayeredMethod):
     r"""Quadrature over the angles of the light of an objective with a measured wavefront, for any emitter.
 
     Supports the pupils of :meth:`lommel.Objective.pupil` with `aberrations` only.
@@ -81,13 +79,7 @@ class DebyeRings(Method):
     fields by orders of the azimuth.
     """
 
-    layered: ClassVar[bool | None] = True
-    apodized: ClassVar[bool] = True
-    nonradial: ClassVar[bool] = True
     tol: float = 1e-6
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
         """Return why `pupil` is not supported, or None if it is."""
@@ -111,18 +103,6 @@ class DebyeRings(Method):
             return super().images(pupil, grid, wanted)
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = self._centres(pupil, grid, max(tol, _LEAST))
-        return painted(made, grid, wanted)._replace(peak=made.peak)
-
-    def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        """Return I at the centres of pixels, around one axis or one for each plane."""
-        if not grid.stack:
-            return self._sampled(pupil, grid, tol)
-        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
-        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
-        return Intensities(values, error, peak)
-
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels around one axis, exact enough for the peaks that are found."""
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
@@ -137,8 +117,8 @@ class DebyeRings(Method):
             part = slice(first, first + circles.error.size)
             tops = circles.values.max(axis=(0, 1))
             worst = float((circles.error / tops).max())
-            if worst > 0.03 * tol and fields > _LEAST:
-                fields = max(_LEAST, fields * max(1e-4, min(0.5, 0.02 * tol / worst)))
+            if worst > 0.03 * tol and fields > LEAST:
+                fields = max(LEAST, fields * max(1e-4, min(0.5, 0.02 * tol / worst)))
                 continue
             values[part], error = _between(circles, v, azimuth, 0.1 * tol * float(tops.min()))
             least[part] = tops - circles.error

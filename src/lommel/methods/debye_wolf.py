@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted, not_met
 from lommel.methods.averaging import averaged_images
-from lommel.methods.method import RadialMethod, painted
+from lommel.methods.layered import LEAST, LayeredMethod
+from lommel.methods.method import RadialMethod
 from lommel.methods.subpixel import subpixel_intensity
 from lommel.optics import debye
 from lommel.optics.emitter import Harmonic
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 
-_LEAST = 1e-15
 _BRIGHT_RING = 1.8412  # the maximum of J1
 
 
@@ -38,7 +37,7 @@ class Harmonics(NamedTuple):
 
 
 @dataclass(frozen=True)
-class DebyeWolf(RadialMethod):
+class DebyeWolf(LayeredMethod, RadialMethod):
     r"""Gauss-Legendre quadrature over the angles of the light of an objective, at every radius.
 
     Supports the pupils of :meth:`lommel.Objective.pupil` only. Each distinct distance from the axis is integrated on
@@ -59,13 +58,7 @@ class DebyeWolf(RadialMethod):
     P. Torok et al., J. Opt. Soc. Am. A 12, 325 (1995), doi:10.1364/JOSAA.12.000325.
     """
 
-    layered: ClassVar[bool | None] = True
-    apodized: ClassVar[bool] = True
-    nonradial: ClassVar[bool] = True
     tol: float = 1e-6
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
 
     def unsupported(self, pupil: ObjectivePupil) -> str | None:
         """Return why `pupil` is not supported, or None if it is."""
@@ -94,18 +87,6 @@ class DebyeWolf(RadialMethod):
             return super().images(pupil, grid, wanted)
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
 
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = self._centres(pupil, grid, max(tol, _LEAST))
-        return painted(made, grid, wanted)._replace(peak=made.peak)
-
-    def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        """Return I at the centres of pixels, around one axis or one for each plane."""
-        if not grid.stack:
-            return self._sampled(pupil, grid, tol)
-        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
-        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
-        return Intensities(values, error, peak)
-
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
         radius, place = np.unique(np.hypot(x, y), return_inverse=True)
@@ -131,9 +112,9 @@ class DebyeWolf(RadialMethod):
             relative = np.divide(found.error, least, out=np.full(top.shape, np.inf), where=least > 0.0)
             if (worst := float(relative.max(initial=0.0))) <= tol:
                 return Intensities(values, relative, least)
-            if fields <= _LEAST:
+            if fields <= LEAST:
                 raise not_met(self.tol, worst, "the peak")
-            fields = max(_LEAST, fields * max(1e-4, min(0.5, 0.5 * tol / worst)))
+            fields = max(LEAST, fields * max(1e-4, min(0.5, 0.5 * tol / worst)))
 
 
 def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> Harmonics:

@@ -9,17 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Wanted, not_met
+from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods.averaging import averaged_images
-from lommel.methods.layered import LEAST, LayeredMethod
+from lommel.methods.layered import BRIGHT_RING, LEAST, LayeredMethod, settled
 from lommel.methods.method import RadialMethod
 from lommel.methods.subpixel import subpixel_intensity
 from lommel.optics import debye
 from lommel.optics.emitter import Harmonic
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
-
-_BRIGHT_RING = 1.8412  # the maximum of J1
 
 
 class Harmonics(NamedTuple):
@@ -67,7 +65,7 @@ class DebyeWolf(LayeredMethod, RadialMethod):
     def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
         """Return I at rising v; its bound is checked against the peak that was found."""
         # Light that is dark on the axis is bright here: errors relate to the peak, wherever that is.
-        made = self._proven(pupil, np.append(v, _BRIGHT_RING), lambda found: found.values[0], self.tol)
+        made = self._proven(pupil, np.append(v, BRIGHT_RING), lambda found: found.values[0], self.tol)
         return made._replace(values=made.values[:, :-1])
 
     def intensity(self, pupil: ObjectivePupil, grid: Grid, threads: int = 0) -> Intensities:
@@ -103,18 +101,12 @@ class DebyeWolf(LayeredMethod, RadialMethod):
 
     def _proven(self, pupil: ObjectivePupil, v: Array, made_of: Any, tol: float) -> Intensities:
         """Return intensities made of harmonics that are exact enough for the peak that is found."""
-        fields = 0.02 * tol
-        while True:
+
+        def at(fields: float) -> tuple[Array, Array]:
             found = harmonics(pupil, v, fields)
-            values = made_of(found)
-            top = values.reshape(len(values), -1).max(axis=1)
-            least = top - found.error
-            relative = np.divide(found.error, least, out=np.full(top.shape, np.inf), where=least > 0.0)
-            if (worst := float(relative.max(initial=0.0))) <= tol:
-                return Intensities(values, relative, least)
-            if fields <= LEAST:
-                raise not_met(self.tol, worst, "the peak")
-            fields = max(LEAST, fields * max(1e-4, min(0.5, 0.5 * tol / worst)))
+            return made_of(found), found.error
+
+        return settled(at, tol, first=0.02 * tol, least=LEAST, named=self.tol)
 
 
 def harmonics(pupil: ObjectivePupil, v: Array, tol: float) -> Harmonics:

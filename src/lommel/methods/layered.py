@@ -3,18 +3,43 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Callable
 from typing import ClassVar
 
 import numpy as np
 
 from lommel.base import validation
-from lommel.core.answers import Images, Intensities, Wanted
+from lommel.base.arrays import Array
+from lommel.core.answers import Images, Intensities, Wanted, not_met
 from lommel.methods.method import Method, painted
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 
 LEAST = 1e-15
 """What fields are asked for at the finest."""
+
+BRIGHT_RING = 1.8412
+"""The maximum of J1 in v: light that is dark on the axis is bright here."""
+
+
+def settled(
+    made_of: Callable[[float], tuple[Array, Array]], tol: float, *, first: float, least: float, named: float
+) -> Intensities:
+    """Return values whose error is at most `tol` of the peak that is found.
+
+    `made_of` gives them, shape ``(n, ...)``, and what they are off by at most, ``(n,)``, for an accuracy, of which
+    `first` is tried first and none below `least`; then ToleranceError says that the tolerance `named` is not met.
+    """
+    asked = first
+    while True:
+        values, error = made_of(asked)
+        lowest = values.reshape(len(values), -1).max(axis=1) - error
+        relative = np.divide(error, lowest, out=np.full(lowest.shape, np.inf), where=lowest > 0.0)
+        if (worst := float(relative.max(initial=0.0))) <= tol:
+            return Intensities(values, relative, lowest)
+        if asked <= least:
+            raise not_met(named, worst, "the peak")
+        asked = max(least, asked * max(1e-4, min(0.5, 0.5 * tol / worst)))
 
 
 class LayeredMethod(Method):

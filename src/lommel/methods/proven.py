@@ -7,13 +7,14 @@ from collections.abc import Callable
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Intensities, not_met
+from lommel.core.answers import Intensities
+from lommel.methods.layered import BRIGHT_RING, settled
 from lommel.methods.stratified import Stratified
 from lommel.optics.objective_pupil import ObjectivePupil
 
 _LEAST = 1e-13
 _FINEST = 0.05
-_BRIGHT = (0.0, 1.8412)  # the axis, and the maximum of J1: where something is bright in most planes
+_BRIGHT = (0.0, BRIGHT_RING)  # where something is bright in most planes
 
 
 def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> tuple[Array, Array]:
@@ -48,13 +49,5 @@ def proven(v: Array, made_of: Callable[[Array, float], tuple[Array, Array]], tol
         If it cannot be met.
     """
     at, where = np.unique(np.append(v, _BRIGHT), return_inverse=True)
-    asked = 0.1 * tol
-    while True:
-        values, error = made_of(at, asked)
-        least = values.max(axis=1) - error
-        relative = np.divide(error, least, out=np.full(least.shape, np.inf), where=least > 0.0)
-        if (worst := float(relative.max(initial=0.0))) <= tol:
-            return Intensities(values[:, where[: v.size]], relative, least)
-        if asked <= _LEAST:
-            raise not_met(tol, worst, "the peak")
-        asked = max(_LEAST, asked * max(1e-4, min(0.5, 0.5 * tol / worst)))
+    made = settled(lambda asked: made_of(at, asked), tol, first=0.1 * tol, least=_LEAST, named=tol)
+    return made._replace(values=made.values[:, where[: v.size]])

@@ -159,3 +159,10 @@ def test_colours_add_up():
     parts = [lm.psf(pupil.in_light(w), 9, PIXEL, tol=1e-9) for w in waves]
     total = sum(share * part.values for share, part in zip(weights, parts, strict=True))
     assert white.values == pytest.approx(total, abs=1e-7 * total.max())
+
+
+def test_what_is_dark_on_the_axis_is_known_there_too():
+    dark = OIL.pupil(depth=0.0, wavelength=WAVE, emitter=lm.Beam("azimuthal"))
+    made = lm.DebyeWolf(1e-6).profile(dark, np.zeros(1))
+    assert made.values == pytest.approx(0.0, abs=1e-6)
+    assert made.error <= 1e-6

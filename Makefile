@@ -161,7 +161,7 @@ lowest: ## run the tests with the oldest versions of all dependencies, in .tools
 	# The oldest matplotlib calls functions that newer versions of pyparsing warn of.
 	echo 'pyparsing<3.3' >.tools/lowest/constraints.txt
 	"$$uv" pip install --quiet --python .tools/lowest/bin/python --resolution lowest-direct --only-binary :all: \
-		--constraint .tools/lowest/constraints.txt --requirement pyproject.toml --all-extras --group dev
+		--constraint .tools/lowest/constraints.txt --requirement pyproject.toml --extra all --group dev
 	PATH="$(CURDIR)/.tools/lowest/bin:$$PATH" "$$uv" pip install --quiet --python .tools/lowest/bin/python \
 		--no-build-isolation --no-deps --config-settings=build-dir=build/lowest --editable .
 	# What newer versions of others deprecate is nothing to the oldest; the stub is as the locked nanobind writes it.
@@ -255,9 +255,9 @@ lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 			--no-annotate --custom-compile-command "make lock" $(LOCKFLAGS) --output-file "$$file.new" "$$@"
 		if cmp -s "$$file.new" "$$file"; then rm "$$file.new"; else mv "$$file.new" "$$file"; fi
 	}
-	compile requirements.lock --all-extras --group dev pyproject.toml
-	compile docs/requirements.lock --all-extras --group docs --constraints requirements.lock pyproject.toml
-	compile web/requirements.lock --all-extras --group page --constraints requirements.lock pyproject.toml
+	compile requirements.lock --extra all --group dev pyproject.toml
+	compile docs/requirements.lock --extra all --group docs --constraints requirements.lock pyproject.toml
+	compile web/requirements.lock --extra all --group page --constraints requirements.lock pyproject.toml
 
 wheel: page ## build a wheel in dist
 	@$(find_uv)

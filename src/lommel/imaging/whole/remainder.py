@@ -30,6 +30,7 @@ from lommel.imaging.pixel_rule import cells_alike, octant, quarters
 
 _GAP = 3.0  # pixels between the shadow of the aperture and the edges of windows, about
 _MOST = 16  # products
+_LOOSE = 2.0  # tolerances that products may be off together: one more costs a twentieth of a photograph
 _TURNS = 4  # of the alternation: more change the error by less than one product more does
 _SAMPLES = 4  # defocus that the products are found from, for each pixel that windows reach
 _FINE = 32  # steps of a table of factors between two windows
@@ -168,7 +169,8 @@ def fit(
     reach : int
         Pixels.
     tol : float
-        There are as many products as it takes for what a PSF is off beyond its window to sum to less, up to 16.
+        There are as many products as it takes for what a PSF is off beyond its window to sum to less than twice this,
+        up to 16.
 
     Returns
     -------
@@ -246,10 +248,10 @@ def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float
             found = _solved(_normal(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
             factors = _solved(_normal(weights, found, 1e-14), (weights * values) @ found.T)
             wrong = float((np.abs((factors @ found - values) * parts) @ many).max())
-            if wrong <= tol:
+            if wrong <= _LOOSE * tol:
                 break
             factors = np.linalg.qr(factors)[0]
-        if wrong <= tol:
+        if wrong <= _LOOSE * tol:
             break
     kernels = np.zeros((rank, shown.shape[1]))
     kernels[:, seen] = found

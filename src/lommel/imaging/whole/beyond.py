@@ -88,15 +88,14 @@ class Beyond:
             index, r = each
             return kernels[index].transformed(r, factors[index][r] * light[index])
 
-        def total(index: int) -> NDArray[Any]:
-            first, *more = (found for (at, _), found in zip(asked, parts, strict=True) if at == index)
-            for another in more:
-                first += another
-            return kernels[index].image(first)
-
         asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
-        parts = _side_by_side(part, asked, blur)
-        return _side_by_side(total, range(len(light)), blur)
+        sums: list[NDArray[Any]] = []
+        for (_, r), found in zip(asked, _side_by_side(part, asked, blur), strict=True):
+            if r == 0:
+                sums.append(found)
+            else:
+                sums[-1] += found
+        return [each.image(total, _threads(blur)) for each, total in zip(kernels, sums, strict=True)]
 
     def collect(
         self, blur: Blur, channels: Sequence[int], planes: Sequence[NDArray[Any]], *, slopes: bool = False
@@ -118,7 +117,7 @@ class Beyond:
         factors = [self._factors_of(blur, channel, slopes) for channel in channels]
         kernels = [self._kernels_of(blur, channel) for channel in channels]
         asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
-        known = _side_by_side(lambda index: kernels[index].known(planes[index]), range(len(planes)), blur)
+        known = [each.known(plane, _threads(blur)) for each, plane in zip(kernels, planes, strict=True)]
 
         def part(each: tuple[int, int]) -> NDArray[Any]:
             index, r = each
@@ -160,8 +159,11 @@ class Beyond:
 
 def _side_by_side(task: Callable[[Any], Any], each: Sequence[Any], blur: Blur) -> list[Any]:
     """Return what a task makes of each, on as many threads as the blur has; the result does not depend on these."""
-    threads = min(len(each), blur.threads or os.cpu_count() or 1)
-    if threads == 1 or blur.shape[0] * blur.shape[1] < _LARGE:
+    if _threads(blur) == 1:
         return [task(one) for one in each]
-    with ThreadPoolExecutor(threads) as pool:
+    with ThreadPoolExecutor(_threads(blur)) as pool:
         return list(pool.map(task, each))
+
+
+def _threads(blur: Blur) -> int:
+    return (blur.threads or os.cpu_count() or 1) if blur.shape[0] * blur.shape[1] >= _LARGE else 1

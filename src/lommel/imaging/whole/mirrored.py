@@ -88,17 +88,17 @@ class MirroredKernels:
         made *= self.eigenvalues[r]
         return np.asarray(made)
 
-    def image(self, transform: NDArray[Any]) -> NDArray[Any]:
+    def image(self, transform: NDArray[Any], threads: int = 1) -> NDArray[Any]:
         """Return the image of a transform."""
         from scipy.fft import idctn
 
-        return np.asarray(idctn(transform, overwrite_x=True)[self._image])
+        return np.asarray(idctn(transform, overwrite_x=True, workers=threads)[self._image])
 
-    def known(self, plane: NDArray[Any]) -> NDArray[Any]:
+    def known(self, plane: NDArray[Any], threads: int = 1) -> NDArray[Any]:
         """Return the transform of a plane with darkness around it: the transpose of :meth:`image` but for a scale."""
         from scipy.fft import dctn
 
-        return np.asarray(dctn(np.pad(plane, self._around)))
+        return np.asarray(dctn(np.pad(plane, self._around), workers=threads))
 
     def taken(self, r: int, known: NDArray[Any]) -> NDArray[Any]:
         """Return the transpose of :meth:`transformed`, but for that scale, of a transform."""

@@ -89,12 +89,7 @@ class Beyond:
             return kernels[index].transformed(r, factors[index][r] * light[index])
 
         asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
-        sums: list[NDArray[Any]] = []
-        for (_, r), found in zip(asked, _side_by_side(part, asked, blur), strict=True):
-            if r == 0:
-                sums.append(found)
-            else:
-                sums[-1] += found
+        sums = _summed(asked, _side_by_side(part, asked, blur))
         return [each.image(total, _threads(blur)) for each, total in zip(kernels, sums, strict=True)]
 
     def collect(
@@ -125,13 +120,7 @@ class Beyond:
             taken *= factors[index][r]
             return taken
 
-        made: list[NDArray[Any]] = []
-        for (_, r), found in zip(asked, _side_by_side(part, asked, blur), strict=True):
-            if r == 0:
-                made.append(found)
-            else:
-                made[-1] += found
-        return made
+        return _summed(asked, _side_by_side(part, asked, blur))
 
     def _kernels_of(self, blur: Blur, channel: int) -> MirroredKernels:
         """Return the kernels of a channel for images of this shape and border; kept."""
@@ -155,6 +144,17 @@ class Beyond:
         if last is None or last[0] is not positions:
             last = self._factors[id(remainder)] = positions, remainder.factors(positions, blur.dtype)
         return last[1]
+
+
+def _summed(asked: Sequence[tuple[int, int]], parts: Sequence[NDArray[Any]]) -> list[NDArray[Any]]:
+    """Return the sum over r of the parts of each plane."""
+    sums: list[NDArray[Any]] = []
+    for (_, r), found in zip(asked, parts, strict=True):
+        if r == 0:
+            sums.append(found)
+        else:
+            sums[-1] += found
+    return sums
 
 
 def _side_by_side(task: Callable[[Any], Any], each: Sequence[Any], blur: Blur) -> list[Any]:

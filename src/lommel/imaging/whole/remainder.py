@@ -186,7 +186,7 @@ def fit(
     shown, left = nodes.values(at[some]), all_left[some][:, distance]
     typical = np.maximum((left * shown).sum(axis=0), 1e-300) / np.maximum(left.sum(axis=0), 1e-300)
     weights: Array = alike / typical
-    kernels, factors = _products(shown, left, weights, alike, tol)
+    kernels, factors = _products(shown, left, weights, alike, _LOOSE * tol)
     # What is beyond the reach is like one more pixel, that no window holds.
     beyond = 1.0 - shown @ alike
     held = np.asarray(np.linalg.lstsq(factors, beyond, rcond=None)[0], dtype=np.float64)
@@ -248,10 +248,10 @@ def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float
             found = _solved(_normal(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
             factors = _solved(_normal(weights, found, 1e-14), (weights * values) @ found.T)
             wrong = float((np.abs((factors @ found - values) * parts) @ many).max())
-            if wrong <= _LOOSE * tol:
+            if wrong <= tol:
                 break
             factors = np.linalg.qr(factors)[0]
-        if wrong <= _LOOSE * tol:
+        if wrong <= tol:
             break
     kernels = np.zeros((rank, shown.shape[1]))
     kernels[:, seen] = found

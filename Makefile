@@ -203,6 +203,7 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 docs: build page .venv/docs.stamp ## write the documentation to docs/_build/html, running the gallery
 	@rm -rf docs/api # may hold pages of names that are gone
 	MPLBACKEND=Agg .venv/bin/python -m sphinx -q -W --keep-going -n -b html -d docs/_build/doctrees docs docs/_build/html
+	.venv/bin/python docs/check.py docs/_build/html
 	echo "docs/_build/html/index.html"
 
 # A compiler for browsers, which needs no root, and what its tests drive browsers with: 200 MB on top of what is in .venv. The

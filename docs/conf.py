@@ -15,6 +15,7 @@ from lommel.page import module
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
+import check  # noqa: E402
 import rooms  # noqa: E402
 
 # The pictures of how the code is organised, and the live page, which `make page` made.
@@ -57,11 +58,12 @@ sphinx_gallery_conf = {
     "gallery_dirs": "gallery",
     "filename_pattern": r"\.py$",
     "subsection_order": [
-        f"../examples/gallery/{part}" for part in ("cameras", "wavefronts", "telescopes", "microscopes", "methods")
+        f"../examples/gallery/{part}" for part in ("cameras", "depth", "microscopes", "telescopes", "class")
     ],
     "within_subsection_order": "FileNameSortKey",
     "backreferences_dir": "gallery/uses",
     "doc_module": ("lommel",),
+    "image_scrapers": (check.scrape,),
     "image_srcset": ["2x"],
     "capture_repr": (),
     "abort_on_example_error": True,

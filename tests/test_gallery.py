@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import matplotlib.pyplot as plt
-import numpy as np
 import pytest
 from matplotlib.figure import Figure
+
+from check import empty_axes
 
 ROOT = Path(__file__).resolve().parent.parent
 GALLERY = sorted((ROOT / "examples" / "gallery").rglob("*.py"))
@@ -51,20 +52,6 @@ def run_block_by_block(text: str, name: str) -> Iterator[Figure]:
         exec(compile(block, name, "exec"), names)
         yield from map(plt.figure, plt.get_fignums())
         plt.close("all")
-
-
-def empty_axes(figure: Figure) -> list[str]:
-    """Return what is written on axes in which nothing is to be seen: without artists, or of a single colour."""
-    figure.canvas.draw()
-    picture = np.asarray(figure.canvas.buffer_rgba())
-    found = []
-    for axes in figure.axes:
-        left, low, right, high = (round(side) for side in axes.get_window_extent().extents)
-        inside = picture[picture.shape[0] - high + 3 : picture.shape[0] - low - 3, left + 3 : right - 3]
-        seen = np.ptp(inside.reshape(-1, 4).astype(int), axis=0).any()
-        if axes.get_visible() and not (axes.has_data() and seen):
-            found.append(f"{axes.get_title()!r}, x {axes.get_xlabel()!r}")
-    return found
 
 
 @SCRIPT

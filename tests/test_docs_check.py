@@ -1,0 +1,58 @@
+"""What is looked for on made pages is found, and nothing else."""
+
+from __future__ import annotations
+
+import shutil
+
+import pytest
+
+import check
+
+
+@pytest.fixture
+def folder(tmp_path):
+    (tmp_path / "_static").mkdir()
+    (tmp_path / "_static" / "theme.html").write_text('<a href="{{ nowhere }}">template</a>', encoding="utf-8")
+    (tmp_path / "a.html").write_text(
+        '<h1 id="here">A</h1><a name="there"></a><a href="#here">1</a><a href="b.html#place%20two">2</a>'
+        '<a href="https://elsewhere.invalid/x">3</a><img src="p.png" srcset="p.png, p.png 2x">'
+        '<a href="mailto:x@y">4</a>',
+        encoding="utf-8",
+    )
+    (tmp_path / "b.html").write_text('<p id="place two"><a href="a.html#there">back</a>', encoding="utf-8")
+    (tmp_path / "p.png").touch()
+    return tmp_path
+
+
+def test_links_within_and_between_pages_that_lead_somewhere_are_no_faults(folder):
+    assert check.broken_links(folder) == []
+
+
+@pytest.mark.parametrize("link", ["#nowhere", "c.html", "b.html#nowhere", "../a.html"])
+def test_links_that_lead_nowhere_are_told_with_their_page(link, folder):
+    (folder / "b.html").write_text(f'<p id="place two"><a href="{link}">x</a>', encoding="utf-8")
+    assert check.broken_links(folder) == [f"b.html: {link}"]
+
+
+def test_pictures_that_are_missing_are_told(folder):
+    (folder / "p.png").unlink()
+    assert check.broken_links(folder) == ["a.html: p.png"]
+
+
+def test_pages_wider_than_a_phone_are_told_where_there_is_a_browser(folder, monkeypatch):
+    pytest.importorskip("playwright", reason="playwright is not installed, which drives the browser")
+    if not any(map(shutil.which, check.BROWSERS)):
+        pytest.skip("there is no Chromium to open pages with")
+    assert check.wide_pages(folder) == []
+    (folder / "b.html").write_text('<body style="margin:0"><div style="width:600px">x</div>', encoding="utf-8")
+    assert check.wide_pages(folder) == ["b.html: 600 pixels"]
+
+
+def test_without_a_browser_the_check_says_that_it_did_not_look(folder, monkeypatch, capsys):
+    monkeypatch.delenv("LOMMEL_BROWSER", raising=False)
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    assert check.main(folder) == 0
+    assert "was not looked at" in capsys.readouterr().out
+    (folder / "p.png").unlink()
+    assert check.main(folder) == 1
+    assert "broken link: a.html: p.png" in capsys.readouterr().out

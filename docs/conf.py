@@ -79,7 +79,7 @@ html_static_path = ["_static", "_generated/live"]
 html_css_files = ["lommel.css"]
 html_show_sourcelink = False
 # Pages that belong to no section need no list of those beside them.
-html_sidebars: dict[str, list[str]] = {page: [] for page in ("index", "live", "start", "versions")}
+html_sidebars: dict[str, list[str]] = {page: [] for page in ("index", "live", "versions")}
 copybutton_exclude = ".linenos, .gp, .go"
 html_copy_source = False
 html_theme_options = {

@@ -25,7 +25,7 @@ ORDER = [
     {"io"},
     {"show"},
     {"psf"},
-    {"estimation", "field"},
+    {"estimation", "field", "stacks"},
     {"imaging"},
     {"lensfiles", "microscopy"},
     {"reports"},

@@ -16,6 +16,7 @@ from lommel import (
     reports as reports,
     show as show,
     special as special,
+    stacks as stacks,
 )
 from lommel.core.answers import ToleranceError as ToleranceError
 from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision
@@ -76,5 +77,7 @@ from lommel.optics.wavefront import Wavefront as Wavefront
 from lommel.page.widget import live as live
 from lommel.psf import PSF as PSF, Plan as Plan, psf as psf
 from lommel.special.erf import AbramowitzErf as AbramowitzErf, FresnelErf as FresnelErf, TableErf as TableErf
+from lommel.stacks.compute import psf_to as psf_to
+from lommel.stacks.stack import PSFStack as PSFStack, open_stack as open_stack
 
 __version__: str

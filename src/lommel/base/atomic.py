@@ -33,7 +33,7 @@ def write(target: Path, data: bytes) -> None:
 
 
 @contextmanager
-def together() -> Iterator[Callable[[Path, bytes], None]]:
+def together() -> Iterator[Callable[[Path, bytes | memoryview], None]]:
     """Yield what takes paths and contents; at the end all files are moved into place, or after an error none.
 
     A link is followed, and what it names is replaced. A file that was there hands on its permissions, a new one has
@@ -47,7 +47,7 @@ def together() -> Iterator[Callable[[Path, bytes], None]]:
     """
     made: list[tuple[Path, Path]] = []
 
-    def put(target: Path, data: bytes) -> None:
+    def put(target: Path, data: bytes | memoryview) -> None:
         with _told_as(target):
             place = _place(target)
             temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
@@ -72,6 +72,22 @@ def together() -> Iterator[Callable[[Path, bytes], None]]:
         for temporary, _ in made:
             temporary.unlink(missing_ok=True)
         raise
+
+
+def write_by(target: Path, fill: Callable[[Path], None]) -> None:
+    """Write a file that `fill` makes at the path it is given, such as one larger than memory."""
+    with _told_as(target):
+        place = _place(target)
+        temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
+    try:
+        fill(temporary)
+        if mode is not None:
+            temporary.chmod(mode)
+        _settle(temporary)
+        temporary.replace(place)
+        _settle(place.parent)
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def write_folder(target: Path, fill: Callable[[Path], None]) -> None:

@@ -17,10 +17,15 @@ def sealed(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> dict
 
 def checksum(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> str:
     """Return the checksum of arrays by name, and of all that is said of them."""
+    return f"crc32 {crc32(description, arrays):08x}"
+
+
+def crc32(description: dict[str, Any], arrays: dict[str, NDArray[Any]]) -> int:
+    """Return the number of :func:`checksum`."""
     said = {key: value for key, value in description.items() if key != "checksum"}
     total = zlib.crc32(json.dumps(said, sort_keys=True, allow_nan=False).encode())
     for name in sorted(arrays):
         values = arrays[name]
         plain = np.ascontiguousarray(values, dtype=values.dtype.newbyteorder("<"))
         total = zlib.crc32(plain.data.cast("B") if plain.size else b"", zlib.crc32(name.encode(), total))
-    return f"crc32 {total:08x}"
+    return total

@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
 
 
 @dataclass(frozen=True)
@@ -41,10 +43,15 @@ class Geometry:
         """One over the distance in focus, 1/metres; negative for a point behind the lens."""
         return 1.0 / self.focal_length - 1.0 / self.sensor_distance
 
+    @cached_property
+    def distances(self) -> Array:
+        """`object_distance` as an array: a long stack is indexed often."""
+        return np.array(self.object_distance)
+
     @property
     def vergence(self) -> NDArray[np.float64]:
         """``1/s - 1/focus_distance`` for each object, 1/metres."""
-        return 1.0 / np.asarray(self.object_distance) - self.in_focus
+        return np.asarray(1.0 / self.distances - self.in_focus)
 
     @property
     def sphere(self) -> float:

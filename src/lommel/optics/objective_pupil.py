@@ -121,7 +121,7 @@ class ObjectivePupil(BasePupil):
         return self._planes(lambda part: _broadcast(part, shape))
 
     def _planes(self, of: Callable[[Any], Any]) -> ObjectivePupil:
-        planes: dict[str, Any] = {name: np.asarray(of(getattr(self, name))) for name in _PLANES}
+        planes: dict[str, Any] = {name: np.asarray(of(getattr(self, name))) for name in PLANES}
         measured = self.aberrations
         return replace(self, **planes, aberrations=of(measured) if measured and measured.shape else measured)
 
@@ -137,7 +137,7 @@ class ObjectivePupil(BasePupil):
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
         layers = {item.name: getattr(self.layers, item.name) for item in fields(Layers)}
-        planes = {name: getattr(self, name).tolist() for name in _PLANES}
+        planes = {name: getattr(self, name).tolist() for name in PLANES}
         emitter = {item.name: getattr(self.emitter, item.name) for item in fields(self.emitter)}
         if isinstance(jones := emitter.get("polarization"), tuple):
             emitter["polarization"] = [[part.real, part.imag] for part in jones]
@@ -159,7 +159,7 @@ class ObjectivePupil(BasePupil):
         layers = description["layers"]
         numbers: dict[str, Any] = {name: validation.real(name, layers[name]) for name in _NUMBERS}
         pairs: dict[str, Any] = {name: tuple((float(n), float(t)) for n, t in layers[name]) for name in _PAIRS}
-        planes: dict[str, Any] = {name: validation.real_array(name, description[name]) for name in _PLANES}
+        planes: dict[str, Any] = {name: validation.real_array(name, description[name]) for name in PLANES}
         magnification = validation.real("magnification", description["magnification"], above=0.0)
         measured = description.get("aberrations")
         aberrations = measured and Wavefront.from_dict(measured)
@@ -188,6 +188,6 @@ def _broadcast(part: Any, shape: tuple[int, ...]) -> Any:
     return part.broadcast(shape) if isinstance(part, Wavefront) else np.broadcast_to(part, shape)
 
 
-_PLANES = ("depth", "focus", "z")
+PLANES = ("depth", "focus", "z")
 _NUMBERS = ("NA", "immersion", "glass", "sample", "wavelength")
 _PAIRS = ("films", "paths")

@@ -291,7 +291,7 @@ class Pupil(BasePupil):
         part = self.wavefront[index]
         geometry = self.geometry
         if geometry is not None:
-            distances = np.reshape(geometry.object_distance, self.shape)[index]
+            distances = np.reshape(geometry.distances, self.shape)[index]
             geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
         return self.carrying(part, geometry)
 
@@ -301,7 +301,7 @@ class Pupil(BasePupil):
             return self
         geometry = self.geometry
         if geometry is not None:
-            distances = np.broadcast_to(np.reshape(geometry.object_distance, self.shape), shape)
+            distances = np.broadcast_to(np.reshape(geometry.distances, self.shape), shape)
             geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
         return self.carrying(self.wavefront.broadcast(shape), geometry)
 

@@ -1,0 +1,225 @@
+"""The front door of stacks: :func:`psf_to`, which computes what a store lacks."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from concurrent import futures
+from contextlib import closing
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import options as shared
+from lommel.base import validation
+from lommel.base.options import shares
+from lommel.methods.method import Method
+from lommel.optics.base_pupil import BasePupil
+from lommel.stacks.layout import Index
+from lommel.stacks.request import Keywords, Options, Question, Request, requested
+from lommel.stacks.stack import PSFStack
+from lommel.stacks.stores import Store, kind
+
+
+@shares(Keywords, Options)
+def psf_to(
+    store: str | os.PathLike[str],
+    pupils: BasePupil | Sequence[BasePupil],
+    shape: int | tuple[int, int],
+    pixel: float,
+    *,
+    axes: Mapping[str, Any] | None = None,
+    chunk: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
+    client: Any = None,
+    **options: Unpack[Keywords],
+) -> PSFStack:
+    """Compute the PSFs of a stack that need not fit into memory, chunk by chunk into a store.
+
+    Called again with the same arguments, after an error, Ctrl-C or the end of the process, it computes the chunks
+    that are not there yet. The values of a chunk are those of ``lommel.psf(pupils[chunk], ...)``, bit by bit,
+    wherever and in whatever order it is computed.
+
+    Parameters
+    ----------
+    store : path
+        ``.zarr``, a folder (Zarr version 3), or ``.h5``, ``.hdf5``, a file.
+    pupils : Pupil or ObjectivePupil, or sequence of these
+        A stack. Listed ones, of one shape, are the first axis, such as one for each wavelength.
+    shape, pixel
+        As of :func:`lommel.psf`.
+    axes : mapping of str to array_like or (array_like, str), optional
+        Names of the axes of the stack, in order, each with its coordinates and perhaps their unit. By default the
+        object distances, or depths and z, of the pupils, where these change along one axis alone, else
+        ``axis_0`` and so on. Metres are those of ``object_distance, depth, z, wavelength``, and what begins with
+        ``field`` has the unit of the pupils.
+    chunk : int, optional
+        At most so many PSFs in each chunk; by default as many as 16 MiB hold, or as the store was begun with. Chunks
+        are cut by this and by what is asked alone. Other chunks make other values, within the bounds of both.
+    progress : callable, optional
+        Called as ``progress(done, chunks)`` after each chunk that is computed.
+    client : distributed.Client or concurrent.futures.Executor, optional
+        What computes the chunks; by default threads of this process. Workers write into a ``.zarr`` themselves, and
+        have to see it under the same path; an HDF5 file is written by this process.
+    {options}
+
+    Returns
+    -------
+    PSFStack
+        As :func:`lommel.open_stack` reads it.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range, or if there are PSFs in the store that were asked for otherwise.
+    FileError
+        If there is something else at the path, or the store is damaged.
+    ToleranceError
+        If the tolerance cannot be met; what was computed before stays.
+    ImportError
+        If zarr or h5py is not installed.
+    OSError
+        If the store cannot be written, or does not fit on the disk.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> import numpy as np
+    >>> lens = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+    >>> stack = lm.psf_to("depths.zarr", lens.pupil(np.linspace(1.0, 3.0, 5000)), 33, 3e-6)  # doctest: +SKIP
+    """
+    shared.require_known(psf_to, options, Keywords)
+    given = Options(**options)
+    path = Path(os.path.realpath(validation.path("store", store)))
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+    threads = None if given.threads is None else validation.integer("threads", given.threads, least=1, most=1024)
+    pool, slots = _pool(client)
+    place = kind(path)
+    there = place.open(path) if path.exists() else None
+    request = requested(pupils, shape, pixel, axes, chunk, given)
+    if there is not None and chunk is None:
+        same = replace(request, said=request.said | {"chunks": there.said["chunks"]})
+        request = request if _difference(there.said, same.said) else same
+    opened = _begun(place, path, there, request)
+    grid = opened.layouts["scale"].grid
+    todo = [index for index in np.ndindex(*grid) if not opened.done(index)]
+    _require_room(opened, len(todo))
+    total = int(np.prod(grid))
+    each = threads or 1
+    if pool is None:
+        slots = min(threads or os.cpu_count() or 1, max(1, len(todo)))
+        each = max(1, (threads or os.cpu_count() or 1) // slots)
+    by_caller = client is not None and opened.one_file
+    tasks = ((index, request.question, *request.part(index), each) for index in todo)
+    found = _computed(pool, slots, None if by_caller else opened, tasks, request.methods)
+    with closing(found):
+        for done, (index, made) in enumerate(found, total - len(todo) + 1):
+            if made is not None:
+                opened.keep(index, made)
+            if progress is not None:
+                progress(done, total)
+    return PSFStack(opened)
+
+
+def _begun(place: type[Store], path: Path, there: Store | None, request: Request) -> Store:
+    """Return the store, begun anew where there is none, or one with nothing in it that was asked for otherwise."""
+    if there is not None:
+        other = _difference(there.said, request.said)
+        if not other:
+            return there
+        if any(there.done(index) for index in np.ndindex(*there.layouts["scale"].grid)):
+            raise ValueError(
+                f"store must be new, or asked for as it was: {validation.line(path)} holds PSFs of another request, "
+                f"whose {other}"
+            )
+    arrays: dict[str, NDArray[Any]] = {f"pupil/{name}": at for name, at in request.arrays.items()}
+    if not request.grid.stack:
+        arrays |= {"y": request.grid.y, "x": request.grid.x}
+    place.create(path, request.said, arrays | request.axes)
+    return place.open(path)
+
+
+def _difference(there: Mapping[str, Any], asked: Mapping[str, Any]) -> str:
+    """Return the first thing that two descriptions say otherwise, in words; "" if there is none."""
+    for name in ("software", "stack", "window", *asked):
+        if there.get(name) != asked[name]:
+            if name in ("arrays", "pupils", "coordinates"):
+                return {"coordinates": "axes are others"}.get(name, "pupils are others")
+            return f"{name} is {validation.shown(there.get(name))} and not {validation.shown(asked[name])}"
+    return ""
+
+
+def _require_room(store: Store, chunks: int) -> None:
+    """Raise OSError where the disk has no room for so many chunks."""
+    values = store.layouts["values"]
+    needed = chunks * values.nbytes // max(1, int(np.prod(values.grid)))
+    free = shutil.disk_usage(store.path.parent).free
+    if needed > free:
+        raise OSError(
+            28, f"the store needs {needed / 1e9:.3g} GB more, and {free / 1e9:.3g} GB are free", str(store.path)
+        )
+
+
+def _pool(client: Any) -> tuple[futures.Executor | None, int]:
+    """Return what computes, and how many chunks are to be under way with it."""
+    if client is None:
+        return None, 0
+    if isinstance(client, futures.Executor):
+        return client, 2 * (os.cpu_count() or 1)
+    if callable(getattr(client, "get_executor", None)):
+        return client.get_executor(), 2 * max(1, sum(client.nthreads().values()))
+    raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
+
+
+_Task = tuple[Index, Question, BasePupil, Any, tuple[Method, ...], int]
+_Made = tuple[Index, dict[str, NDArray[Any]] | None]
+
+
+def _computed(
+    pool: futures.Executor | None, slots: int, store: Store | None, tasks: Iterator[_Task], methods: list[Method]
+) -> Generator[_Made]:
+    """Yield chunks as they are done, a few under way at any time; after an error none is begun."""
+    own = futures.ThreadPoolExecutor(slots) if pool is None else None
+    under_way: set[futures.Future[_Made]] = set()
+    try:
+        for task in tasks:
+            if len(under_way) > slots:
+                done, under_way = futures.wait(under_way, return_when=futures.FIRST_COMPLETED)
+                yield from (one.result() for one in done)
+            under_way.add((own or pool).submit(_work, store, methods, *task))  # type: ignore[union-attr]
+        yield from (one.result() for one in futures.as_completed(under_way))
+    finally:
+        for one in under_way:
+            one.cancel()
+        if own is not None:
+            own.shutdown(cancel_futures=True)
+
+
+def _work(
+    store: Store | None,
+    methods: list[Method],
+    index: Index,
+    question: Question,
+    pupil: BasePupil,
+    center: Any,
+    ways: tuple[Method, ...],
+    threads: int,
+) -> _Made:
+    """Compute a chunk, and keep it where a store is given."""
+    made = question.answer(pupil, center, ways, threads)
+    bound = np.nan if made.error_bound is None else made.error_bound
+    parts: dict[str, NDArray[Any]] = {
+        "values": made.values,
+        "error_bound": np.full(pupil.shape, bound),
+        "scale": np.asarray(made.scale),
+        "method": np.full(pupil.shape, methods.index(made.method), np.uint8),
+    }
+    if store is None:
+        return index, parts
+    store.keep(index, parts)
+    return index, None

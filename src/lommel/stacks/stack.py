@@ -1,0 +1,240 @@
+"""A stack of PSFs in a store, of which parts are read when they are asked for."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.base.checksums import crc32
+from lommel.base.optional import library
+from lommel.io.psf_files import FileError, told
+from lommel.methods.registry import method_from_dict
+from lommel.optics.grid import Grid
+from lommel.optics.stacked import together
+from lommel.psf import PSF
+from lommel.stacks.layout import OF_CHUNK, Index
+from lommel.stacks.stores import Store, kind
+
+
+def open_stack(store: str | os.PathLike[str]) -> PSFStack:
+    """Open what :func:`lommel.psf_to` wrote, or is writing.
+
+    Parameters
+    ----------
+    store : path
+        ``.zarr``, ``.h5`` or ``.hdf5``.
+
+    Returns
+    -------
+    PSFStack
+
+    Raises
+    ------
+    ValueError
+        If the suffix is another.
+    FileError
+        If it is damaged, or was not written by this package as a stack.
+    ImportError
+        If h5py is not installed.
+    OSError
+        If it cannot be read.
+    """
+    path = Path(os.path.realpath(validation.path("store", store)))
+    return PSFStack(kind(path).open(path))
+
+
+class PSFStack:
+    """PSFs in a store, in memory when they are asked for: ``stack[index]`` is a :class:`lommel.PSF`.
+
+    What is read is compared with the checksum of its chunk.
+
+    Attributes
+    ----------
+    shape : tuple of int
+        Of all values: that of the stack, height, width.
+    dtype : dtype
+    axes : dict of str to ndarray
+        Names of the axes of the stack, and the coordinates along each.
+    units : dict of str to str
+        Of these.
+    grid : Grid or None
+        The pixels, where all PSFs have one center.
+    """
+
+    def __init__(self, store: Store) -> None:
+        self._store, said = store, store.said
+        layout = store.layouts["values"]
+        self.shape: tuple[int, ...] = layout.shape
+        self.dtype: np.dtype[Any] = np.dtype(layout.dtype)
+        self.units: dict[str, str] = dict(said["axes"])
+        with told(store.path, "a stack of PSFs"):
+            self.axes: dict[str, Array] = {name: store.whole(name) for name in self.units}
+            if crc32({}, dict(self.axes)) != said["coordinates"]:
+                raise FileError(f"the coordinates of {validation.line(store.path)} are damaged")
+            self._methods = [method_from_dict(one) for one in said["methods"]]
+            self.grid: Grid | None = None if said["center"] is None else self._pixels(said["center"])
+        self._last: tuple[Index, dict[str, NDArray[Any]]] | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return vars(self) | {"_last": None}
+
+    @property
+    def ndim(self) -> int:
+        """How many axes the values have."""
+        return len(self.shape)
+
+    @property
+    def done(self) -> tuple[int, int]:
+        """How many chunks are there, and of how many."""
+        grid = self._store.layouts["scale"].grid
+        return sum(self._store.done(index) for index in np.ndindex(*grid)), math.prod(grid)
+
+    @property
+    def error_bound(self) -> Array:
+        """Bound on the error of each PSF over its peak, the largest of its chunk; NaN where there is none yet."""
+        return self._store.whole("error_bound")
+
+    @property
+    def scale(self) -> Array:
+        """What the intensity of each was multiplied by; NaN where it is not there yet."""
+        return self._store.whole("scale")
+
+    @property
+    def dask(self) -> Any:
+        """The values as an array of dask, whose chunks are those of the store; needs dask."""
+        da = library("dask.array", "stacks as arrays of dask need", "dask")
+        chunks = self._store.layouts["values"].chunks
+        name = f"psf-stack-{crc32(self._store.said | {'path': str(self._store.path)}, {}):08x}"
+        return da.from_array(_Values(self), chunks=chunks, name=name, asarray=False, meta=np.empty(0, self.dtype))
+
+    def to_xarray(self) -> Any:
+        """Return an ``xarray.Dataset`` whose values are read when they are computed; needs xarray and dask.
+
+        It has `values`, with a coordinate and its unit for each axis, `error_bound` and `scale`.
+        """
+        xarray = library("xarray", "stacks in xarray need", "xarray")
+        said, names = self._store.said, tuple(self.axes)
+        places = dict(self.axes)
+        if self.grid is not None:
+            places |= {"y": self.grid.y, "x": self.grid.x}
+        units = self.units | {"y": said["unit"], "x": said["unit"]}
+        told_once = {name: said[name] for name in ("software", "pixel", "unit", "normalize")}
+        return xarray.Dataset(
+            {
+                "values": ((*names, "y", "x"), self.dask, {"sampling": "pixel" if said["integrate"] else "center"}),
+                "error_bound": (names, self.error_bound),
+                "scale": (names, self.scale),
+            },
+            coords={name: (name, at, {"units": units[name]}) for name, at in places.items()},
+            attrs=told_once,
+        )
+
+    def __len__(self) -> int:
+        """Return how many there are along the first axis."""
+        return self.shape[0]
+
+    def __repr__(self) -> str:
+        done, total = self.done
+        axes = ", ".join(f"{name} {at.size}" for name, at in self.axes.items())
+        there = "" if done == total else f", {done} of {total} chunks there"
+        return f"<PSFStack {'x'.join(map(str, self.shape))} {self.dtype} ({axes}) in {self._store.path.name}{there}>"
+
+    def __getitem__(self, index: Any) -> PSF:
+        """Return part of the stack, in memory, as NumPy indexes arrays of its shape.
+
+        Raises
+        ------
+        IndexError
+            If there is no such part.
+        ValueError
+            If a part is not there yet, if it has more than 2^31 values, or if it is of several wavelengths, or was
+            computed by several methods, of which a PSF has one.
+        FileError
+            If it is damaged.
+        """
+        which, found = self._members(index)
+        said = self._store.said
+        ways = np.unique(found["method"])
+        if ways.size != 1:
+            names = " and ".join(type(self._methods[way]).__name__ for way in ways)
+            raise ValueError(f"these were computed by {names}; take them apart: stack[...] has one method")
+        shared = said["pupils"]
+        lights = np.unique(which // math.prod(self.shape[1:-2])) if len(shared) > 1 else np.zeros(1, int)
+        if lights.size != 1:
+            raise ValueError(
+                "the pupils of the first axis differ in more than phase; take one: stack[k], or stack.dask"
+            )
+        pupils = {name.removeprefix("pupil/"): at for name, at in found.items() if name.startswith("pupil/")}
+        center = said["center"] if said["center"] is not None else (pupils.pop("row"), pupils.pop("column"))
+        bound = float(found["error_bound"].max())
+        return PSF(
+            values=found["values"],
+            grid=self._pixels(center),
+            pupil=together(shared[int(lights[0])], pupils),
+            method=self._methods[int(ways[0])],
+            normalize=said["normalize"],
+            error_bound=None if math.isnan(bound) else bound,
+            scale=found["scale"],
+        )
+
+    def _pixels(self, center: Any) -> Grid:
+        said = self._store.said
+        return Grid(tuple(said["window"]), said["pixel"], center=center, integrate=said["integrate"])
+
+    def _members(
+        self, index: Any, only: tuple[str, ...] | None = None
+    ) -> tuple[NDArray[np.intp], dict[str, NDArray[Any]]]:
+        """Return which members of the flattened stack an index is, and what is known of each, by name."""
+        stack = self.shape[:-2]
+        which = np.asarray(np.arange(math.prod(stack)).reshape(stack)[index])
+        if which.size == 0 or which.size * math.prod(self.shape[-2:]) > validation.MAX_VALUES:
+            raise ValueError(f"{which.size} PSFs of {self.shape[-2:]} are none, or more than fit: 2^31 values")
+        names = only or (*OF_CHUNK, *self._store.pupils)
+        layouts = {name: self._store.layouts[name] for name in names}
+        tails = {name: layout.shape[len(stack) :] for name, layout in layouts.items()}
+        out = {name: np.empty((which.size, *tails[name]), layouts[name].dtype) for name in names}
+        for at, (chunk, first) in self._chunks_of(which.ravel()):
+            parts = self._chunk(chunk)
+            for name in names:
+                out[name][at] = parts[name].reshape(-1, *tails[name])[which.flat[at] - first]
+        return which, {name: values.reshape(which.shape + tails[name]) for name, values in out.items()}
+
+    def _chunks_of(self, which: NDArray[np.intp]) -> Iterator[tuple[NDArray[np.intp], tuple[Index, int]]]:
+        """Yield the chunks that members are in: which of these, its index, and the first member of it."""
+        layout = self._store.layouts["scale"]
+        places = np.unravel_index(which, layout.shape)
+        of = tuple(place // size for place, size in zip(places, layout.chunks, strict=True))
+        flat = np.ravel_multi_index(of, layout.grid)
+        for chunk in np.unique(flat):
+            index = tuple(int(i) for i in np.unravel_index(chunk, layout.grid))
+            # A chunk is a run of the flattened stack.
+            yield np.flatnonzero(flat == chunk), (index, layout.first(index))
+
+    def _chunk(self, index: Index) -> dict[str, NDArray[Any]]:
+        """Return all of a chunk; the last one that was asked for is kept, since neighbours are asked for next."""
+        last = self._last
+        if last is None or last[0] != index:
+            self._last = last = index, self._store.chunk(index)
+        return last[1]
+
+
+class _Values:
+    """The values of a stack, for dask."""
+
+    def __init__(self, stack: PSFStack) -> None:
+        self._stack, self.shape, self.dtype, self.ndim = stack, stack.shape, stack.dtype, stack.ndim
+
+    def __getitem__(self, index: Any) -> NDArray[Any]:
+        parts = index if isinstance(index, tuple) else (index,)
+        lead = self.ndim - 2
+        values = self._stack._members(parts[:lead], ("values",))[1]["values"]
+        window = parts[lead:]
+        return values[(..., *window, *(slice(None),) * (2 - len(window)))]

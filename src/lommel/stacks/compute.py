@@ -134,8 +134,8 @@ def _begun(place: type[Store], path: Path, there: Store | None, request: Request
             return there
         if any(there.done(index) for index in np.ndindex(*there.layouts["scale"].grid)):
             raise ValueError(
-                f"store must be new, or asked for as it was: {validation.line(path)} holds PSFs of another request, "
-                f"whose {other}"
+                f"store must be new, or asked for as it was: {validation.line(path)} holds PSFs of another "
+                f"request ({other})"
             )
     arrays: dict[str, NDArray[Any]] = {f"pupil/{name}": at for name, at in request.arrays.items()}
     if not request.grid.stack:
@@ -145,12 +145,12 @@ def _begun(place: type[Store], path: Path, there: Store | None, request: Request
 
 
 def _difference(there: Mapping[str, Any], asked: Mapping[str, Any]) -> str:
-    """Return the first thing that two descriptions say otherwise, in words; "" if there is none."""
-    for name in ("software", "stack", "window", *asked):
+    """Return the first thing that two descriptions say otherwise, chunks last, in words; "" if there is none."""
+    for name in sorted(asked, key=lambda name: (name == "chunks", name not in ("software", "stack", "window"))):
         if there.get(name) != asked[name]:
             if name in ("arrays", "pupils", "coordinates"):
-                return {"coordinates": "axes are others"}.get(name, "pupils are others")
-            return f"{name} is {validation.shown(there.get(name))} and not {validation.shown(asked[name])}"
+                return "the coordinates are others" if name == "coordinates" else "the pupils are others"
+            return f"{name}: {validation.shown(there.get(name))} there, {validation.shown(asked[name])} asked for"
     return ""
 
 

@@ -1,0 +1,261 @@
+"""Stacks in stores: the same bits wherever they are computed, resumed after every way to end, never mixed up."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import subprocess
+import sys
+import textwrap
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.io.psf_files import FileError
+from lommel.stacks import compute
+
+pytest.importorskip("zarr")
+pytest.importorskip("h5py")
+
+SUFFIX = pytest.mark.parametrize("suffix", [".zarr", ".h5"])
+LENS = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+DEPTHS = np.linspace(1.9, 2.1, 50)
+SIDE, PIXEL = 9, 3e-6
+CHUNK = 8  # 50 in even chunks of 8: seven of them, the last of 2
+
+
+def run(path: Path, **options) -> lm.PSFStack:
+    return lm.psf_to(path, LENS.pupil(DEPTHS), SIDE, PIXEL, **({"chunk": CHUNK} | options))
+
+
+def contents(stack: lm.PSFStack) -> tuple[bytes, ...]:
+    made = stack[:]
+    return made.values.tobytes(), stack.error_bound.tobytes(), stack.scale.tobytes()
+
+
+@pytest.fixture(scope="module")
+def known(tmp_path_factory) -> tuple[bytes, ...]:
+    """What one thread computes without a break."""
+    return contents(run(tmp_path_factory.mktemp("known") / "a.zarr", threads=1))
+
+
+@SUFFIX
+def test_a_chunk_holds_what_psf_answers_for_its_pupils(suffix, tmp_path, known):
+    stack = run(tmp_path / f"a{suffix}")
+    pupil = LENS.pupil(DEPTHS)
+    assert stack.done == (7, 7)
+    assert contents(stack) == known
+    for first in range(0, 50, CHUNK):
+        part = slice(first, min(first + CHUNK, 50))
+        asked, read = lm.psf(pupil[part], SIDE, PIXEL), stack[part]
+        np.testing.assert_array_equal(read.values, asked.values)
+        np.testing.assert_array_equal(read.scale, asked.scale)
+        assert (read.pupil, read.grid, read.method) == (asked.pupil, asked.grid, asked.method)
+        assert (read.error_bound, read.normalize, read.unit) == (asked.error_bound, "energy", "m")
+
+
+def test_what_a_store_holds_is_within_its_bound_of_quadrature(tmp_path):
+    stack = run(tmp_path / "a.zarr", normalize="peak", integrate=False)[::7]
+    exact = lm.psf(stack.pupil, SIDE, PIXEL, method=lm.Hankel(), normalize="peak", integrate=False, dtype="float64")
+    assert np.abs(stack.values - exact.values).max() <= stack.error_bound <= 1e-6
+
+
+def test_other_chunks_make_other_values_within_the_bounds_of_both(tmp_path, known):
+    one, other = run(tmp_path / "a.zarr")[:], run(tmp_path / "b.zarr", chunk=50)[:]
+    peak = one.values.max(axis=(1, 2), keepdims=True)
+    assert np.max(np.abs(one.values - other.values) / peak) <= one.error_bound + other.error_bound
+
+
+@SUFFIX
+@pytest.mark.parametrize("pool", ["threads", "processes"])
+def test_a_pool_computes_the_same_bits(suffix, pool, tmp_path, known):
+    if pool == "threads":
+        executor = ThreadPoolExecutor(3)
+    else:
+        executor = ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn"))
+    with executor:
+        assert contents(run(tmp_path / f"a{suffix}", client=executor)) == known
+
+
+@SUFFIX
+def test_an_error_leaves_what_was_computed_and_the_rest_is_computed_later(suffix, tmp_path, known):
+    path, calls = tmp_path / f"a{suffix}", []
+
+    def fail(done: int, total: int) -> None:
+        calls.append((done, total))
+        if done == 3:
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        run(path, progress=fail, threads=1)
+    assert calls == [(1, 7), (2, 7), (3, 7)]
+    there, total = lm.open_stack(path).done
+    assert 3 <= there < total == 7
+    calls.clear()
+    stack = run(path, progress=lambda *said: calls.append(said))
+    assert calls == [(k, 7) for k in range(there + 1, 8)]
+    assert contents(stack) == known
+    run(path, progress=fail)
+    assert len(calls) == 7 - there
+
+
+KILLED = """
+    import os, signal, sys, warnings
+    from pathlib import Path
+    sys.path.insert(0, sys.argv[2])
+    import zarr, h5py
+    import test_psf_to as test
+    from lommel.stacks import stores
+
+    def die(*_):
+        os.kill(os.getpid(), signal.SIGKILL)
+
+    def case(path, when):
+        put, count = stores.kind(path).put, [0]
+
+        def dying(self, parts, index):
+            mark = stores.MARKS in parts
+            count[0] += mark == (when == "before the mark")
+            if when != "after a chunk" and count[0] == 3:
+                if when == "within the values" and self.one_file:
+                    with self.path.open("r+b") as file:
+                        file.seek(self._place("values", index))
+                        file.write(parts["values"].tobytes()[:100])
+                elif when == "within the values":
+                    Path.replace = die  # when all is written, and nothing has its name
+                    put(self, parts, index)
+                die()
+            put(self, parts, index)
+
+        stores.kind(path).put = dying
+        test.run(path, threads=1, progress=lambda done, _: when == "after a chunk" and done == 2 and die())
+
+    for when in test.WHEN:
+        for suffix in (".zarr", ".h5"):
+            child = os.fork()
+            if child == 0:
+                case(Path(sys.argv[1]) / (when + suffix), when)
+                os._exit(1)
+            assert os.waitpid(child, 0)[1] == signal.SIGKILL, (when, suffix)
+"""
+WHEN = ("after a chunk", "before the mark", "within the values")
+
+
+@pytest.fixture(scope="module")
+def killed(tmp_path_factory) -> Path:
+    """A folder of stores whose writers were killed."""
+    folder = tmp_path_factory.mktemp("killed")
+    command = [sys.executable, "-c", textwrap.dedent(KILLED), str(folder), str(Path(__file__).parent)]
+    ended = subprocess.run(command, timeout=300, check=False, capture_output=True, text=True)
+    assert ended.returncode == 0, ended.stderr
+    return folder
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+@SUFFIX
+@pytest.mark.parametrize("when", WHEN)
+def test_what_is_killed_goes_on_where_it_was(suffix, when, killed, known):
+    path, calls = killed / f"{when}{suffix}", []
+    broken = lm.open_stack(path)
+    there, total = broken.done
+    # The others were not begun, but for those that the thread had before the signal came.
+    assert there in ((2,) if when != "after a chunk" else (2, 3))
+    with pytest.raises(ValueError, match=r"chunk \(6,\) of .* is not there yet: call psf_to as before"):
+        broken[49]
+    stack = run(path, progress=lambda *said: calls.append(said))
+    assert calls == [(done, total) for done in range(there + 1, total + 1)]
+    assert contents(stack) == known
+
+
+@SUFFIX
+def test_a_store_of_another_request_is_refused_and_stays(suffix, tmp_path, known):
+    path = tmp_path / f"a{suffix}"
+    run(path)
+    for change, told in (
+        ({"tol": 1e-7}, "methods: .*1e-06.* there, .*1e-07.* asked for"),
+        ({"dtype": "float64"}, "dtype: 'float32' there, 'float64' asked for"),
+        ({"normalize": "peak"}, "normalize: 'energy' there, 'peak' asked for"),
+        ({"chunk": 9}, r"chunks: \[8\] there, \[9\] asked for"),
+        ({"center": (4.5, 4.0)}, "center: "),
+        ({"axes": {"depth": DEPTHS}}, "axes: "),
+        ({"axes": {"object_distance": DEPTHS + 1e-9}}, "the coordinates are others"),
+    ):
+        with pytest.raises(
+            ValueError, match=f"store must be new, or asked for as it was: .* another request .{told}"
+        ):
+            run(path, **change)
+    with pytest.raises(ValueError, match="the pupils are others"):
+        lm.psf_to(path, LENS.stopped(2.0).pupil(DEPTHS), SIDE, PIXEL)
+    # Chunks that are not named are those that there are.
+    assert contents(run(path, chunk=None)) == known
+
+
+@SUFFIX
+def test_a_store_with_nothing_in_it_may_be_asked_for_otherwise(suffix, tmp_path, known):
+    path = tmp_path / f"a{suffix}"
+    with pytest.raises(ValueError, match="supports the pupils of an Objective only"):
+        run(path, method=lm.Stratified())
+    assert lm.open_stack(path).done == (0, 7)
+    assert contents(run(path)) == known
+
+
+@SUFFIX
+def test_something_else_at_the_path_is_refused_and_stays(suffix, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    path.write_bytes(b"mine")
+    with pytest.raises((FileError, OSError)):
+        run(path)
+    assert path.read_bytes() == b"mine"
+    folder = tmp_path / f"b{suffix}"
+    folder.mkdir()
+    with pytest.raises((FileError, OSError)):
+        run(folder)
+    field = tmp_path / "field.zarr"
+    map_ = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
+    map_.grid(1, 2, sensor=(20e-3, 30e-3), shape=5, pixel=2e-6).save(field)
+    with pytest.raises(FileError, match="is not a stack of PSFs"):
+        run(field)
+    assert lm.PSFGrid.load(field).values.shape == (1, 2, 5, 5)
+
+
+def test_a_disk_without_room_is_told_before_anything_is_computed(tmp_path, monkeypatch):
+    monkeypatch.setattr(compute.shutil, "disk_usage", lambda _: SimpleNamespace(free=9))
+    with pytest.raises(OSError, match=r"the store needs .* GB more, and 9e-09 GB are free"):
+        run(tmp_path / "a.zarr")
+
+
+@pytest.mark.parametrize(
+    ("options", "fault"),
+    [
+        ({"chunk": 0}, "chunk must be from 1 to"),
+        ({"progress": 1}, "progress must be callable, got 1"),
+        ({"client": 1}, "client must be a distributed.Client, an Executor or None, got 1"),
+        ({"axes": {"y": DEPTHS}}, "axes must not be called"),
+        ({"axes": {"d": DEPTHS[1:]}}, r"axes\['d'\] must be 50 numbers"),
+        ({"axes": {"d": DEPTHS, "e": 1}}, "axes must name the 1 axes"),
+        ({"axes": [DEPTHS]}, "axes must map names"),
+        ({"threads": 0}, "threads must be"),
+        ({"derivatives": ("defocus",)}, r"psf_to\(\) has no option 'derivatives'"),
+    ],
+)
+def test_what_is_out_of_range_is_told_and_nothing_is_written(options, fault, tmp_path):
+    with pytest.raises((TypeError, ValueError), match=fault):
+        run(tmp_path / "a.zarr", **options)
+    assert not list(tmp_path.iterdir())
+
+
+def test_pupils_that_are_no_stack_and_other_suffixes_are_told(tmp_path):
+    one = LENS.pupil(2.0)
+    for path, pupils, fault in (
+        ("a.zarr", one, "pupils must be a stack of 1 to 8 axes"),
+        ("a.zarr", [], "pupils must not be an empty list"),
+        ("a.zarr", [one, LENS.pupil([1.0, 2.0])], "pupils must all have the shape of the first"),
+        ("a.zarr", LENS, "got a Lens; lens.pupil"),
+        ("a.zip", LENS.pupil(DEPTHS), r"store must end in .zarr, .h5, .hdf5, got"),
+    ):
+        with pytest.raises((TypeError, ValueError), match=fault):
+            lm.psf_to(tmp_path / path, pupils, SIDE, PIXEL)

@@ -1,0 +1,278 @@
+"""Stacks that are read: every kind of pupil, by index, dask and xarray, and what is damaged is told."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import shutil
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.io.psf_files import FileError
+
+pytest.importorskip("zarr")
+h5py = pytest.importorskip("h5py")
+
+SUFFIX = pytest.mark.parametrize("suffix", [".zarr", ".h5"])
+LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
+FIELD = lm.FieldMap.from_seidel(20e-3, W131=1.0, W222=0.5, aperture=LENS.pupil(2.0).unaberrated())
+X, Y, DISTANCES = np.linspace(-9e-3, 9e-3, 3), np.array([0.0, 6e-3]), np.array([1.8, 2.0, 2.5, np.inf])
+OIL = lm.Objective(
+    NA=1.2,
+    magnification=60,
+    immersion=1.333,
+    working_distance=0.28e-3,
+    coverslip=lm.Layer(1.5255, 170e-6),
+    sample=1.36,
+)
+
+
+def table() -> list[lm.Pupil]:
+    """A field at each distance."""
+    return [(FIELD + LENS.pupil(float(s)).wavefront).pupil(X, Y[:, None]) for s in DISTANCES]
+
+
+@pytest.fixture(scope="module")
+def fields(tmp_path_factory) -> dict[str, Path]:
+    """One stack in both kinds of store."""
+    folder = tmp_path_factory.mktemp("fields")
+    axes = {"object_distance": DISTANCES, "field_y": Y, "field_x": X}
+    for suffix in (".zarr", ".h5"):
+        lm.psf_to(folder / f"a{suffix}", table(), (7, 8), 3e-6, axes=axes, chunk=4)
+    return {suffix: folder / f"a{suffix}" for suffix in (".zarr", ".h5")}
+
+
+@SUFFIX
+def test_a_table_over_field_and_distance_is_that_of_single_calls(suffix, fields):
+    stack = lm.open_stack(fields[suffix])
+    assert stack.shape == (4, 2, 3, 7, 8)
+    assert len(stack) == 4
+    assert stack.units == dict.fromkeys(("object_distance", "field_y", "field_x"), "m")
+    for index in ((0, 0, 0), (1, 1, 2), (3, 0, 1)):
+        one, known = stack[index], table()[index[0]][index[1:]]
+        assert one.pupil == known
+        asked = lm.psf(known, (7, 8), 3e-6)
+        assert lm.peak_error(one, asked) <= one.error_bound + asked.error_bound
+        assert one.grid == asked.grid == stack.grid
+        assert (one.sampling, one.energy) == ("pixel", pytest.approx(asked.energy))
+
+
+@SUFFIX
+@pytest.mark.parametrize(
+    "index",
+    [0, -1, slice(1, 3), (slice(None), 1), (2, slice(None), [0, 2]), (..., 0), np.array([3, 0]), ([0, 3], 1, [2, 0])],
+)
+def test_an_index_is_that_of_numpy(suffix, index, fields):
+    stack = lm.open_stack(fields[suffix])
+    whole = stack[:]
+    part = stack[index]
+    np.testing.assert_array_equal(part.values, whole[index].values)
+    assert part.pupil == whole[index].pupil
+    np.testing.assert_array_equal(part.scale, whole[index].scale)
+
+
+@SUFFIX
+def test_what_is_not_there_or_nothing_is_told(suffix, fields):
+    stack = lm.open_stack(fields[suffix])
+    with pytest.raises(IndexError):
+        stack[4]
+    with pytest.raises(ValueError, match="0 PSFs of"):
+        stack[4:]
+
+
+@SUFFIX
+def test_dask_and_xarray_see_the_values_with_names_and_units(suffix, fields):
+    pytest.importorskip("dask.array")
+    stack = lm.open_stack(fields[suffix])
+    whole = stack[:]
+    lazy = stack.dask
+    assert lazy.chunksize == (1, 1, 3, 7, 8)
+    np.testing.assert_array_equal(lazy.compute(scheduler="synchronous"), whole.values)
+    np.testing.assert_array_equal(lazy[1, :, 2, 3, ::2].compute(scheduler="threads"), whole.values[1, :, 2, 3, ::2])
+    np.testing.assert_array_equal(lazy.max(axis=(-2, -1)).compute(), whole.values.max(axis=(-2, -1)))
+    pytest.importorskip("xarray")
+    data = stack.to_xarray()
+    assert data["values"].dims == ("object_distance", "field_y", "field_x", "y", "x")
+    assert {name: data[name].attrs["units"] for name in data.coords} == dict.fromkeys(data["values"].dims, "m")
+    near = data["values"].sel(object_distance=2.1, field_y=0.0, method="nearest").isel(field_x=1)
+    np.testing.assert_array_equal(near.values, stack[1, 0, 1].values)
+    assert float(near.x[4]) == float(near.y[3]) == 0.0
+    assert (data.attrs["normalize"], data.attrs["pixel"]) == ("energy", 3e-6)
+    assert float(data["error_bound"].max()) == whole.error_bound
+
+
+def test_xarray_opens_the_folder_itself(fields):
+    xarray = pytest.importorskip("xarray")
+    with xarray.open_zarr(fields[".zarr"], consolidated=False) as data:
+        np.testing.assert_array_equal(data["values"].values, lm.open_stack(fields[".zarr"])[:].values)
+        assert data["field_x"].attrs == {"units": "m"}
+    with h5py.File(fields[".h5"]) as file:
+        np.testing.assert_array_equal(file["values"][1], lm.open_stack(fields[".h5"])[1].values)
+        assert [dim.label for dim in file["values"].dims] == ["object_distance", "field_y", "field_x", "y", "x"]
+        np.testing.assert_array_equal(file["values"].dims[2][0], X)
+
+
+@SUFFIX
+def test_a_stack_travels_to_other_processes_by_its_path(suffix, fields):
+    stack = lm.open_stack(fields[suffix])
+    stack[0]
+    sent = pickle.dumps(stack)
+    assert len(sent) < 20_000
+    np.testing.assert_array_equal(pickle.loads(sent)[3, 1].values, stack[3, 1].values)
+
+
+def test_colours_are_listed_and_taken_one_by_one(tmp_path):
+    pupils = [LENS.pupil(DISTANCES[:3]).in_light(light) for light in (450e-9, 550e-9)]
+    stack = lm.psf_to(
+        tmp_path / "a.h5", pupils, 7, 3e-6, axes={"wavelength": [450e-9, 550e-9], "object_distance": DISTANCES[:3]}
+    )
+    for k, pupil in enumerate(pupils):
+        np.testing.assert_array_equal(stack[k].values, lm.psf(pupil, 7, 3e-6).values)
+        assert stack[k].pupil == pupil
+    with pytest.raises(ValueError, match=r"pupils of the first axis differ in more than phase; take one: stack\[k\]"):
+        stack[:, 0]
+    assert stack.to_xarray()["values"].sel(wavelength=450e-9).shape == (3, 7, 7)
+
+
+@pytest.mark.parametrize("way", ["widefield", "confocal", "bead"])
+def test_planes_of_a_microscope_know_their_depth_and_z(way, tmp_path):
+    z, depth = np.linspace(-4e-7, 4e-7, 5), np.array([2e-6, 5e-6])
+    pupil = OIL.pupil(depth=depth[:, None], z=z, wavelength=525e-9)
+    method: lm.Method | None = None
+    if way == "confocal":
+        laser = OIL.pupil(depth=2e-6, wavelength=488e-9, emitter=lm.Beam("circular"))
+        method = lm.methods.Confocal(laser)
+    elif way == "bead":
+        method = lm.methods.Bead(2e-7)
+    normalize = "strehl" if way == "confocal" else "energy"
+    stack = lm.psf_to(tmp_path / "a.zarr", pupil, 9, 6e-6, method=method, normalize=normalize, chunk=5)
+    assert list(stack.axes) == ["depth", "z"]
+    np.testing.assert_array_equal(stack.axes["depth"], depth)
+    np.testing.assert_allclose(stack.axes["z"], z, atol=1e-15)
+    for k in range(2):
+        asked = lm.psf(pupil[k], 9, 6e-6, method=method, normalize=normalize)
+        np.testing.assert_array_equal(stack[k].values, asked.values)
+        assert stack[k].pupil == pupil[k]
+        np.testing.assert_array_equal(stack[k].z, asked.z)
+
+
+def test_each_member_may_have_an_axis_of_its_own(tmp_path):
+    center = np.array([3.2, 3.9, 4.0]), np.array([[3.5], [4.1]])
+    pupil = LENS.pupil(DISTANCES[:3])
+    stack = lm.psf_to(tmp_path / "a.zarr", pupil, 7, 3e-6, center=center, chunk=3)
+    asked = lm.psf(pupil, 7, 3e-6, center=center)
+    assert stack.shape == (2, 3, 7, 7)
+    assert stack.grid is None
+    assert stack[:].grid == asked.grid
+    assert lm.peak_error(stack[:], asked) <= 2e-6
+    assert stack[1, 2].grid == asked[1, 2].grid
+    assert "x" not in stack.to_xarray().coords
+
+
+def test_units_of_lambda_N_and_methods_without_a_bound(tmp_path):
+    vanes = lm.Pupil(lm.Wavefront([0.0, 1.0, 2.0]), spider=lm.Spider(0.05, [0.0]))
+    stack = lm.psf_to(tmp_path / "a.h5", vanes, 9, 0.5, axes={"defocus": ([0.0, 1.0, 2.0], "rad")}, chunk=2)
+    known = lm.psf(vanes, 9, 0.5)
+    assert (stack.units, stack[0].unit, stack[0].sampling) == ({"defocus": "rad"}, "lambda*N", "center")
+    assert stack[0].error_bound is known.error_bound is None
+    assert np.isnan(stack.error_bound).all()
+    assert lm.peak_error(stack[:], known) < 1e-6
+
+
+def test_chunks_of_other_methods_are_taken_apart(tmp_path):
+    # The chords do not prove a tolerance for a window that the light misses.
+    tilted = lm.Wavefront(nonradial={(1, 1): [0.1, 0.1, 400.0, 400.0], (3, 1): 0.1})
+    stack = lm.psf_to(tmp_path / "a.h5", lm.Pupil(tilted), 3, 0.5, chunk=2, tol=1e-9)
+    assert [type(stack[k].method) for k in range(4)] == [lm.ChordalGauss] * 2 + [lm.NijboerZernike] * 2
+    for part in (slice(0, 2), slice(2, 4)):
+        asked = lm.psf(lm.Pupil(tilted)[part], 3, 0.5, tol=1e-9)
+        np.testing.assert_array_equal(stack[part].values, asked.values)
+        assert stack[part].method == asked.method
+    with pytest.raises(ValueError, match=r"these were computed by ChordalGauss and NijboerZernike; take them apart"):
+        stack[:]
+    assert stack.dask.compute().shape == (4, 3, 3)
+
+
+def damage_values(path: Path) -> None:
+    if path.is_dir():
+        file = path / "values" / "c.1.1.0.0.0"
+        data = bytearray(file.read_bytes())
+        data[7] ^= 1
+        file.write_bytes(data)
+    else:
+        with h5py.File(path, "r+") as file:
+            file["values"][1, 1, 0, 0, 0] += 1e-3
+
+
+def damage_pupil(path: Path) -> None:
+    if path.is_dir():
+        shutil.copy(path / "pupil" / "edge" / "c.0.0.0.0", path / "pupil" / "edge" / "c.1.1.0.0")
+    else:
+        with h5py.File(path, "r+") as file:
+            file["pupil/edge"][1, 1] = file["pupil/edge"][0, 0]
+
+
+def damage_length(path: Path) -> None:
+    if path.is_dir():
+        file = path / "values" / "c.1.1.0.0.0"
+        file.write_bytes(file.read_bytes()[:-4])
+    else:
+        with path.open("r+b") as file:
+            file.truncate(file.seek(0, 2) - 2000)
+
+
+@SUFFIX
+@pytest.mark.parametrize("damage", [damage_values, damage_pupil, damage_length])
+def test_a_damaged_chunk_is_told_and_the_others_are_read(suffix, damage, fields, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    (shutil.copytree if path.suffix == ".zarr" else shutil.copy)(fields[suffix], path)
+    damage(path)
+    if damage is damage_length and suffix == ".h5":
+        with pytest.raises(FileError, match="is not a stack of PSFs"):
+            lm.open_stack(path)
+        return
+    stack = lm.open_stack(path)
+    assert stack[0].values.max() > 0.0
+    with pytest.raises(FileError, match=r"damaged: its checksum is another|is not a stack of PSFs"):
+        stack[1]
+
+
+def test_a_changed_description_is_told(fields, tmp_path):
+    path = tmp_path / "a.zarr"
+    shutil.copytree(fields[".zarr"], path)
+    said = json.loads((path / "zarr.json").read_text())
+    said["attributes"]["lommel"]["pixel"] = 2e-6
+    (path / "zarr.json").write_text(json.dumps(said))
+    with pytest.raises(FileError, match="its description was changed after it was written"):
+        lm.open_stack(path)
+    with pytest.raises(FileNotFoundError):
+        lm.open_stack(tmp_path / "none.h5")
+    packed = tmp_path / "b.zarr"
+    shutil.copytree(fields[".zarr"], packed)
+    known = json.loads((packed / "scale" / "zarr.json").read_text())
+    known["codecs"].append({"name": "gzip", "configuration": {"level": 5}})
+    (packed / "scale" / "zarr.json").write_text(json.dumps(known))
+    with pytest.raises(FileError, match="is stored another way"):
+        lm.open_stack(packed)
+
+
+def test_a_cluster_computes_the_same_bits(fields, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    axes, calls = {"object_distance": DISTANCES, "field_y": Y, "field_x": X}, []
+    options = {"axes": axes, "chunk": 4, "progress": lambda *said: calls.append(said)}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of ports that are taken
+        cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None, processes=True)
+    with cluster, distributed.Client(cluster) as client:
+        for suffix, path in fields.items():
+            calls.clear()
+            made = lm.psf_to(tmp_path / f"a{suffix}", table(), (7, 8), 3e-6, client=client, **options)
+            assert calls == [(k, 8) for k in range(1, 9)]
+            np.testing.assert_array_equal(made[:].values, lm.open_stack(path)[:].values)
+            np.testing.assert_array_equal(made.error_bound, lm.open_stack(path).error_bound)
+        sent = client.submit(lambda one: one[3, 1, 2].values, made)
+        np.testing.assert_array_equal(sent.result(), made[3, 1, 2].values)

@@ -167,3 +167,23 @@ def test_an_interrupt_just_after_a_file_was_made_leaves_nothing(tmp_path, monkey
     with pytest.raises(KeyboardInterrupt):
         atomic.write(tmp_path / "a", b"data")
     assert not list(tmp_path.iterdir())
+
+
+def test_a_file_that_is_filled_appears_whole_or_not_at_all(tmp_path):
+    target = tmp_path / "a"
+    target.write_bytes(b"old")
+    target.chmod(0o640)
+
+    def fail(place: Path) -> None:
+        place.write_bytes(b"half")
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        atomic.write_by(target, fail)
+    assert [path.name for path in tmp_path.iterdir()] == ["a"]
+    assert target.read_bytes() == b"old"
+    atomic.write_by(target, lambda place: place.write_bytes(b"new"))
+    assert (target.read_bytes(), mode(target)) == (b"new", 0o640)
+    assert [path.name for path in tmp_path.iterdir()] == ["a"]
+    with pytest.raises(OSError, match="none"):
+        atomic.write_by(tmp_path / "none" / "a", lambda place: place.write_bytes(b"new"))

@@ -48,7 +48,7 @@ class Options:
 
     Parameters
     ----------
-    method, tol, normalize, dtype, integrate
+    method, tol, normalize, dtype, integrate : optional
         As of :func:`lommel.psf`.
     center : (float, float) or (array_like, array_like), optional
         As of :func:`lommel.psf`; arrays broadcast with the stack.

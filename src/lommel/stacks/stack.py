@@ -56,6 +56,11 @@ class PSFStack:
 
     What is read is compared with the checksum of its chunk.
 
+    Parameters
+    ----------
+    store : Store
+        Which :func:`lommel.open_stack` opens.
+
     Attributes
     ----------
     shape : tuple of int
@@ -67,6 +72,11 @@ class PSFStack:
         Of these.
     grid : Grid or None
         The pixels, where all PSFs have one center.
+
+    Raises
+    ------
+    FileError
+        If its coordinates are damaged.
     """
 
     def __init__(self, store: Store) -> None:

@@ -266,7 +266,7 @@ def test_a_cluster_computes_the_same_bits(fields, tmp_path):
     options = {"axes": axes, "chunk": 4, "progress": lambda *said: calls.append(said)}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of ports that are taken
-        cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None, processes=True)
+        cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=":0", processes=True)
     with cluster, distributed.Client(cluster) as client:
         for suffix, path in fields.items():
             calls.clear()

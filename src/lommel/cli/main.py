@@ -34,6 +34,7 @@ try:
     from lommel.cli.photo_commands import blur, focus_pull
     from lommel.cli.restore_command import restore
     from lommel.cli.retrieve_command import retrieve
+    from lommel.cli.stack_command import stack as stack_command
 except ImportError as missing:  # pragma: no cover
     sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
 
@@ -86,11 +87,12 @@ def main() -> None:
       lommel restore photo.jpg depth.tif lens.toml --white 5000 --read 3 -o sharp.jpg    # and back
       lommel depth   near.tif far.tif lens.toml --focus 1.3m --focus 2m --between 1m 3m --white 5000 --read 3
       lommel retrieve star-*.tif lens.toml --defocus -4 0 4 --read 2   # the wavefront behind images of a star
+      lommel stack   lens.toml --between 1m 3m --count 500 --shape 17 -o depths.zarr    # over the distance
       lommel live    lens.toml                          # the PSF in the browser, with every slider
     """  # noqa: D301 (\b is meant)
 
 
-for command in (blur, depth, focus_pull, live, methods, precision, restore, retrieve):
+for command in (blur, depth, focus_pull, live, methods, precision, restore, retrieve, stack_command):
     main.add_command(command)
 
 

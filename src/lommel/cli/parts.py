@@ -119,21 +119,24 @@ def _with_options(message: str) -> str:
 
 
 @contextmanager
-def progress(description: str, total: int | None = None) -> Iterator[Callable[[str], None]]:
-    """Show a bar on standard error, if that is a terminal; yields what announces each step."""
+def progress(description: str, total: int | None = None) -> Iterator[Callable[..., None]]:
+    """Show a bar on standard error, if that is a terminal; yields what announces each step.
+
+    It is told the name of the step, and, where they are not counted from 0, how many are done of how many.
+    """
     columns = [SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()]
     console = Console(stderr=True)
     if not console.is_terminal:
         # Not even an end of line, which a bar that is disabled may leave.
-        yield lambda _: None
+        yield lambda *_: None
         return
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task(description, total=total)
         count = 0
 
-        def started(name: str) -> None:
+        def started(name: str, done: int | None = None, of: int | None = total) -> None:
             nonlocal count
-            bar.update(task, description=name, completed=count)
+            bar.update(task, description=name, completed=count if done is None else done, total=of)
             count += 1
 
         yield started

@@ -94,12 +94,11 @@ def psf_to(
     """
     shared.require_known(psf_to, options, Keywords)
     given = Options(**options)
-    path = Path(os.path.realpath(validation.path("store", store)))
+    place, path = kind(validation.path("store", store)), Path(os.path.realpath(store))
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
     threads = None if given.threads is None else validation.integer("threads", given.threads, least=1, most=1024)
     pool, slots = _pool(client)
-    place = kind(path)
     there = place.open(path) if path.exists() else None
     request = requested(pupils, shape, pixel, axes, chunk, given)
     if there is not None and chunk is None:

@@ -47,8 +47,8 @@ def open_stack(store: str | os.PathLike[str]) -> PSFStack:
     OSError
         If it cannot be read.
     """
-    path = Path(os.path.realpath(validation.path("store", store)))
-    return PSFStack(kind(path).open(path))
+    place = kind(validation.path("store", store))
+    return PSFStack(place.open(Path(os.path.realpath(store))))
 
 
 class PSFStack:

@@ -1,0 +1,51 @@
+"""`lommel stack`, run as a user runs it."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+pytest.importorskip("h5py")
+WINDOW = ("--shape", 5, "--pixel", "2 um", "--chunk", 4)
+
+
+def test_distances_are_even_in_defocus_and_the_command_goes_on_where_it_was(lenses, tmp_path, call_lommel):
+    lens = lenses["nifty-fifty"]
+    command = ("stack", lens, "--between", "1 m", "inf", "--count", 9, *WINDOW, "-o", "a.h5")
+    result = call_lommel(*command, "--json", folder=tmp_path)
+    assert result.returncode == 0, result.stderr
+    facts = json.loads(result.stdout)
+    made = lm.open_stack(tmp_path / "a.h5")
+    assert (facts["shape"], facts["chunks"], facts["computed"]) == ([9, 5, 5], 3, 3)
+    assert facts["error_bound"] == made.error_bound.max() <= 1e-6
+    at = made.axes["object_distance"]
+    assert (at[0], at[-1]) == (1.0, np.inf)
+    np.testing.assert_allclose(np.diff(made[:].pupil.wavefront.defocus, 2), 0.0, atol=1e-9)
+    asked = lm.psf(lm.load_instrument(lens).lens.pupil(at[:3]), 5, 2e-6)
+    np.testing.assert_array_equal(made[:3].values, asked.values)
+    again = call_lommel(*command, folder=tmp_path)
+    assert again.returncode == 0, again.stderr
+    assert "<PSFStack 9x5x5 float32 (object_distance 9) in a.h5>: error at most" in again.stdout
+    assert "0 of 3 chunks computed" in again.stdout
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (("--between", "3 m", "1 m"), "--between must be two rising distances, got 3 and 1 metres"),
+        (("-o", "a.tif"), "store must end in .zarr, .h5, .hdf5, got 'a.tif'"),
+        (("--count", "1"), "is not in the range"),
+        (("--chunk", "0"), "chunk must be from 1 to"),
+        (("--tol", "1"), "tol must be"),
+    ],
+)
+def test_what_is_out_of_range_is_one_line(change, told, lenses, tmp_path, call_lommel):
+    command = ["stack", lenses["nifty-fifty"], "--between", "1 m", "3 m", "--count", 9, *WINDOW, "-o", "a.h5"]
+    result = call_lommel(*command, *change, folder=tmp_path)
+    assert result.returncode == 2
+    assert told in result.stderr
+    assert not list(tmp_path.iterdir())

@@ -109,7 +109,7 @@ KILLED = """
     sys.path.insert(0, sys.argv[2])
     import zarr, h5py
     import test_psf_to as test
-    from lommel.stacks import stores
+    from lommel.stacks import layout, stores
 
     def die(*_):
         os.kill(os.getpid(), signal.SIGKILL)
@@ -118,7 +118,7 @@ KILLED = """
         put, count = stores.kind(path).put, [0]
 
         def dying(self, parts, index):
-            mark = stores.MARKS in parts
+            mark = layout.MARKS in parts
             count[0] += mark == (when == "before the mark")
             if when != "after a chunk" and count[0] == 3:
                 if when == "within the values" and self.one_file:

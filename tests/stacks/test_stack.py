@@ -138,6 +138,29 @@ def test_colours_are_listed_and_taken_one_by_one(tmp_path):
     assert stack.to_xarray()["values"].sel(wavelength=450e-9).shape == (3, 7, 7)
 
 
+def test_pupils_of_one_light_may_be_listed_one_by_one(tmp_path):
+    listed = lm.psf_to(tmp_path / "a.h5", [LENS.pupil(float(s)) for s in DISTANCES], 7, 3e-6)
+    stack = lm.psf_to(tmp_path / "b.h5", LENS.pupil(DISTANCES), 7, 3e-6)
+    assert listed.done == (1, 1)
+    assert list(listed.axes) == ["object_distance"]
+    np.testing.assert_array_equal(listed[:].values, stack[:].values)
+    assert listed[:].pupil == stack[:].pupil
+    # And the second call takes what the first has made.
+    assert lm.psf_to(tmp_path / "b.h5", [LENS.pupil(float(s)) for s in DISTANCES], 7, 3e-6).done == (1, 1)
+
+
+def test_listed_pupils_that_do_not_fit_are_told(tmp_path):
+    blue = LENS.pupil(2.0).in_light(450e-9)
+    with pytest.raises(ValueError, match="center must be one"):
+        lm.psf_to(tmp_path / "a.h5", [LENS.pupil(2.0), blue], 7, 3e-6, center=([3.0, 3.5], 3.0))
+    with pytest.raises(ValueError, match=r"pupils must all be held in the same terms, got others of pupils\[1\]"):
+        lm.psf_to(tmp_path / "a.h5", [lm.Pupil(), lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))], 7, 0.5)
+    with pytest.raises(
+        ValueError, match=r"pupils must all have the unit of the first, m, got lambda\*N of pupils\[1\]"
+    ):
+        lm.psf_to(tmp_path / "a.h5", [blue, lm.Pupil()], 7, 0.5)
+
+
 @pytest.mark.parametrize("way", ["widefield", "confocal", "bead"])
 def test_planes_of_a_microscope_know_their_depth_and_z(way, tmp_path):
     z, depth = np.linspace(-4e-7, 4e-7, 5), np.array([2e-6, 5e-6])

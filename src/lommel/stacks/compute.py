@@ -22,7 +22,8 @@ from lommel.optics.base_pupil import BasePupil
 from lommel.stacks.layout import Index
 from lommel.stacks.request import Keywords, Options, Question, Request, requested
 from lommel.stacks.stack import PSFStack
-from lommel.stacks.stores import Store, kind
+from lommel.stacks.store import Store
+from lommel.stacks.stores import kind
 
 
 @shares(Keywords, Options)
@@ -49,7 +50,8 @@ def psf_to(
     store : path
         ``.zarr``, a folder (Zarr version 3), or ``.h5``, ``.hdf5``, a file.
     pupils : Pupil or ObjectivePupil, or sequence of these
-        A stack. Listed ones, of one shape, are the first axis, such as one for each wavelength.
+        A stack. Listed ones, of one shape, are the first axis, such as one for each wavelength; where more than the
+        phase tells them apart no chunk holds two of them, and all have one center.
     shape, pixel
         As of :func:`lommel.psf`.
     axes : mapping of str to array_like or (array_like, str), optional

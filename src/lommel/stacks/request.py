@@ -21,7 +21,7 @@ from lommel.methods.method import Method
 from lommel.methods.wanted import for_axes
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
-from lommel.optics.stacked import apart
+from lommel.optics.stacked import apart, together
 from lommel.psf import PSF, Plan
 from lommel.stacks.layout import DEFAULT, FORMAT, Index, Layout, cut, layouts
 
@@ -102,7 +102,9 @@ class Request:
     Attributes
     ----------
     pupils : tuple of Pupil or ObjectivePupil
-        One stack, or where they were listed one for each of the first axis.
+        One stack, or, where more than the phase differs, one for each of the first axis.
+    listed : bool
+        Whether it is that.
     question : Question
     ways : tuple
         The methods for each of the pupils, as they are tried: chosen for all of a stack, whatever the chunks.
@@ -128,12 +130,12 @@ class Request:
         """Return the pupils of a chunk, the center of their windows, and the methods for them."""
         members = self.layouts["scale"]
         within = members.within(index)
-        center = self.grid[within].center if self.grid.stack else self.grid.center
         if not self.listed:
+            center = self.grid[within].center if self.grid.stack else self.grid.center
             return self.pupils[0][within], center, self.ways[0]
         k = within[0].start
         one = self.pupils[k][within[1:]] if self.pupils[k].shape else self.pupils[k]
-        return one.broadcast(members.part(index)), center, self.ways[k]
+        return one.broadcast(members.part(index)), self.grid.center, self.ways[k]
 
     @cached_property
     def methods(self) -> list[Method]:
@@ -171,15 +173,18 @@ def requested(
         for name, mine, first in (("shape", one.shape, stacks[0].shape), ("unit", one.unit, stacks[0].unit)):
             if mine != first:
                 raise ValueError(f"pupils must all have the {name} of the first, {first}, got {mine} of pupils[{k}]")
-    stack = (len(stacks),) * listed + stacks[0].shape
+    if listed:
+        shared, arrays = _differences(stacks, listed)
+        if len(shared) == 1:  # nothing but their phases tells them apart
+            stacks, listed = (together(shared[0], arrays),), False
     if grid.stack:
-        if listed and np.broadcast_shapes(stack, grid.stack) != stack:
-            raise ValueError(f"center must broadcast to the stack of listed pupils, {stack}, got {grid.stack}")
-        stacks = tuple(for_axes(one, grid.stack) for one in stacks) if not listed else stacks
-        stack = stack if listed else stacks[0].shape
-        grid = grid.broadcast(stack)
+        if listed:
+            raise ValueError("center must be one (row, column) for listed pupils of several wavelengths or apertures")
+        stacks = (for_axes(stacks[0], grid.stack),)
+        grid = grid.broadcast(stacks[0].shape)
+    stack = (len(stacks),) * listed + stacks[0].shape
     if not 1 <= len(stack) <= _MOST_AXES:
-        raise ValueError(f"pupils must be a stack of 1 to {_MOST_AXES} axes, got shape {stack}")
+        raise ValueError(f"pupils must be a stack of 1 to {_MOST_AXES} axes, got shape {stack}; psf computes one")
     ways = tuple(candidates(one, grid, plan.tol) if plan.method is None else (plan.method,) for one in stacks)
     dtype = np.dtype(plan.dtype)
     question = Question(grid.shape, grid.pixel, grid.integrate, plan.normalize, dtype.name)

@@ -21,7 +21,8 @@ from lommel.optics.grid import Grid
 from lommel.optics.stacked import together
 from lommel.psf import PSF
 from lommel.stacks.layout import OF_CHUNK, Index
-from lommel.stacks.stores import Store, kind
+from lommel.stacks.store import Store
+from lommel.stacks.stores import kind
 
 
 def open_stack(store: str | os.PathLike[str]) -> PSFStack:

@@ -70,6 +70,16 @@ def test_other_chunks_make_other_values_within_the_bounds_of_both(tmp_path, know
     assert np.max(np.abs(one.values - other.values) / peak) <= one.error_bound + other.error_bound
 
 
+def test_a_transform_gives_the_same_bits_however_many_threads_there_are(tmp_path):
+    vanes = lm.Pupil(lm.Wavefront([30.0, 5.0, 1.0]), spider=lm.Spider(0.05, [0.0, 1.0]))
+    made = [
+        lm.psf_to(tmp_path / f"{n}.h5", vanes[:n], 512, 0.4, dtype="float64", chunk=1, threads=2)[0].values
+        for n in (1, 3)
+    ]
+    np.testing.assert_array_equal(*made)
+    np.testing.assert_array_equal(made[0], lm.psf(vanes[:1], 512, 0.4, dtype="float64", threads=1).values[0])
+
+
 @SUFFIX
 @pytest.mark.parametrize("pool", ["threads", "processes"])
 def test_a_pool_computes_the_same_bits(suffix, pool, tmp_path, known):
@@ -239,6 +249,7 @@ def test_a_disk_without_room_is_told_before_anything_is_computed(tmp_path, monke
         ({"axes": {"d": DEPTHS, "e": 1}}, "axes must name the 1 axes"),
         ({"axes": [DEPTHS]}, "axes must map names"),
         ({"threads": 0}, "threads must be"),
+        ({"threads": 2, "client": ThreadPoolExecutor(1)}, "threads must be left out with a client"),
         ({"derivatives": ("defocus",)}, r"psf_to\(\) has no option 'derivatives'"),
     ],
 )

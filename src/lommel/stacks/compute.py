@@ -42,8 +42,8 @@ def psf_to(
     """Compute the PSFs of a stack that need not fit into memory, chunk by chunk into a store.
 
     Called again with the same arguments, after an error, Ctrl-C or the end of the process, it computes the chunks
-    that are not there yet. The values of a chunk are those of ``lommel.psf(pupils[chunk], ...)``, bit by bit,
-    wherever and in whatever order it is computed.
+    that are not there yet. The values of a chunk are those of ``lommel.psf(pupils[chunk], ..., threads=1)``, bit
+    by bit, wherever and in whatever order it is computed.
 
     Parameters
     ----------
@@ -101,6 +101,8 @@ def psf_to(
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
     threads = None if given.threads is None else validation.integer("threads", given.threads, least=1, most=1024)
     pool, slots = _pool(client)
+    if pool is not None and threads is not None:
+        raise ValueError(f"threads must be left out with a client, which has its own, got {threads}")
     there = place.open(path) if path.exists() else None
     request = requested(pupils, shape, pixel, axes, chunk, given)
     if there is not None and chunk is None:
@@ -111,12 +113,10 @@ def psf_to(
     todo = [index for index in np.ndindex(*grid) if not opened.done(index)]
     _require_room(opened, len(todo))
     total = int(np.prod(grid))
-    each = threads or 1
     if pool is None:
         slots = min(threads or os.cpu_count() or 1, max(1, len(todo)))
-        each = max(1, (threads or os.cpu_count() or 1) // slots)
     by_caller = client is not None and opened.one_file
-    tasks = ((index, request.question, *request.part(index), each) for index in todo)
+    tasks = ((index, request.question, *request.part(index)) for index in todo)
     found = _computed(pool, slots, None if by_caller else opened, tasks, request.methods)
     with closing(found):
         for done, (index, made) in enumerate(found, total - len(todo) + 1):
@@ -177,7 +177,7 @@ def _pool(client: Any) -> tuple[futures.Executor | None, int]:
     raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
 
-_Task = tuple[Index, Question, BasePupil, Any, tuple[Method, ...], int]
+_Task = tuple[Index, Question, BasePupil, Any, tuple[Method, ...]]
 _Made = tuple[Index, dict[str, NDArray[Any]] | None]
 
 
@@ -209,10 +209,9 @@ def _work(
     pupil: BasePupil,
     center: Any,
     ways: tuple[Method, ...],
-    threads: int,
 ) -> _Made:
     """Compute a chunk, and keep it where a store is given."""
-    made = question.answer(pupil, center, ways, threads)
+    made = question.answer(pupil, center, ways)
     bound = np.nan if made.error_bound is None else made.error_bound
     parts: dict[str, NDArray[Any]] = {
         "values": made.values,

@@ -53,8 +53,7 @@ class Options:
     center : (float, float) or (array_like, array_like), optional
         As of :func:`lommel.psf`; arrays broadcast with the stack.
     threads : int, optional
-        At most so many, by default as many as there are processors; with a client so many for each chunk, by
-        default one.
+        At most so many, by default as many as there are processors; each computes a chunk. Not with a client.
     """
 
     method: Method | None = None
@@ -76,7 +75,7 @@ class Question:
     normalize: str
     dtype: str
 
-    def answer(self, pupil: BasePupil, center: Any, ways: tuple[Method, ...], threads: int) -> PSF:
+    def answer(self, pupil: BasePupil, center: Any, ways: tuple[Method, ...]) -> PSF:
         """Return the PSFs of a stack around `center`, by the first of the methods that proves its tolerance."""
 
         def ask(way: Method) -> PSF:
@@ -88,7 +87,7 @@ class Question:
                 dtype=self.dtype,
                 center=center,
                 integrate=self.integrate,
-                threads=threads,
+                threads=1,  # for sums of transforms by several differ in their last bits
             )
             return plan(pupil)
 

@@ -91,6 +91,25 @@ def test_a_pool_computes_the_same_bits(suffix, pool, tmp_path, known):
         assert contents(run(tmp_path / f"a{suffix}", client=executor)) == known
 
 
+def test_few_chunks_are_under_way_at_any_time(tmp_path, monkeypatch):
+    class Counted(ThreadPoolExecutor):
+        under_way = most = 0
+
+        def submit(self, *args, **kwargs):
+            self.under_way += 1
+            self.most = max(self.most, self.under_way)
+            return super().submit(*args, **kwargs)
+
+    def count(*_: int) -> None:
+        executor.under_way -= 1
+
+    monkeypatch.setattr(compute.os, "cpu_count", lambda: 2)
+    with Counted(2) as executor:
+        run(tmp_path / "a.h5", chunk=1, client=executor, progress=count)
+    assert executor.under_way == 0
+    assert executor.most <= 5
+
+
 @SUFFIX
 def test_an_error_leaves_what_was_computed_and_the_rest_is_computed_later(suffix, tmp_path, known):
     path, calls = tmp_path / f"a{suffix}", []

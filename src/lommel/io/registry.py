@@ -6,6 +6,7 @@ import warnings
 from dataclasses import dataclass
 from functools import cache
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
 from lommel.base import optional, reading, validation
@@ -43,6 +44,8 @@ class Format:
         What not all of its kind hold, in words that follow those of the kind: "with derivatives", "of uint16".
     library, extra : str, default ""
         The library that it needs, as it is imported, and the extra of this package that brings it.
+    beside : str, default ""
+        The suffix of a second file that belongs to the first; of these, ``write`` returns and ``read`` takes both.
 
     Raises
     ------
@@ -53,7 +56,8 @@ class Format:
     -----
     ``write`` and ``read`` are, for each kind:
 
-    - "psf": (PSF, description) to bytes; bytes to (``{"values": array}`` and derivatives, text of a description)
+    - "psf": (PSF, description) to bytes; bytes to (``{"values": array}`` and derivatives, text of a description);
+      a format with a file `beside`: to (bytes, bytes beside), and from both
     - "field": (PSFGrid, description, path), which writes by itself; (path, class of PSF) to (PSF, description)
     - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
     - "frames": (list of values, milliseconds each, quality) to bytes
@@ -73,6 +77,7 @@ class Format:
     holds: tuple[str, ...] = ()
     library: str = ""
     extra: str = ""
+    beside: str = ""
 
     def __post_init__(self) -> None:
         validation.choice("kind", self.kind, KINDS)
@@ -81,6 +86,10 @@ class Format:
     def name(self) -> str:
         """What messages call it: the longest of its suffixes, such as JPEG."""
         return max(self.suffixes, key=len).lstrip(".").upper()
+
+    def places(self, path: Path) -> tuple[Path, ...]:
+        """Return the path, and that of the file beside it if there is one."""
+        return (path, path.with_suffix(self.beside)) if self.beside else (path,)
 
     def ready(self) -> Format:
         """Return this format; ImportError if its library is missing."""
@@ -116,12 +125,13 @@ def find(
 
     `name` is what messages call the path, `holding` one of :attr:`Format.holds`.
     """
-    suffix = validation.path(name, path).suffix.lower()
-    if not any(suffix in form.suffixes for form in _able(kind, verb)):
+    suffixes = validation.path(name, path).suffixes
+    suffix, end = "".join(suffixes[-1:]).lower(), "".join(suffixes[-2:]).lower()  # which .fits.gz is
+    if not any(end.endswith(form.suffixes) for form in _able(kind, verb)):
         _load_others()
     fit = [form for form in _able(kind, verb) if not holding or holding in form.holds]
     for form in fit:
-        if suffix in form.suffixes:
+        if end.endswith(form.suffixes):
             return form.ready()
     raise ValueError(
         f"{name} must end in {', '.join(suffix for form in fit for suffix in form.suffixes) or 'nothing known'} for "

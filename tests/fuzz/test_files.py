@@ -127,6 +127,11 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     for suffix in (".json", ".toml", ".csv"):
         lm.save_zernike(folder / f"table{suffix}", table)
         found[f"table{suffix}"] = (folder / f"table{suffix}", lm.load_zernike, False)
+    listing = "Listing of Zernike Fringe Coefficient Data\nWavelength : 0.55 µm\nRMS (to chief) : 0.2 waves\n"
+    (folder / "listing.txt").write_text(listing + "Z   1\t  0.1\t: 1\nZ   4\t -0.25\n", encoding="utf-16")
+    (folder / "code.int").write_text("title\nZRN 4 WFR WVL 0.6328 SSZ 1000 NDA 32767\n10 20.5\n-30 1e2\n")
+    for name in ("listing.txt", "code.int"):
+        found[name] = (folder / name, lm.load_zernike, False)
     np.save(folder / "mask.npy", np.ones((8, 8)))
     (folder / "lens.toml").write_text(LENS)
     found["lens.toml"] = (folder / "lens.toml", lambda path: lm.load_instrument(path).pupil(), False)
@@ -190,6 +195,8 @@ KINDS = [
     "table.json",
     "table.toml",
     "table.csv",
+    "listing.txt",
+    "code.int",
     "lens.toml",
     "field.csv",
 ]
@@ -220,7 +227,7 @@ def test_a_mutated_file_is_refused_or_read_as_it_was(kind, tmp_path, hunt, count
                 message = str(error)
                 if isinstance(error, UnicodeError) or "mutated" not in message:
                     return f"{type(error).__name__} that does not name the file: {message[:300]}"
-                most = 15 if path.suffix in (".toml", ".json", ".csv") else 1
+                most = 15 if path.suffix in (".toml", ".json", ".csv", ".txt") else 1
                 if len(message.splitlines()) > most or len(message) > 300 * most + 200:
                     return (
                         f"a message of {len(message.splitlines())} lines, {len(message)} characters: {message[:300]}"

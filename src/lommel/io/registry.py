@@ -18,6 +18,8 @@ KINDS = {
     "frames": "frames",
     "depth map": "depth",
     "images": "images",
+    "zernike": "Zernike coefficients",
+    "opd": "a map of path differences",
 }
 """What files hold, and what messages call it."""
 
@@ -33,7 +35,7 @@ class Format:
 
     Parameters
     ----------
-    kind : {"psf", "field", "photo", "frames", "depth map", "images"}
+    kind : {"psf", "field", "photo", "frames", "depth map", "images", "zernike", "opd"}
     suffixes : tuple of str
         Of its files, in small letters, each with its dot.
     write, read : callable, optional
@@ -63,6 +65,7 @@ class Format:
     - "frames": (list of values, milliseconds each, quality) to bytes
     - "depth map": values of float32 to bytes; (bytes, metres a level or None) to values
     - "images": read only, bytes to values, shape (height, width) or (n, height, width)
+    - "zernike": read only, bytes to (ZernikeTable or None, what is wrong with it)
 
     What is written as bytes is moved into place whole. What cannot be held, or is damaged, is a ValueError. A
     description is a dictionary of plain types, written as JSON after ``lommel.base.checksums.sealed`` has added the

@@ -22,7 +22,7 @@ from lommel.base import validation
 from lommel.base.units import parse_radius
 from lommel.field.maps import FieldMap
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import field_tables, messages, toml_files, zernike_files
+from lommel.lensfiles import field_tables, messages, toml_files, zernike_entries, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.sections import Distance, Length, Number, Section, Sensor, SignedLength, read_beside
@@ -83,7 +83,7 @@ class _Aberrations(_Seidel):
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
-    zernike: dict[str, Any] | None = None  # told by zernike_files what it may hold
+    zernike: dict[str, Any] | None = None  # told by zernike_entries what it may hold
 
 
 class _Object(Section):
@@ -245,7 +245,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
         return messages.place(text, ["aberrations", "zernike", *keys])
 
     if "file" not in section:
-        return zernike_files.build_section(section, where)
+        return zernike_entries.build_section(section, where)
     try:
         if others := [key for key in section if key != "file"]:
             raise ValueError(f"the file states everything; leave out {', '.join(others)}")

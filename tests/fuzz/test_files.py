@@ -7,6 +7,7 @@ import random
 import warnings
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 import tifffile
@@ -132,6 +133,14 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     (folder / "code.int").write_text("title\nZRN 4 WFR WVL 0.6328 SSZ 1000 NDA 32767\n10 20.5\n-30 1e2\n")
     for name in ("listing.txt", "code.int"):
         found[name] = (folder / name, lm.load_zernike, False)
+    opd = lm.OPDMap(5e-7 * lm.opd_map(lm.Wavefront(1.0), 8, unit="waves"), spacing=1e-3, wavelength=5e-7)
+    for suffix in (".fits", ".fits.gz", ".dat", ".csv"):
+        lm.save_opd(folder / f"opd{suffix}", opd)
+        found[f"opd{suffix}"] = (folder / f"opd{suffix}", lm.load_opd, False)
+    with h5py.File(folder / "opd.datx", "w") as file:
+        surface = file.create_dataset("Measurement/Surface", data=opd.values, compression="gzip")
+        surface.attrs.update({"Unit": np.bytes_("NanoMeters"), "Wavelength": [5e-7], "No Data": [1e308]})
+    found["opd.datx"] = (folder / "opd.datx", lm.load_opd, False)
     np.save(folder / "mask.npy", np.ones((8, 8)))
     (folder / "lens.toml").write_text(LENS)
     found["lens.toml"] = (folder / "lens.toml", lambda path: lm.load_instrument(path).pupil(), False)
@@ -197,6 +206,11 @@ KINDS = [
     "table.csv",
     "listing.txt",
     "code.int",
+    "opd.fits",
+    "opd.fits.gz",
+    "opd.dat",
+    "opd.csv",
+    "opd.datx",
     "lens.toml",
     "field.csv",
 ]
@@ -207,7 +221,7 @@ def test_a_mutated_file_is_refused_or_read_as_it_was(kind, tmp_path, hunt, count
     path, read, sealed = kinds(tmp_path)[kind]
     data, whole = path.read_bytes(), read(path)
     others = [other for other in tmp_path.glob(f"{path.stem}.*") if {path.suffix, other.suffix} == {".raw", ".json"}]
-    end = path.name.removeprefix(path.stem.removesuffix(".fits"))
+    end = "".join(path.suffixes)
     path = path.rename(tmp_path / f"mutated{end}")
     for other in others:  # that which lies beside
         other.rename(tmp_path / f"mutated{other.suffix}")

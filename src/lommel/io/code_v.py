@@ -7,7 +7,8 @@ from typing import NamedTuple
 from lommel.base import validation
 
 _SIZES = {"GRD": 2, "ZRN": 1, "ZFR": 1}
-_NUMBERS = ("WVL", "SSZ", "NDA", "XSC", "NNB")
+_NUMBERS = ("WVL", "SSZ", "NDA", "XSC")
+_FLAGS = ("NNB",)  # how to interpolate between the points of a grid
 _HOLDS = {"WFR": "a wavefront", "SUR": "the shape of a surface", "FIL": "a filter of intensity"}
 
 
@@ -55,6 +56,8 @@ def parse(text: str) -> Interferogram:
         word = rest.pop(0)
         if word in _HOLDS:
             holds.append(word)
+        elif word in _FLAGS:
+            continue
         elif word in _NUMBERS and rest:
             told[word] = _number(rest.pop(0), word)
         else:

@@ -65,6 +65,7 @@ class Format:
     - "frames": (list of values, milliseconds each, quality) to bytes
     - "depth map": values of float32 to bytes; (bytes, metres a level or None) to values
     - "images": read only, bytes to values, shape (height, width) or (n, height, width)
+    - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_zygo.Measured``
     - "zernike": read only, bytes to (ZernikeTable or None, what is wrong with it)
 
     What is written as bytes is moved into place whole. What cannot be held, or is damaged, is a ValueError. A
@@ -91,7 +92,7 @@ class Format:
         return max(self.suffixes, key=len).lstrip(".").upper()
 
     def places(self, path: Path) -> tuple[Path, ...]:
-        """Return the path, and that of the file beside it if there is one."""
+        """Return a `path`, and that of the file beside it if there is one."""
         return (path, path.with_suffix(self.beside)) if self.beside else (path,)
 
     def ready(self) -> Format:

@@ -188,9 +188,9 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
     them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
     b, and an angle, or ``[aperture.cat_eye]`` with shift, a pair [x, y], and radius, all over the radius of the
-    aperture; ``[aperture.mask]`` with file, the path of a square array (.npy) or grey picture (.png, .tif) from the
-    folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``, all
-    positions see this aperture.
+    aperture; ``[aperture.mask]`` with file, the path of a square array (.npy, .fits) or grey picture (.png, .tif)
+    from the folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``,
+    all positions see this aperture.
 
     ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
     the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the

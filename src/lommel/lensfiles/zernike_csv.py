@@ -6,8 +6,8 @@ import re
 from collections.abc import Sequence
 
 from lommel.base import validation
+from lommel.io import cells
 from lommel.io.zernike_tables import UNITS, ZernikeTable
-from lommel.lensfiles import cells
 from lommel.lensfiles.zernike_entries import build
 from lommel.special import zernike
 

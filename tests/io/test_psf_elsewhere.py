@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
+import re
 import shutil
 import struct
 import subprocess
@@ -21,7 +22,7 @@ from scipy.io.matlab import matfile_version
 
 import lommel as lm
 from lommel.base.checksums import sealed
-from lommel.io import psf_files
+from lommel.io import psf_files, registry
 from lommel.io.psf_files import FileError
 
 TELESCOPE = lm.Lens(focal_length=57.6, f_number=24.0, wavelength=550e-9, obscuration=0.33)
@@ -207,7 +208,29 @@ def test_the_same_psf_gives_the_same_bytes_at_any_time(tmp_path, monkeypatch):
     assert written[:5] == written[5:]
 
 
-@pytest.mark.skipif(shutil.which("c++") is None, reason="no compiler of C++")
+PAGE = (Path(__file__).parents[2] / "docs" / "formats.md").read_text(encoding="utf-8")
+compiler = pytest.mark.skipif(shutil.which("c++") is None, reason="no compiler of C++")
+
+
+@compiler
+def test_the_program_of_the_page_reads_the_middle_of_bare_numbers(tmp_path):
+    psf = lm.psf(lm.Pupil(lm.Wavefront(1.0, nonradial={(3, 1): 0.5})), 81, 0.25)
+    psf.save(tmp_path / "psf.raw")
+    (code,) = re.findall(r"^```cpp\n(.*?)^```", PAGE, flags=re.MULTILINE | re.DOTALL)
+    (tmp_path / "read.cpp").write_text(code)
+    subprocess.run(["c++", "-std=c++17", "-Wall", "-o", "read", "read.cpp"], cwd=tmp_path, check=True)
+    found = subprocess.run(["./read"], cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    assert float(found) == pytest.approx(float(psf.values[40, 40]), rel=1e-5)
+
+
+def test_the_table_of_the_page_names_every_suffix_of_a_psf():
+    rows = [line for line in PAGE.splitlines() if "`psf.save`" in line]
+    named = {suffix for row in rows for suffix in re.findall(r"`(\.\w+)`", row.split("|")[1])}
+    known = {suffix for form in registry._FORMATS if form.kind == "psf" for suffix in form.suffixes}
+    assert named - {".gz"} == {suffix for suffix in known if not suffix.endswith(".gz")} - {".tiff"}
+
+
+@compiler
 def test_a_program_in_cpp_reads_an_archive_as_cnpy_does(tmp_path):
     program = tmp_path / "read"
     made = ["c++", "-std=c++17", "-o", str(program), str(Path(__file__).with_name("read_npz.cpp")), "-lz"]

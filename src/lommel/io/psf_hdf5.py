@@ -18,7 +18,7 @@ from lommel.io.psf_numpy import SLOPE
 from lommel.measures.answer import Answer
 
 _BLOCK = 512  # bytes before HDF5 begins, which are the writer's own
-_MARK = b"lommel crc32 "
+_SEAL, _MARK = 128, b"lommel crc32 "  # where the head of MATLAB's files ends
 _MATLAB = b"MATLAB 7.3 MAT-file, Platform: lommel, HDF5 schema 1.00 ."
 
 
@@ -106,16 +106,21 @@ def _filled(fill: Any) -> bytearray:
 def _sealed(data: bytearray, head: bytes) -> bytes:
     """Return a file with its head, and a checksum: the library of HDF5 is given no file that is damaged."""
     data[: len(head)] = head
-    data[128 : 128 + len(_MARK) + 8] = _MARK + f"{zlib.crc32(data[_BLOCK:]):08x}".encode()
+    mark = _MARK + _sum(data)
+    data[_SEAL : _SEAL + len(mark)] = mark
     return bytes(data)
+
+
+def _sum(data: bytes | bytearray) -> bytes:
+    return f"{zlib.crc32(memoryview(data)[_BLOCK:]):08x}".encode()
 
 
 def _opened(data: bytes) -> Any:
     import h5py
 
-    if data[128 : 128 + len(_MARK)] != _MARK:
+    if not data.startswith(_MARK, _SEAL):
         raise ValueError("no checksum of how it was written")
-    if data[128 + len(_MARK) :][:8] != f"{zlib.crc32(data[_BLOCK:]):08x}".encode():
+    if not data.startswith(_sum(data), _SEAL + len(_MARK)):
         raise ValueError("its checksum is another: it is damaged, or was changed after it was written")
     return h5py.File(io.BytesIO(data), "r")
 

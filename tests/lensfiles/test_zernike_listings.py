@@ -194,6 +194,7 @@ INT = "title\nZFR 4 WFR WVL 0.6328 SSZ 1000\n1 2 3 4\n"
         (".int", INT.replace("WFR ", ""), "must hold a wavefront (WFR), got nothing that it names"),
         (".int", INT.replace("WFR", "WFR XYZ 5"), "its second line holds 'XYZ', which is unknown"),
         (".int", INT.replace("4 W", "5 W"), "it says 5 values, got 4"),
+        (".int", INT.replace("3 4", "3 4 5"), "it says 4 values, got 5"),
         (".int", INT.replace("4 W", "-4 W"), "a size must be an integer"),
         (".int", INT.replace("3 4", "x 4"), "a value must be a finite number, got 'x'"),
         (".int", INT.replace("3 4", "nan 4"), "a value must be a finite number, got 'nan'"),

@@ -149,8 +149,20 @@ def test_a_mat_file_is_one_of_matlab_whose_first_axis_is_rows(psf, tmp_path):
         assert seen.shape == psf.shape[-2:] + psf.shape[:-2]
         np.testing.assert_array_equal(np.moveaxis(seen, (0, 1), (-2, -1)), psf.values)
         assert file["pixel"][0, 0] == psf.pixel
+        if psf.unit == "m":
+            assert file["wavelength"].shape == file["weight"].shape == (3 if psf is MOVED else 1, 1)  # a row there
         text = "".join(map(chr, file["unit"][:, 0]))
         assert text == psf.unit
+
+
+@pytest.mark.parametrize("suffix", [".h5", ".mat"])
+def test_no_bit_of_hdf5_may_turn_in_what_is_no_value_either(suffix, tmp_path):
+    SINGLE.save(tmp_path / f"a{suffix}")
+    whole = (tmp_path / f"a{suffix}").read_bytes()
+    for at in range(512, len(whole), 211):
+        (tmp_path / f"a{suffix}").write_bytes(whole[:at] + bytes([whole[at] ^ 4]) + whole[at + 1 :])
+        with pytest.raises(FileError, match="its checksum is another: it is damaged"):
+            lm.PSF.load(tmp_path / f"a{suffix}")
 
 
 @each

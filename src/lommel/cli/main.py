@@ -100,7 +100,7 @@ for command in (blur, depth, focus_pull, live, methods, precision, restore, retr
 @click.option("-o", "--output", "outputs", multiple=True, type=FILE,
               help="The values: .tif (OME), .fits, .h5, .mat (MATLAB), .npy, .npz or .raw (with a .json beside); or "
               "a grey picture to look at: .png, the square root of the values, enlarged to 512 pixels or more. "
-              "Repeatable. With --field .tif, .zarr or .npz.")  # fmt: skip
+              "Repeatable. With --field .tif, .fits, .h5, .mat, .zarr or .npz.")  # fmt: skip
 @click.option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
               help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
 @click.option("--plot", "figure", type=FILE,

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,10 +25,15 @@ class Axis(NamedTuple):
     unit: str = ""
 
 
-def axes(psf: Answer) -> list[Axis]:
-    """Return the axes of the values in their order: those of the stack, y, x; the stage of a microscope is z."""
+def axes(psf: Answer, description: Mapping[str, Any]) -> list[Axis]:
+    """Return the axes of the values in their order: those of the stack, y, x; the stage of a microscope is z.
+
+    Those of a grid of PSFs are its places on the sensor, which its description has.
+    """
     pupil, grid = psf.pupil, psf.grid
-    if isinstance(pupil, ObjectivePupil) and len(pupil.shape) == 1:
+    if field := description.get("field"):
+        stack = [Axis(f"field_{side}", np.array(field[side]), psf.unit) for side in "yx"]
+    elif isinstance(pupil, ObjectivePupil) and len(pupil.shape) == 1:
         stack = [Axis("z", pupil.z, "m")]
     else:
         stack = [Axis(f"stack{k}" if k else "stack") for k in range(len(pupil.shape))]

@@ -21,7 +21,10 @@ def write(psf: Answer, description: dict[str, Any]) -> bytes:
     """Return a FITS file; in PIXELSCL, WAVELEN, WAVEn and WGHTn as POPPY and WebbPSF write them."""
     said = json.dumps(sealed(description, {"values": psf.values}), allow_nan=False).encode()
     return fits_images.write(
-        [(psf.values, _header(psf)), (np.frombuffer(said, np.uint8), {"EXTNAME": (_NAME, "JSON: how it was made")})]
+        [
+            (psf.values, _header(psf, description)),
+            (np.frombuffer(said, np.uint8), {"EXTNAME": (_NAME, "JSON: how it was made")}),
+        ]
     )
 
 
@@ -34,7 +37,7 @@ def read(data: bytes) -> tuple[dict[str, Any], str]:
     return {"values": images[0].values}, described[0].values.tobytes().decode()
 
 
-def _header(psf: Answer) -> dict[str, Any]:
+def _header(psf: Answer, description: dict[str, Any]) -> dict[str, Any]:
     metric, angle = psf.unit == "m", labels.arcseconds(psf)
     cards: dict[str, Any] = {
         "CREATOR": "lommel",
@@ -56,7 +59,7 @@ def _header(psf: Answer) -> dict[str, Any]:
         cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
         cards[f"WGHT{k}"] = (float(shares[k]), "its share of the light")
     # FITS counts its axes from the last, and their entries from 1.
-    for k, (name, places, unit) in enumerate(reversed(labels.axes(psf)), 1):
+    for k, (name, places, unit) in enumerate(reversed(labels.axes(psf, description)), 1):
         cards[f"CTYPE{k}"] = name.upper()
         step = psf.pixel if name in ("x", "y") else places is not None and ome_microscope.step(places)
         if places is None or not step:

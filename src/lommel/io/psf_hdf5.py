@@ -31,9 +31,11 @@ def write(psf: Answer, description: dict[str, Any]) -> bytes:
     plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
     plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
 
+    axes = labels.axes(psf, description)
+
     def fill(file: Any) -> None:
         file.create_dataset("description", data=np.bytes_(said.encode()), track_times=False)
-        for name, places, unit in labels.axes(psf):
+        for name, places, unit in axes:
             if places is not None:
                 scale = file.create_dataset(name, data=places, track_times=False)
                 scale.attrs["units"] = np.bytes_(unit)
@@ -42,7 +44,7 @@ def write(psf: Answer, description: dict[str, Any]) -> bytes:
             stored = file.create_dataset(name, data=values, track_times=False)
             for key, value in plain.items():
                 stored.attrs[key] = np.bytes_(value) if isinstance(value, str) else value
-            for k, axis in enumerate(labels.axes(psf)):
+            for k, axis in enumerate(axes):
                 stored.dims[k].label = axis.name
                 if axis.places is not None:
                     stored.dims[k].attach_scale(file[axis.name])
@@ -59,11 +61,13 @@ def read(data: bytes) -> tuple[dict[str, Any], str]:
 
 
 def write_mat(psf: Answer, description: dict[str, Any]) -> bytes:
-    """Return a .mat file: `values` of the size [height width stack], `pixel`, `wavelength`, `description`, ..."""
+    """Return a .mat file: `values` of the size [height width stack], `x`, `y`, `wavelength`, `description`, ..."""
     said = json.dumps(sealed(description, {"values": psf.values}), allow_nan=False)
     waves, shares = labels.light(psf)
     texts = {"unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling, "description": said}
     arrays = {"values": _for_matlab(psf.values), "pixel": np.array([[psf.pixel]])}
+    places = ((axis.name, axis.places) for axis in labels.axes(psf, description))
+    arrays |= {name: at.reshape(-1, 1) for name, at in places if at is not None}
     arrays |= {"wavelength": waves[:, None], "weight": shares[:, None]} if waves.size else {}
 
     def fill(file: Any) -> None:

@@ -20,7 +20,7 @@ def write(psf: Answer, description: dict[str, Any]) -> tuple[bytes, bytes]:
     stored = psf.values.astype(psf.values.dtype.newbyteorder("<"))
     said = {
         "shape": list(psf.shape),
-        "axes": [axis.name for axis in labels.axes(psf)],
+        "axes": [axis.name for axis in labels.axes(psf, description)],
         "dtype": str(psf.values.dtype),
         "byte_order": "little",
         "order": "C",

@@ -76,6 +76,8 @@ def folder(tmp_path, monkeypatch) -> Path:
     v, u = np.mgrid[-1:1:33j, -1:1:33j]
     np.save("opd.npy", 1e-7 * (u * u + v * v))
     np.save("measured.npy", u * u + v * v < 0.9)
+    listing = "Listing of Zernike Fringe Coefficient Data\nWavelength : 0.6328 µm\nRMS (to chief) : 0.1 waves\n"
+    Path("zemax.txt").write_text(f"{listing}Z   4\t 0.25\nZ   9\t -0.1\n", encoding="utf-16")
     lm.save_zernike("table.csv", lm.Wavefront(defocus=1.0, nonradial={(3, 1): 0.4}))
     lens = lm.load_instrument("lens.toml")
     light = lens.pupil()

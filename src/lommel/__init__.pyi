@@ -27,6 +27,7 @@ from lommel.estimation.retrieval import Retrieval as Retrieval
 from lommel.estimation.retrieve import retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
+from lommel.io.opd_files import load_opd as load_opd, save_opd as save_opd
 from lommel.io.zernike_tables import ZernikeTable as ZernikeTable, save_zernike as save_zernike
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
@@ -72,6 +73,7 @@ from lommel.optics.grid import Grid as Grid
 from lommel.optics.layer import Design as Design, Layer as Layer
 from lommel.optics.lens import Lens as Lens
 from lommel.optics.objective import Objective as Objective
+from lommel.optics.opd import OPDMap as OPDMap
 from lommel.optics.pupil import Pupil as Pupil
 from lommel.optics.wavefront import Wavefront as Wavefront
 from lommel.page.widget import live as live

@@ -384,7 +384,7 @@ class PSF(Answer):
         return show.plot.plot(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write ``.tif`` (OME), ``.npy``, ``.npz`` or ``.png``; see :func:`lommel.io.psf_files.save`."""
+        """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ``.raw``, ...; see :func:`lommel.io.psf_files.save`."""
         from lommel.io import psf_files  # takes as long to import as all that computes
 
         psf_files.save(self, path)

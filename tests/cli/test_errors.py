@@ -87,7 +87,7 @@ BAD = [
     ("psf {phone} --dtype float16", "'float16' is not one of 'float32', 'float64'"),
     ("psf {phone} --dtype float32 --tol 1e-9", "dtype float32 cannot hold --tol 1e-09"),
     ("psf {hubble} -m lommel-series -o a.tif", "LommelSeries supports defocus only"),
-    ("psf {phone} -o a.jpg", "must end in .tif, .tiff, .npy, .npz, .png for a PSF, got '.jpg' in 'a.jpg'"),
+    ("psf {phone} -o a.jpg", "must end in .tif, .tiff, .npy, .npz, .png, .fits, .fit, .fits.gz,"),
     ("psf {phone} -o a.tif -o a.jpg", "got '.jpg' in 'a.jpg'"),
     ("psf {phone} -o nowhere/a.tif", "nowhere/a.tif"),
     ("psf {phone} -o folder.tif", "'folder.tif' is a directory"),

@@ -16,7 +16,7 @@ from lommel.methods import METHODS
 from lommel.show.drawing import HOW
 
 LINE = re.compile(r"^(\S.*?)\s{2,}(\S.*?)\s*$", re.MULTILINE)
-SUFFIXES = (".tif", ".npy", ".npz", ".png")
+SUFFIXES = (".tif", ".npy", ".npz", ".png", ".fits", ".h5", ".mat", ".raw")
 OPTIONS = [
     "--object-distance",
     "1.2 m",
@@ -70,7 +70,7 @@ def expected(lenses) -> lm.PSF:
 def test_every_file_holds_what_python_computes(written, lenses):
     folder, _ = written
     psf = expected(lenses)
-    assert {path.name for path in folder.iterdir()} == {"a.tif", "a.npy", "a.npz", "a.png", "a.pdf"}
+    assert {path.name for path in folder.iterdir()} == {f"a{suffix}" for suffix in (*SUFFIXES, ".json", ".pdf")}
     for suffix in SUFFIXES:
         loaded = lm.PSF.load(folder / f"a{suffix}")
         assert (loaded.pupil, loaded.method, loaded.normalize) == (psf.pupil, psf.method, "peak")
@@ -81,7 +81,8 @@ def test_every_file_holds_what_python_computes(written, lenses):
 def test_the_tables_name_the_files_that_were_written(written):
     _, text = written
     picture = "a.png: 513 x 456 pixels, 57 x 57 for each of the PSF, square root of the values, 16 bit"
-    assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.npy", "a.npz", picture, "a.pdf"]
+    others = ["a.fits", "a.h5", "a.mat", "a.raw", "a.json", "a.pdf"]
+    assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.npy", "a.npz", picture, *others]
     with Image.open(written[0] / "a.png") as shown:
         assert shown.size == (513, 456)
 

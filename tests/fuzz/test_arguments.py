@@ -156,6 +156,11 @@ def entries(folder: Path) -> list[tuple[str, object, dict[str, object]]]:
         tagged("ZernikeTable.from_wavefront", lm.ZernikeTable.from_wavefront, wavefront=lm.Wavefront(1.0),
                **units_of),
         tagged("ZernikeTable.wavefront", lm.ZernikeTable({4: 1.0}, "noll", "nm", "rms").wavefront, wavelength=5e-7),
+        tagged("OPDMap", lm.OPDMap, values=CHART, spacing=1e-3, wavelength=5e-7),
+        tagged("fit_opd", lm.fit_opd, opd=lm.OPDMap(CHART), wavelength=550e-9, degree=3),
+        tagged("save_opd", lm.save_opd, path=folder / "o.csv", opd=lm.OPDMap(CHART)),
+        tagged("load_opd", lm.load_opd, path=folder / "opd.npy", unit="nm", spacing=1e-3, wavelength=5e-7),
+        tagged("Wavefront.save", lm.Wavefront(1.0).save, path=folder / "w.csv", **units_of),
         tagged("load_zernike", lm.load_zernike, path=folder / "table.json"),
         tagged("save_zernike", lm.save_zernike, path=folder / "t.csv", table=lm.load_zernike(folder / "table.json")),
         tagged("load_instrument", lm.load_instrument, path=folder / "lens.toml", folder_only=False),
@@ -341,6 +346,7 @@ def test_bad_arguments_are_refused_by_name(tmp_path, hunt, count):
         '[sensor]\npixel = "3 um"\nshape = 9\n'
     )
     lm.save_zernike(tmp_path / "table.json", lm.ZernikeTable({4: 0.1}, "noll", "nm", "rms"))
+    lm.save_opd(tmp_path / "opd.npy", lm.OPDMap(CHART))
     known, bad = entries(tmp_path), hostile(tmp_path)
 
     def case(k: int) -> str | None:

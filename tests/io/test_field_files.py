@@ -7,9 +7,11 @@ import json
 import os
 import shutil
 
+import h5py
 import numpy as np
 import pytest
 import tifffile
+from astropy.io import fits
 
 import lommel as lm
 from lommel.io import field_files
@@ -17,7 +19,7 @@ from lommel.io.psf_files import FileError
 
 zarr = pytest.importorskip("zarr")
 
-SUFFIXES = (".tif", ".tiff", ".zarr", ".npz")
+SUFFIXES = (".tif", ".tiff", ".zarr", ".npz", ".fits", ".fits.gz", ".h5", ".hdf5", ".mat")
 METHOD = lm.Fraunhofer(samples=64)
 
 
@@ -56,14 +58,30 @@ def test_a_grid_of_axes_of_their_own_is_kept_by_formats_that_have_a_place_for_th
     field = lm.FieldMap.from_seidel(20e-3, W131=1.0, wavelength=550e-9, f_number=4.0)
     rows, columns = np.array([[3.75], [4.25]]), np.array([3.5, 4.0, 4.625])
     grid = field.grid(2, 3, sensor=(20e-3, 30e-3), shape=9, pixel=2e-6, center=(rows, columns))
-    for suffix in (".tif", ".npz"):
+    for suffix in (".tif", ".npz", ".fits", ".h5", ".mat"):
         grid.save(tmp_path / f"a{suffix}")
         loaded = lm.PSFGrid.load(tmp_path / f"a{suffix}")
         np.testing.assert_array_equal(loaded.values, grid.values)
         np.testing.assert_array_equal(loaded.psf.grid.center, grid.psf.grid.center)
-    with pytest.raises(ValueError, match=r"path must end in .tif or .npz for PSFs with a center each"):
+    with pytest.raises(ValueError, match=r"path must not end in .zarr for PSFs with a center each"):
         grid.save(tmp_path / "a.zarr")
     assert not (tmp_path / "a.zarr").exists()
+
+
+def test_h5py_and_astropy_find_where_each_psf_is(grid, tmp_path):
+    for suffix in (".h5", ".mat", ".fits"):
+        grid.save(tmp_path / f"a{suffix}")
+    with h5py.File(tmp_path / "a.h5") as file:
+        assert [dimension.label for dimension in file["values"].dims] == ["field_y", "field_x", "y", "x"]
+        np.testing.assert_array_equal(file["values"].dims[1][0][...], grid.x)
+        np.testing.assert_array_equal(file["values"][...], grid.values)
+    with h5py.File(tmp_path / "a.mat") as file:
+        np.testing.assert_array_equal(file["field_y"][:, 0], grid.y)
+        np.testing.assert_array_equal(file["x"][:, 0], grid.psf.grid.x)
+    header = fits.getheader(tmp_path / "a.fits")
+    assert (header["CTYPE3"], header["CTYPE4"]) == ("FIELD_X", "FIELD_Y")
+    places = (np.arange(1, 4) - header["CRPIX3"]) * header["CDELT3"]
+    np.testing.assert_allclose(places, grid.x, atol=1e-12)
 
 
 def test_tifffile_reads_a_page_for_each_psf_with_its_position(grid, tmp_path):
@@ -164,7 +182,9 @@ def test_files_have_the_permissions_of_other_new_files(grid, tmp_path):
 @pytest.mark.parametrize("path", ["a.png", "a.npy", "a", "a.zarr.zip"])
 def test_other_suffixes_are_refused(grid, path):
     for call in (grid.save, lm.PSFGrid.load):
-        with pytest.raises(ValueError, match=r"path must end in \.tif, \.tiff, \.zarr, \.npz for a grid") as caught:
+        with pytest.raises(
+            ValueError, match=r"path must end in \.tif, \.tiff, \.zarr, \.npz, \.fits, .* for a grid"
+        ) as caught:
             call(path)
         assert repr(path) in str(caught.value)
 
@@ -222,11 +242,11 @@ def test_a_zarr_store_that_lacks_a_part_is_told(grid, lost, tmp_path):
         lm.PSFGrid.load(tmp_path / "a.zarr")
 
 
-def test_derivatives_go_into_npz_only(grid, tmp_path):
+def test_derivatives_go_into_npz_and_hdf5_only(grid, tmp_path):
     psf = dataclasses.replace(grid.psf, derivatives={(3, -1): 2.0 * grid.values})
     with_slopes = dataclasses.replace(grid, psf=psf)
     for suffix in (".tif", ".zarr"):
-        with pytest.raises(ValueError, match=r"must end in \.npz for a grid of PSFs with derivatives"):
+        with pytest.raises(ValueError, match=r"must end in \.npz, \.h5, \.hdf5 for a grid of PSFs with derivatives"):
             with_slopes.save(tmp_path / f"a{suffix}")
     with_slopes.save(tmp_path / "a.npz")
     loaded = lm.PSFGrid.load(tmp_path / "a.npz")

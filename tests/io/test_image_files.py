@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import tifffile
+from astropy.io import fits
 from PIL import Image
 
 from lommel.io.image_files import read_images
@@ -37,6 +38,17 @@ def test_values_are_those_that_are_stored(tmp_path, dtype):
     found = read_images([str(tmp_path / "x.tif")])
     assert np.array_equal(found[0], values)
     assert found.dtype.isnative
+
+
+def test_images_of_telescopes_are_read_from_fits(tmp_path):
+    fits.PrimaryHDU(STACK).writeto(tmp_path / "stack.fits")
+    fits.HDUList([fits.PrimaryHDU(), fits.ImageHDU(STACK[0])]).writeto(tmp_path / "one.fit")
+    found = read_images([tmp_path / "stack.fits", tmp_path / "one.fit"])
+    assert found.dtype == np.uint16  # which FITS stores as integers with a sign
+    assert np.array_equal(found, [*STACK, STACK[0]])
+    (tmp_path / "cut.fits").write_bytes((tmp_path / "stack.fits").read_bytes()[:2000])
+    with pytest.raises(PhotoError, match=r"cut\.fits cannot be read as images: "):
+        read_images([tmp_path / "cut.fits"])
 
 
 def test_what_is_no_grey_image_is_refused(tmp_path):

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from astropy.io import fits
 from PIL import Image
 
 import lommel as lm
@@ -54,13 +55,15 @@ def test_the_pupil_of_every_object_has_the_aperture(load):
     assert lens.pupil([1e3, 1e4]).spider == lens.spider is not None
 
 
-@pytest.mark.parametrize("suffix", [".npy", ".png", ".tif"])
+@pytest.mark.parametrize("suffix", [".npy", ".png", ".tif", ".fits", ".fits.gz"])
 @pytest.mark.parametrize("holds", ["amplitude", "intensity"])
 def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_path, suffix, holds):
     levels = np.zeros((8, 8), np.uint8)
     levels[5:, :], levels[5, 2] = 255, 51
     if suffix == ".npy":
         np.save(tmp_path / "mask.npy", levels / 255)
+    elif ".fits" in suffix:
+        fits.PrimaryHDU(levels / 255).writeto(tmp_path / f"mask{suffix}")
     else:
         Image.fromarray(levels).save(tmp_path / f"mask{suffix}")
     pupil = load(f'[aperture.mask]\nfile = "mask{suffix}"\nholds = "{holds}"\n').pupil()
@@ -90,7 +93,8 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_p
         ("[aperture.cat_eye]\nshift = [2.0, 0.0]\n", "aperture.cat_eye (line 9): shift must be shorter than"),
         ("[aperture.cat_eye]\nshift = [0, 0]\n[aperture.ellipse]\na = 1\nb = 1\n", "one of ellipse and cat_eye"),
         ('[aperture.mask]\nfile = "nowhere.npy"\n', "aperture.mask.file (line 10): 'nowhere.npy' cannot be read"),
-        ('[aperture.mask]\nfile = "lens.toml"\n', "must end in .npy, .png, .tif, .tiff, got 'lens.toml'"),
+        ('[aperture.mask]\nfile = "lens.toml"\n', "must end in .npy, .png, .tif, .tiff, .fits,"),
+        ('[aperture.mask]\nfile = "junk.fits"\n', "'junk.fits' is no FITS image"),
         ('[aperture.mask]\nfile = "junk.npy"\n', "'junk.npy' is no array"),
         ('[aperture.mask]\nfile = "junk.png"\n', "'junk.png' is no picture"),
         ('[aperture.mask]\nfile = "colour.png"\n', "must be a grey picture, got one in colour"),
@@ -100,7 +104,7 @@ def test_a_mask_is_read_from_beside_the_lens_file_its_rows_downwards(load, tmp_p
     ],
 )
 def test_a_fault_is_told_where_it_is(load, tmp_path, section, what):
-    for name in ("junk.npy", "junk.png"):
+    for name in ("junk.npy", "junk.png", "junk.fits"):
         (tmp_path / name).write_bytes(b"junk")
     Image.new("RGB", (4, 4)).save(tmp_path / "colour.png")
     np.save(tmp_path / "oblong.npy", np.ones((3, 4)))

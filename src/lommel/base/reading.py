@@ -50,8 +50,13 @@ def contents(path: Path, most: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> 
 
 def text(path: Path) -> str:
     """Return a text in UTF-8 of at most :data:`MAX_TEXT` bytes; ValueError if it is another."""
+    return decoded(contents(path, MAX_TEXT))
+
+
+def decoded(data: bytes) -> str:
+    """Return a text in UTF-8 with plain ends of lines; ValueError if it is another."""
     try:
-        return contents(path, MAX_TEXT).decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
+        return data.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
         raise ValueError(f"not UTF-8 text: {error}") from None
 

@@ -100,8 +100,9 @@ for command in (blur, depth, focus_pull, live, methods, precision, restore, retr
 @_psf_command
 @microscope_command.stack_options
 @click.option("-o", "--output", "outputs", multiple=True, type=FILE,
-              help="The values: .tif (OME), .npy or .npz; or a grey picture to look at: .png, the square root of the "
-              "values, enlarged to 512 pixels or more. Repeatable. With --field .tif, .zarr or .npz.")  # fmt: skip
+              help="The values: .tif (OME), .fits, .h5, .mat (MATLAB), .npy, .npz or .raw (with a .json beside); or "
+              "a grey picture to look at: .png, the square root of the values, enlarged to 512 pixels or more. "
+              "Repeatable. With --field .tif, .fits, .h5, .mat, .zarr or .npz.")  # fmt: skip
 @click.option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
               help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
 @click.option("--plot", "figure", type=FILE,
@@ -150,8 +151,8 @@ def psf(
     from lommel.psf import psf as compute
     from lommel.reports import report
 
-    for path in outputs:
-        (psf_files if field is None else field_files).find(path, "--output")
+    forms = [(path, (psf_files if field is None else field_files).find(path, "--output")) for path in outputs]
+    written = [place for path, form in forms for place in form.places(path)]
     if figure is not None:
         figure_format(figure)
     options: dict[str, Any] = {"method": build_method(method_name, settings), "tol": tol, "normalize": normalize}
@@ -160,7 +161,7 @@ def psf(
         raise ValueError("tol is given twice, by --tol and by --set")
     microscope = microscope_command.microscope_of(**lens, field=field, stack=stack, step=step, depth=depth)
     if microscope is not None:
-        microscope_command.psf(microscope, outputs, figure, as_json, options)
+        microscope_command.psf(microscope, outputs, written, figure, as_json, options)
         return
     instrument = instrument_of(**lens)
     window, pixel = instrument.window, instrument.pixel
@@ -191,14 +192,14 @@ def psf(
                 axes.set_title(instrument.name, fontsize=9, loc="left", pad=22)
             save_figure(axes.figure, figure)
     if as_json:
-        print_json(facts | {"files": [str(path) for path in (*outputs, *([figure] if figure else []))]})
+        print_json(facts | {"files": [str(path) for path in (*written, *([figure] if figure else []))]})
         return
     if field is None:
         tables.print_lens(facts)
         tables.print_psf(answer, facts["psf"])
     else:
         tables.print_field(answer, facts)
-    for path in outputs:
+    for path in written:
         picture = field is None and path.suffix.lower() == ".png"
         click.echo(f"wrote {path}{_of_picture(answer) if picture else ''}")
     if figure is not None:

@@ -85,9 +85,17 @@ def info(microscope: Microscope, as_json: bool) -> None:
 
 
 def psf(
-    microscope: Microscope, outputs: tuple[Path, ...], figure: Path | None, as_json: bool, options: dict[str, Any]
+    microscope: Microscope,
+    outputs: tuple[Path, ...],
+    written: list[Path],
+    figure: Path | None,
+    as_json: bool,
+    options: dict[str, Any],
 ) -> None:
-    """Compute a stack, print what it is, and write it to files: pictures of a stack are sections."""
+    """Compute a stack, print what it is, and write it to files: pictures of a stack are sections.
+
+    `written` are the outputs and what belongs to them.
+    """
     from lommel.cli import microscope_tables
     from lommel.psf import psf as compute
     from lommel.reports.microscope import describe_microscope, describe_stack
@@ -113,10 +121,10 @@ def psf(
             for path in drawn:
                 save_figure(shown.figure, path)
     if as_json:
-        print_json(facts | {"files": [str(path) for path in (*outputs, *([figure] if figure else []))]})
+        print_json(facts | {"files": [str(path) for path in (*written, *([figure] if figure else []))]})
         return
     microscope_tables.print_microscope(facts)
     microscope_tables.print_stack(answer, facts["psf"])
-    for path in (*outputs, *([figure] if figure else [])):
+    for path in (*written, *([figure] if figure else [])):
         how = ": sections xy, xz and yz, the square root of the values" if stack and path in drawn else ""
         click.echo(f"wrote {path}{how}")

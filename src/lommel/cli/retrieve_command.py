@@ -106,9 +106,9 @@ def retrieve(
 ) -> None:
     """Fit a wavefront to images of a star, or of any point of light.
 
-    IMAGES are TIFF (each page is an image), NPY or PNG, of one size, with values proportional to light but for the
-    offset: no JPEG, no sRGB. LENS is a lens file: aperture, wavelength, f-number and pixel pitch; its wavefront is
-    where the fit starts. Several images need the defocus of each.
+    IMAGES are TIFF (each page is an image), NPY, FITS or PNG, of one size, with values proportional to light but for
+    the offset: no JPEG, no sRGB. LENS is a lens file: aperture, wavelength, f-number and pixel pitch; its wavefront
+    is where the fit starts. Several images need the defocus of each.
 
     Terms are Noll's, rms. chi2 is about 1 where pupil, pixel and noise are right.
 

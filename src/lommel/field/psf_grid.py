@@ -66,7 +66,7 @@ class PSFGrid(AnswerGrid):
         return plot.field(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Write ``.tif`` (OME), ``.zarr`` or ``.npz``; see :func:`lommel.io.field_files.save`.
+        """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ``.npz``, ``.zarr``; :func:`lommel.io.field_files.save`.
 
         Parameters
         ----------

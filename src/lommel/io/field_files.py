@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+from collections.abc import Callable
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -15,10 +16,10 @@ from numpy.typing import NDArray
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array
 from lommel.base.checksums import sealed
-from lommel.io import psf_files, psf_numpy, psf_tiff, registry
+from lommel.io import fits_images, psf_files, psf_fits, psf_hdf5, psf_numpy, psf_tiff, registry
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Format
-from lommel.measures.answer import AnswerGrid
+from lommel.measures.answer import Answer, AnswerGrid
 
 _KEY = "field"  # of what a description says about the positions
 
@@ -29,10 +30,11 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
     ``.tif``: one OME-TIFF, a page for each PSF, row by row (axis R, tiles), with its position on the sensor as
     PositionX and PositionY of its plane (micrometres, or ``reference frame`` for lambda*N). ``.zarr``: a Zarr group
     of version 3 with the array ``values`` (field_y, field_x, y, x) and a coordinate array for each dimension, named
-    as xarray expects; the description is the attribute ``lommel``. ``.npz``: as a stack of PSFs.
+    as xarray expects; the description is the attribute ``lommel``. ``.npz``, ``.fits``, ``.h5``, ``.mat``: as a stack
+    of PSFs, in all but the first with the places on the sensor, ``field_y`` and ``field_x``.
 
     Each has the JSON description of :func:`lommel.io.psf_files.save` with the positions and the size of the sensor
-    added, so that :meth:`lommel.PSF.load` reads the stack from ``.tif`` and ``.npz``. All is written under a
+    added, so that :meth:`lommel.PSF.load` reads the stack from all but ``.zarr``. All is written under a
     temporary name and moved into place; a ``.zarr`` folder that was there is replaced if it is a Zarr store.
 
     Parameters
@@ -43,10 +45,10 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
     Raises
     ------
     ValueError
-        If the suffix is unknown, for derivatives in anything but ``.npz``, or if there is something at the path of
-        a ``.zarr`` that is no Zarr store.
+        If the suffix is unknown, for derivatives in anything but ``.npz`` and ``.h5``, or if there is something at
+        the path of a ``.zarr`` that is no Zarr store.
     ImportError
-        If tifffile or zarr is not installed.
+        If tifffile, zarr, astropy or h5py is not installed.
     OSError
         If it cannot be written.
     """
@@ -86,8 +88,9 @@ def _write_tiff(grid: AnswerGrid, description: dict[str, Any], target: Path) -> 
     atomic.write(target, psf_tiff.write(grid.psf, description, planes))
 
 
-def _write_npz(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
-    atomic.write(target, psf_numpy.npz(grid.psf, description))
+def _as_stack(write: Callable[[Answer, dict[str, Any]], bytes]) -> Callable[..., None]:
+    """Return what writes a grid as the stack of PSFs that it is."""
+    return lambda grid, description, target: atomic.write(target, write(grid.psf, description))
 
 
 def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
@@ -95,7 +98,7 @@ def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> 
 
     if grid.psf.grid.stack:
         raise ValueError(
-            "path must end in .tif or .npz for PSFs with a center each: in .zarr all have one x and one y"
+            "path must not end in .zarr for PSFs with a center each, since all have one x and one y there"
         )
     said = sealed(description, {"values": grid.values})
     if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
@@ -150,9 +153,16 @@ def _size(folder: Path) -> int:
     return total
 
 
+_form = partial(Format, "field", read=psf_files.load_described)
+_fits, _hdf5 = (partial(_form, library=name, extra=extra) for name, extra in (("astropy", "fits"), ("h5py", "hdf5")))
+_DERIVED = ("with derivatives",)
 registry.register(
-    Format("field", (".tif", ".tiff"), _write_tiff, psf_files.load_described, library="tifffile", extra="images"),
+    _form((".tif", ".tiff"), _write_tiff, library="tifffile", extra="images"),
     Format("field", (".zarr",), _write_zarr, _read_zarr, library="zarr", extra="zarr"),
-    Format("field", (".npz",), _write_npz, psf_files.load_described, holds=("with derivatives",)),
+    _form((".npz",), _as_stack(psf_numpy.npz), holds=_DERIVED),
+    _fits(fits_images.SUFFIXES, _as_stack(psf_fits.write)),
+    _fits(fits_images.PACKED, _as_stack(fits_images.packed(psf_fits.write))),
+    _hdf5((".h5", ".hdf5"), _as_stack(psf_hdf5.write), holds=_DERIVED),
+    _hdf5((".mat",), _as_stack(psf_hdf5.write_mat)),
 )
 find = partial(registry.find, "field")

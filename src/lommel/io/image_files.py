@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import reading, validation
-from lommel.io import photo_formats, registry
+from lommel.io import fits_images, photo_formats, registry
 from lommel.io.photos import PNG, TIFF, PhotoError, told
 from lommel.io.registry import Format
 
 
 def read_images(paths: Sequence[str | PathLike[str]]) -> NDArray[Any]:
-    """Read images of one size from TIFF (every page is one), NPY (one image or a stack) or 16-bit PNG files.
+    """Read images of one size from TIFF (every page is one), NPY and FITS (one image or a stack) or 16-bit PNG files.
 
     Parameters
     ----------
@@ -66,6 +66,10 @@ def _png(data: bytes) -> NDArray[Any]:
     return photo_formats.read_png(data)[0]
 
 
+def _fits(data: bytes) -> NDArray[Any]:
+    return fits_images.read(data, reading.MAX_PIXELS)[0].values
+
+
 def _tiff(data: bytes) -> NDArray[Any]:
     import tifffile
 
@@ -86,4 +90,5 @@ registry.register(
     Format("images", (".npy",), read=_npy, starts=(b"\x93NUMPY",)),
     Format("images", (".tif", ".tiff"), read=_tiff, starts=TIFF, library="tifffile", extra="images"),
     Format("images", (".png",), read=_png, starts=PNG, library="PIL.Image", extra="images"),
+    Format("images", fits_images.SUFFIXES, read=_fits, starts=(b"SIMPLE  =",), library="astropy", extra="fits"),
 )

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from lommel.base import atomic, reading, validation
 from lommel.base.checksums import checksum
 from lommel.base.version import version
-from lommel.io import psf_numpy, psf_png, psf_tiff, registry
+from lommel.io import fits_images, psf_fits, psf_hdf5, psf_numpy, psf_png, psf_raw, psf_tiff, registry
 from lommel.io.registry import Format
 from lommel.measures.answer import Answer
 from lommel.methods import method_from_dict
@@ -26,11 +26,18 @@ from lommel.optics.pupil import Pupil
 
 Made = TypeVar("Made", bound=Answer)
 
+_fits, _hdf5 = (partial(Format, "psf", library=of, extra=e) for of, e in (("astropy", "fits"), ("h5py", "hdf5")))
 registry.register(
     Format("psf", (".tif", ".tiff"), psf_tiff.write, psf_tiff.read, library="tifffile", extra="images"),
     Format("psf", (".npy",), psf_numpy.npy, psf_numpy.read_npy),
     Format("psf", (".npz",), psf_numpy.npz, psf_numpy.read_npz, holds=("with derivatives",)),
     Format("psf", (".png",), psf_png.write, psf_png.read, library="PIL.Image", extra="images"),
+    _fits(fits_images.SUFFIXES, psf_fits.write, psf_fits.read),
+    _fits(fits_images.PACKED, fits_images.packed(psf_fits.write), psf_fits.read),
+    _hdf5((".h5", ".hdf5"), psf_hdf5.write, psf_hdf5.read, holds=("with derivatives",)),
+    _hdf5((".mat",), psf_hdf5.write_mat, psf_hdf5.read_mat),
+    Format("psf", (".raw",), psf_raw.write, psf_raw.read, beside=".json"),
+    Format("psf", (".json",), psf_raw.write_turned, psf_raw.read_turned, beside=".raw"),
 )
 find = partial(registry.find, "psf")
 
@@ -47,13 +54,17 @@ def save(psf: Answer, path: str | PathLike[str]) -> None:
     objective and layers are. ``.npy``: the array, with the description behind it, where NumPy does not look.
     ``.npz``: ``values`` and ``description``. ``.png``: a picture to look at, 16-bit grey, the square root of the
     values over their peak, enlarged by the whole number that makes the longer side 512 pixels or more (a single PSF
-    only; :meth:`lommel.PSF.load` gives its values back to 1.6e-5 of the peak).
+    only; :meth:`lommel.PSF.load` gives its values back to 1.6e-5 of the peak). ``.fits``, ``.fits.gz``: the values
+    with PIXELSCL (arcsec, of a lens with distances), XPIXSZ and YPIXSZ (um), CDELTn, WAVELEN, WAVEn and WGHTn; the
+    description is the bytes of the extension LOMMEL. ``.h5``: the dataset ``values`` with attributes, dimension
+    names and scales. ``.mat``: the same for MATLAB (version 7.3), of the size [height width ...]. ``.raw``: numbers,
+    little-endian, row by row, with a ``.json`` beside that says their shape, type, pixel and wavelength; both are
+    written or none, and either path loads them. See :doc:`/formats` for what reads each.
 
-    Derivatives go into ``.npz`` only. The description is JSON: version, pupil (wavefront, obscuration, wavelength,
-    f-number, lens distances), method with all its options, normalisation, pixel, error bound, and a checksum of all
-    of this and of the values, without which nothing loads. The file is written
-    under a temporary name and moved into place, so that a failure leaves what was there before; links are followed
-    and permissions kept.
+    Derivatives go into ``.npz`` and ``.h5`` only. The description is JSON: version, pupil (wavefront, obscuration,
+    wavelength, f-number, lens distances), method with all its options, normalisation, pixel, error bound, and a
+    checksum of all of this and of the values, without which nothing loads. The file is written under a temporary name
+    and moved into place, so that a failure leaves what was there before; links are followed and permissions kept.
 
     Parameters
     ----------
@@ -63,14 +74,17 @@ def save(psf: Answer, path: str | PathLike[str]) -> None:
     Raises
     ------
     ValueError
-        If the suffix is unknown, for a PNG of a stack, or for derivatives in anything but ``.npz``.
+        If the suffix is unknown, for a PNG of a stack, or for derivatives in anything but ``.npz`` and ``.h5``.
     ImportError
-        If tifffile or Pillow is not installed.
+        If tifffile, Pillow, astropy or h5py is not installed.
     OSError
         If the file cannot be written.
     """
     form = find(path, holding="with derivatives" if psf.derivatives else "")
-    atomic.write(Path(path), form.write(psf, describe(psf)))
+    made = form.write(psf, describe(psf))
+    with atomic.together() as put:
+        for place, data in zip(form.places(Path(path)), made if form.beside else (made,), strict=True):
+            put(place, data)
 
 
 def load(path: str | PathLike[str], kind: type[Made]) -> Made:
@@ -89,9 +103,9 @@ def load(path: str | PathLike[str], kind: type[Made]) -> Made:
 def load_described(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, dict[str, Any]]:
     """Read a PSF and the whole description in its file, which may say more than a PSF holds."""
     form, source = find(path, verb="read"), Path(path)
-    data = reading.contents(source)
+    data = [reading.contents(place) for place in form.places(source)]
     with told(source, "a PSF"):
-        arrays, text = form.read(data)
+        arrays, text = form.read(*data)
         description = json.loads(text)
         return rebuild(arrays, description, kind), description
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import re
+import zipfile
 from typing import Any
 
 import numpy as np
@@ -43,14 +45,22 @@ def read_npy(data: bytes) -> tuple[dict[str, Any], str]:
 def npz(psf: Answer, description: dict[str, Any]) -> bytes:
     """Return an archive of the values, the derivatives and the description."""
     arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
-    said = np.array(_text(description, arrays))
-    return atomic.contents(np.savez_compressed, allow_pickle=False, description=said, **arrays)
+    # As bytes: readers of NumPy's files in other languages know no text.
+    said = np.frombuffer(_text(description, arrays).encode(), np.uint8)
+    file = io.BytesIO()
+    # As NumPy would, but with sizes of 32 bits where these do, which is what other readers know.
+    with zipfile.ZipFile(file, "w") as archive:
+        for name, values in (arrays | {"description": said}).items():
+            array = atomic.contents(np.save, values, allow_pickle=False)
+            archive.writestr(zipfile.ZipInfo(f"{name}.npy"), array, zipfile.ZIP_DEFLATED)
+    return file.getvalue()
 
 
 def read_npz(data: bytes) -> tuple[dict[str, Any], str]:
     """Return the values and the derivatives, and the description as it stands."""
     arrays = reading.npz(data)
-    text = str(arrays.pop("description")(reading.MAX_PIXELS))
+    said = arrays.pop("description")(reading.MAX_PIXELS)
+    text = said.tobytes().decode() if said.dtype == np.uint8 else str(said)  # which it was at first
     most = math.prod(json.loads(text)["shape"])
     return {name: read(most) for name, read in arrays.items()}, text
 

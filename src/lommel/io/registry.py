@@ -6,6 +6,7 @@ import warnings
 from dataclasses import dataclass
 from functools import cache
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
 from lommel.base import optional, reading, validation
@@ -17,6 +18,8 @@ KINDS = {
     "frames": "frames",
     "depth map": "depth",
     "images": "images",
+    "zernike": "Zernike coefficients",
+    "opd": "a map of path differences",
 }
 """What files hold, and what messages call it."""
 
@@ -32,7 +35,7 @@ class Format:
 
     Parameters
     ----------
-    kind : {"psf", "field", "photo", "frames", "depth map", "images"}
+    kind : {"psf", "field", "photo", "frames", "depth map", "images", "zernike", "opd"}
     suffixes : tuple of str
         Of its files, in small letters, each with its dot.
     write, read : callable, optional
@@ -43,6 +46,8 @@ class Format:
         What not all of its kind hold, in words that follow those of the kind: "with derivatives", "of uint16".
     library, extra : str, default ""
         The library that it needs, as it is imported, and the extra of this package that brings it.
+    beside : str, default ""
+        The suffix of a second file that belongs to the first; of these, ``write`` returns and ``read`` takes both.
 
     Raises
     ------
@@ -53,12 +58,15 @@ class Format:
     -----
     ``write`` and ``read`` are, for each kind:
 
-    - "psf": (PSF, description) to bytes; bytes to (``{"values": array}`` and derivatives, text of a description)
+    - "psf": (PSF, description) to bytes; bytes to (``{"values": array}`` and derivatives, text of a description);
+      a format with a file `beside`: to (bytes, bytes beside), and from both
     - "field": (PSFGrid, description, path), which writes by itself; (path, class of PSF) to (PSF, description)
     - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
     - "frames": (list of values, milliseconds each, quality) to bytes
     - "depth map": values of float32 to bytes; (bytes, metres a level or None) to values
     - "images": read only, bytes to values, shape (height, width) or (n, height, width)
+    - "opd": OPDMap to bytes; bytes to ``lommel.io.opd_zygo.Measured``
+    - "zernike": read only, bytes to (ZernikeTable or None, what is wrong with it)
 
     What is written as bytes is moved into place whole. What cannot be held, or is damaged, is a ValueError. A
     description is a dictionary of plain types, written as JSON after ``lommel.base.checksums.sealed`` has added the
@@ -73,6 +81,7 @@ class Format:
     holds: tuple[str, ...] = ()
     library: str = ""
     extra: str = ""
+    beside: str = ""
 
     def __post_init__(self) -> None:
         validation.choice("kind", self.kind, KINDS)
@@ -81,6 +90,10 @@ class Format:
     def name(self) -> str:
         """What messages call it: the longest of its suffixes, such as JPEG."""
         return max(self.suffixes, key=len).lstrip(".").upper()
+
+    def places(self, path: Path) -> tuple[Path, ...]:
+        """Return a `path`, and that of the file beside it if there is one."""
+        return (path, path.with_suffix(self.beside)) if self.beside else (path,)
 
     def ready(self) -> Format:
         """Return this format; ImportError if its library is missing."""
@@ -116,12 +129,13 @@ def find(
 
     `name` is what messages call the path, `holding` one of :attr:`Format.holds`.
     """
-    suffix = validation.path(name, path).suffix.lower()
-    if not any(suffix in form.suffixes for form in _able(kind, verb)):
+    suffixes = validation.path(name, path).suffixes
+    suffix, end = "".join(suffixes[-1:]).lower(), "".join(suffixes[-2:]).lower()  # which .fits.gz is
+    if not any(end.endswith(form.suffixes) for form in _able(kind, verb)):
         _load_others()
     fit = [form for form in _able(kind, verb) if not holding or holding in form.holds]
     for form in fit:
-        if suffix in form.suffixes:
+        if end.endswith(form.suffixes):
             return form.ready()
     raise ValueError(
         f"{name} must end in {', '.join(suffix for form in fit for suffix in form.suffixes) or 'nothing known'} for "

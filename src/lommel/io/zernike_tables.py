@@ -173,6 +173,42 @@ def save_zernike(path: str | PathLike[str], table: ZernikeTable | Wavefront) -> 
     atomic.write(validation.path("path", path), text.encode())
 
 
+def save_wavefront(
+    wavefront: Wavefront,
+    path: str | PathLike[str],
+    *,
+    order: str = "noll",
+    unit: str = "waves",
+    normalization: str = "rms",
+    wavelength: float | None = None,
+) -> None:
+    """Write the Zernike coefficients of a single wavefront: :meth:`ZernikeTable.from_wavefront`, saved.
+
+    Parameters
+    ----------
+    wavefront : Wavefront
+    path : path
+        Ending in .json, .toml or .csv.
+    order, unit, normalization : str
+        Of the table.
+    wavelength : float, optional
+        Metres; units of length need it.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is a stack, if there is no such order, unit or normalization, if a wavelength is missing, or if the
+        suffix is unknown.
+    OSError
+        If the file cannot be written.
+    """
+    suffix(path)
+    table = ZernikeTable.from_wavefront(
+        wavefront, order=order, unit=unit, normalization=normalization, wavelength=wavelength
+    )
+    save_zernike(path, table)
+
+
 def suffix(path: str | PathLike[str], name: str = "path") -> str:
     """Return the suffix of a table, in small letters; ValueError with all of them, for `name`, if it is another."""
     found = validation.path(name, path).suffix.lower()

@@ -9,12 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from lommel.base import reading, validation
+from lommel.base import optional, reading, validation
 from lommel.base.encoding import to_light
+from lommel.io import fits_images
 from lommel.lensfiles.sections import Angle, Length, Number, Section, read_beside
 from lommel.optics.aperture import MAX_SIDE, MAX_VANES, CatEye, Ellipse, Mask, Spider
 
-_SUFFIXES = (".npy", ".png", ".tif", ".tiff")
+_FITS = (*fits_images.SUFFIXES, *fits_images.PACKED)
+_SUFFIXES = (".npy", ".png", ".tif", ".tiff", *_FITS)
 
 
 class _Spider(Section):
@@ -100,7 +102,7 @@ class ApertureSection(Section):
 
 
 def read_transmission(path: Path) -> NDArray[Any]:
-    """Read a square of transmissions from 0 to 1: an array (.npy), or a grey picture, white being 1.
+    """Read a square of transmissions from 0 to 1: an array (.npy), a FITS image, or a grey picture, white being 1.
 
     Rows rise downwards in a picture, as y does.
 
@@ -112,13 +114,20 @@ def read_transmission(path: Path) -> NDArray[Any]:
         If it cannot be read.
     """
     suffix = path.suffix.lower()
-    if suffix not in _SUFFIXES:
+    if not path.name.lower().endswith(_SUFFIXES):
         raise ValueError(f"must end in {', '.join(_SUFFIXES)}, got {validation.shown(path.name)}")
     if suffix == ".npy":
         try:
             return reading.npy(reading.contents(path), MAX_SIDE**2)[0]
         except ValueError as error:
             raise ValueError(f"{path.name!r} is no array: {reading.reason(error)}") from None
+    if path.name.lower().endswith(_FITS):
+        optional.library("astropy", "FITS files need", "fits")
+        data = reading.contents(path)
+        try:
+            return fits_images.read(data, MAX_SIDE**2)[0].values
+        except Exception as error:  # of astropy
+            raise ValueError(f"{path.name!r} is no FITS image: {reading.reason(error)}") from None
     from lommel.io.photos import PhotoError, read_raster
 
     try:

@@ -14,7 +14,7 @@ import numpy as np
 from lommel.base import reading, validation
 from lommel.base.units import parse_length
 from lommel.field.maps import FieldMap
-from lommel.lensfiles import cells
+from lommel.io import cells
 from lommel.lensfiles.messages import TOLD
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront import Wavefront

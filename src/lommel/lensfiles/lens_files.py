@@ -22,7 +22,7 @@ from lommel.base import validation
 from lommel.base.units import parse_radius
 from lommel.field.maps import FieldMap
 from lommel.io.zernike_tables import ZernikeTable
-from lommel.lensfiles import field_tables, messages, toml_files, zernike_files
+from lommel.lensfiles import field_tables, messages, toml_files, zernike_entries, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.sections import Distance, Length, Number, Section, Sensor, SignedLength, read_beside
@@ -83,7 +83,7 @@ class _Aberrations(_Seidel):
     W080: Number = 0.0
     spherical_rms: SignedLength = 0.0
     field: tuple[Number, Number] = (1.0, 0.0)
-    zernike: dict[str, Any] | None = None  # told by zernike_files what it may hold
+    zernike: dict[str, Any] | None = None  # told by zernike_entries what it may hold
 
 
 class _Object(Section):
@@ -188,9 +188,9 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
     them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
     b, and an angle, or ``[aperture.cat_eye]`` with shift, a pair [x, y], and radius, all over the radius of the
-    aperture; ``[aperture.mask]`` with file, the path of a square array (.npy) or grey picture (.png, .tif) from the
-    folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``, all
-    positions see this aperture.
+    aperture; ``[aperture.mask]`` with file, the path of a square array (.npy, .fits) or grey picture (.png, .tif)
+    from the folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``,
+    all positions see this aperture.
 
     ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
     the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the
@@ -245,7 +245,7 @@ def _zernike(raw: dict[str, Any], text: str, context: dict[str, Any]) -> tuple[Z
         return messages.place(text, ["aberrations", "zernike", *keys])
 
     if "file" not in section:
-        return zernike_files.build_section(section, where)
+        return zernike_entries.build_section(section, where)
     try:
         if others := [key for key in section if key != "file"]:
             raise ValueError(f"the file states everything; leave out {', '.join(others)}")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from os import PathLike
 from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lommel.base import validation
+from lommel.base import validation, views
 from lommel.base.arrays import Array
 from lommel.optics.terms import Terms
 from lommel.special import zernike
@@ -120,6 +121,14 @@ class Descriptions(Terms):
                 factor = scale * (zernike.rms_factor(n, m) if normalization == "rms" else 1.0)
                 found[zernike.index_of(n, m, order)] = np.broadcast_to(c / factor, self.shape)
         return found
+
+    def save(self, path: str | PathLike[str], **how: Any) -> None:
+        """Write the Zernike coefficients of a single wavefront to a `path` ending in .csv, .json or .toml.
+
+        :func:`lommel.load_zernike` reads them. `how` may name the order ("noll" by default), the unit ("waves"), the
+        normalization ("rms") and the wavelength; see :func:`lommel.io.zernike_tables.save_wavefront`.
+        """
+        views.view(type(self), "save")(self, path, **how)
 
     @classmethod
     def from_seidel(

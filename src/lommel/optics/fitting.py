@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.optics.descriptions import radians_per
+from lommel.optics.opd import OPDMap, plain
 from lommel.optics.wavefront import MAX_HIGHER, Wavefront
 from lommel.special import zernike
 
@@ -121,9 +122,9 @@ def fit_radial(
 
 
 def fit_opd(
-    opd: ArrayLike,
+    opd: ArrayLike | OPDMap,
     *,
-    unit: str,
+    unit: str | None = None,
     wavelength: float | None = None,
     mask: ArrayLike | None = None,
     degree: int = 8,
@@ -135,12 +136,12 @@ def fit_opd(
 
     Parameters
     ----------
-    opd : array_like, shape (..., height, width)
+    opd : array_like, shape (..., height, width), or OPDMap
         The measurement; x rises with the columns and y with the rows. NaN marks pixels without one, where there is
-        neither `mask` nor a masked array.
+        neither `mask` nor a masked array. :func:`lommel.load_opd` reads one.
     unit : {"radians", "waves", "metres"}
-        Of `opd`; metres need `wavelength`. The sign is that of the phase: flip that of a map that counts a
-        lengthened path as negative.
+        Of `opd`; metres need `wavelength`. An OPDMap is in metres, and may have a wavelength. The sign is that of the
+        phase: flip that of a map that counts a lengthened path as negative.
     wavelength : float, optional
         Metres.
     mask : array_like of bool, shape (height, width) or that of `opd`, optional
@@ -167,6 +168,7 @@ def fit_opd(
         On maps that are not finite inside the mask (the message says where), masks without a pixel, too few
         samples for the terms, samples that do not determine them, or a residual beyond `tol`.
     """
+    opd, unit, wavelength = plain(opd, unit, wavelength)
     scale = radians_per(unit, wavelength)
     limit = _tolerance(tol)
     highest = validation.integer("degree", degree, least=1, most=MAX_RADIAL)

@@ -6,14 +6,14 @@ import csv
 from collections.abc import Iterator
 
 
-def rows(text: str) -> Iterator[tuple[int, list[str]]]:
+def rows(text: str, between: str = ",") -> Iterator[tuple[int, list[str]]]:
     """Yield the number of each line and its cells; lines that are empty or begin with ``#`` are left out.
 
     ValueError if a cell has no end.
     """
     for place, line in enumerate(text.splitlines(), 1):
         try:
-            cells = [cell.strip() for cell in next(csv.reader([line]), [])]
+            cells = [cell.strip() for cell in next(csv.reader([line], delimiter=between), [])]
         except csv.Error as error:  # of an endless cell
             raise ValueError(f"{error} in line {place}") from None
         if any(cells) and not line.lstrip().startswith("#"):

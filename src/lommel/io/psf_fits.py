@@ -1,0 +1,71 @@
+"""PSFs as FITS: the values, what telescopes' programs look for in a header, and the description beside."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.checksums import sealed
+from lommel.io import fits_images, labels, ome_microscope
+from lommel.measures.answer import Answer
+
+_NAME = "LOMMEL"  # of the extension whose bytes are the description
+_MOST_WAVES = 1000  # WAVE1000 is no name of a card
+_COUNTS = {"energy": "pixel-1", "emitted": "pixel-1"}
+
+
+def write(psf: Answer, description: dict[str, Any]) -> bytes:
+    """Return a FITS file; in PIXELSCL, WAVELEN, WAVEn and WGHTn as POPPY and WebbPSF write them."""
+    said = json.dumps(sealed(description, {"values": psf.values}), allow_nan=False).encode()
+    return fits_images.write(
+        [
+            (psf.values, _header(psf, description)),
+            (np.frombuffer(said, np.uint8), {"EXTNAME": (_NAME, "JSON: how it was made")}),
+        ]
+    )
+
+
+def read(data: bytes) -> tuple[dict[str, Any], str]:
+    """Return the values, and the description as it stands."""
+    images = fits_images.read(data, validation.MAX_VALUES)
+    described = [image for image in images if image.header.get("EXTNAME") == _NAME and image.values.dtype == np.uint8]
+    if len(described) != 1:
+        raise ValueError("no description of how it was made")
+    return {"values": images[0].values}, described[0].values.tobytes().decode()
+
+
+def _header(psf: Answer, description: dict[str, Any]) -> dict[str, Any]:
+    metric, angle = psf.unit == "m", labels.arcseconds(psf)
+    cards: dict[str, Any] = {
+        "CREATOR": "lommel",
+        "BUNIT": (_COUNTS.get(psf.normalize, ""), "share of the light" if psf.normalize in _COUNTS else "of a peak"),
+        "NORMALIZ": (psf.normalize, "what a value of 1 stands for"),
+    }
+    if angle is not None:
+        cards["PIXELSCL"] = (angle, "[arcsec/pixel] seen from the lens, on the axis")
+    if metric:
+        for side in "XY":
+            cards[f"{side}PIXSZ"] = (1e6 * psf.pixel, "[um] of a pixel on the sensor")
+    else:
+        cards["PIXELSZ"] = (psf.pixel, "[lambda*N] of a pixel on the sensor")
+    waves, shares = labels.light(psf)
+    if waves.size:
+        cards["WAVELEN"] = (float(waves @ shares), "[m] mean wavelength")
+        cards["NWAVES"] = (waves.size, "number of wavelengths")
+    for k in range(min(waves.size, _MOST_WAVES)):
+        cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
+        cards[f"WGHT{k}"] = (float(shares[k]), "its share of the light")
+    # FITS counts its axes from the last, and their entries from 1.
+    for k, (name, places, unit) in enumerate(reversed(labels.axes(psf, description)), 1):
+        cards[f"CTYPE{k}"] = name.upper()
+        step = psf.pixel if name in ("x", "y") else places is not None and ome_microscope.step(places)
+        if places is None or not step:
+            continue
+        cards[f"CRPIX{k}"] = (1.0 - float(places[0]) / step, "where it is 0, on the axis")
+        cards[f"CRVAL{k}"], cards[f"CDELT{k}"] = 0.0, step
+        if unit == "m":
+            cards[f"CUNIT{k}"] = unit
+    return cards

@@ -1,0 +1,144 @@
+"""PSFs as HDF5: for whatever reads it, and for MATLAB as a .mat of version 7.3."""
+
+from __future__ import annotations
+
+import io
+import json
+import struct
+import zlib
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from lommel.base import reading, validation
+from lommel.base.checksums import sealed
+from lommel.io import labels
+from lommel.io.psf_numpy import SLOPE
+from lommel.measures.answer import Answer
+
+_BLOCK = 512  # bytes before HDF5 begins, which are the writer's own
+_SEAL, _MARK = 128, b"lommel crc32 "  # where the head of MATLAB's files ends
+_MATLAB = b"MATLAB 7.3 MAT-file, Platform: lommel, HDF5 schema 1.00 ."
+
+
+def write(psf: Answer, description: dict[str, Any]) -> bytes:
+    """Return an HDF5 file: `values` with plain attributes and dimension scales, derivatives, `description`."""
+    arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
+    said = json.dumps(sealed(description, arrays), allow_nan=False)
+    waves, shares = labels.light(psf)
+    plain = {"pixel": psf.pixel, "unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling}
+    plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
+    plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
+
+    axes = labels.axes(psf, description)
+
+    def fill(file: Any) -> None:
+        file.create_dataset("description", data=np.bytes_(said.encode()), track_times=False)
+        for name, places, unit in axes:
+            if places is not None:
+                scale = file.create_dataset(name, data=places, track_times=False)
+                scale.attrs["units"] = np.bytes_(unit)
+                scale.make_scale(name)
+        for name, values in arrays.items():
+            stored = file.create_dataset(name, data=values, track_times=False)
+            for key, value in plain.items():
+                stored.attrs[key] = np.bytes_(value) if isinstance(value, str) else value
+            for k, axis in enumerate(axes):
+                stored.dims[k].label = axis.name
+                if axis.places is not None:
+                    stored.dims[k].attach_scale(file[axis.name])
+
+    return _sealed(_filled(fill), b"")
+
+
+def read(data: bytes) -> tuple[dict[str, Any], str]:
+    """Return the values and the derivatives, and the description as it stands."""
+    with _opened(data) as file:
+        text = bytes(_array(file, "description", data)).decode()
+        names = ["values", *(name for name in file if name.startswith(SLOPE))]
+        return {name: _array(file, name, data) for name in names}, text
+
+
+def write_mat(psf: Answer, description: dict[str, Any]) -> bytes:
+    """Return a .mat file: `values` of the size [height width stack], `x`, `y`, `wavelength`, `description`, ..."""
+    said = json.dumps(sealed(description, {"values": psf.values}), allow_nan=False)
+    waves, shares = labels.light(psf)
+    texts = {"unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling, "description": said}
+    arrays = {"values": _for_matlab(psf.values), "pixel": np.array([[psf.pixel]])}
+    places = ((axis.name, axis.places) for axis in labels.axes(psf, description))
+    arrays |= {name: at.reshape(-1, 1) for name, at in places if at is not None}
+    arrays |= {"wavelength": waves[:, None], "weight": shares[:, None]} if waves.size else {}
+
+    def fill(file: Any) -> None:
+        for name, values in arrays.items():
+            stored = file.create_dataset(name, data=values, track_times=False)
+            stored.attrs["MATLAB_class"] = np.bytes_("single" if values.dtype == np.float32 else "double")
+        for name, text in texts.items():
+            codes = np.frombuffer(text.encode("utf-16-le"), "<u2")[:, None]
+            stored = file.create_dataset(name, data=codes, track_times=False)
+            stored.attrs["MATLAB_class"] = np.bytes_("char")
+            stored.attrs["MATLAB_int_decode"] = np.int32(2)
+
+    # The text, no offset of a subsystem, version 2.0, and how this machine orders bytes.
+    return _sealed(_filled(fill), _MATLAB.ljust(116) + bytes(8) + struct.pack("<H", 0x0200) + b"IM")
+
+
+def read_mat(data: bytes) -> tuple[dict[str, Any], str]:
+    """Return the values, and the description as it stands."""
+    with _opened(data) as file:
+        text = _array(file, "description", data).astype("<u2").tobytes().decode("utf-16-le")
+        return {"values": np.ascontiguousarray(_for_matlab(_array(file, "values", data)))}, text
+
+
+def _for_matlab(values: NDArray[Any]) -> NDArray[Any]:
+    """Return the axes (..., y, x) as HDF5 is to have them, whose order MATLAB turns: (y, x, ...) there."""
+    stack = range(values.ndim - 2)
+    return values.transpose(*reversed(stack), values.ndim - 1, values.ndim - 2)
+
+
+def _filled(fill: Any) -> bytearray:
+    import h5py
+
+    file = io.BytesIO()
+    # As old as can be, for readers that are.
+    with h5py.File(file, "w", libver="earliest", userblock_size=_BLOCK) as made:
+        fill(made)
+    return bytearray(file.getvalue())
+
+
+def _sealed(data: bytearray, head: bytes) -> bytes:
+    """Return a file with its head, and a checksum: the library of HDF5 is given no file that is damaged."""
+    data[: len(head)] = head
+    mark = _MARK + _sum(data)
+    data[_SEAL : _SEAL + len(mark)] = mark
+    return bytes(data)
+
+
+def _sum(data: bytes | bytearray) -> bytes:
+    return f"{zlib.crc32(memoryview(data)[_BLOCK:]):08x}".encode()
+
+
+def _opened(data: bytes) -> Any:
+    import h5py
+
+    if not data.startswith(_MARK, _SEAL):
+        raise ValueError("no checksum of how it was written")
+    if not data.startswith(_sum(data), _SEAL + len(_MARK)):
+        raise ValueError("its checksum is another: it is damaged, or was changed after it was written")
+    return h5py.File(io.BytesIO(data), "r")
+
+
+def _array(file: Any, name: str, data: bytes) -> NDArray[Any]:
+    """Return an array that is plainly stored in the file itself."""
+    import h5py
+
+    if not isinstance(file.get(name, getlink=True), h5py.HardLink) or not isinstance(file[name], h5py.Dataset):
+        raise ValueError(f"no array {name!r}")
+    found = file[name]
+    plain = found.chunks is None and not found.external and not found.is_virtual and found.dtype.kind in "fuS"
+    if not plain or found.nbytes > min(len(data), 8 * validation.MAX_VALUES):
+        raise ValueError(f"{name!r} must be stored in one piece, got {found.nbytes} bytes of {len(data)}")
+    if name == "description" and found.nbytes > 2 * reading.MAX_PIXELS:
+        raise ValueError(f"its description has {found.nbytes} bytes; the limit is {2 * reading.MAX_PIXELS}")
+    return np.asarray(found[()])

@@ -8,6 +8,8 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
+from lommel.base import views
+
 
 @cache
 def _homes() -> dict[str, str]:
@@ -37,6 +39,17 @@ def __getattr__(name: str) -> Any:
 def __dir__() -> list[str]:
     return sorted({*_homes(), "__all__", "__version__", *(name for name in globals() if name.startswith("__"))})
 
+
+# What notebooks and pictures show of things that stand below the files that draw them.
+views.offer(
+    {
+        "BasePupil.plot": "lommel.show.pupils:pupil",
+        "BasePupil._repr_html_": "lommel.show.notebook:pupil",
+        "Descriptions.plot": "lommel.show.pupils:wavefront",
+        "Descriptions._repr_html_": "lommel.show.notebook:wavefront",
+        "Lens._repr_html_": "lommel.show.notebook:lens",
+    }
+)
 
 # Imported at once, because the function must win over the module of the same name.
 from lommel.psf import psf as psf  # noqa: E402

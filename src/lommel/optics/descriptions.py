@@ -9,16 +9,19 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from lommel.base import validation
+from lommel.base import validation, views
 from lommel.base.arrays import Array
 from lommel.optics.terms import Terms
 from lommel.special import zernike
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 UNITS = ("radians", "waves", "metres")
 NORMALIZATIONS = ("rms", "edge")
 
 
-class Descriptions(Terms):
+class Descriptions(views.Shown, Terms):
     """What :class:`lommel.Wavefront` is made from, and what it can be told in."""
 
     if TYPE_CHECKING:
@@ -120,6 +123,13 @@ class Descriptions(Terms):
                 factor = scale * (zernike.rms_factor(n, m) if normalization == "rms" else 1.0)
                 found[zernike.index_of(n, m, order)] = np.broadcast_to(c / factor, self.shape)
         return found
+
+    def plot(self, ax: Axes | None = None, *, unit: str = "waves") -> Any:
+        """Draw the phase across the full disc on axes of matplotlib; a stack on one scale.
+
+        See :func:`lommel.show.pupils.wavefront`.
+        """
+        return views.view(type(self), "plot")(self, ax, unit=unit)
 
     @classmethod
     def from_seidel(

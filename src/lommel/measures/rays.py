@@ -38,15 +38,13 @@ def spots(pupil: Pupil, rings: int = 12) -> Array:
     if checked(pupil).shape != ():
         raise ValueError(f"pupil must be a single one, got a stack of shape {pupil.shape}")
     count = validation.integer("rings", rings, least=1, most=100)
-    # In the middle, where slopes over rho have a limit only, beside it. The rim belongs to the aperture.
-    rho: list[Array] = [np.array([1e-9])]
-    theta: list[Array] = [np.zeros(1)]
-    for k in range(1, count + 1):
-        rho.append(np.full(6 * k, k / (count + 0.5)))
-        theta.append(np.arange(6 * k) * (math.pi / (3 * k)))
-    r, angle = np.concatenate(rho), np.concatenate(theta)
-    x, y = r * np.cos(angle), r * np.sin(angle)
+    ring = np.repeat(np.arange(count + 1), [1, *(6 * k for k in range(1, count + 1))])
+    place = np.concatenate([np.arange(max(6 * k, 1)) for k in range(count + 1)])
+    # In the middle, where slopes over rho have a limit only, beside it.
+    rho = np.maximum(ring / (count + 0.5), 1e-9)
+    theta = place * math.pi / (3.0 * np.maximum(ring, 1))
+    x, y = rho * np.cos(theta), rho * np.sin(theta)
     clear = pupil.opening.margin(x, y) >= 0.0
     if pupil.mask is not None:
         clear &= pupil.mask.at(x, y) > 0.0
-    return np.asarray(gradient(pupil.wavefront, r[clear], angle[clear])[0].T * (pupil.scale / math.pi))
+    return np.asarray(gradient(pupil.wavefront, rho[clear], theta[clear])[0].T * (pupil.scale / math.pi))

@@ -54,10 +54,10 @@ def spots(psf: Answer, ax: Axes | None = None, *, rings: int = 12, stretch: str 
     x, y = measured.spots(pupil, rings).T * factor
     axes = plot(psf, ax, stretch=stretch)
     limits = axes.get_xlim(), axes.get_ylim()
-    axes.scatter(x, y, s=4.0, color="C0", linewidths=0.0, label=f"{x.size} rays")
+    axes.scatter(x, y, s=4.0, color="deepskyblue", linewidths=0.0, label=f"{x.size} rays")
     angle = np.linspace(0.0, 2.0 * np.pi, 181)
     airy = pupil.airy_radius * factor
-    axes.plot(airy * np.cos(angle), airy * np.sin(angle), "--", color="C2", linewidth=1.0, label="Airy circle")
+    axes.plot(airy * np.cos(angle), airy * np.sin(angle), "--", color="lime", linewidth=1.0, label="Airy circle")
     axes.set_xlim(*limits[0])
     axes.set_ylim(*limits[1])
     axes.legend(fontsize=7, loc="upper right")

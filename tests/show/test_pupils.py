@@ -126,6 +126,24 @@ def test_a_lens_says_how_far_away_its_objects_are(camera):
     assert [each.get_title() for each in axes] == ["object at 1.5 m", "object at 2 m", "object at ∞"]
 
 
+@pytest.mark.parametrize(
+    ("wavefront", "told"),
+    [
+        (lm.Wavefront.zernike({(3, -1): [0.1, 0.2]}, unit="waves"), ["coma y 0.1 waves rms", "coma y 0.2 waves rms"]),
+        (
+            lm.Wavefront.zernike({(4, 0): [0.1, 0.2]}, unit="waves"),
+            ["spherical 0.1 waves rms", "spherical 0.2 waves rms"],
+        ),
+        (lm.Wavefront(spherical=[-1.0, 2.0]), ["spherical -1 rad", "spherical 2 rad"]),
+        (lm.Wavefront([0.0, 1.0], [0.0, 1.0]), ["0", "1"]),
+        (lm.Wavefront([0.0, 1.0], nonradial={(3, 1): [0.0, 1.0]}), ["0", "1"]),
+    ],
+    ids=str,
+)
+def test_what_alone_differs_in_a_stack_is_its_title(wavefront, told):
+    assert [axes.get_title() for axes in wavefront.plot()] == told
+
+
 def test_axes_of_ones_own_get_neither_title_nor_bar():
     figure, axes = plt.subplots()
     assert WAVEFRONT.plot(axes) is axes

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -40,13 +41,19 @@ def of_wavefronts(wavefront: Wavefront) -> list[str]:
     if radial.size == 1 and not sideways.size and radial[0] < 2:
         name, values = (("defocus", flat.defocus), ("spherical", flat.spherical))[radial[0]]
     elif sideways.size == 1 and not radial.size:
-        name, values = zernike.name(*flat.terms[flat.symmetric + sideways[0]]), others[:, sideways[0]]
+        return _terms(flat, flat.symmetric + int(sideways[0]))
     else:
         varied = np.flatnonzero(np.ptp(flat.edge, axis=0))
         if varied.size != 1:
             return _indices(wavefront.shape)
-        name, values = zernike.name(*flat.terms[varied[0]]), flat.edge[:, varied[0]]
+        return _terms(flat, int(varied[0]))
     return [f"{name} {value + 0.0:.3g} rad" for value in values]
+
+
+def _terms(flat: Wavefront, which: int) -> list[str]:
+    n, m = flat.terms[which]
+    waves = flat.edge[:, which] / (2.0 * math.pi * zernike.rms_factor(n, m)) + 0.0
+    return [f"{zernike.name(n, m)} {each:.3g} waves rms" for each in waves]
 
 
 def _lengths(what: str, at: Array) -> list[str]:

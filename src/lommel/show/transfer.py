@@ -47,8 +47,8 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
     ax : matplotlib Axes, optional
         By default those of a new figure, which has a title.
     pixel : float, optional
-        Pitch of pixels that average, metres or units of lambda*N; by default those of a PSF that averages. The curves
-        are then of the lens and its pixels, a dotted one is that of the pixels alone, and a line is at their Nyquist
+        Pitch of pixels that average, metres or units of lambda*N; by default those of a PSF that averages. All
+        curves are then of a lens and its pixels, a dotted one is of the pixels alone, and a line is at their Nyquist
         frequency.
 
     Returns
@@ -86,8 +86,8 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
         axes.plot(factor * f, one.mtf(zero, f), "--", color=f"C{k}", label=f"{name}along y")
     of_lens = isinstance(pupil, Pupil) and pupil.circular
     if of_lens:
-        ideal = transfer.mtf(known[0].pupil.unaberrated(), f, tol=_TOL)  # type: ignore[attr-defined]
-        axes.plot(factor * f, ideal, color="0.5", linewidth=1.0, label="lens without aberration")
+        ideal = transfer.mtf(known[0].pupil.unaberrated(), f, pixel=pitch, tol=_TOL)  # type: ignore[attr-defined]
+        axes.plot(factor * f, ideal, color="0.5", linewidth=1.0, label="without aberration")
     if pitch is not None:
         axes.plot(factor * f, np.abs(np.sinc(f * pitch)), ":", color="0.5", label="pixel alone")
         if 0.5 / pitch <= known[0].most:

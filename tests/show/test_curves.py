@@ -228,6 +228,7 @@ def test_the_section_through_the_focus_is_drawn_with_the_sensor_at_0(camera):
     assert (left, right) == pytest.approx((-67.5, 67.5))
     assert (low, high) == pytest.approx((-10.0 - 1 / 24, 10.0 + 1 / 24))
     assert axes.get_ylim() == pytest.approx((low, high))  # x rises upwards
+    assert image.origin == "lower"
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("sensor moved away from the lens (µm)", "x (µm)")
     assert axes.get_title() == "f/1.85, 550 nm, object at 1.95 m; dashed: the sensor"
     assert axes.figure.axes[1].get_ylabel() == "irradiance (1 = unaberrated peak)"

@@ -31,10 +31,10 @@ from lommel.special import zernike
 
 _TILES = 4  # of a stack that are shown
 _WINDOW = 1024  # pixels a side that are looked at
-_MANY = 2**22  # values that are looked at
+_MANY = 2**21  # values that are looked at
 _TERMS = 8
-_STACK = 256  # wavefronts whose rms is computed
 _RASTER = 80
+_SUMS = 100 * _RASTER**2  # values of terms that are added up
 
 Row = tuple[str, str | Callable[[], str]]
 
@@ -94,7 +94,7 @@ def grid(thing: AnswerGrid) -> str:
 
 def wavefront(thing: Wavefront) -> str:
     """Return the phase of a wavefront over the full disc, and its terms."""
-    rows: list[Row] = [_rms(thing), *_terms(thing)]
+    rows: list[Row] = [*_rms(Pupil(thing)), *_terms(thing)]
     return _html(_count("Wavefront", thing.shape), rows, lambda: _phase(Pupil(thing)), _PHASE)
 
 
@@ -109,7 +109,7 @@ def pupil(thing: Any) -> str:
         ]
     else:
         rows += [("aperture", _aperture(thing)), ("Airy radius", _length(thing.airy_radius, thing.unit))]
-        rows += [_rms(thing), *_terms(thing.wavefront)]
+        rows += [*_rms(thing), *_terms(thing.wavefront)]
     return _html(_count(type(thing).__name__, thing.shape), rows, lambda: _phase(thing), _PHASE)
 
 
@@ -152,7 +152,10 @@ _PHASE = "phase, blue to red"
 
 def _phase(pupil: Any) -> str:
     chosen = _chosen(pupil.shape)
-    seen = [across(pupil[index] if pupil.shape else pupil, _RASTER).phase[0] for index in chosen]
+    # A wavefront of very many terms takes as long for each point as one of few for all.
+    terms = len(pupil.wavefront.terms) if isinstance(pupil, Pupil) else 1
+    side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))
+    seen = [across(pupil[index] if pupil.shape else pupil, side).phase[0] for index in chosen]
     top = max(float(np.nanmax(np.abs(part), initial=0.0)) for part in seen) or 1.0
     return _beside([0.5 + 0.5 * part / top for part in seen], "phase", "the phase across the pupil")
 
@@ -186,10 +189,14 @@ def _chosen(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
 
 
 def _window(answer: Answer, index: tuple[int, ...]) -> Array:
-    """Return the values of one of a stack, of large windows those around the middle."""
+    """Return the values of one of a stack, of large windows those about the axis."""
     values = answer.values[index]
-    rows, columns = (slice(max(0, (side - _WINDOW) // 2), (side + _WINDOW) // 2) for side in values.shape)
-    return np.asarray(values[rows, columns], dtype=np.float64)
+    center = answer.grid[index].axis if answer.grid.stack else answer.grid.axis
+    parts = []
+    for side, middle in zip(values.shape, center, strict=True):
+        first = min(max(round(middle) - _WINDOW // 2, 0), max(side - _WINDOW, 0))
+        parts.append(slice(first, first + _WINDOW))
+    return np.asarray(values[tuple(parts)], dtype=np.float64)
 
 
 def _lit(values: Array) -> Array:
@@ -223,10 +230,15 @@ def _terms(wavefront: Wavefront) -> list[Row]:
     return rows
 
 
-def _rms(thing: Any) -> Row:
-    if math.prod(thing.shape) > _STACK:
-        return "rms", f"not computed for more than {_STACK}"
-    return "rms", lambda: f"{_span(rms(thing, unit='waves'), '.3g')} waves"
+def _rms(thing: Pupil) -> list[Row]:
+    """Return the rms where it takes no time: over full discs, whose terms are orthogonal, else of few terms."""
+    wave = thing.wavefront
+    if thing.circular and not thing.obscuration and thing.illumination.uniform:
+        factors = np.array([zernike.rms_factor(*term) for term in wave.terms])
+        return [("rms", f"{_span(np.linalg.norm(wave.edge / factors, axis=-1) / (2.0 * math.pi), '.3g')} waves")]
+    if thing.circular and math.prod(thing.shape) * len(wave.terms) ** 2 <= 256:
+        return [("rms", lambda: f"{_span(rms(thing, unit='waves'), '.3g')} waves")]
+    return []
 
 
 def _pixels(answer: Answer) -> str:

@@ -223,6 +223,17 @@ def test_a_grid_is_drawn_with_each_psf_in_its_place(over_the_field):
     assert [text.get_text() for text in axes.get_yticklabels()] == ["-5", "5"]
 
 
+def test_a_grid_says_that_each_is_over_its_largest_value(over_the_field):
+    axes = over_the_field.plot()
+    assert axes.get_title("left") == "2 × 3 PSFs, each over its largest value"
+    bar = axes.figure.axes[1]
+    assert bar.get_ylabel() == "value over the largest of each PSF"
+    assert bar.get_ylim() == pytest.approx((0.0, 1.0))
+    _, own = plt.subplots()
+    over_the_field.plot(own)
+    assert (own.get_title("left"), own.figure.axes) == ("", [own])
+
+
 def test_the_bar_of_a_grid_is_as_long_as_its_label_says(over_the_field):
     axes = over_the_field.plot()
     (bar,) = axes.get_lines()

@@ -165,14 +165,14 @@ def compare(answers: Mapping[str, Answer], reference: str) -> Figure:
 def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
     """Draw a grid of PSFs over the sensor, each enlarged in its place and scaled to its own largest value.
 
-    The axes are positions on the sensor, with a tick at each row and column of the grid; the bar below is a length
+    The axes are positions on the sensor, with a tick at each row and column of the grid; the bar above is a length
     within the enlarged PSFs. Rows rise downwards, as in an image.
 
     Parameters
     ----------
     grid : PSFGrid
     ax : matplotlib Axes, optional
-        By default those of a new figure.
+        By default those of a new figure, which has a title and a bar of the levels.
     stretch : {"sqrt", "linear", "log"}
         Of the levels; "log" goes down to 1e-5 of the largest value.
 
@@ -191,8 +191,6 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     validation.choice("stretch", stretch, STRETCHES)
     rows, columns, height, width = grid.values.shape
     axes = _field_axes(grid) if ax is None else ax
-    if ax is None:
-        axes.set_title(f"{rows} × {columns} PSFs, each over its largest value", fontsize=9, loc="left", pad=22)
     factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
     sensor = (grid.sensor[0] * factor, grid.sensor[1] * factor)
     cell = min(sensor[0] / rows / height, sensor[1] / columns / width)
@@ -215,6 +213,10 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     axes.set_aspect("equal")
     axes.set_xticks(grid.x * factor, [f"{value:.3g}" for value in grid.x * factor + 0.0])
     axes.set_yticks(grid.y * factor, [f"{value:.3g}" for value in grid.y * factor + 0.0])
+    if ax is None:
+        axes.set_title(f"{rows} × {columns} PSFs, each over its largest value", fontsize=9, loc="left", pad=22)
+        scale = library("matplotlib.cm", *USER).ScalarMappable(norm_of(stretch, 1.0), colors)
+        axes.figure.colorbar(scale, ax=axes, shrink=0.75, label="value over the largest of each PSF")
     axes.set_xlabel(f"x on the sensor ({unit})")
     axes.set_ylabel(f"y on the sensor ({unit})")
     # Within the PSFs one pixel is `cell` long.
@@ -232,13 +234,15 @@ def _round_length(most: float) -> float:
 
 def _scale_bar(axes: Axes, length: float, label: str) -> None:
     """Draw a bar above the right end of the axes, its length a fraction of their width, with its label beside it."""
-    place, color = axes.transAxes, axes.xaxis.label.get_color()  # which is white in dark styles
-    axes.plot([1.0 - length, 1.0], [1.04, 1.04], color=color, linewidth=2.5, transform=place, clip_on=False)
-    axes.text(0.99 - length, 1.04, label, transform=place, ha="right", va="center", fontsize=8)
+    shifted = library("matplotlib.transforms", *USER).offset_copy
+    place = shifted(axes.transAxes, fig=axes.figure, y=9.0, units="points")
+    color = axes.xaxis.label.get_color()  # which is white in dark styles
+    axes.plot([1.0 - length, 1.0], [1.0, 1.0], color=color, linewidth=2.5, transform=place, clip_on=False)
+    axes.text(0.99 - length, 1.0, label, transform=place, ha="right", va="center", fontsize=8)
 
 
 def _field_axes(grid: AnswerGrid) -> Any:
     """Return axes of a new figure of the shape of the sensor."""
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
-    return pyplot().subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
+    return pyplot().subplots(figsize=(width + 1.1, width * ratio + 0.7), layout="constrained")[1]

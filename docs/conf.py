@@ -16,10 +16,12 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 import check  # noqa: E402
+import drawn  # noqa: E402
 import rooms  # noqa: E402
 
-# The pictures of how the code is organised, and the live page, which `make page` made.
+# The pictures of how the code is organised, those of a page, and the live page, which `make page` made.
 rooms.write(HERE / "_generated")
+drawn.write(HERE / "_generated" / "pictures")
 (HERE / "_generated" / "live").mkdir(exist_ok=True)
 shutil.copy(module.path(), HERE / "_generated" / "live")
 

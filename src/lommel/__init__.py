@@ -40,7 +40,17 @@ def __dir__() -> list[str]:
     return sorted({*_homes(), "__all__", "__version__", *(name for name in globals() if name.startswith("__"))})
 
 
-views.offer({"Descriptions.save": "lommel.io.zernike_tables:save_wavefront"})
+# What files, notebooks and pictures make of things that stand below those who write and draw them.
+views.offer(
+    {
+        "BasePupil.plot": "lommel.show.pupils:pupil",
+        "BasePupil._repr_html_": "lommel.show.notebook:pupil",
+        "Descriptions.save": "lommel.io.zernike_tables:save_wavefront",
+        "Descriptions.plot": "lommel.show.pupils:wavefront",
+        "Descriptions._repr_html_": "lommel.show.notebook:wavefront",
+        "Lens._repr_html_": "lommel.show.notebook:lens",
+    }
+)
 
 # Imported at once, because the function must win over the module of the same name.
 from lommel.psf import psf as psf  # noqa: E402

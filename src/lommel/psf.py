@@ -10,20 +10,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from lommel import measures, show
+from lommel import measures
 from lommel.base import validation
 from lommel.base.arrays import Numbers, largest
 from lommel.base.trusted import made as made_of
-from lommel.measures.answer import Answer
 from lommel.methods import wanted
 from lommel.methods.asked import Asked, asked_about
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
+from lommel.show.pictured import Pictured
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from lommel.methods.derivatives import Name
 
 
@@ -251,7 +249,7 @@ class Plan:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PSF(Answer):
+class PSF(Pictured):
     """A computed point spread function, or a stack of them, and how it was made.
 
     Attributes
@@ -374,14 +372,6 @@ class PSF(Answer):
             If g is not real and finite or not of this shape, or where there are no such derivatives.
         """
         return measures.pullback.pullback(self, g, of)
-
-    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
-        """Draw the values on matplotlib axes and return these, an array of them for a stack; sections of a z stack.
-
-        See :func:`lommel.show.plot.plot`.
-        """
-        validation.axes("ax", ax)
-        return show.plot.plot(self, ax, stretch=stretch)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ``.raw``, ...; see :func:`lommel.io.psf_files.save`."""

@@ -46,7 +46,8 @@ def test_every_file_holds_what_python_computes(written, expected):
         np.testing.assert_allclose(loaded.x, expected.x)
     with Image.open(folder / "a.png") as figure:
         assert figure.size[0] > figure.size[1] > 600
-    assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.zarr", "a.npz", "a.png"]
+    figure = "a.png: the square root of the values, each PSF over its largest"
+    assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.zarr", "a.npz", figure]
 
 
 def test_the_tables_show_the_largest_value_of_each_psf_in_its_place(written, expected):

@@ -81,7 +81,7 @@ def test_every_file_holds_what_python_computes(written, lenses):
 def test_the_tables_name_the_files_that_were_written(written):
     _, text = written
     picture = "a.png: 513 x 456 pixels, 57 x 57 for each of the PSF, square root of the values, 16 bit"
-    others = ["a.fits", "a.h5", "a.mat", "a.raw", "a.json", "a.pdf"]
+    others = ["a.fits", "a.h5", "a.mat", "a.raw", "a.json", "a.pdf: the square root of the values"]
     assert re.findall(r"^wrote (.*)$", text, re.MULTILINE) == ["a.tif", "a.npy", "a.npz", picture, *others]
     with Image.open(written[0] / "a.png") as shown:
         assert shown.size == (513, 456)

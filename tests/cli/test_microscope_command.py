@@ -55,6 +55,8 @@ def test_one_plane_is_written_as_the_picture_of_a_psf(folder, call_lommel):
     assert result.returncode == 0, result.stderr
     assert lm.PSF.load(folder / "a.png").shape == (5, 5)
     assert "sections" not in result.stdout
+    picture = "a.png: 515 x 515 pixels, 103 x 103 for each of the PSF, square root of the values, 16 bit"
+    assert result.stdout.splitlines()[-2:] == [f"wrote {picture}", "wrote b.png: the square root of the values"]
     assert "emitter 2 um deep" in result.stdout
 
 

@@ -97,12 +97,13 @@ def test_new_axes_say_how_large_pixels_are_how_they_see_and_what_a_value_is(imag
 def test_a_stack_is_drawn_side_by_side_on_one_scale(shape, panels):
     stack = lm.psf(lm.Pupil(lm.Wavefront(np.linspace(0.0, 5.0, int(np.prod(shape))).reshape(shape))), 9, 0.5)
     drawn = stack.plot()
+    told = np.array([f"defocus {c:.3g} rad" for c in stack.pupil.wavefront.defocus.flat]).reshape(shape)
     assert drawn.shape == shape
     for index in np.ndindex(shape):
         (picture,) = drawn[index].get_images()
         np.testing.assert_array_equal(picture.get_array(), stack.values[index])
         assert picture.norm.vmax == stack.values.max()
-        assert drawn[index].get_title() == ", ".join(map(str, index))
+        assert drawn[index].get_title() == (told[index] if len(told.flat) > 1 else "0")
         place = drawn[index].get_subplotspec()
         assert place.get_gridspec().get_geometry() == panels
     drawn.flat[0].figure.canvas.draw()
@@ -110,7 +111,7 @@ def test_a_stack_is_drawn_side_by_side_on_one_scale(shape, panels):
 
 def test_a_stack_takes_no_axes_and_a_large_one_is_to_be_indexed():
     stack = lm.psf(lm.Pupil(lm.Wavefront(np.arange(65.0))), 5, 0.5)
-    with pytest.raises(ValueError, match=r"at most 64 PSFs can be drawn, got a stack of shape \(65,\); index it"):
+    with pytest.raises(ValueError, match=r"at most 64 can be drawn, got a stack of shape \(65,\); index it"):
         stack.plot()
     with pytest.raises(ValueError, match="ax must be None for a stack"):
         stack[:2].plot(plt.subplots()[1])
@@ -220,6 +221,17 @@ def test_a_grid_is_drawn_with_each_psf_in_its_place(over_the_field):
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("x on the sensor (mm)", "y on the sensor (mm)")
     assert [text.get_text() for text in axes.get_xticklabels()] == ["-10", "0", "10"]
     assert [text.get_text() for text in axes.get_yticklabels()] == ["-5", "5"]
+
+
+def test_a_grid_says_that_each_is_over_its_largest_value(over_the_field):
+    axes = over_the_field.plot()
+    assert axes.get_title("left") == "2 × 3 PSFs, each over its largest value"
+    bar = axes.figure.axes[1]
+    assert bar.get_ylabel() == "value over the largest of each PSF"
+    assert bar.get_ylim() == pytest.approx((0.0, 1.0))
+    _, own = plt.subplots()
+    over_the_field.plot(own)
+    assert (own.get_title("left"), own.figure.axes) == ("", [own])
 
 
 def test_the_bar_of_a_grid_is_as_long_as_its_label_says(over_the_field):

@@ -42,3 +42,11 @@ def view(kind: type, name: str) -> Callable[..., Any]:
             found: Callable[..., Any] = getattr(import_module(module), function)
             return found
     raise TypeError(f"there is no {name} of a {kind.__name__}")
+
+
+class Shown:
+    """What notebooks show as a table, with a picture."""
+
+    def _repr_html_(self) -> str:
+        text: str = view(type(self), "_repr_html_")(self)
+        return text

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from lommel.base.optional import how_to_get
 from lommel.base.validation import shown
@@ -26,6 +26,7 @@ try:
         Shape,
         figure_format,
         instrument_of,
+        of_picture,
         one_line_errors,
         print_json,
         progress,
@@ -37,9 +38,6 @@ try:
     from lommel.cli.stack_command import stack as stack_command
 except ImportError as missing:  # pragma: no cover
     sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
-
-if TYPE_CHECKING:
-    from lommel.psf import PSF
 
 
 def _lens_command(command: Callable[..., None], *more: Callable[..., Any]) -> Callable[..., None]:
@@ -106,7 +104,7 @@ for command in (blur, depth, focus_pull, live, methods, precision, restore, retr
 @click.option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
               help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
 @click.option("--plot", "figure", type=FILE,
-              help="A figure with axes and scale: .png, .pdf, .svg.")  # fmt: skip
+              help="A figure with axes and scale, the square root of the values: .png, .pdf, .svg.")  # fmt: skip
 @click.option("-m", "--method", "method_name", default="auto", show_default=True,
               type=click.Choice(("auto", *METHODS)),
               help="How to evaluate the diffraction integral; auto: what suits the pupil.")  # fmt: skip
@@ -200,19 +198,9 @@ def psf(
     else:
         tables.print_field(answer, facts)
     for path in written:
-        picture = field is None and path.suffix.lower() == ".png"
-        click.echo(f"wrote {path}{_of_picture(answer) if picture else ''}")
+        click.echo(f"wrote {path}{'' if field else of_picture(answer, path)}")
     if figure is not None:
-        click.echo(f"wrote {figure}")
-
-
-def _of_picture(answer: PSF) -> str:
-    from lommel.io import psf_png
-
-    scale = psf_png.scale(answer)
-    height, width = (scale * side for side in answer.shape)
-    each = f"{scale} x {scale} for each of the PSF, " if scale > 1 else ""
-    return f": {width} x {height} pixels, {each}square root of the values, 16 bit"
+        click.echo(f"wrote {figure}: the square root of the values{', each PSF over its largest' if field else ''}")
 
 
 @main.command()
@@ -252,7 +240,7 @@ def info(as_json: bool, depth: float | None, **lens: Any) -> None:
 @main.command()
 @_psf_command
 @click.option("--figure", type=FILE,
-              help="Write the PSFs and their slices side by side: .png, .pdf, .svg.")  # fmt: skip
+              help="The PSFs, the square root of their values, and their slices: .png, .pdf, .svg.")  # fmt: skip
 @one_line_errors
 def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:
     """Compute the PSF of a lens by every method and judge each by a reference.
@@ -299,7 +287,7 @@ def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:
     else:
         tables.print_comparison(instrument, rows, reference, sampling, report.other_model(instrument))
         if figure is not None:
-            click.echo(f"wrote {figure}")
+            click.echo(f"wrote {figure}: the square root of the values, and slices")
 
 
 @main.command()

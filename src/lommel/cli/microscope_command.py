@@ -12,7 +12,7 @@ import click
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.parts import Length, figure_format, print_json, progress, save_figure
+from lommel.cli.parts import Length, figure_format, of_picture, print_json, progress, save_figure
 
 if TYPE_CHECKING:
     from lommel.lensfiles.microscope import Microscope
@@ -126,5 +126,5 @@ def psf(
     microscope_tables.print_microscope(facts)
     microscope_tables.print_stack(answer, facts["psf"])
     for path in (*written, *([figure] if figure else [])):
-        how = ": sections xy, xz and yz, the square root of the values" if stack and path in drawn else ""
-        click.echo(f"wrote {path}{how}")
+        how = f": {'sections xy, xz and yz, ' if stack else ''}the square root of the values"
+        click.echo(f"wrote {path}{how if path in drawn else of_picture(answer, path)}")

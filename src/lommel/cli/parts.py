@@ -23,6 +23,7 @@ from lommel.methods import METHODS
 
 if TYPE_CHECKING:
     from lommel.lensfiles.instrument import Instrument
+    from lommel.psf import PSF
 
 FILE: Any = click.Path(dir_okay=False, path_type=Path)
 """A file, which need not be there."""
@@ -173,3 +174,15 @@ def save_figure(figure: Any, path: Path) -> None:
     from lommel.base import atomic
 
     atomic.write(path, atomic.contents(figure.savefig, format=figure_format(path), dpi=150))
+
+
+def of_picture(psf: PSF, path: Path) -> str:
+    """Return what to say of a file that a PSF was saved to, where that is a picture."""
+    if path.suffix.lower() != ".png":
+        return ""
+    from lommel.io import psf_png
+
+    scale = psf_png.scale(psf)
+    height, width = (scale * side for side in psf.shape)
+    each = f"{scale} x {scale} for each of the PSF, " if scale > 1 else ""
+    return f": {width} x {height} pixels, {each}square root of the values, 16 bit"

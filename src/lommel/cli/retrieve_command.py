@@ -83,7 +83,8 @@ def _is_number(word: str) -> bool:
 @click.option("--seed", type=int, default=0, show_default=True, help="Of these.")
 @click.option("--unit", type=click.Choice(_UNITS), default="radians", show_default=True, help="Of what is printed.")
 @click.option("-o", "--output", type=FILE, help="The wavefront, in Noll's terms: .json, .toml or .csv.")
-@click.option("--plot", "figure", type=FILE, help="Images, model, residual and terms: .png, .pdf, .svg.")
+@click.option("--plot", "figure", type=FILE,
+              help="Square roots of images and model, the residual, the terms: .png, .pdf, .svg.")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print what was found as JSON.")
 @one_line_errors
 def retrieve(
@@ -154,7 +155,7 @@ def retrieve(
 
     tables.print_retrieval(found, unit)
     for path in written:
-        click.echo(f"wrote {path}")
+        click.echo(f"wrote {path}{': images and model as their square roots' if path == figure else ''}")
 
 
 def _files(paths: tuple[Path, ...]) -> list[Path]:

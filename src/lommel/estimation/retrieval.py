@@ -135,6 +135,13 @@ class Retrieval:
         found = labels, values, deviations
         return show.fit.fit(self.images, self.model, self.residual, found, f"chi2 = {self.chi2:.3g}")
 
+    def _repr_html_(self) -> str:
+        rows: list[tuple[str, str]] = [("fit", self.message), ("chi2", f"{self.chi2:.4g} a degree of freedom")]
+        rows += [
+            (label(n), f"{c:.4g} ± {self.deviation[n]:.2g} {self.units[n]}") for n, c in self.coefficients.items()
+        ]
+        return show.notebook.retrieval(self.images, self.model, rows)
+
     def __repr__(self) -> str:
         terms = [
             f"  {label(n)}: {c:.4g} +- {self.deviation[n]:.2g} {self.units[n]}".rstrip()

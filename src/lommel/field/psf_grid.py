@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
+from lommel import show
 from lommel.base import validation
 from lommel.io import field_files
 from lommel.measures.answer import AnswerGrid
 from lommel.psf import PSF
-from lommel.show import plot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -63,7 +63,10 @@ class PSFGrid(AnswerGrid):
             If an argument is out of range.
         """
         validation.axes("ax", ax)
-        return plot.field(self, ax, stretch=stretch)
+        return show.plot.field(self, ax, stretch=stretch)
+
+    def _repr_html_(self) -> str:
+        return show.notebook.grid(self)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write ``.tif``, ``.fits``, ``.h5``, ``.mat``, ``.npz``, ``.zarr``; :func:`lommel.io.field_files.save`.

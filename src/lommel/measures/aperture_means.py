@@ -122,7 +122,7 @@ def centroid(pupil: Pupil) -> Array:
         Exact but for rounding.
     """
     rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
-    mean = (_gradient(pupil.wavefront, rho, theta) * weight).sum(axis=-1)
+    mean = (gradient(pupil.wavefront, rho, theta) * weight).sum(axis=-1)
     return np.asarray(mean.reshape(*pupil.shape, 2) * (pupil.scale / math.pi))
 
 
@@ -142,7 +142,7 @@ def spot_radius(pupil: Pupil) -> Numbers:
         Metres if the pupil has a wavelength, else units of lambda*N. Exact but for rounding.
     """
     rho, theta, weight = _polynomial_rule(checked(pupil), 2.0)
-    rays = _gradient(pupil.wavefront, rho, theta)
+    rays = gradient(pupil.wavefront, rho, theta)
     away = rays - (rays * weight).sum(axis=-1, keepdims=True)
     variance = (away**2 * weight).sum(axis=(-2, -1))
     return numbers(np.sqrt(variance) * (pupil.scale / math.pi), pupil.shape)
@@ -194,7 +194,7 @@ def _clear_rule(pupil: Pupil, power: float, degree: int) -> tuple[Array, Array, 
     return rho, np.arctan2(y, x), weight / weight.sum()
 
 
-def _gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
+def gradient(wavefront: Wavefront, rho: Array, theta: Array) -> Array:
     """Return ``(dPhi/dx, dPhi/dy)`` at points with rho > 0, shape ``(n, 2, points)`` for the flattened stack."""
     flat = wavefront.flattened()
     outward = ray_height(flat.edge[:, : flat.symmetric], rho)

@@ -9,15 +9,17 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation
+from lommel.base import validation, views
 
 if TYPE_CHECKING:
     from abc import ABC
+
+    from matplotlib.axes import Axes
 else:
     ABC = object  # to tell what is an instance of an ABC takes a tenth of the time of a small PSF
 
 
-class BasePupil(ABC):
+class BasePupil(views.Shown, ABC):
     """A pupil, of a lens or of a microscope's objective, or a stack of them."""
 
     layered: ClassVar[bool] = False
@@ -84,6 +86,13 @@ class BasePupil(ABC):
     @abstractmethod
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types."""
+
+    def plot(self, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Any:
+        """Draw the phase across the pupil, or the amplitude, on axes of matplotlib; a stack on one scale.
+
+        See :func:`lommel.show.pupils.pupil`.
+        """
+        return views.view(type(self), "plot")(self, ax, what=what, unit=unit)
 
     @property
     def aberrated(self) -> bool:

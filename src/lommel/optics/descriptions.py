@@ -15,11 +15,14 @@ from lommel.base.arrays import Array
 from lommel.optics.terms import Terms
 from lommel.special import zernike
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 UNITS = ("radians", "waves", "metres")
 NORMALIZATIONS = ("rms", "edge")
 
 
-class Descriptions(Terms):
+class Descriptions(views.Shown, Terms):
     """What :class:`lommel.Wavefront` is made from, and what it can be told in."""
 
     if TYPE_CHECKING:
@@ -129,6 +132,13 @@ class Descriptions(Terms):
         normalization ("rms") and the wavelength; see :func:`lommel.io.zernike_tables.save_wavefront`.
         """
         views.view(type(self), "save")(self, path, **how)
+
+    def plot(self, ax: Axes | None = None, *, unit: str = "waves") -> Any:
+        """Draw the phase across the full disc on axes of matplotlib; a stack on one scale.
+
+        See :func:`lommel.show.pupils.wavefront`.
+        """
+        return views.view(type(self), "plot")(self, ax, unit=unit)
 
     @classmethod
     def from_seidel(

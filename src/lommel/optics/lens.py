@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from lommel.base import validation
+from lommel.base import validation, views
 from lommel.base.cached import cached_property
 from lommel.base.trusted import changed
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
@@ -25,7 +25,7 @@ _Numbers = float | NDArray[np.float64]
 
 
 @dataclass(frozen=True, init=False)
-class Lens:
+class Lens(views.Shown):
     """A thin lens with its stop at the lens; metres everywhere, distances from the lens.
 
     Parameters

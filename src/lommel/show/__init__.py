@@ -5,7 +5,17 @@ from typing import TYPE_CHECKING
 from lommel.base import lazy
 
 if TYPE_CHECKING:
+    from lommel.show import energy as energy
     from lommel.show import fit as fit
+    from lommel.show import notebook as notebook
     from lommel.show import plot as plot
+    from lommel.show import rays as rays
+    from lommel.show import transfer as transfer
+    from lommel.show.names import difference as difference
+    from lommel.show.names import encircled_energy as encircled_energy
+    from lommel.show.names import focus_curves as focus_curves
+    from lommel.show.names import mtf as mtf
+    from lommel.show.names import spots as spots
+    from lommel.show.names import through_focus as through_focus
 else:
-    __getattr__, __dir__ = lazy.parts(__name__)
+    __getattr__, __dir__ = lazy.parts(__name__, "names")

@@ -1,10 +1,17 @@
-"""What pictures share: words for values, scales of brightness, and matplotlib, imported when the first is drawn."""
+"""What pictures share: words for values, lengths, scales of brightness, and matplotlib, imported when needed."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base.optional import library
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 MEANING = {
     "energy": "fraction of all light per pixel",
@@ -20,18 +27,109 @@ HOW = {"pixel": "averaged over each pixel", "center": "sampled at pixel centres"
 USER = ("plots need", "plot")
 """What needs a library, and the extra that brings it."""
 
+STRETCHES = {
+    "sqrt": "the square root of the value",
+    "linear": "the value",
+    "log": "the logarithm of the value,\ndown to 1e-5 of the largest",
+}
+"""The scales of brightness: what is linear on each."""
+
+MOST = 64
+"""Pictures in one figure."""
+
 _FLOOR = 1e-5  # of the peak: the bottom of logarithmic scales
 
 
 def norm_of(stretch: str, peak: float) -> Any:
     """Return the scale of brightness of values up to `peak`."""
-    from matplotlib.colors import LogNorm, Normalize, PowerNorm
-
+    colors = library("matplotlib.colors", *USER)
     if stretch == "log":
-        return LogNorm(_FLOOR * peak, peak, clip=True)
-    return PowerNorm(0.5, 0.0, peak) if stretch == "sqrt" else Normalize(0.0, peak)
+        return colors.LogNorm(_FLOOR * peak, peak, clip=True)
+    return colors.PowerNorm(0.5, 0.0, peak) if stretch == "sqrt" else colors.Normalize(0.0, peak)
+
+
+def even_norm(largest: float) -> Any:
+    """Return the scale of what is positive or negative, the same both ways; of nothing but 0 from -1 to 1."""
+    return library("matplotlib.colors", *USER).Normalize(-(largest or 1.0), largest or 1.0)
 
 
 def pyplot() -> Any:
     """Return ``matplotlib.pyplot``; ImportError if it is not installed."""
     return library("matplotlib.pyplot", *USER)
+
+
+def new_axes(ax: Axes | None, **options: Any) -> Any:
+    """Return the axes that were given, or those of a new figure with these options."""
+    return pyplot().subplots(layout="constrained", **options)[1] if ax is None else ax
+
+
+def lengths(unit: str) -> tuple[float, str]:
+    """Return what lengths in the `unit` of a pupil are multiplied by on axes, and the unit there."""
+    return (1e6, "µm") if unit == "m" else (1.0, "λN")
+
+
+def frequencies(unit: str) -> tuple[float, str]:
+    """Return the same of spatial frequencies, cycles per `unit`."""
+    return (1e-3, "cycles/mm") if unit == "m" else (1.0, "cycles/λN")
+
+
+def only_single(ax: Axes | None, shape: tuple[int, ...]) -> None:
+    """Refuse one pair of axes for a stack, which takes many; ValueError."""
+    if ax is not None and shape != ():
+        raise ValueError(f"ax must be None for a stack, which takes many, got a stack of shape {shape}")
+
+
+def at_most(shape: tuple[int, ...]) -> None:
+    """Refuse a stack that is too large for one figure; ValueError."""
+    if int(np.prod(shape)) > MOST:
+        raise ValueError(f"at most {MOST} can be drawn, got a stack of shape {shape}; index it, as stack[:8]")
+
+
+def tiles(
+    shape: tuple[int, ...], draw: Callable[[Any, Axes], Any], titles: list[str], title: str, label: str
+) -> NDArray[Any]:
+    """Draw a stack side by side in a new figure, with one bar; those of shape (rows, columns) so, others by eight.
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Of the stack.
+    draw : callable
+        Of an index and axes; returns what the bar is of, on the same scale for all.
+    titles : list of str
+        One for each.
+    title, label : str
+        Of the figure and of the bar.
+
+    Returns
+    -------
+    ndarray of matplotlib Axes, of the shape of the stack
+
+    Raises
+    ------
+    ValueError
+        For more than 64.
+    """
+    at_most(shape)
+    count = int(np.prod(shape))
+    columns = shape[1] if len(shape) == 2 else min(count, 8)
+    rows = -(-count // columns)
+    figure = pyplot().figure(
+        figsize=(max(min(2.0 * columns, 14.0) + 1.2, 4.4), 2.0 * rows + 0.8), layout="constrained"
+    )
+    drawn = np.empty(shape, dtype=object)
+    shown: Any = None
+    for k, index in enumerate(np.ndindex(shape)):
+        axes = drawn[index] = figure.add_subplot(rows, columns, k + 1)
+        shown = draw(index, axes)
+        axes.set_title(titles[k], fontsize=8)
+        axes.tick_params(labelsize=7)
+        if k % columns:
+            axes.set_ylabel("")
+            axes.set_yticklabels([])
+        if k + columns < count:
+            axes.set_xlabel("")
+            axes.set_xticklabels([])
+    figure.suptitle(title, fontsize=9)
+    figure.colorbar(shown, ax=drawn.ravel().tolist(), label=label)
+    return drawn

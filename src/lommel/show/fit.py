@@ -68,7 +68,7 @@ def fit(
     at = np.arange(len(names))
     finite = [d if np.isfinite(d) else 0.0 for d in deviations]
     drawn.bar(at, values, color="C0", alpha=0.6)
-    drawn.errorbar(at, values, yerr=finite, fmt="none", ecolor="black", capsize=3)
+    drawn.errorbar(at, values, yerr=finite, fmt="none", ecolor=drawn.xaxis.label.get_color(), capsize=3)
     drawn.axhline(0.0, color="0.5", linewidth=0.8)
     drawn.set_xticks(at, names, rotation=90, fontsize=8)
     drawn.set_ylabel("coefficient and its deviation (radians)")

@@ -11,14 +11,25 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.base.optional import library
 from lommel.measures.answer import Answer, AnswerGrid
-from lommel.show.drawing import HOW, MEANING, USER, norm_of, pyplot
+from lommel.show.drawing import (
+    HOW,
+    MEANING,
+    STRETCHES,
+    USER,
+    at_most,
+    lengths,
+    new_axes,
+    norm_of,
+    only_single,
+    pyplot,
+    tiles,
+)
+from lommel.show.labels import of_pupils
 from lommel.show.sections import is_z_stack, sections
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-_MOST = 64  # PSFs of a stack in one figure
 
 
 def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
@@ -46,14 +57,10 @@ def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
     ImportError
         If matplotlib is not installed.
     """
-    validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
+    validation.choice("stretch", stretch, STRETCHES)
     if psf.pupil.shape != ():
         return _stack(psf, ax, stretch)
-    axes = _draw(
-        psf,
-        pyplot().subplots(layout="constrained")[1] if ax is None else ax,
-        norm_of(stretch, float(psf.values.max()) or 1.0),
-    )
+    axes = _draw(psf, new_axes(ax), norm_of(stretch, float(psf.values.max()) or 1.0))
     if ax is None:
         axes.set_title(_title(psf), fontsize=9)
         axes.figure.colorbar(axes.images[0], ax=axes, label=MEANING[psf.normalize])
@@ -61,44 +68,28 @@ def plot(psf: Answer, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
 
 
 def _stack(psf: Answer, ax: Axes | None, stretch: str) -> NDArray[Any]:
-    """Draw each PSF of a stack, titled by its index."""
-    shape = psf.pupil.shape
-    count = int(np.prod(shape))
-    if ax is not None:
-        raise ValueError(f"ax must be None for a stack, which takes many, got a stack of shape {shape}")
+    """Draw each PSF of a stack on one scale, titled by what tells it from the others."""
+    only_single(ax, psf.pupil.shape)
     if is_z_stack(psf):
         return sections(psf, stretch=stretch)
-    if count > _MOST:
-        raise ValueError(f"at most {_MOST} PSFs can be drawn, got a stack of shape {shape}; index it, as psf[:8]")
-    columns = shape[1] if len(shape) == 2 else min(count, 8)
-    rows = -(-count // columns)
-    figure = pyplot().figure(figsize=(min(2.0 * columns, 14.0) + 1.2, 2.0 * rows + 0.8), layout="constrained")
+    at_most(psf.pupil.shape)
     norm = norm_of(stretch, float(psf.values.max()) or 1.0)
-    drawn = np.empty(shape, dtype=object)
-    for k, index in enumerate(np.ndindex(shape)):
-        axes = drawn[index] = _draw(psf[index], figure.add_subplot(rows, columns, k + 1), norm)
-        axes.set_title(", ".join(map(str, index)), fontsize=8)
-        axes.tick_params(labelsize=7)
-        if k % columns:
-            axes.set_ylabel("")
-            axes.set_yticklabels([])
-        if k + columns < count:
-            axes.set_xlabel("")
-            axes.set_xticklabels([])
-    figure.suptitle(_title(psf), fontsize=9)
-    figure.colorbar(drawn.flat[0].images[0], ax=drawn.ravel().tolist(), label=MEANING[psf.normalize])
-    return drawn
+
+    def one(index: tuple[int, ...], axes: Axes) -> Any:
+        return _draw(psf[index], axes, norm).images[0]
+
+    return tiles(psf.pupil.shape, one, of_pupils(psf.pupil), _title(psf), MEANING[psf.normalize])
 
 
 def _title(psf: Answer) -> str:
-    factor, unit = _scale(psf)
+    factor, unit = lengths(psf.unit)
     height, width = psf.shape[-2:]
     return f"{height} × {width} pixels of {psf.pixel * factor:.4g} {unit}, {HOW[psf.sampling]}"
 
 
 def _draw(psf: Answer, axes: Axes, norm: Any) -> Axes:
     """Draw the values of a single PSF on axes with its lengths."""
-    factor, unit = _scale(psf)
+    factor, unit = lengths(psf.unit)
     height, width = psf.shape
     half = 0.5 * psf.pixel * factor
     x, y = psf.grid.x * factor, psf.grid.y * factor
@@ -149,7 +140,7 @@ def compare(answers: Mapping[str, Answer], reference: str) -> Figure:
         else:
             axes.yaxis.label.set_fontsize(8)
     truth = answers[reference]
-    factor, unit = _scale(truth)
+    factor, unit = lengths(truth.unit)
     slices, errors = graphs.subplots(1, 2)
     radius, expected = truth.profile()
     peak = float(truth.values.max())
@@ -174,14 +165,14 @@ def compare(answers: Mapping[str, Answer], reference: str) -> Figure:
 def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
     """Draw a grid of PSFs over the sensor, each enlarged in its place and scaled to its own largest value.
 
-    The axes are positions on the sensor, with a tick at each row and column of the grid; the bar below is a length
+    The axes are positions on the sensor, with a tick at each row and column of the grid; the bar above is a length
     within the enlarged PSFs. Rows rise downwards, as in an image.
 
     Parameters
     ----------
     grid : PSFGrid
     ax : matplotlib Axes, optional
-        By default those of a new figure.
+        By default those of a new figure, which has a title and a bar of the levels.
     stretch : {"sqrt", "linear", "log"}
         Of the levels; "log" goes down to 1e-5 of the largest value.
 
@@ -197,7 +188,7 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
         If matplotlib is not installed.
     """
     mpl = library("matplotlib", *USER)
-    validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
+    validation.choice("stretch", stretch, STRETCHES)
     rows, columns, height, width = grid.values.shape
     axes = _field_axes(grid) if ax is None else ax
     factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
@@ -222,10 +213,14 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     axes.set_aspect("equal")
     axes.set_xticks(grid.x * factor, [f"{value:.3g}" for value in grid.x * factor + 0.0])
     axes.set_yticks(grid.y * factor, [f"{value:.3g}" for value in grid.y * factor + 0.0])
+    if ax is None:
+        axes.set_title(f"{rows} × {columns} PSFs, each over its largest value", fontsize=9, loc="left", pad=22)
+        scale = library("matplotlib.cm", *USER).ScalarMappable(norm_of(stretch, 1.0), colors)
+        axes.figure.colorbar(scale, ax=axes, shrink=0.75, label="value over the largest of each PSF")
     axes.set_xlabel(f"x on the sensor ({unit})")
     axes.set_ylabel(f"y on the sensor ({unit})")
     # Within the PSFs one pixel is `cell` long.
-    inner, inner_unit = _scale(grid.psf)
+    inner, inner_unit = lengths(grid.unit)
     length = _round_length(0.8 * width * grid.psf.pixel * inner)
     _scale_bar(axes, length / (grid.psf.pixel * inner) * cell / sensor[1], f"{length:g} {inner_unit} in the PSFs")
     return axes
@@ -239,17 +234,15 @@ def _round_length(most: float) -> float:
 
 def _scale_bar(axes: Axes, length: float, label: str) -> None:
     """Draw a bar above the right end of the axes, its length a fraction of their width, with its label beside it."""
-    place = axes.transAxes
-    axes.plot([1.0 - length, 1.0], [1.04, 1.04], color="black", linewidth=2.5, transform=place, clip_on=False)
-    axes.text(0.99 - length, 1.04, label, transform=place, ha="right", va="center", fontsize=8)
+    shifted = library("matplotlib.transforms", *USER).offset_copy
+    place = shifted(axes.transAxes, fig=axes.figure, y=9.0, units="points")
+    color = axes.xaxis.label.get_color()  # which is white in dark styles
+    axes.plot([1.0 - length, 1.0], [1.0, 1.0], color=color, linewidth=2.5, transform=place, clip_on=False)
+    axes.text(0.99 - length, 1.0, label, transform=place, ha="right", va="center", fontsize=8)
 
 
 def _field_axes(grid: AnswerGrid) -> Any:
     """Return axes of a new figure of the shape of the sensor."""
     ratio = min(max(grid.sensor[0] / grid.sensor[1], 0.25), 2.5)
     width = 8.0 if ratio <= 1.2 else 9.6 / ratio
-    return pyplot().subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
-
-
-def _scale(psf: Answer) -> tuple[float, str]:
-    return (1e6, "µm") if psf.unit == "m" else (1.0, "λN")
+    return pyplot().subplots(figsize=(width + 1.1, width * ratio + 0.7), layout="constrained")[1]

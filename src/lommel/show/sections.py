@@ -10,14 +10,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.measures.answer import Answer
 from lommel.optics.objective_pupil import ObjectivePupil
-from lommel.show.drawing import HOW, MEANING, norm_of, pyplot
-
-STRETCHES = {
-    "sqrt": "the square root of the value",
-    "linear": "the value",
-    "log": "the logarithm of the value,\ndown to 1e-5 of the largest",
-}
-"""What is linear on the scale of brightness."""
+from lommel.show.drawing import HOW, MEANING, STRETCHES, norm_of, pyplot
 
 _LONGEST = 3.0  # how much longer one axis may be than another, at the same scale
 _SIDE = 3.4  # inches of the longest axis

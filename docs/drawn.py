@@ -1,0 +1,37 @@
+"""Pictures of pages: each is the figure that the code above it draws."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import matplotlib.pyplot as plt
+from matplotlib.figure import Figure
+
+PAGE = Path(__file__).resolve().parent / "pictures.md"
+# A block of code, or a picture that the build makes.
+_PARTS = re.compile(r"^```python\n(.*?)^```|_generated/pictures/([\w-]+)\.png", re.MULTILINE | re.DOTALL)
+
+
+def figures(page: Path = PAGE) -> Iterator[tuple[str, Figure]]:
+    """Run the code of a page and yield the name of each picture with the figure that it is of, the last one drawn."""
+    names: dict[str, Any] = {}
+    for part in _PARTS.finditer(page.read_text(encoding="utf-8")):
+        code, name = part.groups()
+        if code is not None:
+            plt.close("all")
+            exec(compile(code, page.name, "exec"), names)
+        elif not plt.get_fignums():
+            raise ValueError(f"{page.name}: no code above the picture {name} draws one")
+        else:
+            yield name, plt.gcf()
+    plt.close("all")
+
+
+def write(folder: Path) -> None:
+    """Write the pictures of the page."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, figure in figures():
+        figure.savefig(folder / f"{name}.png", dpi=110)

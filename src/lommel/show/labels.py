@@ -1,0 +1,74 @@
+"""What tells the pictures of a stack apart: distances, depths, the one coefficient that differs, or the index."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.base.units import format_length
+from lommel.optics.base_pupil import BasePupil
+from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
+from lommel.special import zernike
+
+
+def of_pupils(pupil: BasePupil) -> list[str]:
+    """Return a word for each of the flattened stack: the distance of the object, of an objective depth and stage."""
+    if isinstance(pupil, ObjectivePupil):
+        places = {"depth": pupil.depth, "z": pupil.z}
+        told = [_lengths(f"{name} ", at.ravel()) for name, at in places.items() if np.ptp(at)]
+        if told:
+            return [", ".join(parts) for parts in zip(*told, strict=True)]
+    if isinstance(pupil, Pupil):
+        distances = () if pupil.geometry is None else pupil.geometry.object_distance
+        if len(set(distances)) > 1:
+            return _lengths("object at ", np.array(distances))
+        return of_wavefronts(pupil.wavefront)
+    return _indices(pupil.shape)
+
+
+def of_wavefronts(wavefront: Wavefront) -> list[str]:
+    """Return a word for each of the flattened stack: the coefficient where one alone differs."""
+    flat = wavefront.flattened()
+    powers = flat.coefficients
+    others = flat.edge[:, flat.symmetric :]
+    radial, sideways = (np.flatnonzero(np.ptp(each, axis=0)) for each in (powers, others))
+    if radial.size == 1 and not sideways.size and radial[0] < 2:
+        name, values = (("defocus", flat.defocus), ("spherical", flat.spherical))[radial[0]]
+    elif sideways.size == 1 and not radial.size:
+        return _terms(flat, flat.symmetric + int(sideways[0]))
+    else:
+        varied = np.flatnonzero(np.ptp(flat.edge, axis=0))
+        if varied.size != 1:
+            return _indices(wavefront.shape)
+        return _terms(flat, int(varied[0]))
+    return [f"{name} {value + 0.0:.3g} rad" for value in values]
+
+
+def _terms(flat: Wavefront, which: int) -> list[str]:
+    n, m = flat.terms[which]
+    waves = flat.edge[:, which] / (2.0 * math.pi * zernike.rms_factor(n, m)) + 0.0
+    return [f"{zernike.name(n, m)} {each:.3g} waves rms" for each in waves]
+
+
+def _lengths(what: str, at: Array) -> list[str]:
+    finite = np.abs(at[np.isfinite(at)])
+    like = float(finite.max()) if finite.size else None
+    told = (format_length(float(each) + 0.0, like=like).replace(" um", " µm") for each in at)
+    return [f"{what}{each.replace('infinity', '∞')}" for each in told]
+
+
+def _indices(shape: tuple[int, ...]) -> list[str]:
+    return [", ".join(map(str, index)) for index in np.ndindex(shape)]
+
+
+def few(items: Sequence[Any], most: int) -> list[Any]:
+    """Return at most so many of some items, evenly spread, the first and the last among them."""
+    if len(items) <= most:
+        return list(items)
+    return [items[round(k * (len(items) - 1) / (most - 1))] for k in range(most)]

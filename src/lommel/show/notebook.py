@@ -1,0 +1,280 @@
+"""What notebooks show of things: a small picture beside a table of numbers, in the colours of the page, at once.
+
+Nothing here may take long or raise, for a notebook asks without being asked to: of large stacks and windows a part is
+looked at, and what cannot be told is told why.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.base.units import format_length
+from lommel.base.validation import brief
+from lommel.measures.answer import Answer, AnswerGrid
+from lommel.measures.aperture_means import rms
+from lommel.measures.energy import energy_per_pixel
+from lommel.optics.lens import Lens
+from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
+from lommel.show import png
+from lommel.show.drawing import HOW, MEANING
+from lommel.show.labels import few, of_pupils
+from lommel.show.pupils import across
+from lommel.special import zernike
+
+_TILES = 4  # of a stack that are shown
+_WINDOW = 1024  # pixels a side that are looked at
+_MANY = 2**21  # values that are looked at
+_TERMS = 8
+_RASTER = 80
+_SUMS = 100 * _RASTER**2  # values of terms that are added up
+
+Row = tuple[str, str | Callable[[], str]]
+
+
+def psf(answer: Answer) -> str:
+    """Return the values of a PSF, or of some of a stack, and how they were made."""
+    stack, all_of = answer.pupil.shape, math.prod(answer.pupil.shape)
+    seen = [_window(answer, index) for index in _chosen(stack)]
+    whole = answer.values.size <= _MANY
+    values = answer.values if whole else np.stack(seen)
+    of = "" if whole else ", where looked at"
+    told = of_pupils(answer.pupil) if 1 < all_of <= 64 else []
+    rows: list[Row] = [
+        ("pixels", _pixels(answer)),
+        ("values", f"{answer.values.dtype}, {MEANING[answer.normalize]}"),
+        (f"largest value{of}", lambda: f"{float(values.max()):.4g}"),
+        ("method", type(answer.method).__name__),
+        ("error bound", "none" if answer.error_bound is None else f"{answer.error_bound:.2g} of the peak"),
+        ("pupil", _light(answer.pupil)),
+    ]
+    if whole:
+        rows.insert(3, ("light in the window", lambda: _span(energy_per_pixel(answer).sum(axis=(-2, -1)), ".4g")))
+    if told:
+        rows.insert(0, ("stack", f"{told[0]} to {told[-1]}"))
+    if answer.undersampled:
+        rows.append(("note", "pixels are wider than λN/2: samples do not sum to the light"))
+
+    def picture() -> str:
+        most = 160 if len(seen) == 1 else 110
+        return _beside([_lit(png.smaller(part, most)) for part in seen], "light", "the square root of the values")
+
+    return _html(
+        _count("PSF", stack), rows, picture, "square root" + (", each over its largest" if len(seen) > 1 else "")
+    )
+
+
+def grid(thing: AnswerGrid) -> str:
+    """Return a grid of PSFs, each over its largest value."""
+    rows, columns = thing.values.shape[:2]
+
+    def picture() -> str:
+        at_rows, at_columns = few(list(range(rows)), 5), few(list(range(columns)), 7)
+        parts = [[_lit(png.smaller(_window(thing.psf, (i, j)), 48)) for j in at_columns] for i in at_rows]
+        values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
+        return png.image(values, "light", "square roots of the values over the largest of each", 280)
+
+    high, wide = (_length(side, thing.unit) for side in thing.sensor)
+    told: list[Row] = [
+        ("sensor", f"{high} × {wide}"),
+        ("pixels of each", _pixels(thing.psf)),
+        ("values", f"{thing.values.dtype}, {MEANING[thing.psf.normalize]}"),
+        ("method", type(thing.psf.method).__name__),
+        ("pupil", _light(thing.psf.pupil)),
+    ]
+    return _html(f"PSFGrid, {rows} × {columns}", told, picture, "square root, each over its largest value")
+
+
+def wavefront(thing: Wavefront) -> str:
+    """Return the phase of a wavefront over the full disc, and its terms."""
+    rows: list[Row] = [*_rms(Pupil(thing)), *_terms(thing)]
+    return _html(_count("Wavefront", thing.shape), rows, lambda: _phase(Pupil(thing)), _PHASE)
+
+
+def pupil(thing: Any) -> str:
+    """Return the phase across a pupil, and what there is to say about its light."""
+    rows: list[Row] = [("light", _light(thing))]
+    if isinstance(thing, ObjectivePupil):
+        rows += [
+            ("depth", _places(thing.depth)),
+            ("stage", _places(thing.z)),
+            ("emitter", repr(thing.emitter)),
+        ]
+    else:
+        rows += [("aperture", _aperture(thing)), ("Airy radius", _length(thing.airy_radius, thing.unit))]
+        rows += [*_rms(thing), *_terms(thing.wavefront)]
+    return _html(_count(type(thing).__name__, thing.shape), rows, lambda: _phase(thing), _PHASE)
+
+
+def lens(thing: Lens) -> str:
+    """Return the phase across the pupil of a lens for an object in focus, and its distances."""
+    rows: list[Row] = [
+        ("focal length", _length(thing.focal_length, "m")),
+        ("f-number", f"{thing.f_number:.4g}, working {thing.working_f_number:.4g}"),
+        ("focused at", _length(thing.focus_distance, "m")),
+        ("sensor", f"{_length(thing.sensor_distance, 'm')} behind the lens"),
+        ("wavelength", _length(thing.wavelength, "m")),
+        ("aperture", lambda: _aperture(thing._in_focus)),
+        ("model", thing.model),
+        *_terms(thing.aberrations),
+    ]
+    return _html(_count("Lens", thing.aberrations.shape), rows, lambda: _phase(thing.pupil()), f"{_PHASE}, in focus")
+
+
+def retrieval(images: Array, model: Array, rows: Sequence[Row]) -> str:
+    """Return the first image of those that a wavefront was found behind, the model of it, and what was found.
+
+    Parameters
+    ----------
+    images, model : ndarray, shape (n, height, width)
+        NaN where left out.
+    rows : sequence of (str, str or callable)
+        What is said, or what makes it.
+    """
+
+    def picture() -> str:
+        low, high = np.nanmin(images[0]), np.nanmax(images[0])
+        both = [np.sqrt(np.clip((part - low) / ((high - low) or 1.0), 0.0, 1.0)) for part in (images[0], model[0])]
+        return _beside([png.smaller(part) for part in both], "light", "the first image as measured, and its model")
+
+    return _html("Retrieval", rows, picture, "measured, and the model")
+
+
+_PHASE = "phase, blue to red"
+
+
+def _phase(pupil: Any) -> str:
+    chosen = _chosen(pupil.shape)
+    # A wavefront of very many terms takes as long for each point as one of few for all.
+    terms = len(pupil.wavefront.terms) if isinstance(pupil, Pupil) else 1
+    side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))
+    seen = [across(pupil[index] if pupil.shape else pupil, side).phase[0] for index in chosen]
+    top = max(float(np.nanmax(np.abs(part), initial=0.0)) for part in seen) or 1.0
+    return _beside([0.5 + 0.5 * part / top for part in seen], "phase", "the phase across the pupil")
+
+
+def _html(title: str, rows: Sequence[Row], picture: Callable[[], str], caption: str) -> str:
+    """Return a picture with its caption, where there is one, beside a table; what raises is told in its place."""
+    cells = "".join(
+        f'<tr><th style="text-align:left">{escape(name)}</th><td style="text-align:left">{_cell(work)}</td></tr>'
+        for name, work in rows
+    )
+    shown = _cell(picture, markup=True)
+    return (
+        '<div style="display:flex;gap:1em;align-items:flex-start;background:transparent;color:currentColor">'
+        f'<div style="text-align:center"><b>{escape(title)}</b><br>{shown}<br><small>{escape(caption)}</small></div>'
+        f'<table style="background:transparent;color:currentColor">{cells}</table></div>'
+    )
+
+
+def _cell(work: str | Callable[[], str], *, markup: bool = False) -> str:
+    try:
+        text = work if isinstance(work, str) else work()
+    except Exception as error:  # whatever it is: the rest is still to be seen
+        return f"<i>{escape(brief(' '.join(str(error).split()) or type(error).__name__))}</i>"
+    return text if markup else escape(brief(text, 160))
+
+
+def _chosen(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
+    """Return the indices of a few of a stack."""
+    places = few(range(math.prod(shape)), _TILES)
+    return [tuple(int(k) for k in np.unravel_index(place, shape)) if shape else () for place in places]
+
+
+def _window(answer: Answer, index: tuple[int, ...]) -> Array:
+    """Return the values of one of a stack, of large windows those about the axis."""
+    values = answer.values[index]
+    center = answer.grid[index].axis if answer.grid.stack else answer.grid.axis
+    parts = []
+    for side, middle in zip(values.shape, center, strict=True):
+        first = min(max(round(middle) - _WINDOW // 2, 0), max(side - _WINDOW, 0))
+        parts.append(slice(first, first + _WINDOW))
+    return np.asarray(values[tuple(parts)], dtype=np.float64)
+
+
+def _lit(values: Array) -> Array:
+    """Return the square root of values over the largest."""
+    return np.asarray(np.sqrt(np.clip(values / (float(values.max()) or 1.0), 0.0, 1.0)))
+
+
+def _beside(parts: Sequence[Array], kind: str, words: str) -> str:
+    """Return pictures side by side, in two rows from four on, with clear pixels between them."""
+    if len(parts) == 1:
+        return png.image(parts[0], kind, words, 160)
+    gap = max(1, max(parts[0].shape) // 40)
+    edge = ((0, gap), (0, gap))
+    lines = [parts[:2], parts[2:]] if len(parts) == _TILES else [parts]
+    rows = [np.concatenate([np.pad(part, edge, constant_values=np.inf) for part in line], axis=1) for line in lines]
+    return png.image(np.concatenate(rows), kind, words, 110 * len(lines[0]))
+
+
+def _terms(wavefront: Wavefront) -> list[Row]:
+    """Return the largest Zernike terms, waves rms; of a stack the largest of each, and no more than eight."""
+    sizes = {t: float(np.abs(c).max()) for t, c in wavefront.edge_terms().items() if np.any(c)}
+    largest = sorted(sizes, key=lambda t: sizes[t] / zernike.rms_factor(*t), reverse=True)
+    edge = wavefront.edge_terms()
+
+    def told(n: int, m: int) -> str:
+        return f"{_span(edge[n, m] / (2.0 * math.pi * zernike.rms_factor(n, m)), '.3g')} waves rms"
+
+    rows: list[Row] = [(zernike.name(*term), told(*term)) for term in largest[:_TERMS]]
+    if len(largest) > _TERMS:
+        rows.append(("and", f"{len(largest) - _TERMS} smaller terms"))
+    return rows
+
+
+def _rms(thing: Pupil) -> list[Row]:
+    """Return the rms where it takes no time: over full discs, whose terms are orthogonal, else of few terms."""
+    wave = thing.wavefront
+    if thing.circular and not thing.obscuration and thing.illumination.uniform:
+        factors = np.array([zernike.rms_factor(*term) for term in wave.terms])
+        return [("rms", f"{_span(np.linalg.norm(wave.edge / factors, axis=-1) / (2.0 * math.pi), '.3g')} waves")]
+    if thing.circular and math.prod(thing.shape) * len(wave.terms) ** 2 <= 256:
+        return [("rms", lambda: f"{_span(rms(thing, unit='waves'), '.3g')} waves")]
+    return []
+
+
+def _pixels(answer: Answer) -> str:
+    height, width = answer.shape[-2:]
+    return f"{height} × {width} of {_length(answer.pixel, answer.unit)}, {HOW[answer.sampling]}"
+
+
+def _aperture(pupil: Pupil) -> str:
+    parts = [name for name in ("spider", "vignetting", "mask") if getattr(pupil, name) is not None]
+    parts = ["apodized", *parts] if not pupil.illumination.uniform else parts
+    eps = f"obscured to {pupil.obscuration:.4g}" if pupil.obscuration else "clear disc"
+    return ", ".join([eps, *parts])
+
+
+def _light(pupil: Any) -> str:
+    if pupil.wavelength is None:
+        return "lengths in λN"
+    sharp = f"NA {pupil.layers.NA:.4g}" if pupil.layered else f"f/{pupil.f_number:.4g}"
+    return f"{_length(pupil.wavelength, 'm')}, {sharp}"
+
+
+def _length(value: float, unit: str) -> str:
+    if unit != "m":
+        return f"{value:.4g} λN"
+    return format_length(float(value)).replace(" um", " µm").replace("infinity", "∞")
+
+
+def _places(at: Array) -> str:
+    low, high = float(at.min()), float(at.max())
+    return _length(low, "m") if low == high else f"{_length(low, 'm')} to {_length(high, 'm')}"
+
+
+def _span(values: Any, form: str) -> str:
+    low, high = float(np.min(values)), float(np.max(values))
+    return format(low, form) if low == high else f"{low:{form}} to {high:{form}}"
+
+
+def _count(name: str, shape: tuple[int, ...]) -> str:
+    return f"{name}, a stack of {' × '.join(map(str, shape))}" if shape else name

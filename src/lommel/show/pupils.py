@@ -1,0 +1,204 @@
+"""Pictures of what light passes through: the phase across a pupil, and the amplitude."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.arrays import Array
+from lommel.measures.aperture_means import rms
+from lommel.optics.base_pupil import BasePupil, imaged
+from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.pupil import Pupil
+from lommel.optics.wavefront import Wavefront
+from lommel.show.drawing import at_most, even_norm, new_axes, only_single, tiles
+from lommel.show.labels import of_pupils, of_wavefronts
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+UNITS = ("waves", "radians", "nm")
+_SIDE = 256
+_BLOCKED = "0.55"  # the colour of where no light passes
+
+
+class Across(NamedTuple):
+    """A pupil on a raster: rows from the top, y rising downwards, from -1 to 1 both ways.
+
+    Attributes
+    ----------
+    phase, amplitude : ndarray, shape (n, side, side)
+        Radians, less the mean over the raster where light passes, and NaN elsewhere; the amplitude there 0.
+    """
+
+    phase: Array
+    amplitude: Array
+
+
+def wavefront(thing: Wavefront, ax: Axes | None = None, *, unit: str = "waves") -> Any:
+    """Draw the phase of a wavefront over the full disc, less its mean; a stack side by side on one scale.
+
+    Parameters
+    ----------
+    thing : Wavefront
+        Of a stack at most 64 are drawn.
+    ax : matplotlib Axes, optional
+        Of a single one. By default those of a new figure, which has a title and a bar.
+    unit : {"waves", "radians"}
+        Of the phase.
+
+    Returns
+    -------
+    matplotlib Axes, or for a stack an ndarray of Axes of its shape
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+    ImportError
+        If matplotlib is not installed.
+    """
+    validation.instance("wavefront", thing, Wavefront)
+    validation.choice("unit", unit, UNITS[:2])
+    return _phase(Pupil(thing), ax, unit, of_wavefronts(thing))
+
+
+def pupil(thing: BasePupil, ax: Axes | None = None, *, what: str = "phase", unit: str = "waves") -> Any:
+    """Draw the phase across a pupil, less its mean, or its amplitude; a stack side by side on one scale.
+
+    Parameters
+    ----------
+    thing : Pupil or ObjectivePupil
+        Of a stack at most 64 are drawn. Of an objective the phase is that of its layers in this plane, with the
+        measured wavefront; beyond the dashed circle, the critical angle of the sample, light fades with the depth.
+    ax : matplotlib Axes, optional
+        Of a single one. By default those of a new figure, which has a title and a bar.
+    what : {"phase", "amplitude"}
+        The amplitude is 1 in the clear, unless it is apodized; that of an objective is the root mean square over both
+        polarisations of what the layers let pass, over the largest. Where no light passes it is grey.
+    unit : {"waves", "radians", "nm"}
+        Of the phase; nm of optical path, of a pupil with a wavelength.
+
+    Returns
+    -------
+    matplotlib Axes, or for a stack an ndarray of Axes of its shape
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is out of range.
+    ImportError
+        If matplotlib is not installed.
+    """
+    validation.choice("what", what, ("phase", "amplitude"))
+    validation.choice("unit", unit, UNITS)
+    if what == "phase":
+        return _phase(imaged(thing), ax, unit, of_pupils(thing))
+    found = _few(imaged(thing), ax).amplitude
+    passing = "of both polarisations, over the largest" if thing.layered else _passing(thing)
+    if thing.layered:
+        found = found / found.max()
+    options = {"cmap": "viridis", "vmin": 0.0, "vmax": max(1.0, float(found.max()))}
+    values = np.where(found > 0.0, found, np.nan)
+    return _draw(thing, values, ax, (f"amplitude {passing}", "amplitude"), of_pupils(thing), options)
+
+
+def across(pupil: BasePupil, side: int = _SIDE) -> Across:
+    """Return what lets light pass and with which phase, on a raster, for the flattened stack."""
+    at = (np.arange(side) + 0.5) * (2.0 / side) - 1.0
+    x, y = np.meshgrid(at, at)
+    rho, theta = np.hypot(x, y), np.arctan2(y, x)
+    count = math.prod(pupil.shape)
+    phase = np.full((count, side, side), np.nan)
+    amplitude = np.zeros(phase.shape)
+    if isinstance(pupil, Pupil):
+        strength = pupil.illumination.at(rho**2) * (pupil.opening.margin(x, y) >= 0.0)
+        if pupil.mask is not None:
+            strength = strength * pupil.mask.at(x, y)
+        clear = strength > 0.0
+        amplitude[:] = strength
+        phase[:, clear] = pupil.wavefront.phase(rho[clear], theta[clear]).reshape(count, -1)
+    else:
+        clear = rho <= 1.0
+        phase[:, clear], amplitude[:, clear] = _through_layers(pupil, rho[clear], theta[clear])
+    if clear.any():
+        phase -= phase[:, clear].mean(axis=1)[:, None, None]
+    return Across(phase, amplitude)
+
+
+def _through_layers(pupil: Any, rho: Array, theta: Array) -> tuple[Array, Array]:
+    """Return the phase of each plane at points of an objective's pupil, and the amplitude, shape (n, points)."""
+    layers = pupil.layers
+    fixed, by_depth, by_focus = layers.rates(layers.cosine(rho))
+    psi = fixed + np.multiply.outer(pupil.depth.ravel(), by_depth) + np.multiply.outer(pupil.focus.ravel(), by_focus)
+    made = layers.amplitudes(layers.cosine(rho), (layers.NA * rho) ** 2)
+    passed = np.sqrt(0.5 * (np.abs(made.s) ** 2 + np.abs(made.p) ** 2))
+    phase = psi.real
+    if pupil.aberrations is not None:
+        phase = phase + pupil.aberrations.phase(rho, theta).reshape(-1, rho.size)
+    return phase, passed * np.exp(-psi.imag)
+
+
+def _few(pupil: BasePupil, ax: Axes | None) -> Across:
+    """Return :func:`across` of what can be drawn; ValueError for too many, or for axes and a stack."""
+    validation.axes("ax", ax)
+    only_single(ax, pupil.shape)
+    count = math.prod(pupil.shape)
+    at_most(pupil.shape)
+    return across(pupil, _SIDE if count < 9 else _SIDE // 2)
+
+
+def _phase(pupil: BasePupil, ax: Axes | None, unit: str, titles: list[str]) -> Any:
+    """Draw the phase of a pupil, or of a stack of them."""
+    if unit == "nm" and pupil.wavelength is None:
+        raise ValueError('unit="nm" needs a pupil with a wavelength, got one without; take "waves" or "radians"')
+    per = 1.0 if unit == "radians" else 2.0 * math.pi
+    if unit == "nm":
+        per /= 1e9 * (pupil.wavelength or math.nan)
+    values = _few(pupil, ax).phase / per
+    title = "phase, less its mean"
+    if not pupil.shape and isinstance(pupil, Pupil):
+        spread = float(np.nanmax(values) - np.nanmin(values))
+        title = f"rms {float(rms(pupil)) / per:.3g} {unit}, peak to valley {spread:.3g} {unit}"
+    options = {"cmap": "RdBu_r", "norm": even_norm(float(np.nanmax(np.abs(values))))}
+    return _draw(pupil, values, ax, (title, f"phase, less its mean ({unit})"), titles, options)
+
+
+def _draw(
+    pupil: BasePupil,
+    values: Array,
+    ax: Axes | None,
+    words: tuple[str, str],
+    titles: list[str],
+    options: dict[str, Any],
+) -> Any:
+    """Draw what is known across a pupil, with a title and what the bar says."""
+
+    def one(index: tuple[int, ...], axes: Axes) -> Any:
+        image = axes.imshow(values.reshape(*pupil.shape, *values.shape[1:])[index], extent=(-1, 1, 1, -1), **options)
+        axes.set_facecolor(_BLOCKED)
+        axes.set_xlabel("x (pupil radii)")
+        axes.set_ylabel("y (pupil radii)")
+        axes.set_xticks([-1, 0, 1])
+        axes.set_yticks([-1, 0, 1])
+        if isinstance(pupil, ObjectivePupil) and pupil.layers.sample < pupil.layers.NA:
+            angle = np.linspace(0.0, 2.0 * math.pi, 181)
+            critical = pupil.layers.sample / pupil.layers.NA
+            axes.plot(critical * np.cos(angle), critical * np.sin(angle), "--", color="0.3", linewidth=0.8)
+        return image
+
+    if pupil.shape:
+        return tiles(pupil.shape, one, titles, words[0], words[1])
+    axes: Any = new_axes(ax)
+    image = one((), axes)
+    if ax is None:
+        axes.set_title(words[0], fontsize=9)
+        axes.figure.colorbar(image, ax=axes, label=words[1])
+    return axes
+
+
+def _passing(pupil: BasePupil) -> str:
+    return f"(1 = clear); {100.0 * pupil.transmission:.3g} % of a clear disc's light pass"

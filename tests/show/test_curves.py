@@ -1,0 +1,332 @@
+"""Differences, transfer functions, light within circles, rays and the light about the focus: what is drawn."""
+
+from __future__ import annotations
+
+import math
+import sys
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from scipy.special import j0, j1
+
+import lommel as lm
+from lommel.measures import rays
+from lommel.measures.through_focus import moved, section
+
+CAMERA = {"wavelength": 550e-9, "f_number": 4.0}
+COMA = lm.Wavefront(1.0, nonradial={(3, 1): 1.5})
+
+
+def lines(axes) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    return {line.get_label(): line.get_data() for line in axes.get_lines() if line.get_label()[0] != "_"}
+
+
+@pytest.fixture
+def psf() -> lm.PSF:
+    return lm.psf(lm.Pupil(COMA, **CAMERA), (31, 41), 0.5e-6)
+
+
+# Differences.
+
+
+def test_a_difference_is_drawn_over_the_peak_on_a_scale_that_is_the_same_both_ways(psf):
+    other = lm.psf(psf.pupil, (31, 41), 0.5e-6, method=lm.MatrixFourier(64))
+    axes = lm.show.difference(other, psf)
+    (image,) = axes.get_images()
+    away = (other.values.astype(float) - psf.values) / psf.values.max()
+    np.testing.assert_allclose(image.get_array(), away, rtol=1e-6, atol=1e-12)
+    assert image.norm.vmax == -image.norm.vmin == np.abs(away).max()
+    assert image.get_extent() == pytest.approx((-10.25, 10.25, 7.75, -7.75))
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (µm)", "y (µm)")
+    rms = math.sqrt(lm.mse(other, psf))
+    assert axes.get_title() == f"largest difference {lm.peak_error(other, psf):.2g} of the peak, rms {rms:.2g}"
+    assert axes.figure.axes[1].get_ylabel() == "difference over the peak"
+    axes.figure.canvas.draw()
+
+
+def test_a_difference_may_be_that_of_an_array_and_may_be_nothing(psf):
+    axes = lm.show.difference(psf.values + 0.25 * psf.values.max(), psf)
+    np.testing.assert_allclose(axes.get_images()[0].get_array(), 0.25, rtol=1e-5)
+    same = lm.show.difference(psf, psf)
+    assert same.get_title() == "largest difference 0 of the peak, rms 0"
+    same.figure.canvas.draw()
+
+
+def test_what_cannot_be_compared_is_refused(psf):
+    def asked(**options):
+        return lm.psf(psf.pupil, **({"shape": (31, 41), "pixel": 0.5e-6} | options))
+
+    for other, told in (
+        (asked(pixel=0.4e-6), "a must have the pixel of b, 5e-07, got 4e-07"),
+        (asked(normalize="peak"), "a must have the normalize of b, 'energy', got 'peak'"),
+        (lm.psf(lm.Pupil(), (31, 41), 0.5), r"a must have the unit of b, 'm', got 'lambda\*N'"),
+        (asked(shape=31), r"a must have the shape of b, \(31, 41\), got \(31, 31\)"),
+    ):
+        with pytest.raises(ValueError, match=told):
+            lm.show.difference(other, psf)
+    with pytest.raises(ValueError, match="b must be a single PSF"):
+        lm.show.difference(psf, lm.psf(lm.Pupil(lm.Wavefront([0.0, 1.0])), 9, 0.5))
+    with pytest.raises(TypeError, match="b must be a PSF"):
+        lm.show.difference(psf, psf.values)
+
+
+# Transfer functions.
+
+
+def test_the_mtf_of_a_perfect_lens_is_that_of_the_textbook():
+    found = lines(lm.show.mtf(lm.Pupil()))
+    f, values = found["MTF"]
+    exact = 2.0 / math.pi * (np.arccos(f) - f * np.sqrt(1.0 - f * f))
+    np.testing.assert_allclose(values, exact, atol=2e-6)
+    np.testing.assert_allclose(found["without aberration"][1], exact, atol=2e-6)
+    assert (f[0], f[-1]) == (0.0, 1.0)
+
+
+def test_the_mtf_of_a_psf_has_its_pixels_and_both_directions(psf):
+    axes = psf.plot_mtf()
+    found = lines(axes)
+    f = np.linspace(0.0, psf.pupil.cutoff, 129)
+    np.testing.assert_allclose(found["along x"][0], 1e-3 * f)
+    np.testing.assert_allclose(found["along x"][1], lm.mtf(psf.pupil, f, pixel=0.5e-6), atol=2e-6)
+    np.testing.assert_allclose(found["along y"][1], lm.mtf(psf.pupil, 0.0, f, pixel=0.5e-6), atol=2e-6)
+    np.testing.assert_allclose(found["pixel alone"][1], np.abs(np.sinc(f * 0.5e-6)))
+    exact = lm.mtf(lm.Pupil(**CAMERA), f, pixel=0.5e-6)
+    np.testing.assert_allclose(found["without aberration"][1], exact, atol=2e-6)
+    assert "Nyquist of pixels" not in found  # it is beyond the cutoff
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("spatial frequency (cycles/mm)", "MTF (1)")
+    assert axes.get_title() == "modulation transfer function with pixels of 0.5 µm"
+
+
+def test_a_pixel_has_a_line_at_its_nyquist_frequency():
+    found = lines(lm.show.mtf(lm.Pupil(**CAMERA), pixel=3.45e-6))
+    np.testing.assert_allclose(found["Nyquist of pixels"][0], 1e-3 / (2.0 * 3.45e-6))
+
+
+def test_a_psf_that_samples_has_no_pixel_and_one_in_white_light_its_spectrum():
+    sampled = lm.psf(lm.Pupil(lm.Wavefront(2.0), **CAMERA), 33, 0.5e-6, integrate=False)
+    assert "pixel alone" not in lines(sampled.plot_mtf())
+    white = lm.Polychromatic((450e-9, 650e-9), (1.0, 2.0))
+    found = lines(lm.psf(sampled.pupil, 33, 0.5e-6, integrate=False, method=white).plot_mtf())["MTF"]
+    f = 1e3 * found[0]
+    np.testing.assert_allclose(found[1], lm.mtf(sampled.pupil, f, spectrum=white), atol=2e-6)
+
+
+def test_of_other_apertures_the_curves_are_those_of_the_window():
+    star = lm.Pupil(COMA, spider=lm.Spider.equal(3, width=0.1))
+    psf = lm.psf(star, 65, 0.25)
+    axes = psf.plot_mtf()
+    found = lines(axes)
+    f = found["along x"][0]
+    assert f[-1] == 1.0
+    np.testing.assert_allclose(found["along x"][1], psf.mtf(f))
+    np.testing.assert_allclose(found["along y"][1], psf.mtf(0.0, f))
+    assert axes.get_title() == "modulation transfer function, of the light in the window"
+    assert axes.get_xlabel() == "spatial frequency (cycles/λN)"
+    with pytest.raises(ValueError, match="pupil must be a disc or an annulus"):
+        lm.show.mtf(star)
+
+
+def test_a_stack_has_a_curve_for_each_up_to_eight():
+    assert [*lines(lm.show.mtf(lm.Pupil(lm.Wavefront([0.0, 2.0]))))] == [
+        "defocus 0 rad",
+        "defocus 2 rad",
+        "without aberration",
+    ]
+    many = lines(lm.show.mtf(lm.Pupil(lm.Wavefront(np.arange(15.0)))))
+    assert [*many][:8] == [f"defocus {k} rad" for k in range(0, 16, 2)]
+
+
+def test_a_pixel_for_what_has_one_is_refused(psf):
+    with pytest.raises(ValueError, match="pixel must be None for a PSF, which has its own, got 1e-06"):
+        lm.show.mtf(psf, pixel=1e-6)
+    with pytest.raises(TypeError, match="pupil must be a Pupil, got a Wavefront"):
+        lm.show.mtf(COMA)
+
+
+# Light within circles.
+
+
+def test_the_light_within_circles_is_that_of_airy():
+    axes = lm.psf(lm.Pupil(), 33, 0.25).plot_encircled_energy()
+    found = lines(axes)
+    radius, values = found["PSF"]
+    v = math.pi * radius
+    np.testing.assert_allclose(values, 1.0 - j0(v) ** 2 - j1(v) ** 2, atol=2e-6)
+    np.testing.assert_allclose(found["without aberration"][1], values, atol=1e-12)
+    assert radius[-1] == pytest.approx(16.5 * 0.25)  # to the edges of the outer pixels
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("radius (λN)", "fraction of all light (1)")
+    assert axes.get_title() == "encircled energy, 50% within 0.535 λN, 80% within 0.897 λN"
+
+
+@pytest.mark.parametrize("options", [{}, {"spider": lm.Spider.equal(3, width=0.1)}], ids=["round", "spider"])
+def test_of_any_other_psf_it_is_that_of_its_pixels(options):
+    psf = lm.psf(lm.Pupil(COMA, **CAMERA, **options), 41, 0.5e-6)
+    axes = psf.plot_encircled_energy(radius=5e-6)
+    found = lines(axes)
+    radius, values = found["PSF"]
+    np.testing.assert_allclose(values, psf.encircled_energy(1e-6 * radius), rtol=1e-9)
+    ideal = lm.psf(psf.pupil.unaberrated(), 41, 0.5e-6, method=psf.method)
+    np.testing.assert_allclose(found["without aberration"][1], ideal.encircled_energy(1e-6 * radius), atol=1e-5)
+    assert axes.get_xlim() == pytest.approx((0.0, 5.0))
+    half = float(axes.get_title().split("50% within ")[1].split()[0])
+    assert psf.encircled_energy(1e-6 * half) == pytest.approx(0.5, abs=3e-3)
+
+
+def test_a_stack_has_a_curve_of_light_for_each(camera):
+    psf = lm.psf(camera.pupil([1.9, 2.0, 2.2]), 33, 3e-6)
+    found = lines(psf.plot_encircled_energy())
+    assert [*found] == ["object at 1.9 m", "object at 2 m", "object at 2.2 m"]
+    for one, (radius, values) in zip(psf, found.values(), strict=True):
+        np.testing.assert_allclose(values, one.encircled_energy(1e-6 * radius))
+
+
+# Rays.
+
+
+def test_rays_are_drawn_over_the_psf_where_they_meet_the_sensor(psf):
+    axes = psf.plot_spots(rings=5)
+    (dots,) = axes.collections
+    np.testing.assert_allclose(dots.get_offsets(), 1e6 * rays.spots(psf.pupil, 5))
+    np.testing.assert_array_equal(axes.get_images()[0].get_array(), psf.values)
+    circle = next(line for line in axes.get_lines() if line.get_label() == "Airy circle")
+    np.testing.assert_allclose(np.hypot(*circle.get_data()), 1e6 * psf.pupil.airy_radius)
+    radius = 1e6 * float(lm.spot_radius(psf.pupil))
+    assert axes.get_title() == f"rays: rms radius {radius:.3g} µm; Airy radius {1e6 * psf.pupil.airy_radius:.3g} µm"
+    assert axes.get_xlim() == pytest.approx((-10.25, 10.25))
+
+
+def test_rays_that_miss_the_window_are_counted():
+    psf = lm.psf(lm.Pupil(lm.Wavefront(10.0)), 17, 0.5)
+    at = rays.spots(psf.pupil, 12)
+    outside = int((np.abs(at).max(axis=1) > 4.25).sum())
+    assert outside
+    assert f", {outside} of them beyond the window;" in psf.plot_spots().get_title()
+
+
+def test_rays_are_those_of_one_lens():
+    with pytest.raises(ValueError, match="psf must be a single one for a spot diagram"):
+        lm.psf(lm.Pupil(lm.Wavefront([0.0, 1.0])), 9, 0.5).plot_spots()
+    objective = lm.Objective(
+        NA=0.8, magnification=40, immersion=1.0, working_distance=1e-3, coverslip=lm.Layer(1.52, 170e-6), sample=1.33
+    )
+    pupil = objective.pupil(depth=0.0, wavelength=520e-9, z=0.0)
+    with pytest.raises(ValueError, match="psf must be that of a lens"):
+        lm.psf(pupil, 9, 6e-6).plot_spots()
+
+
+# The light about the focus.
+
+
+def test_the_section_through_the_focus_is_drawn_with_the_sensor_at_0(camera):
+    axes = lm.show.through_focus(camera, object_distance=1.95, reach=60e-6, half_width=10e-6, planes=9)
+    (image,) = axes.get_images()
+    through = moved(camera, 1.95, reach=60e-6, count=9)
+    x = np.linspace(-10e-6, 10e-6, 241)
+    np.testing.assert_allclose(image.get_array(), section(through, x).T, atol=1e-12)
+    left, right, low, high = image.get_extent()
+    assert (left, right) == pytest.approx((-67.5, 67.5))
+    assert (low, high) == pytest.approx((-10.0 - 1 / 24, 10.0 + 1 / 24))
+    assert axes.get_ylim() == pytest.approx((low, high))  # x rises upwards
+    assert image.origin == "lower"
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("sensor moved away from the lens (µm)", "x (µm)")
+    assert axes.get_title() == "f/1.85, 550 nm, object at 1.95 m; dashed: the sensor"
+    assert axes.figure.axes[1].get_ylabel() == "irradiance (1 = unaberrated peak)"
+    # The object is nearer than what is in focus: its image is behind the sensor.
+    middle = image.get_array()[120]
+    assert np.linspace(-60.0, 60.0, 9)[int(middle.argmax())] > 0.0
+    axes.figure.canvas.draw()
+
+
+def test_a_pupil_without_a_wavelength_is_drawn_over_its_defocus():
+    axes = lm.show.through_focus(lm.Pupil(lm.Wavefront(2.0)), planes=41)
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("added defocus C_d (rad)", "x (λN)")
+    (image,) = axes.get_images()
+    left, right, *_ = image.get_extent()
+    places = left + (np.arange(41) + 0.5) * (right - left) / 41
+    assert places[int(image.get_array()[120].argmax())] == pytest.approx(-2.0, abs=0.5)
+
+
+def test_curves_about_the_focus_are_those_of_strehl_and_mtf():
+    axes = lm.show.focus_curves(lm.Pupil(), reach=3.0, frequency=[0.2, 0.4], planes=7)
+    found = lines(axes)
+    c = np.linspace(-3.0, 3.0, 7)
+    np.testing.assert_allclose(found["Strehl ratio"][0], c)
+    np.testing.assert_allclose(found["Strehl ratio"][1], np.sinc(c / math.pi) ** 2, atol=1e-9)
+    exact = lm.mtf(lm.Pupil(lm.Wavefront(c)), [0.2, 0.4])
+    np.testing.assert_allclose(found["MTF at 0.2 cycles/λN"][1], exact[:, 0], atol=2e-6)
+    np.testing.assert_allclose(found["MTF at 0.4 cycles/λN"][1], exact[:, 1], atol=2e-6)
+    assert axes.get_ylabel() == "Strehl ratio, MTF (1)"
+
+
+def test_curves_of_a_lens_are_over_the_places_of_its_sensor(camera):
+    axes = lm.show.focus_curves(camera, frequency=50e3, reach=2e-3, planes=5)
+    found = lines(axes)
+    shift, values = found["MTF at 50 cycles/mm"]
+    np.testing.assert_allclose(shift, np.linspace(-2.0, 2.0, 5))
+    for z, value in zip(shift, values, strict=True):
+        lens = lm.Lens(
+            focal_length=50e-3,
+            aperture_diameter=camera.aperture_diameter,
+            sensor_distance=camera.sensor_distance + 1e-3 * z,
+            wavelength=550e-9,
+        )
+        assert value == pytest.approx(float(lm.mtf(lens.pupil(2.0), 50e3)), abs=3e-6)
+    assert axes.get_xlabel() == "sensor moved away from the lens (mm)"
+    assert axes.get_title() == "f/1.85, 550 nm, object at 2 m; dashed: the sensor"
+
+
+def test_of_coma_both_directions_are_drawn_and_of_a_spider_the_strehl_ratio_alone():
+    both = lines(lm.show.focus_curves(lm.Pupil(COMA), frequency=0.3, reach=1.0, planes=3))
+    assert [*both] == ["Strehl ratio", "MTF at 0.3 cycles/λN", "MTF at 0.3 cycles/λN, along y"]
+    star = lm.Pupil(COMA, spider=lm.Spider.equal(3, width=0.1))
+    assert [*lines(lm.show.focus_curves(star, reach=1.0, planes=3))] == ["Strehl ratio"]
+
+
+# What all have.
+
+
+def draw(psf: lm.PSF) -> dict[str, object]:
+    pupil = psf.pupil
+    few = {"reach": 10e-6, "planes": 3}
+    return {
+        "difference": lambda ax: lm.show.difference(psf, psf, ax),
+        "mtf": lambda ax: lm.show.mtf(psf, ax),
+        "encircled_energy": lambda ax: lm.show.encircled_energy(psf, ax),
+        "spots": lambda ax: lm.show.spots(psf, ax, rings=2),
+        "through_focus": lambda ax: lm.show.through_focus(pupil, ax, **few),
+        "focus_curves": lambda ax: lm.show.focus_curves(pupil, ax, frequency=1e5, **few),
+    }
+
+
+@pytest.mark.parametrize("name", ["difference", "mtf", "encircled_energy", "spots", "through_focus", "focus_curves"])
+def test_each_draws_on_axes_of_ones_own_and_leaves_their_figure_as_it_is(name, psf):
+    figure, own = plt.subplots()
+    assert draw(psf)[name](own) is own
+    assert own.has_data()
+    assert (own.get_title(), figure.axes) == ("", [own])
+    assert "(" in own.get_xlabel()
+    assert "(" in own.get_ylabel()
+    with pytest.raises(TypeError, match="ax must be axes of matplotlib or None, got 3"):
+        draw(psf)[name](3)
+    assert name in dir(lm.show)
+
+
+@pytest.mark.parametrize("name", ["difference", "mtf", "encircled_energy", "spots", "through_focus", "focus_curves"])
+def test_each_says_in_a_line_how_to_get_matplotlib_where_it_is_missing(name, psf, monkeypatch):
+    for missing in ("matplotlib", "matplotlib.pyplot", "matplotlib.colors"):
+        monkeypatch.setitem(sys.modules, missing, None)
+    with pytest.raises(
+        ImportError, match=r'^plots need matplotlib: pip install matplotlib \(the extra "plot"'
+    ) as told:
+        draw(psf)[name](None)
+    assert "\n" not in str(told.value)
+
+
+def test_dark_styles_change_the_colour_of_what_is_written_and_of_lines_in_ink():
+    with plt.style.context("dark_background"):
+        curves = lm.show.focus_curves(lm.Pupil(), reach=1.0, planes=3)
+        field = lm.FieldMap.from_seidel(20.0, W131=1.0)
+        grid = field.grid(1, 2, sensor=(2, 4), shape=5, pixel=0.5).plot()
+    assert curves.get_lines()[0].get_color() == "white"
+    assert grid.get_lines()[0].get_color() == "white"

@@ -1,0 +1,208 @@
+"""What notebooks show: pictures that are what they say, in the colours of any page, at no cost, without raising."""
+
+from __future__ import annotations
+
+import base64
+import io
+import re
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import lommel as lm
+from lommel.show import notebook, png
+
+CAMERA = {"wavelength": 550e-9, "f_number": 4.0}
+WAVEFRONT = lm.Wavefront(1.0, nonradial={(3, 1): 1.5})
+ASKED = {"pixel": 0.5, "terms": [(3, 1)], "defocus": [-2.0, 2.0], "starts": 2}
+LENS = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+OBJECTIVE = lm.Objective(
+    NA=1.2, magnification=60, immersion=1.333, working_distance=0.28e-3, coverslip=lm.Layer(1.52, 170e-6), sample=1.36
+)
+
+
+class Told(HTMLParser):
+    """The words of a page and its pictures; fails where elements do not nest."""
+
+    def __init__(self, page: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.words: list[str] = []
+        self.pictures: list[np.ndarray] = []
+        self.feed(page)
+        self.close()
+        assert not self.open
+
+    def handle_starttag(self, tag, attrs):
+        if tag == "img":
+            data = dict(attrs)["src"].removeprefix("data:image/png;base64,")
+            self.pictures.append(np.asarray(Image.open(io.BytesIO(base64.b64decode(data)))))
+        elif tag != "br":
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+
+def told(thing) -> tuple[dict[str, str], list[np.ndarray], list[str]]:
+    page = thing._repr_html_()
+    assert not re.search(r"#[0-9a-f]{3}|white|black|rgb", re.sub(r"base64,[^\"]*", "", page))
+    found = Told(page)
+    names = found.words[2:] if found.pictures else found.words[3:]
+    return dict(zip(names[::2], names[1::2], strict=True)), found.pictures, found.words
+
+
+def things() -> dict[str, object]:
+    stack = lm.Wavefront(np.arange(6.0).reshape(2, 3))
+    stars = 3e4 * lm.psf(lm.Pupil(lm.Wavefront([-2.0, 2.0], nonradial={(3, 1): 1.5})), 17, 0.5).values
+    noise = lm.Noise(read=2.0)
+    return {
+        "PSF": lm.psf(lm.Pupil(WAVEFRONT, **CAMERA), 33, 1e-6),
+        "PSFs": lm.psf(lm.Pupil(stack), 9, 0.5),
+        "Pupil": lm.Pupil(WAVEFRONT, obscuration=0.3, spider=lm.Spider.equal(3, width=0.05), **CAMERA),
+        "Pupils": LENS.pupil([1.5, 2.0, 3.0]),
+        "Wavefront": WAVEFRONT,
+        "Wavefronts": stack,
+        "Lens": LENS,
+        "ObjectivePupil": OBJECTIVE.pupil(depth=1e-6, z=np.arange(3) * 1e-6, wavelength=520e-9),
+        "PSFGrid": lm.FieldMap.from_seidel(20.0, W131=1.0).grid(2, 3, sensor=(20, 30), shape=(9, 7), pixel=0.5),
+        "Retrieval": lm.retrieve(noise.record(stars, seed=1), lm.Pupil(), noise=noise, **ASKED),
+    }
+
+
+@pytest.fixture(scope="module")
+def shown() -> dict[str, object]:
+    return things()
+
+
+@pytest.mark.parametrize("name", ["PSF", "PSFs", "Pupil", "Pupils", "Wavefront", "Wavefronts", "Lens"])
+def test_things_are_shown_as_a_picture_and_a_table(name, shown):
+    rows, (picture,), words = told(shown[name])
+    assert words[0].startswith(name.removesuffix("s") if name != "Lens" else name)
+    assert rows
+    assert picture.shape[2] == 4
+    assert not any("Error" in word for word in words)
+
+
+@pytest.mark.parametrize("name", ["ObjectivePupil", "PSFGrid", "Retrieval"])
+def test_so_are_those_of_microscopes_of_the_field_and_what_was_found(name, shown):
+    rows, (picture,), words = told(shown[name])
+    assert words[0].startswith(name)
+    assert rows
+    assert np.ptp(picture[..., :3], axis=(0, 1)).all()
+
+
+def test_the_picture_of_a_psf_is_the_square_root_of_its_values(shown):
+    psf = shown["PSF"]
+    rows, (picture,), _ = told(psf)
+    shares = np.sqrt(np.maximum(psf.values, 0.0) / psf.values.max())
+    np.testing.assert_array_equal(picture, png.colored(shares, "light"))
+    assert (picture[..., 3] == 255).all()
+    assert rows["pixels"] == "33 × 33 of 1 µm, averaged over each pixel"
+    assert rows["largest value"] == f"{psf.values.max():.4g}"
+    assert rows["light in the window"] == f"{psf.values.sum(dtype=float):.4g}"
+    assert rows["error bound"] == f"{psf.error_bound:.2g} of the peak"
+    assert rows["pupil"] == "550 nm, f/4"
+
+
+def test_the_picture_of_a_pupil_is_shaded_where_no_light_passes(shown):
+    pupil = shown["Pupil"]
+    rows, (picture,), _ = told(pupil)
+    at = (np.arange(len(picture)) + 0.5) * (2.0 / len(picture)) - 1.0
+    clear = pupil.opening.margin(*np.meshgrid(at, at)) >= 0.0
+    np.testing.assert_array_equal(picture[..., 3] == 255, clear)
+    assert rows["coma x"] == f"{1.5 / np.sqrt(8) / (2 * np.pi):.3g} waves rms"
+    assert "rms" not in rows  # over what vanes leave that takes long
+    assert rows["aperture"] == "obscured to 0.3, spider"
+
+
+def test_numbers_are_said_in_units(shown):
+    rows, _, _ = told(LENS)
+    assert rows["focal length"] == "50 mm"
+    assert rows["focused at"] == "2 m"
+    assert told(shown["PSFs"])[0]["stack"] == "defocus 0 rad to defocus 5 rad"
+    assert told(shown["ObjectivePupil"])[0]["stage"] == "0 m to 2 µm"
+    assert told(shown["PSFGrid"])[0]["sensor"] == "20 λN × 30 λN"
+    found = shown["Retrieval"]
+    assert told(found)[0]["noll 8 coma x"].startswith(f"{found.coefficients[3, 1]:.4g} ± ")
+
+
+def test_what_cannot_be_told_is_told_why_and_nothing_is_raised():
+    near = lm.Lens(focal_length=50e-3, f_number=2.0, sensor_distance=40e-3, wavelength=550e-9)
+    _, pictures, words = told(near)
+    assert not pictures
+    assert words[1].startswith("object_distance must be given: no object is in focus")
+    # However long a text is, and whatever stands in it.
+    page = notebook._html("<b>", [("a & b", "<script>" * 99), ("x", lambda: 1 / 0)], lambda: "", "")
+    assert "<script>" not in page
+    assert "division by zero" in page
+    assert len(page) < 2000
+
+
+def test_of_what_is_large_a_part_is_looked_at(monkeypatch):
+    monkeypatch.setattr(notebook, "_MANY", 100)
+    monkeypatch.setattr(notebook, "_WINDOW", 8)
+    psf = lm.psf(lm.Pupil(lm.Wavefront(np.arange(9.0))), 33, 0.25)
+    rows, (picture,), _ = told(psf)
+    assert "light in the window" not in rows
+    assert rows["largest value, where looked at"] == f"{psf.values.max():.4g}"
+    assert picture.shape == (2 * 8 + 2, 2 * 8 + 2, 4)
+    off = lm.psf(lm.Pupil(lm.Wavefront(2.0)), 33, 0.25, center=(30, 3))
+    _, (picture,), _ = told(off)
+    shares = off.values[25:33, :8] / off.values[25:33, :8].max()
+    np.testing.assert_array_equal(picture, png.colored(np.sqrt(np.maximum(shares, 0.0)), "light"))
+
+
+@pytest.mark.parametrize(
+    "pupil",
+    [lm.Pupil(WAVEFRONT), lm.Pupil(WAVEFRONT, obscuration=0.5), lm.Pupil(WAVEFRONT, apodization=1.0)],
+    ids=["disc", "annulus", "Gaussian"],
+)
+def test_the_rms_is_that_over_the_aperture(pupil):
+    assert told(pupil)[0]["rms"] == f"{float(lm.rms(pupil, unit='waves')):.3g} waves"
+    assert told(WAVEFRONT)[0]["rms"] == f"{float(lm.rms(WAVEFRONT, unit='waves')):.3g} waves"
+
+
+def test_wavefronts_of_very_many_terms_are_drawn_coarser():
+    many = lm.Wavefront.zernike({(n, m): 0.01 for n in range(1, 21) for m in range(-n, n + 1, 2)})
+    rows, (picture,), _ = told(many)
+    assert 16 < len(picture) < 80
+    assert rows["and"] == "222 smaller terms"
+    assert rows["rms"] == f"{0.01 * np.sqrt(230.0) / (2.0 * np.pi):.3g} waves"
+
+
+def test_a_picture_is_a_png_that_others_read():
+    values = np.random.default_rng(0).random((5, 7))
+    values[1, 2], values[3, 4] = np.nan, np.inf
+    pixels = png.colored(values, "phase")
+    with Image.open(io.BytesIO(png.encoded(pixels))) as read:
+        assert read.mode == "RGBA"
+        np.testing.assert_array_equal(np.asarray(read), pixels)
+    assert 0 < pixels[1, 2, 3] < 255
+    assert pixels[3, 4, 3] == 0
+    np.testing.assert_array_equal(
+        png.colored(np.array([[0.0, 1.0]]), "light")[0, :, :3], [[0, 0, 4], [252, 253, 191]]
+    )
+
+
+def test_large_pictures_are_averaged_over_squares():
+    values = np.arange(24.0).reshape(4, 6)
+    np.testing.assert_array_equal(png.smaller(values, 3), [[3.5, 5.5, 7.5], [15.5, 17.5, 19.5]])
+    assert png.smaller(values, 6) is values
+    assert png.smaller(np.ones((1, 400)), 160).shape == (1, 133)
+
+
+def test_neither_matplotlib_nor_pillow_is_needed():
+    import subprocess
+    import sys
+
+    code = "import sys, lommel as lm\nfor name in ('matplotlib', 'PIL'): sys.modules[name] = None\n"
+    code += "p = lm.Pupil(lm.Wavefront(3.0))\n"
+    code += "print(all('<img' in x._repr_html_() for x in (p, p.wavefront, lm.psf(p, 9, 0.5))))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300)
+    assert done.stdout == "True\n"

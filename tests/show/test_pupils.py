@@ -1,0 +1,177 @@
+"""Pictures of pupils and wavefronts: what is drawn where, in which units."""
+
+from __future__ import annotations
+
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.show.pupils import across
+
+WAVEFRONT = lm.Wavefront(2.0, nonradial={(3, 1): 1.5})
+METRIC = {"wavelength": 500e-9, "f_number": 4.0}
+OIL = lm.Objective(
+    NA=1.4,
+    magnification=63,
+    immersion=1.518,
+    working_distance=0.19e-3,
+    coverslip=lm.Layer(1.5255, 170e-6),
+    sample=1.33,
+)
+
+
+def drawn(axes) -> np.ndarray:
+    (image,) = axes.get_images()
+    return np.ma.filled(image.get_array().astype(float), np.nan)
+
+
+def raster(values) -> tuple[np.ndarray, np.ndarray]:
+    at = (np.arange(values.shape[0]) + 0.5) * (2.0 / values.shape[0]) - 1.0
+    return np.meshgrid(at, at)
+
+
+@pytest.mark.parametrize(
+    ("unit", "radians"), [("waves", 2.0 * math.pi), ("radians", 1.0), ("nm", 2.0 * math.pi / 500.0)]
+)
+def test_the_phase_is_that_of_the_wavefront_less_its_mean_in_the_unit(unit, radians):
+    axes = lm.Pupil(WAVEFRONT, obscuration=0.4, **METRIC).plot(unit=unit)
+    values = drawn(axes)
+    x, y = raster(values)
+    rho = np.hypot(x, y)
+    clear = (rho <= 1.0) & (rho >= 0.4)
+    np.testing.assert_array_equal(np.isfinite(values), clear)
+    truth = WAVEFRONT.phase(rho[clear], np.arctan2(y, x)[clear])
+    np.testing.assert_allclose(radians * values[clear], truth - truth.mean(), atol=1e-10)
+    (image,) = axes.get_images()
+    assert image.get_extent() == [-1, 1, 1, -1]  # y rises downwards
+    assert image.norm.vmin == -image.norm.vmax == -np.nanmax(np.abs(values))
+    assert axes.figure.axes[1].get_ylabel() == f"phase, less its mean ({unit})"
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (pupil radii)", "y (pupil radii)")
+    spread = np.nanmax(values) - np.nanmin(values)
+    rms = lm.rms(lm.Pupil(WAVEFRONT, obscuration=0.4)) / radians
+    assert axes.get_title() == f"rms {rms:.3g} {unit}, peak to valley {spread:.3g} {unit}"
+    axes.figure.canvas.draw()
+
+
+def test_a_wavefront_is_drawn_over_the_full_disc_and_its_stack_on_one_scale():
+    values = drawn(WAVEFRONT.plot(unit="radians"))
+    x, y = raster(values)
+    np.testing.assert_array_equal(np.isfinite(values), np.hypot(x, y) <= 1.0)
+    stack = lm.Wavefront(np.array([[0.0, 1.0], [2.0, 3.0]]), spherical=1.0)
+    axes = stack.plot()
+    assert axes.shape == (2, 2)
+    assert [each.get_title() for each in axes.flat] == [f"defocus {k} rad" for k in range(4)]
+    tops = {each.get_images()[0].norm.vmax for each in axes.flat}
+    assert tops == {max(np.nanmax(np.abs(drawn(each))) for each in axes.flat)}
+    np.testing.assert_allclose(drawn(axes[1, 1]), across(lm.Pupil(stack[1, 1])).phase[0] / (2 * math.pi), atol=1e-12)
+
+
+def test_the_amplitude_is_that_of_apodization_and_mask_and_nothing_where_light_is_blocked():
+    rows, columns = np.mgrid[:8, :8]
+    mask = lm.Mask(0.25 + 0.5 * ((rows + columns) % 2))
+    pupil = lm.Pupil(apodization=0.5, mask=mask, spider=lm.Spider.equal(3, width=0.1), obscuration=0.2)
+    axes = pupil.plot(what="amplitude")
+    values = drawn(axes)
+    x, y = raster(values)
+    truth = np.abs(pupil.values(x, y))[0]
+    np.testing.assert_allclose(np.nan_to_num(values), truth, atol=1e-12)
+    np.testing.assert_array_equal(np.isnan(values), truth == 0.0)
+    assert axes.get_images()[0].get_clim() == (0.0, 1.0)
+    assert axes.get_title() == f"amplitude (1 = clear); {100 * pupil.transmission:.3g} % of a clear disc's light pass"
+
+
+def test_the_phase_through_layers_changes_with_the_focus_as_the_immersion_says():
+    z = np.array([-1e-6, 0.0, 1e-6])
+    pupil = OIL.pupil(depth=0.0, z=z, wavelength=520e-9)
+    axes = pupil.plot(unit="radians")
+    assert [each.get_title() for each in axes] == ["z -1 µm", "z 0 µm", "z 1 µm"]
+    up, flat, down = (drawn(each) for each in axes)
+    np.testing.assert_allclose(up - flat, flat - down, atol=1e-9, equal_nan=True)
+    x, y = raster(flat)
+    axial = np.sqrt(1.518**2 - np.minimum(1.4 * np.hypot(x, y), 1.4) ** 2) * 2.0 * math.pi / 520e-9 * 1e-6
+    moved = np.abs(down - flat)
+    clear = np.isfinite(flat)
+    np.testing.assert_allclose(moved[clear], np.abs(axial - axial[clear].mean())[clear], atol=1e-9)
+
+
+def test_light_beyond_the_critical_angle_fades_with_the_depth_and_a_circle_says_where():
+    pupil = OIL.pupil(depth=[0.0, 1e-6], z=0.0, wavelength=520e-9)
+    near, far = pupil.plot(what="amplitude")
+    assert [each.get_title() for each in (near, far)] == ["depth 0 µm", "depth 1 µm"]
+    x, y = raster(drawn(near))
+    below, beyond = np.hypot(x, y) < 0.94, (np.hypot(x, y) > 0.96) & (np.hypot(x, y) < 1.0)
+    np.testing.assert_allclose(drawn(near)[below], drawn(far)[below])
+    fades = np.exp(-np.sqrt(np.maximum((1.4 * np.hypot(x, y)) ** 2 - 1.33**2, 0.0)) * 2.0 * math.pi / 0.52)
+    np.testing.assert_allclose((np.nan_to_num(drawn(far)) / drawn(near))[beyond], fades[beyond], atol=1e-9)
+    (circle,) = near.get_lines()
+    np.testing.assert_allclose(np.hypot(*circle.get_data()), 1.33 / 1.4)
+
+
+def test_the_measured_wavefront_of_an_objective_is_added():
+    plain = OIL.pupil(depth=0.0, z=0.0, wavelength=520e-9)
+    coma = lm.Wavefront.zernike({(3, 1): 0.3})
+    with_it = OIL.pupil(depth=0.0, z=0.0, wavelength=520e-9, aberrations=coma)
+    added = across(with_it).phase[0] - across(plain).phase[0]
+    x, y = raster(added)
+    clear = np.isfinite(added)
+    truth = coma.phase(np.hypot(x, y)[clear], np.arctan2(y, x)[clear])
+    np.testing.assert_allclose(added[clear], truth - truth.mean(), atol=1e-9)
+
+
+def test_a_lens_says_how_far_away_its_objects_are(camera):
+    axes = camera.pupil([1.5, 2.0, math.inf]).plot()
+    assert [each.get_title() for each in axes] == ["object at 1.5 m", "object at 2 m", "object at ∞"]
+
+
+@pytest.mark.parametrize(
+    ("wavefront", "told"),
+    [
+        (lm.Wavefront.zernike({(3, -1): [0.1, 0.2]}, unit="waves"), ["coma y 0.1 waves rms", "coma y 0.2 waves rms"]),
+        (
+            lm.Wavefront.zernike({(4, 0): [0.1, 0.2]}, unit="waves"),
+            ["spherical 0.1 waves rms", "spherical 0.2 waves rms"],
+        ),
+        (lm.Wavefront(spherical=[-1.0, 2.0]), ["spherical -1 rad", "spherical 2 rad"]),
+        (lm.Wavefront([0.0, 1.0], [0.0, 1.0]), ["0", "1"]),
+        (lm.Wavefront([0.0, 1.0], nonradial={(3, 1): [0.0, 1.0]}), ["0", "1"]),
+    ],
+    ids=str,
+)
+def test_what_alone_differs_in_a_stack_is_its_title(wavefront, told):
+    assert [axes.get_title() for axes in wavefront.plot()] == told
+
+
+def test_axes_of_ones_own_get_neither_title_nor_bar():
+    figure, axes = plt.subplots()
+    assert WAVEFRONT.plot(axes) is axes
+    assert lm.Pupil().plot(axes, what="amplitude") is axes
+    assert (axes.get_title(), figure.axes) == ("", [axes])
+    with pytest.raises(ValueError, match="ax must be None for a stack"):
+        lm.Wavefront(np.zeros(2)).plot(axes)
+    with pytest.raises(TypeError, match="ax must be axes of matplotlib or None, got 'axes'"):
+        lm.Pupil().plot("axes")
+
+
+def test_what_cannot_be_drawn_is_refused():
+    with pytest.raises(ValueError, match="what must be one of 'phase', 'amplitude', got 'psf'"):
+        lm.Pupil().plot(what="psf")
+    with pytest.raises(ValueError, match="unit must be one of 'waves', 'radians', got 'nm'"):
+        WAVEFRONT.plot(unit="nm")
+    with pytest.raises(ValueError, match='unit="nm" needs a pupil with a wavelength'):
+        lm.Pupil().plot(unit="nm")
+    with pytest.raises(ValueError, match=r"at most 64 can be drawn, got a stack of shape \(65,\)"):
+        lm.Pupil(lm.Wavefront(np.arange(65.0))).plot()
+
+
+@pytest.mark.parametrize("draw", [WAVEFRONT.plot, lm.Pupil().plot, lm.Wavefront(np.arange(3.0)).plot])
+def test_without_matplotlib_it_is_said_how_to_get_it(draw, monkeypatch):
+    for name in ("matplotlib", "matplotlib.pyplot", "matplotlib.colors"):
+        monkeypatch.setitem(__import__("sys").modules, name, None)
+    with pytest.raises(
+        ImportError, match=r'plots need matplotlib: pip install matplotlib \(the extra "plot"'
+    ) as told:
+        draw()
+    assert "\n" not in str(told.value)

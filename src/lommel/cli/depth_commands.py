@@ -18,9 +18,9 @@ from lommel.cli.parts import (
     instrument_of,
     one_line_errors,
     print_json,
-    progress,
     save_figure,
 )
+from lommel.cli.progress import progress
 
 if TYPE_CHECKING:
     from lommel.imaging.defocus.depth import DefocusDepth
@@ -141,6 +141,7 @@ def depth(
         kinds = {(one.values.dtype, one.encoding) for one in pictures}
         if len(kinds) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding, or convert some")
+        started("preparing the blur of every distance")
         start = time.perf_counter()
         found = depth_from_defocus(
             [one.values for one in pictures],
@@ -149,7 +150,7 @@ def depth(
             encoding=pictures[0].encoding,
             noise=Noise(white=white, read=read, offset=offset),
             exposures=exposures or None,
-            progress=lambda done, tiles: started(f"tile {done} of {tiles}"),
+            progress=lambda done, tiles: started(f"tile {done} of {tiles}", done / tiles),
             **options,
         )
         seconds = time.perf_counter() - start

@@ -28,10 +28,10 @@ try:
         instrument_of,
         one_line_errors,
         print_json,
-        progress,
         save_figure,
     )
     from lommel.cli.photo_commands import blur, focus_pull
+    from lommel.cli.progress import progress
     from lommel.cli.restore_command import restore
     from lommel.cli.retrieve_command import retrieve
 except ImportError as missing:  # pragma: no cover

@@ -1,4 +1,4 @@
-"""What the commands share: lengths with units, one-line errors, progress on standard error, JSON."""
+"""What the commands share: lengths with units, one-line errors, JSON."""
 
 from __future__ import annotations
 
@@ -8,14 +8,11 @@ import json
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
-from rich.console import Console
-from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
@@ -116,27 +113,6 @@ def _with_options(message: str) -> str:
     return re.sub(
         r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
     )
-
-
-@contextmanager
-def progress(description: str, total: int | None = None) -> Iterator[Callable[[str], None]]:
-    """Show a bar on standard error, if that is a terminal; yields what announces each step."""
-    columns = [SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()]
-    console = Console(stderr=True)
-    if not console.is_terminal:
-        # Not even an end of line, which a bar that is disabled may leave.
-        yield lambda _: None
-        return
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task(description, total=total)
-        count = 0
-
-        def started(name: str) -> None:
-            nonlocal count
-            bar.update(task, description=name, completed=count)
-            count += 1
-
-        yield started
 
 
 def print_json(data: dict[str, Any]) -> None:

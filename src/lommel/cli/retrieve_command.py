@@ -16,9 +16,9 @@ from lommel.cli.parts import (
     instrument_of,
     one_line_errors,
     print_json,
-    progress,
     save_figure,
 )
+from lommel.cli.progress import progress
 
 if TYPE_CHECKING:
     from lommel.estimation.retrieval import Retrieval
@@ -128,9 +128,11 @@ def retrieve(
         figure_format(figure)
     instrument = instrument_of(lens, **changes)
     noise = Noise(white=white, read=read, offset=offset)
-    with progress("fitting"):
+    with progress("reading") as started:
+        stars = read_images(_files(images))
+        started("fitting")
         found = fit(
-            read_images(_files(images)),
+            stars,
             instrument.pupil(),
             pixel=instrument.pixel,
             noise=noise,
@@ -141,6 +143,9 @@ def retrieve(
             integrate=instrument.integrate,
             starts=starts,
             seed=seed,
+            progress=lambda share, chi2: started(
+                f"start {int(starts * share) + 1} of at most {starts}, chi2 {chi2:.3g}", share
+            ),
         )
     if output is not None:
         found.save(output)

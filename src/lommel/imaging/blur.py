@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple, Unpack
 
 import numpy as np
@@ -19,6 +19,8 @@ from lommel.imaging.sensor_light import SensorLight
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.imaging.whole.beyond import Beyond
 from lommel.optics.lens import Lens
+
+_BAND = 2**17  # points that are spread in one go where somebody watches
 
 
 class Points(NamedTuple):
@@ -74,6 +76,9 @@ class DepthBlur(LinearBlur):
     TypeError, ValueError
         If an argument is out of range; if the blur exceeds `largest`.
     """
+
+    watch: Callable[[int], object] | None = None
+    """Called with a number of points each time that so many have been spread, if it is set; see `_bands`."""
 
     # Where the points are in the banks, of the defocus and for the banks that come first.
     _placed: tuple[NDArray[np.float64], tuple[Bank, ...], tuple[NDArray[np.float64], ...]] | None = None
@@ -248,11 +253,14 @@ class DepthBlur(LinearBlur):
         rows, columns, around = self._room(channel)
         room = np.zeros([side + sum(more) for side, more in zip(self.shape, around, strict=True)], dtype=self.dtype)
         shown = self._shown(seen, around)
+        used = bank or self.banks[channel]
         for plane, points in sources:
-            where = points.positions, rows, columns
-            engine.spread(
-                *_parts(bank or self.banks[channel]), *where, plane, self.threads, room, points.layers, shown, slopes
-            )
+            for band, rim in self._bands(rows, used.half):
+                where = points.positions, rows[band], columns
+                limits = points.layers, None if shown is None else shown[rim]
+                engine.spread(*_parts(used), *where, plane, self.threads, room[rim], *limits, slopes)
+                if self.watch is not None:
+                    self.watch(int(np.count_nonzero(points.positions[rows[band]] >= 0.0)))
         if self.border == "reflect":  # The mirrored image sends in what leaves this one.
             return folded(folded(room, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
         (top, _), (left, _) = around
@@ -301,6 +309,13 @@ class DepthBlur(LinearBlur):
         margin = bank.half if self.border == "extend" else 0
         rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in self.shape)
         return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
+
+    def _bands(self, rows: NDArray[np.int64], half: int) -> Iterator[tuple[slice, slice]]:
+        """Yield rows that are spread together, all unless somebody watches, and the rows that they reach."""
+        height = len(rows) if self.watch is None else max(_BAND // self.shape[1], 8 * half, 64)
+        for first in range(0, len(rows), height):
+            last = min(first + height, len(rows))
+            yield slice(first, last), slice(first, last + 2 * half)
 
     def _shown(self, seen: NDArray[Any] | None, around: list[tuple[int, int]]) -> NDArray[Any] | None:
         """Return what pixels see, with the room around them."""

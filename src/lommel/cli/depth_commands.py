@@ -180,6 +180,8 @@ def _each(lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[floa
     for name, given in (("--focus", foci), ("--f-number", f_numbers)):
         if len(given) not in (0, 1, count):
             raise ValueError(f"{name} must be given once, or for each of {count} photos, got {len(given)}")
+    if count < 2:
+        raise ValueError("PHOTOS must be two or more: one does not tell blur from soft texture; got 1")
     lenses = [lens] * count
     if f_numbers:
         lenses = [one.stopped(stop) for one, stop in zip(lenses, f_numbers * (count // len(f_numbers)), strict=True)]

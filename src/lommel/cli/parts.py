@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
+from click.core import ParameterSource
 
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
@@ -95,24 +96,41 @@ def _told(error: Exception) -> str:
     )
 
 
+# What the library calls otherwise than the command line does.
+_CALLED = {"scale": "--depth-scale", "zero_is_unknown": "--zero-unknown"}
+# A method with its options in brackets, which stays; then what only names look like: "`missing`", "largest=",
+# "tol=1e-9", "f_number", but what was given as --set tol=1 or stands in quotes.
+_NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<!')\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
+
+
 def _with_options(message: str) -> str:
     """Return what the library says, with the options of the running command for its arguments and methods."""
     context = click.get_current_context(silent=True)
-    options = {name for part in (context.command.params if context else ()) for name in part.opts}
+    options = {part.name: max(part.opts, key=len) for part in _options(context)}
+    options |= {word: option for word, option in _CALLED.items() if option in options.values()}
     names = {kind.__name__: name for name, kind in METHODS.items()}
+    of_methods = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
 
     def told(found: re.Match[str]) -> str:
         quoted, name, equals, value = found.groups()
-        option = "--" + (quoted or name).replace("_", "-")
-        if option not in options or not (quoted or equals or "_" in name):
-            return found[0]
-        return option + (" " if equals and value else "")
+        word = quoted or name
+        if word in options and (quoted or equals or "_" in word):
+            return str(options[word]) + (" " if equals and value else "")
+        if equals and value and word in of_methods and "settings" in options:
+            return f"--set {found[0]}"
+        return found[0]
 
-    # What only names look like: "`missing`", "largest=", "tol=1e-9", "f_number"; not what was given as --set tol=1.
-    message = re.sub(r"`([a-z_]+)`|(?<!--set )\b([a-z][a-z_]*)(=)?(?=([\w'\"])?)", told, message)
+    first = message.partition(" must ")[0]
+    if context and first in options and context.get_parameter_source(first) is ParameterSource.COMMANDLINE:
+        message = options[first] + message.removeprefix(first)
+    message = _NAMED.sub(told, message)
     return re.sub(
         r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
     )
+
+
+def _options(context: click.Context | None) -> list[click.Option]:
+    return [part for part in (context.command.params if context else ()) if isinstance(part, click.Option)]
 
 
 def print_json(data: dict[str, Any]) -> None:

@@ -80,7 +80,7 @@ def _is_number(word: str) -> bool:
 @click.option("--pixel", type=Length(), help='Pixel pitch, instead of the lens file\'s: "3.45 um".')
 @click.option("--object-distance", type=Length(), help='Instead of the file\'s: "1.5 m", "inf".')
 @click.option("--starts", type=int, default=20, show_default=True, help="So often is begun anew where nothing fits.")
-@click.option("--seed", type=int, default=0, show_default=True, help="Of these.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of these.")
 @click.option("--unit", type=click.Choice(_UNITS), default="radians", show_default=True, help="Of what is printed.")
 @click.option("-o", "--output", type=FILE, help="The wavefront, in Noll's terms: .json, .toml or .csv.")
 @click.option("--plot", "figure", type=FILE, help="Images, model, residual and terms: .png, .pdf, .svg.")

@@ -276,6 +276,16 @@ def print_comparison(
     console.print(f"model: {instrument.lens.model}; {model_in_words(other)}")
 
 
+def print_examples(rows: list[dict[str, Any]]) -> None:
+    """Print the rows of ``lommel examples``."""
+    table = Table(box=None, pad_edge=False)
+    for name in ("name", "kind", "what it is"):
+        table.add_column(name, no_wrap=name != "what it is")
+    for row in rows:
+        table.add_row(row["name"], row["kind"], row["what"])
+    console_of().print(table)
+
+
 def print_methods(rows: list[dict[str, Any]]) -> None:
     """Print the rows of ``lommel methods``."""
     table = Table(box=None, pad_edge=False, show_lines=False)

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.deprecation import reordered
 from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
@@ -49,10 +50,10 @@ class DepthBlur(LinearBlur):
 
     Parameters
     ----------
-    lens : Lens
-        Its aberrations must be radially symmetric.
     depth : array_like, shape (height, width)
         Distance of each point from the lens, metres, positive; may be infinite.
+    lens : Lens
+        Its aberrations must be radially symmetric.
     pixel : float
         Pixel pitch, metres.
     channels : sequence, default (lens.wavelength,)
@@ -83,16 +84,17 @@ class DepthBlur(LinearBlur):
     # Where the points are in the banks, of the defocus and for the banks that come first.
     _placed: tuple[NDArray[np.float64], tuple[Bank, ...], tuple[NDArray[np.float64], ...]] | None = None
 
+    @reordered(since="0.1", until="0.3", was=lambda first: isinstance(first, Lens))
     def __init__(
         self,
-        lens: Lens,
         depth: ArrayLike,
+        lens: Lens,
         pixel: float,
         *,
         channels: Sequence[Spectrum] | None = None,
         **options: Unpack[BlurKeywords],
     ) -> None:
-        require_lens(lens, "lens, depth, pixel")
+        require_lens(lens, "depth, lens, pixel")
         if not lens.aberrations.radial or lens.aberrations.shape != ():
             raise ValueError("lens must have radially symmetric aberrations, and one set of them")
         if lens.spider or lens.vignetting or lens.mask:

@@ -193,5 +193,5 @@ def test_arguments_in_the_wrong_order_are_told_in_one_line(way):
     for order in ((LENS, image, image, 8e-6), (image, LENS, image, 8e-6), (image, image, 8e-6, LENS)):
         with pytest.raises(TypeError, match=r"lens must be a Lens, got \w+; the order is image, depth, lens, pixel$"):
             way(*order, encoding="linear")
-    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is lens, depth, pixel$"):
-        DepthBlur(LENS, image, 8e-6)
+    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is depth, lens, pixel$"):
+        DepthBlur(8e-6, image, LENS)

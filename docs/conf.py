@@ -16,10 +16,12 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 import check  # noqa: E402
+import command_options  # noqa: E402
 import rooms  # noqa: E402
 
-# The pictures of how the code is organised, and the live page, which `make page` made.
+# How the code is organised, in pictures; the options of every command; and the live page, which `make page` made.
 rooms.write(HERE / "_generated")
+command_options.write(HERE / "_generated")
 (HERE / "_generated" / "live").mkdir(exist_ok=True)
 shutil.copy(module.path(), HERE / "_generated" / "live")
 

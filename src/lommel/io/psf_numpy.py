@@ -44,7 +44,8 @@ def npz(psf: Answer, description: dict[str, Any]) -> bytes:
     """Return an archive of the values, the derivatives and the description."""
     arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
     said = np.array(_text(description, arrays))
-    return atomic.contents(np.savez_compressed, allow_pickle=False, description=said, **arrays)
+    # Without allow_pickle, which NumPy 2.0 takes for the name of an array.
+    return atomic.contents(np.savez_compressed, description=said, **arrays)
 
 
 def read_npz(data: bytes) -> tuple[dict[str, Any], str]:

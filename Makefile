@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf photo test fuzz lowest mutants sanitize bench peers docs page lint types format lock wheel clean FORCE
+.PHONY: help env build psf photo test fuzz lowest mutants sanitize bench peers docs page lint types format lock wheel sdist clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -263,6 +263,10 @@ lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 wheel: page ## build a wheel in dist
 	@$(find_uv)
 	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --wheel --no-build-isolation --python .venv/bin/python --out-dir dist
+
+sdist: page ## pack the sources, with the live page, in dist
+	@$(find_uv)
+	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --sdist --no-build-isolation --python .venv/bin/python --out-dir dist
 
 clean: ## remove all that make made
 	@rm -rf .venv .tools build dist requirements.lock.new docs/requirements.lock.new web/requirements.lock.new

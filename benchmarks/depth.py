@@ -36,7 +36,7 @@ def scene() -> tuple[NDArray[np.float32], NDArray[np.float64]]:
 
 
 def _made() -> DepthBlur:
-    return DepthBlur(_LENS, scene()[1], PIXEL, channels=RED_GREEN_BLUE, tol=TOL, threads=_THREADS)
+    return DepthBlur(scene()[1], _LENS, PIXEL, channels=RED_GREEN_BLUE, tol=TOL, threads=_THREADS)
 
 
 @lru_cache(maxsize=1)
@@ -166,7 +166,7 @@ def occluded(settings: Settings) -> Measured:
     """Measure a blur in which points hide one another, what hides what being known: the worst of several scenes."""
     light, found = np.ascontiguousarray(scene()[0][..., 1]), {}
     for name, depth in _depths().items():
-        blur = DepthBlur(_LENS, depth, PIXEL, tol=TOL, threads=_THREADS)
+        blur = DepthBlur(depth, _LENS, PIXEL, tol=TOL, threads=_THREADS)
         operator = Occlusion(blur)
         operator.forward(light)
         mine = Contender("occluded", lambda _, made=operator: made.forward(light), "Occlusion(blur).forward(light)")
@@ -201,7 +201,7 @@ def focus_pull(settings: Settings) -> Measured:
 def whole(settings: Settings) -> Measured:
     """Measure the blur of which nothing is lost against one that holds 98 % of the light."""
     image, blur = scene()[0], _ready()
-    made = DepthBlur(_LENS, scene()[1], PIXEL, channels=RED_GREEN_BLUE, tol=TOL, threads=_THREADS, energy=1.0)
+    made = DepthBlur(scene()[1], _LENS, PIXEL, channels=RED_GREEN_BLUE, tol=TOL, threads=_THREADS, energy=1.0)
     mine = Contender("whole", lambda _: made.forward(image), "DepthBlur(energy=1).forward(image)")
     other = Contender("cut", lambda _: blur.forward(image), "DepthBlur(energy=0.98).forward(image)")
     result = race([mine, other], settings.rounds)
@@ -221,7 +221,7 @@ def _error_of_whole(f_number: float) -> tuple[float, float]:
     lens = lm.Lens(focal_length=35e-3, f_number=f_number, focus_distance=2.2, wavelength=540e-9)
     rng = np.random.default_rng(0)
     image, depth, pixel, half = rng.random(_SMALL), rng.uniform(2.0, 5.0, _SMALL), 6e-6, 128
-    blur = DepthBlur(lens, depth, pixel, energy=1.0, largest=64)
+    blur = DepthBlur(depth, lens, pixel, energy=1.0, largest=64)
     total: Any = 0.0
     for y in range(_SMALL[0]):
         psfs = lm.psf(lens.pupil(depth[y]), 2 * half + 1, pixel, integrate=True, dtype=np.float64).values

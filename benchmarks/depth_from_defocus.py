@@ -69,7 +69,7 @@ def slanted(side: int, f_number: float = 2.8, seed: int = 0) -> tuple[list[Array
     scene = texture(side, seed)
     out = []
     for k, lens in enumerate(pair(f_number)):
-        blur = lm.imaging.DepthBlur(lens, depth, PIXEL, energy=0.998, largest=side)
+        blur = lm.imaging.DepthBlur(depth, lens, PIXEL, energy=0.998, largest=side)
         light = blur.forward(scene.astype(np.float32))
         out.append(NOISE.record(ELECTRONS * np.maximum(light, 0.0), seed=7 + k))
     return out, depth, scene

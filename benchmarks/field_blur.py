@@ -53,7 +53,7 @@ def by_depth(half: int, pixel: float, energy: float) -> DepthBlur:
     for defocus in np.geomspace(0.1, 300.0, 80):  # of an object in front of what is in focus
         distance = float(1.0 / (1.0 / 2.0 + defocus / (LENS.defocus(1.0) - LENS.defocus(np.inf)).item()))
         depth = np.full(SHAPE, distance)
-        blur = DepthBlur(LENS, depth, pixel, energy=energy, threads=1, largest=512)
+        blur = DepthBlur(depth, LENS, pixel, energy=energy, threads=1, largest=512)
         if blur.banks[0].halves.max() >= half - 0.5:
             return blur
     raise ArithmeticError(f"no defocus makes windows of half {half}")

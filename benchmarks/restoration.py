@@ -59,7 +59,7 @@ class Scene(NamedTuple):
 
     def photograph(self, occlusion: bool, seed: int) -> Array:
         """Return the crop as a sensor records it."""
-        blur = DepthBlur(self.lens, self.depth, PIXEL, energy=0.995, dtype=np.float64, threads=1)
+        blur = DepthBlur(self.depth, self.lens, PIXEL, energy=0.995, dtype=np.float64, threads=1)
         seen = (Occlusion(blur) if occlusion else blur).forward(self.light)
         return NOISE.record(np.maximum(WHITE * seen, 0.0), seed)[CROP]
 
@@ -102,7 +102,7 @@ def average(blur: DepthBlur) -> Array:
 
 def operator(scene: Scene, occlusion: bool, kind: str = "exact", scale: float = 1.0) -> LinearBlur:
     """Return the blur of the crop, of depths times a scale."""
-    blur = imitated(DepthBlur(scene.lens, scale * scene.depth[CROP], PIXEL, threads=1), kind)
+    blur = imitated(DepthBlur(scale * scene.depth[CROP], scene.lens, PIXEL, threads=1), kind)
     # One PSF for all hides nothing.
     return Occlusion(blur) if occlusion and kind != "one average" else blur
 
@@ -116,7 +116,7 @@ def pictures(scene: Scene, occlusion: bool, seeds: range) -> Iterator[str]:
     for kind in PSFS:
         blur = operator(scene, occlusion, kind)
         for name, method in METHODS.items():
-            found = [restore_with(blur, y, NOISE, method=method) for y in photos]
+            found = [restore_with(y, blur, NOISE, method=method) for y in photos]
             quality = f"{_mean(psnr(f.light, truth) for f in found)} | {_mean(f.discrepancy for f in found)}"
             yield f"| {light} | {kind} | {name} | {quality} | {found[0].stopped.split(':')[0]}, {found[0].steps} |"
 
@@ -144,7 +144,7 @@ def odd(scene: Scene) -> Iterator[str]:
     photo = scene.photograph(True, 1)
     for scale in (0.95, 0.98, 1.02, 1.05):
         for name, method in METHODS.items():
-            found = restore_with(operator(scene, True, scale=scale), photo, NOISE, method=method)
+            found = restore_with(photo, operator(scene, True, scale=scale), NOISE, method=method)
             quality = f"{found.discrepancy:.2f} | {psnr(found.light, truth):.2f}"
             yield f"| depth x {scale} | {name} | {quality} | {found.stopped} |"
     holes = photo.copy()
@@ -152,7 +152,7 @@ def odd(scene: Scene) -> Iterator[str]:
     for said, image in (("black", 0.0 * photo), ("a third is saturated", photo), ("a hole of 30 x 50", holes)):
         limit = float(np.quantile(photo, 2 / 3)) if "third" in said else np.inf
         for name, method in METHODS.items():
-            found = restore_with(operator(scene, True), image, NOISE, method=method, saturation=limit)
+            found = restore_with(image, operator(scene, True), NOISE, method=method, saturation=limit)
             finite = "finite" if np.isfinite(found.light).all() else "NOT FINITE"
             yield f"| {said} | {name} | {found.discrepancy:.2f} | {finite} | {found.stopped} |"
 
@@ -164,7 +164,7 @@ def cost(scene: Scene, rounds: int) -> Iterator[str]:
     image = np.clip(scene.light, 0.02, 1.0).astype(np.float32)
     psf = np.full((27, 27), 1.0 / 27**2, np.float32)
     steps, method = 8, RichardsonLucy(steps=8, target=0.0)
-    blur = DepthBlur(scene.lens, scene.depth, PIXEL, threads=1)
+    blur = DepthBlur(scene.depth, scene.lens, PIXEL, threads=1)
     largest = 2 * blur.banks[0].half + 1
     for name, one in (("DepthBlur", blur), ("Occlusion", Occlusion(blur))):
         observed = Observed.of(one, image, NOISE)
@@ -209,7 +209,7 @@ def main() -> None:
             yield from pictures(scene, occlusion, range(1, given.seeds + 1))
 
     def best() -> Iterator[str]:
-        psf = average(DepthBlur(scene.lens, scene.depth[CROP], PIXEL, threads=1))
+        psf = average(DepthBlur(scene.depth[CROP], scene.lens, PIXEL, threads=1))
         for occlusion in (False, True):
             photo = scene.photograph(occlusion, 1)
             found, steps, default = peer(photo, scene.light[CROP], psf, given.most)

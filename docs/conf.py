@@ -16,12 +16,15 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
 import check  # noqa: E402
+import command_options  # noqa: E402
 import drawn  # noqa: E402
 import rooms  # noqa: E402
 
-# The pictures of how the code is organised, those of a page, and the live page, which `make page` made.
+# How the code is organised, in pictures, and those of a page; the options of every command; and the live page, which
+# `make page` made.
 rooms.write(HERE / "_generated")
 drawn.write(HERE / "_generated" / "pictures")
+command_options.write(HERE / "_generated")
 (HERE / "_generated" / "live").mkdir(exist_ok=True)
 shutil.copy(module.path(), HERE / "_generated" / "live")
 

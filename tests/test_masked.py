@@ -80,8 +80,8 @@ def test_a_masked_array_that_masks_nothing_is_an_array():
         ("depth", lambda: imaging.depth_of_field(PLAIN, 4 * SQUARE, LENS, 8e-6, encoding="linear")),
         ("image", lambda: imaging.depth_of_field_by_tiles(SQUARE, PLAIN, LENS, 8e-6, encoding="linear")),
         ("depth", lambda: imaging.depth_of_field_by_tiles(PLAIN, 4 * SQUARE, LENS, 8e-6, encoding="linear")),
-        ("depth", lambda: imaging.DepthBlur(LENS, 4 * SQUARE, 8e-6)),
-        ("image", lambda: imaging.DepthBlur(LENS, 4 * PLAIN, 8e-6).forward(SQUARE)),
+        ("depth", lambda: imaging.DepthBlur(4 * SQUARE, LENS, 8e-6)),
+        ("image", lambda: imaging.DepthBlur(4 * PLAIN, LENS, 8e-6).forward(SQUARE)),
     ],
 )
 def test_everything_else_refuses_what_is_masked_by_name(name, call):

@@ -100,6 +100,21 @@ def test_a_stack_is_as_long_as_its_first_axis_and_a_single_image_has_no_length()
     assert stack[0, 0]
 
 
+def test_so_is_a_stack_of_pupils_and_of_wavefronts():
+    pupils = lm.Pupil(lm.Wavefront(np.zeros((2, 3))))
+    for stack, name in ((pupils, "pupil"), (pupils.wavefront, "wavefront")):
+        assert (len(stack), len(stack[0])) == (2, 3)
+        assert len(list(stack)) == 2
+        with pytest.raises(TypeError, match=f"a single {name} has no length"):
+            len(stack[0, 0])
+        assert stack[0, 0]
+
+
+def test_arguments_in_another_order_are_told_in_a_short_line():
+    with pytest.raises(TypeError, match=r"^pupil must be a Pupil, got 9$"):
+        lm.psf(9, lm.Pupil(), 0.5)
+
+
 def test_a_single_image_cannot_be_indexed():
     with pytest.raises(TypeError, match="single"):
         lm.psf(lm.Pupil(), 3, 0.5)[0]

@@ -112,6 +112,7 @@ def psf(
     """
     if out is not None and dtype is None:
         dtype = wanted.array("out", out).dtype
+    imaged(pupil)  # first, for whoever mixes up the order
     prepared = Plan(
         shape,
         pixel,

@@ -12,7 +12,7 @@ import pytest
 
 import lommel
 from lommel.base import deprecation
-from lommel.base.deprecation import deprecate
+from lommel.base.deprecation import deprecate, reordered
 
 WHEN = {"since": "0.2", "until": "0.4"}
 
@@ -101,3 +101,28 @@ def test_the_changelog_is_about_the_version_of_the_package():
         if line.startswith("## ")
     )
     assert first.split()[1].rstrip(",") == version("lommel")
+
+
+def test_the_old_order_of_two_arguments_is_taken_and_warned_of(debts):
+    @reordered(**WHEN, was=lambda first: isinstance(first, str))
+    def paint(number, name, where=0):
+        """Paint."""
+        return number, name, where
+
+    class Painter:
+        @reordered(**WHEN, was=lambda first: isinstance(first, str))
+        def __init__(self, number, name, where=0):
+            self.made = number, name, where
+
+    said = r"\(name, number, \.\.\.\) is deprecated since lommel 0\.2 .* 0\.4; the order is number, name, where"
+    for call in (paint, lambda *given, **named: Painter(*given, **named).made):
+        assert (
+            call(1, "red", 2) == call(1, name="red", where=2) == call(number=1, name="red", where=2) == (1, "red", 2)
+        )
+        with pytest.warns(DeprecationWarning, match=said) as seen:
+            assert call("red", 1, 2) == (1, "red", 2)
+        assert seen[0].filename == __file__
+        with pytest.warns(DeprecationWarning, match=said):
+            assert call("red", number=1, where=2) == (1, "red", 2)
+    assert due("0.3") == []
+    assert len(due("0.4")) == 2

@@ -84,7 +84,7 @@ def test_photos_that_do_not_fit_are_told(folder, call_lommel):
     ("words", "said"),
     [
         (["near.tif", "lens.toml", *FOCI], "--focus must be given once, or for each of 1 photos, got 2"),
-        (["near.tif", "lens.toml"], "lenses must be two or more"),
+        (["near.tif", "lens.toml"], "PHOTOS must be two or more"),
         (["near.tif", "far.tif", "lens.toml", *FOCI, "-o", "depth.png"], "--output must end in .npy, .pfm, .tif"),
         (["near.tif", "far.tif", "lens.toml", *FOCI, *["-o", "a.tif"] * 3], "--output must be the depth and its"),
         (["near.tif", "far.tif", "lens.toml", *FOCI, "--sharp", "a.gif"], "--sharp must end in .png"),

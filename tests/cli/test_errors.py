@@ -55,7 +55,7 @@ BAD = [
     ("psf infinite.toml", "aberrations.zernike.terms.8 (line 14): the coefficient must be finite, got inf"),
     ("info absent.toml", "'nowhere.csv' cannot be read: No such file or directory"),
     ("psf coma.toml -m hankel -o a.tif", "Hankel supports radially symmetric pupils only"),
-    ("psf {phone} --shape 0", "shape must be from 1 to 16384, got 0"),
+    ("psf {phone} --shape 0", "Error: --shape must be from 1 to 16384, got 0"),
     ("psf {phone} --shape 64by64", "'64by64' is not a size; write 65 or 64x128"),
     ("psf {phone} --shape 5x5x5", "'5x5x5' is not a size; write 65 or 64x128"),
     ("psf {phone} --shape=", "shape"),
@@ -68,8 +68,8 @@ BAD = [
     ("info {phone} --object-distance far", "'far' is not a length; write for example"),
     ("compare {phone} --object-distance 0", "--object-distance must be > 0 metres, got 0"),
     ("psf {phone} --tol small", "'small' is not a valid float"),
-    ("psf {phone} --tol nan", "tol must be finite, got nan"),
-    ("psf {phone} --tol 1e-20", "tol must be >= 1e-12 and < 0.1, got 1e-20"),
+    ("psf {phone} --tol nan", "Error: --tol must be finite, got nan"),
+    ("psf {phone} --tol 1e-20", "Error: --tol must be >= 1e-12 and < 0.1, got 1e-20"),
     ("psf {phone} -m geometric --tol 1e-3", "--tol 0.001 must be left out for Geometric, which has no tolerance"),
     ("psf {phone} -m geometric --set tol=1e-3", "geometric has no option 'tol'; its options are rings"),
     ("psf {phone} -m hankel --set tol=1e-9 --tol 1e-8", "tol is given twice, by --tol and by --set"),
@@ -80,7 +80,11 @@ BAD = [
     ("psf {phone} -m closed-form --set erf=exact", "erf must be one of abramowitz, table, fresnel"),
     ("psf {phone} -m closed-form --set erf=abramowitz:x", "terms must be an integer, got 'x'"),
     ("psf {phone} -m closed-form --set erf=fresnel:3", "erf"),
-    ("psf {phone} -m closed-form --set tangent=", "tangent must be a real number, got ''"),
+    ("psf {phone} -m closed-form --set tangent=", "Error: --set tangent must be a real number, got ''"),
+    ("psf {phone} --object-distance 5mm -m matrix-fourier", "need at least --set samples="),
+    ("psf {phone} --pixel 0.1m", "Error: --pixel 0.1 with --shape ("),
+    ("retrieve {phone} {phone} --read -1", "Error: --read must be finite and >= 0, got -1.0"),
+    ("depth {phone} {phone} --between 1m 2m --white 9 --read 1", "Error: PHOTOS must be two or more"),
     ("psf {phone} -m closed-form --set variant=new", "variant must be one of 'corrected', 'printed', got 'new'"),
     ("psf {phone} -m huygens-fresnel --set nodes=64", "nodes must be (radial, azimuthal), got 64"),
     ("psf {phone} --normalize area", "'area' is not one of 'energy', 'emitted', 'strehl', 'peak'"),
@@ -155,6 +159,12 @@ def test_an_error_names_the_options_of_the_command_and_not_the_arguments_of_pyth
     np.save(folder / "near.npy", np.full((20, 20), 0.3))
     photo = ("blur", "photo.png", "gaps.npy", lenses["nifty-fifty"], "-o", "a.png")
     refused(call_lommel(*photo, folder=folder), "say what is there by --missing")
+    np.save(folder / "zeros.npy", np.pad(np.full((20, 19), 1.9), ((0, 0), (1, 0))))
+    refused(call_lommel(*photo[:2], "zeros.npy", *photo[3:], folder=folder), "unknown, say so by --zero-unknown")
+    Image.fromarray(np.full((20, 20), 1900, np.uint16)).save(folder / "levels.png")
+    refused(call_lommel(*photo[:2], "levels.png", *photo[3:], folder=folder), "say by --depth-scale how many metres")
+    stars = ("retrieve", "photo.png", lenses["phone"], "--read", "2", "--terms", "size")
+    refused(call_lommel(*stars, folder=folder), "'wavelength', 'f_number', 'obscuration', 'object_distance'")
     photo = (*photo[:2], "near.npy", *photo[3:])
     refused(call_lommel(*photo, folder=folder), "allow larger windows (--largest")
     refused(call_lommel(*photo, "--focus", "10 mm", folder=folder), "--focus must exceed the focal length")

@@ -111,3 +111,13 @@ def test_a_lens_file_without_a_field_is_told(call_lommel, lenses, tmp_path):
     result = call_lommel("psf", lenses["phone"], "--field", "2x2", folder=tmp_path)
     assert result.returncode == 2
     assert "must have a section [field] for PSFs over the field" in result.stderr
+
+
+def test_a_window_that_loses_light_is_told_with_what_helps(call_lommel, lenses, tmp_path):
+    small, large = (
+        call_lommel("psf", lenses["camera-field"], "--field", "3x3", "--shape", shape, folder=tmp_path).stdout
+        for shape in (9, 81)
+    )
+    assert "% of the light only; larger ones hold more: --shape." in small
+    assert "energy in a window" in large
+    assert "light only" not in large

@@ -56,7 +56,10 @@ BAD = [
         "blur photo.png small.npy lens.toml -o out.png",
         "must have the size of the upright photo, 36 x 30, got",
     ),
-    ("blur photo.png depth.png lens.toml -o out.png", "depth.png holds levels (uint16); say how many metres"),
+    (
+        "blur photo.png depth.png lens.toml -o out.png",
+        "(uint16); say by --depth-scale how many metres",
+    ),
     ("blur photo.png holes.npy lens.toml -o out.png", "points; say what is there by --missing"),
     (
         f"{BLUR} -o out.png --focus 2m --pixel 40um",

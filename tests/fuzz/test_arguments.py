@@ -36,7 +36,7 @@ FIELD = lm.FieldMap.from_seidel(1.0, W131=0.5)
 GRID = FIELD.grid(2, 2, sensor=(1.0, 1.0), shape=5, pixel=0.5)
 TABLE = field_tables.FieldTable({"height": (0.0, 1e-3)}, {4: (0.0, 0.1)}, "noll")
 PLAN = imaging.FocusPlan(SQUARE, DEPTH, LENS, 8e-6, encoding="linear")
-BLUR = imaging.DepthBlur(LENS, DEPTH, 8e-6)
+BLUR = imaging.DepthBlur(DEPTH, LENS, 8e-6)
 CHART = lm.opd_map(lm.Wavefront(1.0), 24, unit="radians")
 MASK = lm.Mask(np.ones((8, 8)))
 

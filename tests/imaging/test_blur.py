@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import DepthBlur, depth_of_field
+from lommel.imaging import BlurSlopes, DepthBlur, Occlusion, RichardsonLucy, depth_of_field, restore_with
+from lommel.imaging import blur as blur_module
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
 PIXEL = 8e-6
@@ -19,7 +20,7 @@ def scene(height: int = 20, width: int = 26, seed: int = 0) -> tuple[np.ndarray,
 
 def test_every_point_spreads_the_psf_of_its_own_depth():
     image, depth = scene()
-    blur = DepthBlur(LENS, depth, PIXEL, border="zero", dtype=np.float64, tol=1e-6, energy=0.95, largest=30)
+    blur = DepthBlur(depth, LENS, PIXEL, border="zero", dtype=np.float64, tol=1e-6, energy=0.95, largest=30)
     half = blur.banks[0].half
     total = np.zeros((20 + 2 * half, 26 + 2 * half))
     for y in range(20):
@@ -37,7 +38,7 @@ def test_every_point_spreads_the_psf_of_its_own_depth():
 def test_the_adjoint_is_the_transpose(border, dtype, weighted):
     rng = np.random.default_rng(1)
     _, depth = scene()
-    blur = DepthBlur(LENS, depth, PIXEL, border=border, dtype=dtype, energy=0.95, channels=(600e-9, 500e-9))
+    blur = DepthBlur(depth, LENS, PIXEL, border=border, dtype=dtype, energy=0.95, channels=(600e-9, 500e-9))
     a, b = (rng.random((20, 26, 2)).astype(dtype) for _ in range(2))
     weight = rng.random((20, 26)) < 0.6 if weighted else None
     one, two = np.vdot(blur.forward(a, weight), b), np.vdot(a, blur.adjoint(b, weight))
@@ -50,7 +51,7 @@ def test_the_adjoint_is_the_transpose(border, dtype, weighted):
 
 
 def test_the_light_of_one_plane_is_conserved_and_a_white_wall_stays_white():
-    blur = DepthBlur(LENS, np.full((60, 70), 1.9), PIXEL, dtype=np.float64)
+    blur = DepthBlur(np.full((60, 70), 1.9), LENS, PIXEL, dtype=np.float64)
     assert np.abs(blur.forward(np.ones((60, 70))) - 1.0).max() < 1e-12
     point = np.zeros((60, 70))
     point[30, 35] = 1.0
@@ -58,13 +59,48 @@ def test_the_light_of_one_plane_is_conserved_and_a_white_wall_stays_white():
     assert 0.0 < blur.lost <= 0.02
 
 
+def test_the_order_of_arguments_is_that_of_photographs_and_the_old_one_is_taken_for_a_while():
+    image, depth = scene()
+    blur = DepthBlur(depth, LENS, PIXEL, dtype=np.float64)
+    with pytest.warns(DeprecationWarning, match="the order is depth, lens, pixel"):
+        old = DepthBlur(LENS, depth, PIXEL, dtype=np.float64)
+    assert np.array_equal(old.forward(image), blur.forward(image))
+    slopes = BlurSlopes(image, blur)
+    with pytest.warns(DeprecationWarning, match="the order is image, blur"):
+        old_slopes = BlurSlopes(blur, image)
+    assert np.array_equal(slopes.forward(depth), old_slopes.forward(depth))
+    noise = lm.Noise(white=1000.0, read=1.0)
+    with pytest.warns(DeprecationWarning, match="the order is light, blur, noise"):
+        found = restore_with(blur, image, noise, method=RichardsonLucy(steps=2))
+    assert np.array_equal(found.light, restore_with(image, blur, noise, method=RichardsonLucy(steps=2)).light)
+    with pytest.raises(TypeError, match=r"^lens must be a Lens, got ndarray; the order is depth, lens, pixel$"):
+        DepthBlur(PIXEL, depth, LENS)
+
+
 @pytest.mark.parametrize("threads", [1, 2, 5])
 def test_threads_do_not_change_a_bit(threads):
     image, depth = scene(100, 90)
-    blur = DepthBlur(LENS, depth, PIXEL, threads=1)
+    blur = DepthBlur(depth, LENS, PIXEL, threads=1)
     first = blur.forward(image.astype(np.float32))
     blur.threads = threads
     assert blur.forward(image.astype(np.float32)).tobytes() == first.tobytes()
+
+
+@pytest.mark.parametrize("border", ["zero", "reflect", "extend"])
+@pytest.mark.parametrize("occlusion", [False, True])
+def test_who_watches_hears_of_every_point_and_changes_nothing_but_rounding(border, occlusion, monkeypatch):
+    image, depth = scene(300, 40)
+    monkeypatch.setattr(blur_module, "_BAND", 64 * 40)
+    plain, watched = (DepthBlur(depth, LENS, PIXEL, border=border, dtype=np.float64) for _ in range(2))
+    heard = []
+    watched.watch = heard.append
+    first, second = ((Occlusion(one) if occlusion else one).forward(image) for one in (plain, watched))
+    assert np.abs(first - second).max() < 1e-13
+    assert len(heard) > 3
+    # Those of the image, and copies of its edges beyond; with what hides what a white scene before.
+    assert sum(heard) >= (2 if occlusion else 1) * image.size
+    if border != "extend" and not occlusion:
+        assert sum(heard) == image.size
 
 
 def test_an_object_in_focus_stays_sharp_and_one_out_of_focus_does_not():

@@ -45,7 +45,7 @@ def test_a_plane_is_convolved_with_its_psf(distance, occlusion):
     depth = np.full(SCENE.shape, distance)
     given = {"border": "zero", "tol": 1e-6, "dtype": np.float64}
     photograph = depth_of_field(SCENE, depth, LENS, PIXEL, encoding="linear", occlusion=occlusion, **given)
-    kernel = window(LENS, distance, DepthBlur(LENS, depth, PIXEL, **given))
+    kernel = window(LENS, distance, DepthBlur(depth, LENS, PIXEL, **given))
     assert np.abs(photograph.values - fftconvolve(SCENE, kernel, mode="same")).max() <= 1e-6
 
 
@@ -54,7 +54,7 @@ def test_borders_are_what_they_are_called(border):
     depth = np.full(SCENE.shape, 1.7)
     given = {"border": border, "tol": 1e-6, "dtype": np.float64}
     photograph = depth_of_field(SCENE, depth, LENS, PIXEL, encoding="linear", **given)
-    kernel = window(LENS, 1.7, DepthBlur(LENS, depth, PIXEL, **given))
+    kernel = window(LENS, 1.7, DepthBlur(depth, LENS, PIXEL, **given))
     padded = np.pad(SCENE, len(kernel) // 2, mode="symmetric" if border == "reflect" else "edge")
     assert np.abs(photograph.values - fftconvolve(padded, kernel, mode="valid")).max() <= 1e-6
 
@@ -172,7 +172,7 @@ def _chunks(image, depth, lens, pixel, **options):
 WAYS = [depth_of_field, FocusPlan, depth_of_field_by_tiles, _chunks]
 
 
-@pytest.mark.parametrize("way", [*WAYS, lambda i, d, lens, p, **_: DepthBlur(lens, d, p)])
+@pytest.mark.parametrize("way", [*WAYS, lambda i, d, lens, p, **_: DepthBlur(d, lens, p)])
 @pytest.mark.parametrize(
     "shape",
     [
@@ -193,5 +193,5 @@ def test_arguments_in_the_wrong_order_are_told_in_one_line(way):
     for order in ((LENS, image, image, 8e-6), (image, LENS, image, 8e-6), (image, image, 8e-6, LENS)):
         with pytest.raises(TypeError, match=r"lens must be a Lens, got \w+; the order is image, depth, lens, pixel$"):
             way(*order, encoding="linear")
-    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is lens, depth, pixel$"):
-        DepthBlur(image, LENS, 8e-6)
+    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is depth, lens, pixel$"):
+        DepthBlur(8e-6, image, LENS)

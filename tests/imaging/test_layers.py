@@ -37,7 +37,7 @@ def edge(blur: DepthBlur, distance: float) -> np.ndarray:
 @pytest.mark.parametrize(("dtype", "allowed"), [(np.float32, 3e-6), (np.float64, 1e-8)])
 def test_a_plane_is_what_it_is_without_occlusion(border, dtype, allowed):
     light = np.random.default_rng(0).random((20, 26)).astype(dtype)
-    blur = DepthBlur(LENS, np.full((20, 26), 1.7), PIXEL, border=border, dtype=dtype)
+    blur = DepthBlur(np.full((20, 26), 1.7), LENS, PIXEL, border=border, dtype=dtype)
     assert np.abs(occlude(blur, light) - blur.forward(light)).max() <= allowed
 
 
@@ -48,7 +48,7 @@ def test_a_white_scene_stays_white_whatever_its_depth(lens, border, seed):
     rng = np.random.default_rng(seed)
     depth = bar(1.3, 4.0) + 0.3 * rng.random((HEIGHT, WIDTH)) ** (seed + 1)
     depth[5:9, 3:50] = np.inf
-    blur = DepthBlur(lens, depth, PIXEL, border=border, dtype=np.float64, channels=(620e-9, 450e-9))
+    blur = DepthBlur(depth, lens, PIXEL, border=border, dtype=np.float64, channels=(620e-9, 450e-9))
     assert np.abs(occlude(blur, np.ones((HEIGHT, WIDTH, 2))) - 1.0).max() < 1e-12
     assert np.abs(blur.forward(np.ones((HEIGHT, WIDTH, 2))) - 1.0).max() > 0.1
 
@@ -57,7 +57,7 @@ def test_a_sharp_foreground_is_not_touched_by_the_highlights_behind_it():
     light = np.full((HEIGHT, WIDTH), 0.1)
     light[15, BAR.start - 2] = light[7, BAR.stop + 1] = 50.0
     light[:, BAR] = 0.4
-    blur = DepthBlur(LENS, bar(2.0, 8.0), PIXEL, dtype=np.float64)
+    blur = DepthBlur(bar(2.0, 8.0), LENS, PIXEL, dtype=np.float64)
     own = int(np.flatnonzero(blur.banks[0].used(LENS.defocus(2.0))[blur.banks[0].half])[-1]) - blur.banks[0].half
     inside = slice(BAR.start + own, BAR.stop - own)
     assert own <= 2
@@ -68,7 +68,7 @@ def test_a_sharp_foreground_is_not_touched_by_the_highlights_behind_it():
 def test_a_uniform_background_is_not_darker_beside_a_sharp_foreground():
     light = np.full((HEIGHT, WIDTH), 0.7)
     light[:, BAR] = 0.1
-    blur = DepthBlur(LENS, bar(2.0, 8.0), PIXEL, dtype=np.float64)
+    blur = DepthBlur(bar(2.0, 8.0), LENS, PIXEL, dtype=np.float64)
     seen = occlude(blur, light)
     assert np.abs(seen[:, : BAR.start - 2] - 0.7).max() < 1e-6
     assert blur.forward(light)[:, BAR.start - 3].max() < 0.6
@@ -78,7 +78,7 @@ def test_a_uniform_background_is_not_darker_beside_a_sharp_foreground():
 def test_a_blurred_foreground_covers_a_sharp_background_by_the_part_of_the_aperture_that_it_fills(front):
     light = np.full((HEIGHT, WIDTH), 0.2)
     light[:, BAR] = 0.9
-    blur = DepthBlur(LENS, bar(front, 2.0), PIXEL, dtype=np.float64, tol=1e-6)
+    blur = DepthBlur(bar(front, 2.0), LENS, PIXEL, dtype=np.float64, tol=1e-6)
     cover = edge(blur, front)
     assert 0.3 < cover[BAR.start] < 0.7
     # What diffraction brings from beyond the rim of the geometric blur is not extended: 2 % of the difference of 0.7.
@@ -90,7 +90,7 @@ def test_a_surface_that_hides_nothing_is_as_without_occlusion():
     rng = np.random.default_rng(3)
     across = np.linspace(1.0 / 1.2, 1.0 / 6.0, 90)
     light = rng.random((40, 90)) + 20.0 * (rng.random((40, 90)) > 0.99)
-    blur = DepthBlur(LENS, np.tile(1.0 / across, (40, 1)), PIXEL, dtype=np.float64)
+    blur = DepthBlur(np.tile(1.0 / across, (40, 1)), LENS, PIXEL, dtype=np.float64)
     layer, radius = _layers(blur)
     assert layer.max() >= 30
     assert np.abs(np.diff(radius, axis=1)).max() < 0.2
@@ -108,7 +108,7 @@ def test_a_slanted_foreground_is_not_transparent():
     depth[:, BAR] = np.linspace(1.0, 1.25, BAR.stop - BAR.start)
     light = np.zeros((HEIGHT, WIDTH))
     light[:, : BAR.start] = light[:, BAR.stop :] = 1.0
-    blur = DepthBlur(LENS, depth, PIXEL, dtype=np.float64)
+    blur = DepthBlur(depth, LENS, PIXEL, dtype=np.float64)
     assert len(np.unique(_layers(blur)[0][:, BAR])) > 5
     middle = (BAR.start + BAR.stop) // 2
     assert occlude(blur, light)[:, middle].max() < 0.05
@@ -116,7 +116,7 @@ def test_a_slanted_foreground_is_not_transparent():
 
 def test_occlusion_is_linear_in_light():
     rng = np.random.default_rng(4)
-    blur = DepthBlur(LENS, bar(1.4, 3.0) + 0.2 * rng.random((HEIGHT, WIDTH)), PIXEL, dtype=np.float64)
+    blur = DepthBlur(bar(1.4, 3.0) + 0.2 * rng.random((HEIGHT, WIDTH)), LENS, PIXEL, dtype=np.float64)
     a, b = rng.random((2, HEIGHT, WIDTH))
     assert np.abs(occlude(blur, a + 3.0 * b) - occlude(blur, a) - 3.0 * occlude(blur, b)).max() < 1e-12
 
@@ -126,7 +126,7 @@ def test_something_is_behind_a_point_where_a_farther_one_is_closer_than_their_ra
     rng = np.random.default_rng(seed)
     depth = 1.5 + 3.0 * (rng.random((14, 17)) > 0.6) + 0.4 * rng.random((14, 17))
     depth[3:9, 4:12] = 1.2
-    layer, radius = _layers(DepthBlur(LENS, depth, PIXEL, largest=40))
+    layer, radius = _layers(DepthBlur(depth, LENS, PIXEL, largest=40))
     behind = _behind(layer, radius)
     y, x = (a.ravel() for a in np.indices(depth.shape))
     distance = np.hypot(y[:, None] - y, x[:, None] - x)
@@ -145,7 +145,7 @@ def test_what_is_behind_is_that_of_the_nearest_edge_mirrored_there():
     # Both the wall to the left and the sky to the right are within reach of every point between.
     depth = np.full((9, 26), 2.0)
     depth[:, 10:14], depth[:, 14:] = 1.0, np.inf
-    layer, radius = _layers(DepthBlur(LENS, depth, PIXEL, largest=40))
+    layer, radius = _layers(DepthBlur(depth, LENS, PIXEL, largest=40))
     assert radius[0, 10] - radius[0, 0] > 4.0
     behind = _behind(layer, radius)
     assert list(behind[4, 10:14] - 4 * 26) == [8, 7, 16, 15]
@@ -153,9 +153,9 @@ def test_what_is_behind_is_that_of_the_nearest_edge_mirrored_there():
 
 
 def test_a_scene_without_edges_hides_nothing_and_layers_are_bounded():
-    smooth = DepthBlur(LENS, np.tile(np.linspace(1.8, 2.2, 40), (9, 1)), PIXEL, largest=20)
+    smooth = DepthBlur(np.tile(np.linspace(1.8, 2.2, 40), (9, 1)), LENS, PIXEL, largest=20)
     assert np.all(_behind(*_layers(smooth)) == -1)
-    fine = DepthBlur(LENS, np.tile([1.0, 1.2, 2.0, np.inf], (4, 1)), 6e-6, largest=100, energy=0.6, tol=0.1)
+    fine = DepthBlur(np.tile([1.0, 1.2, 2.0, np.inf], (4, 1)), LENS, 6e-6, largest=100, energy=0.6, tol=0.1)
     layer, radius = _layers(fine)
     assert np.ptp(radius) > 0.5 * MOST_LAYERS
     assert list(layer[0, [0, -1]]) == [0, MOST_LAYERS - 1]
@@ -176,7 +176,7 @@ def test_occlusion_is_asked_for_by_a_truth_value():
     ],
 )
 def test_light_that_does_not_fit_is_refused(light, error, message):
-    blur = DepthBlur(LENS, np.full((5, 6), 2.0), PIXEL)
+    blur = DepthBlur(np.full((5, 6), 2.0), LENS, PIXEL)
     with pytest.raises(error, match=message):
         occlude(blur, light)
 

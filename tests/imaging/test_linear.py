@@ -16,7 +16,7 @@ DEPTH[:, 12:] = 1.9
 
 def _blur(channels: int = 1, dtype: type = np.float64, **options: str) -> DepthBlur:
     colours = [450e-9 + 100e-9 * place for place in range(channels)]
-    return DepthBlur(LENS, DEPTH, 8e-6, channels=colours, dtype=dtype, **options)
+    return DepthBlur(DEPTH, LENS, 8e-6, channels=colours, dtype=dtype, **options)
 
 
 @pytest.mark.parametrize("border", ["reflect", "extend", "zero"])
@@ -40,7 +40,7 @@ def test_the_operator_does_what_the_blur_does_both_ways(border: str, channels: i
 
 def test_least_squares_find_the_light() -> None:
     """A solver of SciPy undoes a mild blur."""
-    operator = DepthBlur(LENS, np.full((24, 30), 2.05), 16e-6, dtype=np.float64).as_linear_operator()
+    operator = DepthBlur(np.full((24, 30), 2.05), LENS, 16e-6, dtype=np.float64).as_linear_operator()
     light = np.random.default_rng(1).random(operator.shape[0])
     found = lsqr(operator, operator @ light, atol=1e-14, btol=1e-14, iter_lim=4000)[0]
     assert abs(found - light).max() < 1e-6

@@ -58,7 +58,7 @@ def by_layers(blur: DepthBlur, light: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize(("dtype", "allowed"), [(np.float64, 1e-11), (np.float32, 4e-6)])
 def test_it_is_the_sum_over_layers(border, dtype, allowed):
     rng = np.random.default_rng(5)
-    blur = DepthBlur(LENS, torn(rng), PIXEL, border=border, dtype=dtype, largest=20)
+    blur = DepthBlur(torn(rng), LENS, PIXEL, border=border, dtype=dtype, largest=20)
     light = rng.random(blur.shape).astype(dtype)
     wanted = by_layers(blur, light.astype(np.float64))
     assert len(np.unique(_layers(blur)[0])) > 4
@@ -71,7 +71,7 @@ def test_it_is_the_sum_over_layers(border, dtype, allowed):
 @pytest.mark.parametrize("border", ["reflect", "extend", "zero"])
 def test_its_transpose_is_that_of_its_matrix(border):
     rng = np.random.default_rng(6)
-    blur = DepthBlur(LENS, torn(rng, (9, 11)), PIXEL, border=border, dtype=np.float64, largest=20)
+    blur = DepthBlur(torn(rng, (9, 11)), LENS, PIXEL, border=border, dtype=np.float64, largest=20)
     operator, size = Occlusion(blur), 99
     matrix, back = (
         np.array([apply(unit.reshape(9, 11)).ravel() for unit in np.eye(size)])
@@ -92,7 +92,7 @@ def test_its_transpose_is_that_of_its_matrix(border):
 )
 def test_the_product_of_two_images_does_not_tell_which_was_blurred(seed, border, precision):
     rng, (dtype, allowed) = np.random.default_rng(seed), precision
-    blur = DepthBlur(LENS, torn(rng), PIXEL, border=border, dtype=dtype, channels=(6e-7, 5e-7, 6e-7), largest=20)
+    blur = DepthBlur(torn(rng), LENS, PIXEL, border=border, dtype=dtype, channels=(6e-7, 5e-7, 6e-7), largest=20)
     operator = Occlusion(blur)
     a, b, c = rng.standard_normal((3, *blur.shape, 3)).astype(dtype)
     forth, back = operator.forward(a), operator.adjoint(b)
@@ -108,7 +108,7 @@ def points_of(shares):
 def test_shares_are_made_once_for_a_depth_and_anew_for_another(monkeypatch):
     rng, made = np.random.default_rng(7), []
     one, other = torn(rng), torn(rng)
-    blur = DepthBlur(LENS, one, PIXEL, dtype=np.float64, channels=(6e-7, 5e-7, 6e-7), largest=20)
+    blur = DepthBlur(one, LENS, PIXEL, dtype=np.float64, channels=(6e-7, 5e-7, 6e-7), largest=20)
     light = rng.random((*one.shape, 3))
     monkeypatch.setattr("lommel.imaging.layers._behind", lambda *given: made.append(1) or _behind(*given))
     operator = Occlusion(blur)
@@ -144,7 +144,7 @@ def test_plans_keep_what_hides_what(monkeypatch):
 def test_what_does_not_fit_is_refused():
     with pytest.raises(TypeError, match="blur must be a DepthBlur, got int"):
         Occlusion(3)
-    operator = Occlusion(DepthBlur(LENS, np.full((5, 6), 2.0), PIXEL))
+    operator = Occlusion(DepthBlur(np.full((5, 6), 2.0), LENS, PIXEL))
     for call in (operator.forward, operator.adjoint):
         with pytest.raises(ValueError, match=r"image must have the shape \(5, 6\), got \(4, 6\)"):
             call(np.zeros((4, 6)))

@@ -56,7 +56,7 @@ def doors(**given):
     yield lambda: TileBlur(IMAGE.shape, (2.0, 2.2), LENS, 8e-6, encoding="linear", **given)
     yield lambda: depth_of_field_by_tiles(IMAGE, DEPTH, LENS, 8e-6, encoding="linear", **given)
     if not given.keys() & {"occlusion", "missing", "wavelengths"}:
-        yield lambda: DepthBlur(LENS, DEPTH, 8e-6, **given)
+        yield lambda: DepthBlur(DEPTH, LENS, 8e-6, **given)
     da = pytest.importorskip("dask.array")
     image, depth = da.from_array(IMAGE), da.from_array(DEPTH)
     yield lambda: depth_of_field_of_chunks(image, depth, LENS, 8e-6, encoding="linear", **given)

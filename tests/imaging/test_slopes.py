@@ -29,7 +29,7 @@ def scene(lens: lm.Lens, border: str = "reflect", **options: float) -> tuple[Dep
     rng = np.random.default_rng(0)
     depth = rng.uniform(1.6, 4.7, SHAPE)
     ends = np.array([[1.5, 5.5]] * 200)
-    blur = DepthBlur(lens, ends, 6e-6, channels=CHANNELS, border=border, largest=60, dtype=np.float64, **options)
+    blur = DepthBlur(ends, lens, 6e-6, channels=CHANNELS, border=border, largest=60, dtype=np.float64, **options)
     blur.place(depth)
     return blur, depth, rng.random((*SHAPE, 2))
 
@@ -48,7 +48,7 @@ def scene(lens: lm.Lens, border: str = "reflect", **options: float) -> tuple[Dep
 def test_what_is_left_of_a_change_of_depth_is_of_second_order(lens, border, options):
     """Steps of C_d from 0.1 to 0.001 rad, at random at each point."""
     blur, depth, light = scene(lens, border, **options)
-    slopes, before = BlurSlopes(blur, light), blur.forward(light)
+    slopes, before = BlurSlopes(light, blur), blur.forward(light)
     rate = float(lens.defocus(1.0) - lens.defocus(np.inf))
     change = np.random.default_rng(1).standard_normal(SHAPE)
     # To first order in C_d, which is what the blur is a function of.
@@ -64,12 +64,12 @@ def test_what_is_left_of_a_change_of_depth_is_of_second_order(lens, border, opti
 @pytest.mark.parametrize("lens", [LENS, SINE])
 def test_what_is_left_of_a_change_of_focus_is_of_second_order(lens):
     blur, depth, light = scene(lens, tol=1e-6)
-    slope = BlurSlopes(blur, light).focus()
+    slope = BlurSlopes(light, blur).focus()
 
     def seen(sensor_distance: float) -> np.ndarray:
         there = replace(lens, sensor_distance=sensor_distance)
         options = {"channels": CHANNELS, "largest": 60, "dtype": np.float64, "tol": 1e-7}
-        return DepthBlur(there, depth, 6e-6, **options).forward(light)
+        return DepthBlur(depth, there, 6e-6, **options).forward(light)
 
     at = lens.sensor_distance
     left = [np.linalg.norm((seen(at * (1.0 + step)) - seen(at)) / (at * step) - slope) for step in (1e-4, 1e-5)]
@@ -80,10 +80,10 @@ def test_what_is_left_of_a_change_of_focus_is_of_second_order(lens):
 def test_the_focus_moves_as_the_lens_says():
     """Distances in focus, by the chain rule that the docstring states."""
     blur, depth, light = scene(LENS, tol=1e-6)
-    by_sensor = BlurSlopes(blur, light).focus()
+    by_sensor = BlurSlopes(light, blur).focus()
     by_distance = -((LENS.sensor_distance / LENS.focus_distance) ** 2) * by_sensor
     options = {"channels": CHANNELS, "largest": 60, "dtype": np.float64, "tol": 1e-7}
-    near, far = (DepthBlur(LENS.focused(2.2 + step), depth, 6e-6, **options) for step in (-2e-4, 2e-4))
+    near, far = (DepthBlur(depth, LENS.focused(2.2 + step), 6e-6, **options) for step in (-2e-4, 2e-4))
     found = (far.forward(light) - near.forward(light)) / 4e-4
     assert np.abs(found - by_distance).max() <= 3e-3 * np.abs(by_distance).max()
 
@@ -92,7 +92,7 @@ def test_the_focus_moves_as_the_lens_says():
 @pytest.mark.parametrize("energy", [0.98, 1.0])
 def test_the_transpose_is_exact_and_solvers_take_both(border, energy):
     blur, _, light = scene(LENS, border, energy=energy)
-    slopes, rng = BlurSlopes(blur, light), np.random.default_rng(2)
+    slopes, rng = BlurSlopes(light, blur), np.random.default_rng(2)
     change, other = rng.standard_normal(SHAPE), rng.standard_normal((*SHAPE, 2))
     one, two = np.vdot(slopes.forward(change), other), np.vdot(change, slopes.adjoint(other))
     assert one == pytest.approx(two, rel=1e-11)
@@ -104,8 +104,8 @@ def test_the_transpose_is_exact_and_solvers_take_both(border, energy):
 
 def test_what_is_at_infinity_does_not_move_and_darkness_neither():
     depth = np.where(np.arange(20) < 9, np.inf, 3.0) * np.ones((20, 1))
-    blur = DepthBlur(LENS, depth, 6e-6, dtype=np.float64, largest=20)
-    slopes = BlurSlopes(blur, np.where(np.arange(20) < 14, 1.0, 0.0) * np.ones((20, 1)))
+    blur = DepthBlur(depth, LENS, 6e-6, dtype=np.float64, largest=20)
+    slopes = BlurSlopes(np.where(np.arange(20) < 14, 1.0, 0.0) * np.ones((20, 1)), blur)
     gradient = slopes.adjoint(np.random.default_rng(3).random((20, 20)))
     assert not gradient[:, :9].any()
     assert gradient[:, 9:14].all()
@@ -114,7 +114,7 @@ def test_what_is_at_infinity_does_not_move_and_darkness_neither():
 
 def test_the_operator_keeps_the_depth_and_the_light_that_it_was_made_with():
     blur, depth, light = scene(LENS)
-    slopes, change = BlurSlopes(blur, light), np.ones(SHAPE)
+    slopes, change = BlurSlopes(light, blur), np.ones(SHAPE)
     before = slopes.forward(change)
     light[:] = 0.0
     blur.place(depth + 0.2)
@@ -123,13 +123,13 @@ def test_the_operator_keeps_the_depth_and_the_light_that_it_was_made_with():
 
 def test_what_does_not_fit_is_refused():
     blur, _, light = scene(LENS)
-    slopes = BlurSlopes(blur, light)
+    slopes = BlurSlopes(light, blur)
     with pytest.raises(ValueError, match="energy must be below 1 for the derivative by focus"):
-        BlurSlopes(scene(LENS, energy=1.0)[0], light).focus()
+        BlurSlopes(light, scene(LENS, energy=1.0)[0]).focus()
     with pytest.raises(TypeError, match="blur must be"):
-        BlurSlopes(lm.imaging.Occlusion(blur), light)
+        BlurSlopes(light, lm.imaging.Occlusion(blur))
     with pytest.raises(ValueError, match=r"image must have the shape \(30, 41, 2\)"):
-        BlurSlopes(blur, light[..., 0])
+        BlurSlopes(light[..., 0], blur)
     with pytest.raises(ValueError, match=r"change must have the shape of the depth, \(30, 41\), got \(30, 40\)"):
         slopes.forward(np.ones((30, 40)))
     with pytest.raises(ValueError, match="change must be finite"):

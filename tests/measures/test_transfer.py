@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from scipy.special import jv
 
 import lommel as lm
-from lommel.measures import image_transfer
+from lommel.measures import cut_overlap, image_transfer
+from lommel.measures.overlap import autocorrelation
 from lommel.methods import ToleranceError
 
 COMA = lm.Wavefront([0.0, 3.0], 0.4, nonradial={(3, 1): 1.0, (2, -2): -1.1, (1, 1): 2.0})
@@ -289,8 +290,65 @@ def test_what_is_impossible_is_refused_by_name():
         lm.otf(lm.Pupil(lm.Wavefront(1e5)), 0.5)
 
 
-def test_an_aperture_that_is_not_round_is_refused_with_what_to_do():
-    pupil = lm.Pupil(spider=lm.Spider.equal(3, 0.1))
+EDGES = {
+    "vanes": {"obscuration": 0.3, "spider": lm.Spider.equal(4, 0.04, 0.2)},
+    "one vane": {"spider": lm.Spider(0.2, (0.5,))},
+    "cat's eye": {"vignetting": lm.CatEye(shift=(0.4, 0.2))},
+    "ellipse": {"obscuration": 0.2, "vignetting": lm.Ellipse(0.9, 0.6, 0.4)},
+}
+
+
+@pytest.mark.parametrize("eps", [0.0, 0.3])
+def test_where_edges_may_cross_the_way_round_gives_what_the_other_gives(eps):
+    pupil, f = lm.Pupil(COMA, obscuration=eps), np.array([[0.1, 0.2], [0.5, -0.3], [-0.05, 0.02], [1.0, 0.1], [0, 0]])
+    assert np.abs(cut_overlap.autocorrelation(pupil, f, 1e-9) - autocorrelation(pupil, f, 1e-12)).max() < 1e-9
+
+
+@pytest.mark.parametrize("edges", EDGES)
+def test_any_edge_is_seen_by_the_transfer_function(edges):
+    pupil = lm.Pupil(lm.Wavefront(2.0, 0.4, nonradial={(3, 1): 1.0}), **EDGES[edges])
+    fine = lm.otf(pupil, 0.31, 0.2, tol=1e-8)
+    assert abs(fine - lm.otf(pupil, 0.31, 0.2, tol=1e-4)) < 1e-4
+    assert abs(fine - brute(pupil, 0.31, 0.2, 1500)[0]) < 4e-4
+    assert lm.otf(pupil, 0.0) == 1.0
+    assert lm.otf(pupil, -0.31, -0.2, tol=1e-8) == np.conj(fine)
+
+
+def test_an_ellipse_is_a_disc_in_other_units():
+    ellipse = lm.Pupil(vignetting=lm.Ellipse(0.8, 0.5))
+    for fx, fy in ((0.3, 0.0), (0.2, 0.25), (0.5, 0.45)):
+        scaled = math.hypot(fx / 0.8, fy / 0.5)
+        assert lm.mtf(ellipse, fx, fy) == pytest.approx(oneill(scaled, 0.0) if scaled < 1.0 else 0.0, abs=1e-10)
+
+
+def test_a_bar_along_the_frequency_hides_its_strip():
+    half = 0.05
+    bar = lm.Pupil(spider=lm.Spider(2 * half, (0.0, math.pi)))
+    light = bar.transmission * math.pi
+    for f in (0.2, 0.5):
+        top = math.sqrt(1.0 - f * f)
+
+        def disc(y: float, f: float = f) -> float:
+            return math.asin(y) + y * math.sqrt(1.0 - y * y) - 2.0 * f * y
+
+        assert lm.mtf(bar, f) == pytest.approx(2.0 * (disc(top) - disc(half)) / light, abs=1e-9)
+
+
+def test_a_star_over_a_spider_has_the_transfer_function_of_its_image():
+    pupil = lm.Pupil(lm.Wavefront(1.0), **EDGES["vanes"])
+    image = lm.psf(pupil, 129, 0.4, dtype="float64")
+    assert abs(image.otf(0.3, 0.1) - lm.otf(pupil, 0.3, 0.1, tol=1e-6)) <= 1.0 - image.energy + 1e-4
+
+
+def test_a_mask_is_refused_with_what_to_do():
+    pupil = lm.Pupil(mask=lm.Mask.sample(lambda x, y: 1.0 - 0.5 * x**2, side=16))
     for ask in (lambda: lm.mtf(pupil, 0.3), lambda: lm.mtf_frequency(pupil)):
-        with pytest.raises(ValueError, match=r"pupil must be a disc or an annulus .* psf\.mtf\(fx, fy\)"):
+        with pytest.raises(ValueError, match=r"pupil must be without a mask .* psf\.mtf\(fx, fy\)"):
             ask()
+
+
+@pytest.mark.parametrize(("most", "what"), [(8, "8 nodes along a line"), (20, "20 panels")])
+def test_what_would_take_too_long_is_refused(monkeypatch, most, what):
+    monkeypatch.setattr(cut_overlap, "_MOST", most)
+    with pytest.raises(ToleranceError, match=f"takes more than {what}"):
+        lm.otf(lm.Pupil(**EDGES["vanes"]), 0.3, 0.2, tol=1e-12)

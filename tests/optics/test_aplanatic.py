@@ -323,7 +323,7 @@ def test_every_map_of_a_wavefront_carries_its_error():
 @pytest.mark.parametrize("apodization", [0.0, "aplanatic", 2.0])
 def test_an_aplanatic_lens_blurs_photographs_too(apodization):
     lens = aplanatic(1.8, apodization=apodization)
-    blur = lm.imaging.DepthBlur(lens, np.full((9, 9), 1.8), 20e-6, dtype=np.float64, largest=20, tol=1e-6)
+    blur = lm.imaging.DepthBlur(np.full((9, 9), 1.8), lens, 20e-6, dtype=np.float64, largest=20, tol=1e-6)
     bank = blur.banks[0]
     exact = lm.psf(lens.pupil(1.8), 2 * bank.half + 1, 20e-6, integrate=True, dtype=np.float64).values
     used = bank.used(float(lens.defocus(1.8))) * exact

@@ -37,7 +37,7 @@ def through(focus: float, f_number: float, waves: float = 0.0) -> DepthBlur:
     lens = lm.Lens(
         focal_length=994.978 * pixel, f_number=f_number, focus_distance=focus, wavelength=540e-9, aberrations=soft
     )
-    return DepthBlur(lens, depth, pixel, channels=(540e-9,) * 3, energy=0.95, tol=1e-3)
+    return DepthBlur(depth, lens, pixel, channels=(540e-9,) * 3, energy=0.95, tol=1e-3)
 
 
 def seen(blur: DepthBlur) -> np.ndarray:

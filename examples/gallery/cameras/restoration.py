@@ -40,7 +40,7 @@ soft = replace(perfect, aberrations=lm.Wavefront.from_seidel(W040=3.0))
 
 def blur(lens: lm.Lens, distance: np.ndarray, **options: float) -> DepthBlur:
     """Return the blur of the lens, of one wavelength for all colours."""
-    return DepthBlur(lens, distance, pixel, channels=(540e-9,) * 3, **options)
+    return DepthBlur(distance, lens, pixel, channels=(540e-9,) * 3, **options)
 
 
 def photographed(lens: lm.Lens) -> np.ndarray:
@@ -68,7 +68,7 @@ photo = photographed(perfect)
 seen = Occlusion(blur(perfect, depth[part]))
 pictures = {"sharp": truth, f"photographed, {quality(photo)}": photo}
 for method in (RichardsonLucy(), TotalVariation()):
-    found = restore_with(seen, photo, noise, method=method)
+    found = restore_with(photo, seen, noise, method=method)
     name = "Richardson-Lucy" if isinstance(method, RichardsonLucy) else "total variation"
     pictures[f"{name}, {quality(found.light)}"] = found.light
     print(
@@ -118,7 +118,7 @@ for name, lens in (("no aberration", perfect), ("3 waves of spherical aberration
     rows[name] = [(f"photographed, {quality(taken)}", taken)]
     for kind in ("exact", "disc", "Gaussian", "average"):
         operator = exact if kind == "exact" else imitated(exact, kind)
-        found = restore_with(operator if kind == "average" else Occlusion(operator), taken, noise)
+        found = restore_with(taken, operator if kind == "average" else Occlusion(operator), noise)
         verdict = "" if found.stopped == "noise" else f", {found.stopped.split(':')[0]}"
         rows[name].append((f"{kind}: {quality(found.light)}{verdict}", found.light))
         print(f"{name}, {kind}: {quality(found.light)}, discrepancy {found.discrepancy:.2f}, {found.stopped}")

@@ -17,6 +17,7 @@ from typing import Any
 # Short, so that it fits wherever the name asked for does, and such that nobody else's file is called so.
 _PREFIX = ".lommel-"
 _DAY = 86400.0
+_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)  # of Windows, which else changes line ends
 
 
 def contents(save: Callable[..., object], *args: Any, **options: Any) -> bytes:
@@ -53,9 +54,9 @@ def together() -> Iterator[Callable[[Path, bytes | memoryview], None]]:
             temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
             # 0o666 is what the umask, which belongs to the whole process, takes from.
             made.append((temporary, place))  # first, lest an interrupt come between
-            handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666 if mode is None else 0o600)
+            handle = os.open(temporary, _NEW, 0o666 if mode is None else 0o600)
             with os.fdopen(handle, "wb") as file:
-                if mode is not None:
+                if mode is not None and hasattr(os, "fchmod"):
                     os.fchmod(handle, mode)
                 file.write(data)
                 file.flush()
@@ -142,7 +143,10 @@ def _told_as(target: Path) -> Iterator[None]:
 
 def _settle(path: Path) -> None:
     """Have what a file, or a folder of names, holds on the disk."""
-    handle = os.open(path, os.O_RDONLY)
+    try:
+        handle = os.open(path, os.O_RDONLY)
+    except PermissionError:
+        return  # Windows opens no folders.
     try:
         os.fsync(handle)
     except OSError:

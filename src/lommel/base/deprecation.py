@@ -15,6 +15,47 @@ DEBTS: list[tuple[str, str]] = []
 """What is deprecated, and the version that no longer has it; a test fails once that version is reached."""
 
 
+def reordered(*, since: str, until: str, was: Callable[[Any], bool]) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Mark the first two arguments of a function as having changed places: the old order is taken and warned of.
+
+    Parameters
+    ----------
+    since, until : str
+        The version that has the new order first, and the one that no longer takes the old one.
+    was : callable
+        Tells of a value given first that it is what now comes second.
+
+    Returns
+    -------
+    callable
+        What decorates the function.
+    """
+
+    def decorate(function: Callable[P, R]) -> Callable[P, R]:
+        places = [name for name in inspect.signature(function).parameters if name != "self"]
+        own = 1 if "self" in inspect.signature(function).parameters else 0
+        first, second = places[:2]
+        name = f"{function.__module__}.{function.__qualname__}".removesuffix(".__init__")
+        what, order = f"{name}({second}, {first}, ...)", ", ".join(places[:3])
+        message = f"{what} is deprecated since lommel {since} and goes in {until}; the order is {order}"
+        DEBTS.append((what, until))
+
+        @functools.wraps(function)
+        def turned(*args: P.args, **kwargs: P.kwargs) -> R:
+            given: list[Any] = list(args)
+            if len(given) > own and was(given[own]):
+                warnings.warn(message, DeprecationWarning, stacklevel=2)
+                if len(given) > own + 1:
+                    given[own : own + 2] = given[own + 1], given[own]
+                else:
+                    kwargs[second] = given.pop()
+            return function(*given, **kwargs)
+
+        return turned
+
+    return decorate
+
+
 def deprecate(
     *, since: str, until: str, use: str, argument: str | None = None, renamed: str | None = None
 ) -> Callable[[Callable[P, R]], Callable[P, R]]:

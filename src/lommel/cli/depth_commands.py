@@ -18,9 +18,9 @@ from lommel.cli.parts import (
     instrument_of,
     one_line_errors,
     print_json,
-    progress,
     save_figure,
 )
+from lommel.cli.progress import progress
 
 if TYPE_CHECKING:
     from lommel.imaging.defocus.depth import DefocusDepth
@@ -141,6 +141,7 @@ def depth(
         kinds = {(one.values.dtype, one.encoding) for one in pictures}
         if len(kinds) > 1:
             raise ValueError("the photos must have one type and one encoding; give --encoding, or convert some")
+        started("preparing the blur of every distance")
         start = time.perf_counter()
         found = depth_from_defocus(
             [one.values for one in pictures],
@@ -149,7 +150,7 @@ def depth(
             encoding=pictures[0].encoding,
             noise=Noise(white=white, read=read, offset=offset),
             exposures=exposures or None,
-            progress=lambda done, tiles: started(f"tile {done} of {tiles}"),
+            progress=lambda done, tiles: started(f"tile {done} of {tiles}", done / tiles),
             **options,
         )
         seconds = time.perf_counter() - start
@@ -179,6 +180,8 @@ def _each(lens: Lens, count: int, foci: tuple[float, ...], f_numbers: tuple[floa
     for name, given in (("--focus", foci), ("--f-number", f_numbers)):
         if len(given) not in (0, 1, count):
             raise ValueError(f"{name} must be given once, or for each of {count} photos, got {len(given)}")
+    if count < 2:
+        raise ValueError("PHOTOS must be two or more: one does not tell blur from soft texture; got 1")
     lenses = [lens] * count
     if f_numbers:
         lenses = [one.stopped(stop) for one, stop in zip(lenses, f_numbers * (count // len(f_numbers)), strict=True)]

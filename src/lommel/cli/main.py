@@ -18,6 +18,7 @@ try:
 
     from lommel.cli import microscope_command
     from lommel.cli.depth_commands import depth, precision
+    from lommel.cli.examples_command import examples
     from lommel.cli.live_command import live
     from lommel.cli.methods import build_method, methods
     from lommel.cli.parts import (
@@ -29,10 +30,10 @@ try:
         of_picture,
         one_line_errors,
         print_json,
-        progress,
         save_figure,
     )
     from lommel.cli.photo_commands import blur, focus_pull
+    from lommel.cli.progress import progress
     from lommel.cli.restore_command import restore
     from lommel.cli.retrieve_command import retrieve
     from lommel.cli.stack_command import stack as stack_command
@@ -70,11 +71,12 @@ def _psf_command(command: Callable[..., None]) -> Callable[..., None]:
 def main() -> None:
     """Point spread functions of defocused and aberrated lenses.
 
-    A lens is described by a TOML file; see examples/lenses, and examples/objectives for microscopes. Lengths carry
+    A lens is described by a TOML file, and so is a microscope; `lommel examples` has some of either. Lengths carry
     units: "550 nm", "3.45 um", "1.5 m".
 
     \b
     Examples:
+      lommel examples phone                             # a lens file to begin with
       lommel info    lens.toml                          # what is known without an image
       lommel psf     lens.toml -o psf.tif -o psf.png    # the PSF, as data and as a picture
       lommel psf     objective.toml -o stack.ome.tif -o sections.png    # that of a microscope
@@ -90,7 +92,7 @@ def main() -> None:
     """  # noqa: D301 (\b is meant)
 
 
-for command in (blur, depth, focus_pull, live, methods, precision, restore, retrieve, stack_command):
+for command in (blur, depth, examples, focus_pull, live, methods, precision, restore, retrieve, stack_command):
     main.add_command(command)
 
 

@@ -68,7 +68,10 @@ def build_method(name: str, settings: tuple[str, ...] = ()) -> Method | None:
         if key not in known:
             allowed = f"its options are {', '.join(sorted(known))}" if known else "it has none"
             raise ValueError(f"{name} has no option {key!r}; {allowed}")
-    return kind(**options)
+    try:
+        return kind(**options)
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"--set {error}") from None
 
 
 def _value(text: str) -> Any:

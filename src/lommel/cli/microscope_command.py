@@ -12,7 +12,8 @@ import click
 
 from lommel.base import validation
 from lommel.base.units import format_length
-from lommel.cli.parts import Length, figure_format, of_picture, print_json, progress, save_figure
+from lommel.cli.parts import Length, figure_format, of_picture, print_json, save_figure
+from lommel.cli.progress import progress
 
 if TYPE_CHECKING:
     from lommel.lensfiles.microscope import Microscope

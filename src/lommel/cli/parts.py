@@ -1,4 +1,4 @@
-"""What the commands share: lengths with units, one-line errors, progress on standard error, JSON."""
+"""What the commands share: lengths with units, one-line errors, JSON."""
 
 from __future__ import annotations
 
@@ -8,14 +8,12 @@ import json
 import os
 import re
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
-from rich.console import Console
-from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from click.core import ParameterSource
 
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
@@ -99,48 +97,41 @@ def _told(error: Exception) -> str:
     )
 
 
+# What the library calls otherwise than the command line does.
+_CALLED = {"scale": "--depth-scale", "zero_is_unknown": "--zero-unknown"}
+# A method with its options in brackets, which stays; then what only names look like: "`missing`", "largest=",
+# "tol=1e-9", "f_number", but what was given as --set tol=1 or stands in quotes.
+_NAMED = re.compile(r"[A-Z]\w*\([^()]*\)|`([a-z_]+)`|(?<!--set )(?<!')\b([a-z][a-z_]*)(=)?(?=([\w'\"(\[])?)")
+
+
 def _with_options(message: str) -> str:
     """Return what the library says, with the options of the running command for its arguments and methods."""
     context = click.get_current_context(silent=True)
-    options = {name for part in (context.command.params if context else ()) for name in part.opts}
+    options = {part.name: max(part.opts, key=len) for part in _options(context)}
+    options |= {word: option for word, option in _CALLED.items() if option in options.values()}
     names = {kind.__name__: name for name, kind in METHODS.items()}
+    of_methods = {item.name for kind in METHODS.values() for item in dataclasses.fields(kind)}  # type: ignore[arg-type]
 
     def told(found: re.Match[str]) -> str:
         quoted, name, equals, value = found.groups()
-        option = "--" + (quoted or name).replace("_", "-")
-        if option not in options or not (quoted or equals or "_" in name):
-            return found[0]
-        return option + (" " if equals and value else "")
+        word = quoted or name
+        if word in options and (quoted or equals or "_" in word):
+            return str(options[word]) + (" " if equals and value else "")
+        if equals and value and word in of_methods and "settings" in options:
+            return f"--set {found[0]}"
+        return found[0]
 
-    # What only names look like: "`missing`", "largest=", "tol=1e-9", "f_number"; not what was given as --set tol=1.
-    message = re.sub(r"`([a-z_]+)`|(?<!--set )\b([a-z][a-z_]*)(=)?(?=([\w'\"])?)", told, message)
+    first = message.partition(" must ")[0]
+    if context and first in options and context.get_parameter_source(first) is ParameterSource.COMMANDLINE:
+        message = options[first] + message.removeprefix(first)
+    message = _NAMED.sub(told, message)
     return re.sub(
         r"--method (\w+)\(.*?\)", lambda found: f"--method {names.get(found[1], found[1])}", with_units(message)
     )
 
 
-@contextmanager
-def progress(description: str, total: int | None = None) -> Iterator[Callable[..., None]]:
-    """Show a bar on standard error, if that is a terminal; yields what announces each step.
-
-    It is told the name of the step, and, where they are not counted from 0, how many are done of how many.
-    """
-    columns = [SpinnerColumn(), TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn()]
-    console = Console(stderr=True)
-    if not console.is_terminal:
-        # Not even an end of line, which a bar that is disabled may leave.
-        yield lambda *_: None
-        return
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task(description, total=total)
-        count = 0
-
-        def started(name: str, done: int | None = None, of: int | None = total) -> None:
-            nonlocal count
-            bar.update(task, description=name, completed=count if done is None else done, total=of)
-            count += 1
-
-        yield started
+def _options(context: click.Context | None) -> list[click.Option]:
+    return [part for part in (context.command.params if context else ()) if isinstance(part, click.Option)]
 
 
 def print_json(data: dict[str, Any]) -> None:

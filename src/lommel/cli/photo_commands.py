@@ -16,8 +16,9 @@ import numpy as np
 
 from lommel.base.options import sentence
 from lommel.base.units import format_length
-from lommel.cli.parts import FILE, Length, one_line_errors, print_json, progress
+from lommel.cli.parts import FILE, Length, one_line_errors, print_json
 from lommel.cli.photo_job import KINDS, Request
+from lommel.cli.progress import progress
 from lommel.imaging import Photograph
 from lommel.imaging.settings import BORDERS, MISSING, Settings
 from lommel.io.frames import check_pattern, is_animation, write_frames
@@ -102,9 +103,9 @@ def blur(output: Path, focus: float | None, as_json: bool, **options: Any) -> No
         job = request.job(output)
         find(output, "--output", holding=f"of {job.dtype}")
         lens = job.lens(focus, "--focus")
-        started("blurring")
+        started("making windows")
         start = time.perf_counter()
-        made = job.photograph(lens)
+        made = job.photograph(lens, lambda share: started("blurring", share))
         seconds = time.perf_counter() - start
         same = job.encoding == job.picture.encoding
         clipped = write_photo(

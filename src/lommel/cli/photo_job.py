@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base.units import format_length
-from lommel.imaging import Photograph, Picture, depth_of_field, read_depth, read_photo
+from lommel.imaging import FocusPlan, Photograph, Picture, read_depth, read_photo
 from lommel.imaging.settings import Settings
 from lommel.optics.lens import Lens
 
@@ -144,10 +144,23 @@ class Job:
         except ValueError as error:
             raise ValueError(str(error).replace("focus_distance", name)) from None
 
-    def photograph(self, lens: Lens) -> Photograph:
-        """Return what the lens makes of it, as light."""
-        settings = vars(self.request.settings)
-        return depth_of_field(self.light, self.depth, lens, self.pixel, encoding="linear", **settings)
+    def photograph(self, lens: Lens, told: Callable[[float], object] | None = None) -> Photograph:
+        """Return what the lens makes of it, as light; `told` is called with the share of the work that is done."""
+        settings = self.request.settings
+        plan = FocusPlan(self.light, self.depth, lens, self.pixel, encoding="linear", keep=1, **vars(settings))
+        if told is not None:
+            blur = plan.blur()
+            # What hides what is found by spreading white: once for each spectrum, or twice if windows do not end.
+            looks = len(set(blur.spectra)) * (2 if settings.energy == 1.0 else 1) if settings.occlusion else 0
+            total, done = self.depth.size * (blur.channels + looks), 0
+
+            def watch(points: int) -> None:
+                nonlocal done
+                done += points
+                told(min(done / total, 1.0))
+
+            blur.watch = watch
+        return plan()
 
     def facts(self, lens: Lens) -> dict[str, Any]:
         """Return what there is to say of all of it."""

@@ -10,9 +10,10 @@ import click
 import numpy as np
 
 from lommel.base.units import format_length
-from lommel.cli.parts import FILE, Length, one_line_errors, print_json, progress
+from lommel.cli.parts import FILE, Length, one_line_errors, print_json
 from lommel.cli.photo_commands import finite, photo_command, terminated_as_interrupted
 from lommel.cli.photo_job import Request
+from lommel.cli.progress import progress
 from lommel.io.photos import find, write_photo
 
 if TYPE_CHECKING:
@@ -93,7 +94,7 @@ def restore(
             method=way,
             saturation=saturation,
             progress=lambda step, discrepancy, left: started(
-                f"step {step}, discrepancy {discrepancy:.3g}, {_duration(left)} left"
+                f"step {step}, discrepancy {discrepancy:.3g}", _share(time.perf_counter() - start, left)
             ),
             **vars(request.settings),
         )
@@ -157,6 +158,6 @@ def _tell(facts: dict[str, Any], as_json: bool) -> None:
         click.echo(f"wrote {name}")
 
 
-def _duration(seconds: float) -> str:
-    """Return a time that is left in words that are short."""
-    return f"{seconds:.0f} s" if seconds < 100.0 else f"{seconds / 60.0:.0f} min"
+def _share(spent: float, left: float) -> float:
+    """Return how much of the work is done."""
+    return spent / max(spent + left, 1e-9)

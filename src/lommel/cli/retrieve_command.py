@@ -16,9 +16,9 @@ from lommel.cli.parts import (
     instrument_of,
     one_line_errors,
     print_json,
-    progress,
     save_figure,
 )
+from lommel.cli.progress import progress
 
 if TYPE_CHECKING:
     from lommel.estimation.retrieval import Retrieval
@@ -80,7 +80,7 @@ def _is_number(word: str) -> bool:
 @click.option("--pixel", type=Length(), help='Pixel pitch, instead of the lens file\'s: "3.45 um".')
 @click.option("--object-distance", type=Length(), help='Instead of the file\'s: "1.5 m", "inf".')
 @click.option("--starts", type=int, default=20, show_default=True, help="So often is begun anew where nothing fits.")
-@click.option("--seed", type=int, default=0, show_default=True, help="Of these.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of these.")
 @click.option("--unit", type=click.Choice(_UNITS), default="radians", show_default=True, help="Of what is printed.")
 @click.option("-o", "--output", type=FILE, help="The wavefront, in Noll's terms: .json, .toml or .csv.")
 @click.option("--plot", "figure", type=FILE,
@@ -129,9 +129,11 @@ def retrieve(
         figure_format(figure)
     instrument = instrument_of(lens, **changes)
     noise = Noise(white=white, read=read, offset=offset)
-    with progress("fitting"):
+    with progress("reading") as started:
+        stars = read_images(_files(images))
+        started("fitting")
         found = fit(
-            read_images(_files(images)),
+            stars,
             instrument.pupil(),
             pixel=instrument.pixel,
             noise=noise,
@@ -142,6 +144,9 @@ def retrieve(
             integrate=instrument.integrate,
             starts=starts,
             seed=seed,
+            progress=lambda share, chi2: started(
+                f"start {int(starts * share) + 1} of at most {starts}, chi2 {chi2:.3g}", share
+            ),
         )
     if output is not None:
         found.save(output)

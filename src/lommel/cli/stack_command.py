@@ -10,7 +10,8 @@ from typing import Any
 import click
 import numpy as np
 
-from lommel.cli.parts import Length, Shape, instrument_of, one_line_errors, print_json, progress
+from lommel.cli.parts import Length, Shape, instrument_of, one_line_errors, print_json
+from lommel.cli.progress import progress
 
 _MOST = 10**9
 
@@ -61,7 +62,7 @@ def stack(
         def done(chunks: int, total: int) -> None:
             nonlocal steps
             steps += 1
-            step(f"chunk {chunks} of {total}", chunks, total)
+            step(f"chunk {chunks} of {total}", chunks / total)
 
         made = psf_to(
             output,

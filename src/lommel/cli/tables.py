@@ -231,6 +231,8 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
         sums = [value for row in facts["sum"] for value in row]
         said = f"{min(sums):.4g} to {max(sums):.4g}: samples this far apart are no share of the light"
         lines.append(("sums of the values", said))
+    held = [value for row in facts["energy"] for value in row]
+    lines.append(("energy in a window", f"{min(held):.2%} to {max(held):.2%}"))
     peaks = Table(box=None, pad_edge=False, title="Largest value at y (down) and x (across)", title_justify="left")
     peaks.add_column("", style="cyan", justify="right", no_wrap=True)
     reach = max(facts["sensor"])
@@ -241,6 +243,8 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
     console = console_of()
     console.print(facts["name"], style="bold")
     console.print(list_of([*lines, *made_how(facts)]))
+    if min(held) < 0.95:
+        console.print(f"One window holds {min(held):.0%} of the light only; larger ones hold more: --shape.")
     console.print()
     console.print(peaks)
 
@@ -274,6 +278,16 @@ def print_comparison(
     console.print(size if any(row["method"] == reference for row in rows) else f"{size}; judged by {reference}")
     console.print(table)
     console.print(f"model: {instrument.lens.model}; {model_in_words(other)}")
+
+
+def print_examples(rows: list[dict[str, Any]]) -> None:
+    """Print the rows of ``lommel examples``."""
+    table = Table(box=None, pad_edge=False)
+    for name in ("name", "kind", "what it is"):
+        table.add_column(name, no_wrap=name != "what it is")
+    for row in rows:
+        table.add_row(row["name"], row["kind"], row["what"])
+    console_of().print(table)
 
 
 def print_methods(rows: list[dict[str, Any]]) -> None:

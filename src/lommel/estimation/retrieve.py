@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -40,6 +40,7 @@ def retrieve(
     steps: int = 60,
     seed: int | np.random.Generator = 0,
     threads: int | None = None,
+    progress: Callable[[float, float], object] | None = None,
 ) -> Retrieval:
     """Find the wavefront behind images of a star, or of any point of light, and how certain it is.
 
@@ -86,6 +87,9 @@ def retrieve(
         Of the random starts.
     threads : int, optional
         As of :func:`lommel.psf`.
+    progress : callable, optional
+        Called as ``progress(share, chi2)`` before each step, with the share of all that may be taken, of which most
+        answers need few; what it raises ends the work.
 
     Returns
     -------
@@ -131,6 +135,8 @@ def retrieve(
     count = validation.integer("starts", starts, least=1, most=10_000)
     most = validation.integer("steps", steps, least=1, most=10_000)
     draw = np.random.default_rng(seed)
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
     plan = Plan(values.shape[1:], pixel, tol=tol, integrate=integrate, threads=threads)
     model = StarImages(electrons, read, valid, start, known, unknowns, plan, pixel)
     _enough(model, electrons, valid)
@@ -139,7 +145,12 @@ def retrieve(
     while tries < count:
         together = 1 if tries == 0 or unknowns.pupil else min(_TOGETHER, count - tries)
         x = _scattered(model, first, draw, together, tries)
-        found = scoring.climb(model, model.with_light(x), most)
+
+        def told(step: int, chi2: float, before: int = tries, together: int = together) -> None:
+            if progress is not None:
+                progress((before + together * step / (most + 1)) / count, chi2)
+
+        found = scoring.climb(model, model.with_light(x), most, told)
         tries, taken = tries + together, taken + int(found.steps.sum())
         chi2 = found.scores.chi2
         at = int(np.argmin(np.where(found.settled, chi2, 2.0 * chi2)))

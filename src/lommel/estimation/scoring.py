@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -33,11 +34,12 @@ class Fits:
         return Fits(self.x[index], self.scores.of(index), self.settled[index], self.steps[index])
 
 
-def climb(model: StarImages, x: Array, most: int) -> Fits:
+def climb(model: StarImages, x: Array, most: int, told: Callable[[int, float], object] = lambda *_: None) -> Fits:
     """Take steps from several starts `x`, at most so many each, until they settle or one of them fits.
 
     Steps are damped as Levenberg and Marquardt do, and made longer where the last gained nearly all that its slope
-    promised: far from the answer the information overstates how curved the likelihood is.
+    promised: far from the answer the information overstates how curved the likelihood is. `told` is called with the
+    number of each step and the best chi2 before it.
     """
     count = len(x)
     now = model.judged(x)
@@ -45,6 +47,7 @@ def climb(model: StarImages, x: Array, most: int) -> Fits:
     settled, moving = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
     steps, idle = np.zeros(count, dtype=int), np.zeros(count, dtype=int)
     for turn in range(most + 1):
+        told(turn, float(now.chi2.min()))
         at = np.flatnonzero(moving)
         there = now if at.size == count else now.of(at)
         step = damped(there.information, there.slope, damping[at])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple, Unpack
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.base.deprecation import reordered
 from lommel.base.options import shares
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
@@ -19,6 +20,8 @@ from lommel.imaging.sensor_light import SensorLight
 from lommel.imaging.settings import BlurKeywords, Settings, Spectrum, spectra
 from lommel.imaging.whole.beyond import Beyond
 from lommel.optics.lens import Lens
+
+_BAND = 2**17  # points that are spread in one go where somebody watches
 
 
 class Points(NamedTuple):
@@ -47,10 +50,10 @@ class DepthBlur(LinearBlur):
 
     Parameters
     ----------
-    lens : Lens
-        Its aberrations must be radially symmetric.
     depth : array_like, shape (height, width)
         Distance of each point from the lens, metres, positive; may be infinite.
+    lens : Lens
+        Its aberrations must be radially symmetric.
     pixel : float
         Pixel pitch, metres.
     channels : sequence, default (lens.wavelength,)
@@ -75,19 +78,23 @@ class DepthBlur(LinearBlur):
         If an argument is out of range; if the blur exceeds `largest`.
     """
 
+    watch: Callable[[int], object] | None = None
+    """Called with a number of points each time that so many have been spread, if it is set; see `_bands`."""
+
     # Where the points are in the banks, of the defocus and for the banks that come first.
     _placed: tuple[NDArray[np.float64], tuple[Bank, ...], tuple[NDArray[np.float64], ...]] | None = None
 
+    @reordered(since="0.1", until="0.3", was=lambda first: isinstance(first, Lens))
     def __init__(
         self,
-        lens: Lens,
         depth: ArrayLike,
+        lens: Lens,
         pixel: float,
         *,
         channels: Sequence[Spectrum] | None = None,
         **options: Unpack[BlurKeywords],
     ) -> None:
-        require_lens(lens, "lens, depth, pixel")
+        require_lens(lens, "depth, lens, pixel")
         if not lens.aberrations.radial or lens.aberrations.shape != ():
             raise ValueError("lens must have radially symmetric aberrations, and one set of them")
         if lens.spider or lens.vignetting or lens.mask:
@@ -248,11 +255,14 @@ class DepthBlur(LinearBlur):
         rows, columns, around = self._room(channel)
         room = np.zeros([side + sum(more) for side, more in zip(self.shape, around, strict=True)], dtype=self.dtype)
         shown = self._shown(seen, around)
+        used = bank or self.banks[channel]
         for plane, points in sources:
-            where = points.positions, rows, columns
-            engine.spread(
-                *_parts(bank or self.banks[channel]), *where, plane, self.threads, room, points.layers, shown, slopes
-            )
+            for band, rim in self._bands(rows, used.half):
+                where = points.positions, rows[band], columns
+                limits = points.layers, None if shown is None else shown[rim]
+                engine.spread(*_parts(used), *where, plane, self.threads, room[rim], *limits, slopes)
+                if self.watch is not None:
+                    self.watch(int(np.count_nonzero(points.positions[rows[band]] >= 0.0)))
         if self.border == "reflect":  # The mirrored image sends in what leaves this one.
             return folded(folded(room, around[0][0], self.shape[0]).T, around[1][0], self.shape[1]).T
         (top, _), (left, _) = around
@@ -301,6 +311,13 @@ class DepthBlur(LinearBlur):
         margin = bank.half if self.border == "extend" else 0
         rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in self.shape)
         return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
+
+    def _bands(self, rows: NDArray[np.int64], half: int) -> Iterator[tuple[slice, slice]]:
+        """Yield rows that are spread together, all unless somebody watches, and the rows that they reach."""
+        height = len(rows) if self.watch is None else max(_BAND // self.shape[1], 8 * half, 64)
+        for first in range(0, len(rows), height):
+            last = min(first + height, len(rows))
+            yield slice(first, last), slice(first, last + 2 * half)
 
     def _shown(self, seen: NDArray[Any] | None, around: list[tuple[int, int]]) -> NDArray[Any] | None:
         """Return what pixels see, with the room around them."""

@@ -110,7 +110,7 @@ class Occlusion(LinearBlur):
     >>> lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
     >>> depth = np.full((40, 60), 4.0)
     >>> depth[:, 20:] = 1.6
-    >>> seen = Occlusion(DepthBlur(lens, depth, 8e-6, dtype=np.float64))
+    >>> seen = Occlusion(DepthBlur(depth, lens, 8e-6, dtype=np.float64))
     >>> a, b = np.random.default_rng(0).random((2, 40, 60))
     >>> bool(np.isclose(np.vdot(seen.forward(a), b), np.vdot(a, seen.adjoint(b)), rtol=1e-12))
     True

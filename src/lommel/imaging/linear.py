@@ -90,7 +90,7 @@ class LinearBlur(ABC):
         Examples
         --------
         >>> lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
-        >>> blur = lm.imaging.DepthBlur(lens, np.full((20, 30), 2.5), 8e-6, dtype=np.float64)
+        >>> blur = lm.imaging.DepthBlur(np.full((20, 30), 2.5), lens, 8e-6, dtype=np.float64)
         >>> operator = blur.as_linear_operator()
         >>> operator.shape, operator.dims
         ((600, 600), (20, 30))

@@ -134,7 +134,7 @@ class FocusPlan:
         if key in self._known:
             self._known.move_to_end(key)
             return self._known[key]
-        made = Occlusion(DepthBlur(lens, self._depth, self._pixel, channels=self._channels, **self.settings.of_blur))
+        made = Occlusion(DepthBlur(self._depth, lens, self._pixel, channels=self._channels, **self.settings.of_blur))
         self._known[key] = made
         if len(self._known) > self._keep:
             self._known.popitem(last=False)

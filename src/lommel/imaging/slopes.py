@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.deprecation import reordered
 from lommel.imaging.bank import Bank, stored_windows
 from lommel.imaging.blur import DepthBlur, Points
 from lommel.imaging.cuts import cut, find_cuts, sums_of_quarters
@@ -40,10 +41,10 @@ class BlurSlopes:
 
     Parameters
     ----------
-    blur : DepthBlur
-        Placed at the depths around which things change; is not to be placed elsewhere afterwards.
     image : ndarray of float
         The scene, linear light, of the shape that :meth:`lommel.imaging.DepthBlur.forward` takes.
+    blur : DepthBlur
+        Placed at the depths around which things change; is not to be placed elsewhere afterwards.
 
     Raises
     ------
@@ -54,15 +55,16 @@ class BlurSlopes:
     --------
     >>> lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
     >>> depth, light = np.full((20, 30), 2.3), np.random.default_rng(0).random((20, 30))
-    >>> blur = lm.imaging.DepthBlur(lens, depth, 8e-6, dtype=np.float64, tol=1e-6)
-    >>> slopes = lm.imaging.BlurSlopes(blur, light)
+    >>> blur = lm.imaging.DepthBlur(depth, lens, 8e-6, dtype=np.float64, tol=1e-6)
+    >>> slopes = lm.imaging.BlurSlopes(light, blur)
     >>> before, change = blur.forward(light), np.full((20, 30), 1e-6)
     >>> blur.place(depth + change)
     >>> bool(np.allclose(blur.forward(light) - before, slopes.forward(change), rtol=1e-3, atol=1e-9))
     True
     """
 
-    def __init__(self, blur: DepthBlur, image: NDArray[Any]) -> None:
+    @reordered(since="0.1", until="0.3", was=lambda first: isinstance(first, DepthBlur))
+    def __init__(self, image: NDArray[Any], blur: DepthBlur) -> None:
         validation.instance("blur", blur, DepthBlur)
         self._blur = copy.copy(blur)
         self._planes = np.array(blur.planes(image))

@@ -67,7 +67,7 @@ class TileBlur:
         self.encoding = encoding
         keywords = settings.of_blur | {"largest": settings.largest or max(1, min(shape[:2]) // 2)}
         extremes = np.array([depths], dtype=np.float64)
-        self._whole = DepthBlur(lens, extremes, pixel, channels=settings.channels(shape, lens.wavelength), **keywords)
+        self._whole = DepthBlur(extremes, lens, pixel, channels=settings.channels(shape, lens.wavelength), **keywords)
         self._reach = (float(self._whole.defocus.min()), float(self._whole.defocus.max()))
         self.overlap = self.half
         self._occlusion = settings.occlusion

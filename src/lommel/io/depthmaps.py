@@ -95,13 +95,16 @@ def _metres(source: str, values: NDArray[Any], scaled: bool, factor: float, zero
     if values.dtype.kind not in "iuf":
         raise PhotoError(f"{source} holds {values.dtype}; a depth map holds numbers")
     if values.dtype.kind != "f" and not scaled:
-        raise PhotoError(f"{source} holds levels ({values.dtype}); say how many metres one is: depth scale")
+        raise PhotoError(f"{source} holds levels ({values.dtype}); say by `scale` how many metres one is")
     with np.errstate(over="ignore", invalid="ignore"):  # of a NaN that signals
         metres = values.astype(np.float64) * factor
     zero = values == 0
     if zero.any():
         if not zero_is_unknown:
-            raise ValueError(f"{source} is 0 at {zero.sum()} of {zero.size} points; say so if that means unknown")
+            raise ValueError(
+                f"{source} is 0 at {zero.sum()} of {zero.size} points; if that means unknown, say so by "
+                "`zero_is_unknown`"
+            )
         metres[zero] = np.nan
     if np.any(metres < 0.0):
         raise ValueError(f"{source} must hold distances > 0 metres, got {metres[metres < 0.0][0]:g}")
@@ -118,7 +121,7 @@ def _pfm(data: bytes, scale: float | None) -> NDArray[Any]:
     width, height, unit = int(found[2]), int(found[3]), float(found[4])
     reading.pixels(width, height)
     if unit == 0.0 or (abs(unit) != 1.0 and scale is None):
-        raise ValueError(f"its header states the scale {unit:g}; say how many metres a unit is: depth scale")
+        raise ValueError(f"its header states the scale {unit:g}; say by `scale` how many metres a unit is")
     body = data[found.end() :]
     if len(body) != 4 * width * height:
         raise ValueError(f"{width} x {height} values take {4 * width * height} bytes, got {len(body)}")

@@ -144,7 +144,7 @@ def deconvolve(
     sides = [(planes, planes), (pixels, pixels), (pixels, pixels)]
     wide = np.moveaxis(np.pad(recorded, sides, constant_values=np.nan), 0, -1)
     blur = StackBlur(psf, (wide.shape[-1], *wide.shape[:2]))
-    found = restore_with(blur, wide if blur.channels > 1 else wide[..., 0], noise, method=method, progress=progress)
+    found = restore_with(wide if blur.channels > 1 else wide[..., 0], blur, noise, method=method, progress=progress)
     whole = np.moveaxis(found.values.reshape(*blur.shape, blur.channels), -1, 0)
     inside = tuple(slice(low, size - low) for (low, _), size in zip(sides, whole.shape, strict=True))
     return replace(found, values=whole[inside], light=whole[inside])

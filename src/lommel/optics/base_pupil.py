@@ -71,6 +71,16 @@ class BasePupil(views.Shown, ABC):
     def geometric_radius(self) -> NDArray[np.float64]:
         """Return how far from the axis rays meet the sensor at most, a length there, of the shape of the stack."""
 
+    def __len__(self) -> int:
+        """Return how many pupils, or stacks of them, the first axis of a stack holds."""
+        if self.shape == ():
+            raise TypeError("a single pupil has no length")
+        return self.shape[0]
+
+    def __bool__(self) -> bool:
+        """Return True, whether it has a length or not."""
+        return True
+
     @abstractmethod
     def __getitem__(self, index: Any) -> Self:
         """Return part of a stack, as NumPy indexes arrays of its shape."""

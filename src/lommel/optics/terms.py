@@ -138,6 +138,16 @@ class Terms:
         rounded = 2.0**-53 * np.abs(self.radial_terms).sum(axis=-1)
         return float(lost.max()) if np.any(lost > rounded) else 0.0
 
+    def __len__(self) -> int:
+        """Return how many wavefronts, or stacks of them, the first axis of a stack holds."""
+        if self.shape == ():
+            raise TypeError("a single wavefront has no length")
+        return self.shape[0]
+
+    def __bool__(self) -> bool:
+        """Return True, whether it has a length or not."""
+        return True
+
     def __getitem__(self, index: Any) -> Self:
         """Return part of a stack, as NumPy indexes arrays of its shape."""
         if self.shape == ():

@@ -195,7 +195,8 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
 def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dict[str, Any]:
     """Return what there is to say about PSFs over the field: lengths in metres, one entry for each of the grid."""
     place = {"sensor": list(grid.sensor), "x": grid.x.tolist(), "y": grid.y.tolist()}
-    return {"name": instrument.name, "source": instrument.source} | place | how_made(grid.psf, seconds)
+    energy = {"energy": np.asarray(grid.psf.energy).tolist()}
+    return {"name": instrument.name, "source": instrument.source} | place | energy | how_made(grid.psf, seconds)
 
 
 def how_made(answer: Answer, seconds: float) -> dict[str, Any]:

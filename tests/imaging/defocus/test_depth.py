@@ -273,7 +273,7 @@ def test_a_slope_is_found_with_a_deviation_that_knows_of_it():
     scene = np.hstack([texture(seed=2), texture(seed=3)[:, :48]])
     images = []
     for seed, lens in enumerate(fast):
-        blur = lm.imaging.DepthBlur(lens, depth, PIXEL, energy=0.99, largest=60)
+        blur = lm.imaging.DepthBlur(depth, lens, PIXEL, energy=0.99, largest=60)
         images.append(NOISE.record(1e4 * np.maximum(blur.forward(scene), 0.0), seed=seed))
     found = lm.imaging.depth_from_defocus(images, fast, PIXEL, **CAMERA)
     error = (found.depth - depth)[12:-12, 12:-12]

@@ -156,7 +156,7 @@ def test_a_lens_that_is_the_same_everywhere_blurs_as_by_depth_alone():
     image, depth = np.random.default_rng(0).random(SHAPE), np.random.default_rng(1).uniform(1.0, 5.0, SHAPE)
     given = {"energy": 0.9999, "dtype": np.float64, "tol": 1e-5, "largest": 40}
     for border in ("reflect", "extend", "zero"):
-        by_depth = DepthBlur(lens, depth, PIXEL, border=border, **given)
+        by_depth = DepthBlur(depth, lens, PIXEL, border=border, **given)
         blur = FieldBlur(field, SHAPE, PIXEL, depth=depth, lens=lens, border=border, **given)
         assert blur.banks[0].coefficients.shape[:2] == (1, 1)
         assert np.abs(blur.forward(image) - by_depth.forward(image)).max() < 3e-4

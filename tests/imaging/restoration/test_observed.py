@@ -14,7 +14,7 @@ LENS = Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550
 
 
 def _blur(shape: tuple[int, int] = (20, 24), channels: int = 1, dtype: type = np.float64) -> DepthBlur:
-    return DepthBlur(LENS, np.full(shape, 2.2), 8e-6, channels=(550e-9,) * channels, dtype=dtype)
+    return DepthBlur(np.full(shape, 2.2), LENS, 8e-6, channels=(550e-9,) * channels, dtype=dtype)
 
 
 def _deviance(found: Observed, model: np.ndarray) -> np.ndarray:

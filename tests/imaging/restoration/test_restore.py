@@ -72,7 +72,7 @@ def test_it_is_the_operator_of_photographs_with_the_noise_that_is_named():
     photo = _photo(_scene())
     options = {"energy": 0.95, "tol": 1e-3, "border": "extend", "dtype": np.float64}
     found = restore(photo, DEPTH, LENS, PIXEL, encoding="linear", noise=NOISE, saturation=np.inf, **options)
-    same = restore_with(Occlusion(DepthBlur(LENS, DEPTH, PIXEL, **options)), photo, NOISE)
+    same = restore_with(photo, Occlusion(DepthBlur(DEPTH, LENS, PIXEL, **options)), NOISE)
     np.testing.assert_array_equal(found.values, same.values)
     assert found.values.dtype == np.float64
 
@@ -219,7 +219,7 @@ class TestOverTheField:
         scene = _scene(3)
         blur = FieldBlur(self.FIELD, scene.shape[:2], 4e-6, channels=RED_GREEN_BLUE, dtype=np.float64)
         found = restore(blur.forward(scene), None, self.FIELD, 4e-6, encoding="linear", noise=NOISE, dtype="float64")
-        same = restore_with(blur, blur.forward(scene), NOISE)
+        same = restore_with(blur.forward(scene), blur, NOISE)
         np.testing.assert_allclose(found.light, same.light, rtol=1e-9)
 
     @pytest.mark.parametrize("option", [{"tol": 1e-3}, {"occlusion": False}, {"missing": "nearest"}])

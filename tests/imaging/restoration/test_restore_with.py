@@ -43,7 +43,7 @@ def test_an_operator_of_ones_own_is_undone(channels: int, method: Any) -> None:
         .uniform(0.1, 0.9, (16, 12, channels))
         .reshape((16, 12, channels)[: 2 + (channels > 1)])
     )
-    found = restore_with(blur, blur.forward(scene), NOISE, method=method)
+    found = restore_with(blur.forward(scene), blur, NOISE, method=method)
     np.testing.assert_allclose(found.light, scene, rtol=1e-3)
     assert found.values is found.light
     assert len(found.by_channel) == channels
@@ -53,12 +53,12 @@ def test_an_operator_of_ones_own_is_undone(channels: int, method: Any) -> None:
 
 def test_what_is_told_is_what_happened() -> None:
     lens = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
-    blur = DepthBlur(lens, np.full((40, 48), 2.3), 8e-6, channels=(600e-9, 500e-9))
+    blur = DepthBlur(np.full((40, 48), 2.3), lens, 8e-6, channels=(600e-9, 500e-9))
     scene = np.kron(np.random.default_rng(1).uniform(0.1, 0.8, (5, 6, 2)), np.ones((8, 8, 1))).astype(np.float32)
     photo = np.moveaxis(NOISE.record(np.moveaxis(4000.0 * blur.forward(scene), 2, 0), seed=2), 0, 2)
     photo[5:9, 7:11, 0] = np.nan
     told: list[tuple[int, float, float]] = []
-    found = restore_with(blur, photo, NOISE, progress=lambda *at: told.append(at))
+    found = restore_with(photo, blur, NOISE, progress=lambda *at: told.append(at))
     assert found.stopped == "noise"
     assert (found.steps, found.discrepancy) == (told[-1][0], pytest.approx(told[-1][1], rel=1e-5))
     assert found.unknown == pytest.approx(16 / photo.size)
@@ -75,7 +75,7 @@ def test_what_progress_raises_ends_the_work() -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        restore_with(Shift((8, 8), 1), np.ones((8, 8)), NOISE, progress=stop)
+        restore_with(np.ones((8, 8)), Shift((8, 8), 1), NOISE, progress=stop)
 
 
 @pytest.mark.parametrize(
@@ -96,4 +96,4 @@ def test_what_progress_raises_ends_the_work() -> None:
 def test_bad_arguments_are_refused_by_name(changes: dict[str, Any], kind: type[Exception], said: str) -> None:
     given = {"blur": Shift((8, 8), 1), "light": np.ones((8, 8)), "noise": NOISE} | changes
     with pytest.raises(kind, match=said):
-        restore_with(given.pop("blur"), given.pop("light"), given.pop("noise"), **given)
+        restore_with(given.pop("light"), given.pop("blur"), given.pop("noise"), **given)

@@ -17,7 +17,7 @@ DEPTH[:, 24:] = 2.1
 
 
 def _blur(scale: float = 1.0) -> Occlusion:
-    return Occlusion(DepthBlur(LENS, scale * DEPTH, 8e-6, dtype=np.float64))
+    return Occlusion(DepthBlur(scale * DEPTH, LENS, 8e-6, dtype=np.float64))
 
 
 def _scene(seed: int = 0) -> np.ndarray:
@@ -38,7 +38,7 @@ def _solve(method: RichardsonLucy, observed: Observed) -> tuple[Solution, list[t
 
 
 def test_a_step_is_the_quotient_of_two_products_with_a_matrix() -> None:
-    blur = DepthBlur(LENS, np.full((9, 8), 2.1), 16e-6, dtype=np.float64)
+    blur = DepthBlur(np.full((9, 8), 2.1), LENS, 16e-6, dtype=np.float64)
     matrix = blur.as_linear_operator() @ np.eye(72)
     rng = np.random.default_rng(2)
     photo, noise = rng.random((9, 8)), Noise(white=50.0, read=2.0)

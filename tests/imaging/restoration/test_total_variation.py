@@ -15,7 +15,7 @@ LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550
 
 
 def _blur(shape: tuple[int, int], depth: float = 2.3, channels: int = 1, pixel: float = 8e-6) -> DepthBlur:
-    return DepthBlur(LENS, np.full(shape, depth), pixel, channels=(550e-9,) * channels, dtype=np.float64)
+    return DepthBlur(np.full(shape, depth), LENS, pixel, channels=(550e-9,) * channels, dtype=np.float64)
 
 
 def _silent(*_: object) -> None:

@@ -70,13 +70,13 @@ def test_every_point_spreads_its_whole_psf_between_mirrors(f_number):
     image, depth = scene(int(f_number))
     truth = summed(image, depth, lens(f_number))
     for dtype in (np.float32, np.float64):
-        blur = DepthBlur(lens(f_number), depth, PIXEL, energy=1.0, largest=40, dtype=dtype)
+        blur = DepthBlur(depth, lens(f_number), PIXEL, energy=1.0, largest=40, dtype=dtype)
         off = np.abs(blur.forward(image.astype(dtype)) - truth).max()
         assert off <= 1e-5 * truth.max()
         assert off <= blur.error * image.max()
         assert blur.error < 4e-4
         assert blur.lost == 0.0
-    cut = DepthBlur(lens(f_number), depth, PIXEL, largest=40, dtype=np.float64)
+    cut = DepthBlur(depth, lens(f_number), PIXEL, largest=40, dtype=np.float64)
     assert np.abs(cut.forward(image) - truth).max() > 5e-3 * truth.max()
 
 
@@ -99,7 +99,7 @@ def test_colours_have_each_their_own_and_a_photograph_says_how_far_it_may_be_off
 )
 def test_other_borders_are_those_of_an_image_that_goes_on(border, mode):
     image, depth = scene(2)
-    blur = DepthBlur(lens(), depth, PIXEL, energy=1.0, border=border, largest=40, dtype=np.float64)
+    blur = DepthBlur(depth, lens(), PIXEL, energy=1.0, border=border, largest=40, dtype=np.float64)
     made = blur.forward(image)
     # Edges go on for half of the image, and are mirrored there; darkness goes on for ever.
     around = [(side // 2,) * 2 for side in image.shape] if border == "extend" else [(20, 20)] * 2
@@ -134,8 +134,8 @@ def test_a_point_spreads_its_psf_to_within_the_error_in_the_sum_of_all_pixels(ki
     depths = np.random.default_rng(5).uniform(1.6, 6.0, 6)
     side = 2 * HALF + 1
     blur = DepthBlur(
-        optics,
         np.append(depths, [1.6, 6.0]).reshape(1, -1),
+        optics,
         PIXEL,
         energy=1.0,
         largest=60,
@@ -162,7 +162,7 @@ def test_the_adjoint_is_the_transpose(border, dtype, weighted, shape):
     rng = np.random.default_rng(1)
     _, depth = scene(1, shape)
     blur = DepthBlur(
-        lens(4.0), depth, PIXEL, border=border, dtype=dtype, energy=1.0, largest=40, channels=(6e-7, 5e-7)
+        depth, lens(4.0), PIXEL, border=border, dtype=dtype, energy=1.0, largest=40, channels=(6e-7, 5e-7)
     )
     a, b = (rng.standard_normal((*shape, 2)).astype(dtype) for _ in range(2))
     weight = rng.random(shape) < 0.6 if weighted else None
@@ -182,14 +182,14 @@ def test_the_adjoint_is_the_transpose(border, dtype, weighted, shape):
 @pytest.mark.parametrize("f_number", [2.0, 8.0])
 def test_no_light_is_lost_between_mirrors_and_a_white_wall_stays_white(f_number):
     image, depth = scene(3, (23, 31))
-    blur = DepthBlur(lens(f_number), depth, PIXEL, energy=1.0, dtype=np.float64, largest=40)
+    blur = DepthBlur(depth, lens(f_number), PIXEL, energy=1.0, dtype=np.float64, largest=40)
     assert blur.forward(image).sum() == pytest.approx(image.sum(), rel=1e-6)
-    wall = DepthBlur(lens(f_number), np.full((23, 31), 3.0), PIXEL, energy=1.0, dtype=np.float64, largest=40)
+    wall = DepthBlur(np.full((23, 31), 3.0), lens(f_number), PIXEL, energy=1.0, dtype=np.float64, largest=40)
     assert np.abs(wall.forward(np.ones((23, 31))) - 1.0).max() < 1e-12
 
 
 def test_nothing_jumps_as_a_point_moves():
-    blur = DepthBlur(lens(), np.array([[2.0, 5.0]]), PIXEL, energy=1.0, dtype=np.float64, largest=40, border="zero")
+    blur = DepthBlur(np.array([[2.0, 5.0]]), lens(), PIXEL, energy=1.0, dtype=np.float64, largest=40, border="zero")
     bank = blur.banks[0]
     knots = bank.start + bank.spacing * np.arange(1, bank.count - 1)
     for at in knots:
@@ -209,7 +209,7 @@ def near_and_far():
 
 def test_what_is_white_stays_white_where_near_points_hide_far_ones():
     for depth in (near_and_far(), scene(4, (30, 40))[1]):
-        blur = DepthBlur(lens(4.0), depth, PIXEL, energy=1.0, dtype=np.float64)
+        blur = DepthBlur(depth, lens(4.0), PIXEL, energy=1.0, dtype=np.float64)
         white = np.ones((30, 40))
         assert np.abs(Occlusion(blur).forward(white) - white).max() < 1e-12
 
@@ -217,25 +217,25 @@ def test_what_is_white_stays_white_where_near_points_hide_far_ones():
 def test_a_dark_object_in_focus_takes_but_the_halo_of_what_is_behind_it():
     depth = near_and_far()
     light = np.where(depth > 3.0, 1.0, 0.0)
-    blur = DepthBlur(lens(4.0), depth, PIXEL, energy=1.0, dtype=np.float64)
+    blur = DepthBlur(depth, lens(4.0), PIXEL, energy=1.0, dtype=np.float64)
     seen, added = Occlusion(blur).forward(light), blur.forward(light)
     # The window of a sharp object holds all but 1.5 % of its light, and that is no hole to see through.
     assert seen[15, 2] < 5e-3
     assert seen[15, 15] < 0.5 * added[15, 15]
     # As with windows of which almost nothing is cut.
-    wide = DepthBlur(lens(4.0), depth, PIXEL, dtype=np.float64, energy=0.997, largest=60)
+    wide = DepthBlur(depth, lens(4.0), PIXEL, dtype=np.float64, energy=0.997, largest=60)
     assert np.abs(seen - Occlusion(wide).forward(light)).max() < 5e-3
 
 
 def test_where_nothing_hides_anything_points_that_hide_one_another_only_add():
     image, _ = scene(6, (24, 30))
-    blur = DepthBlur(lens(), np.full((24, 30), 3.0), PIXEL, energy=1.0, dtype=np.float64)
+    blur = DepthBlur(np.full((24, 30), 3.0), lens(), PIXEL, energy=1.0, dtype=np.float64)
     assert np.abs(Occlusion(blur).forward(image) - blur.forward(image)).max() < 1e-8
 
 
 def test_points_may_be_put_elsewhere():
     image, depth = scene(7, (24, 30))
-    blur = DepthBlur(lens(4.0), depth, PIXEL, energy=1.0, dtype=np.float64)
+    blur = DepthBlur(depth, lens(4.0), PIXEL, energy=1.0, dtype=np.float64)
     before = blur.forward(image)
     blur.place(depth[::-1])
     assert np.abs(blur.forward(image[::-1])[::-1] - before).max() < 1e-12
@@ -247,7 +247,7 @@ def test_threads_do_not_change_a_bit(threads):
     image, depth = scene(8, (260, 270))
     light = np.stack([image, image[::-1]], axis=2).astype(np.float32)
     given = {"energy": 1.0, "tol": 1e-3, "channels": (6e-7, 5e-7)}
-    one, more = (DepthBlur(lens(), depth, PIXEL, threads=count, **given) for count in (1, threads))
+    one, more = (DepthBlur(depth, lens(), PIXEL, threads=count, **given) for count in (1, threads))
     assert one.forward(light).tobytes() == more.forward(light).tobytes()
     assert one.adjoint(light).tobytes() == more.adjoint(light).tobytes()
 

@@ -108,7 +108,7 @@ def restore(
         blur: LinearBlur = _over_the_field(given.shape, depth, lens, pixel, settings, options)
     else:
         blur = blur_of(given.shape, depth, lens, pixel, settings)
-    found = restore_with(blur, light, noise, method=way, saturation=limit, progress=progress)
+    found = restore_with(light, blur, noise, method=way, saturation=limit, progress=progress)
     values, clipped = stored(found.values, encoding, given.dtype, settings.threads or 0)
     return replace(found, values=values, clipped=clipped)
 
@@ -189,5 +189,5 @@ def blur_of(
     distances = np.asarray(fill_missing(depth, settings.missing))
     if distances.shape != shape[:2]:
         raise ValueError(f"depth must have the shape of the photo, {shape[:2]}, got {distances.shape}")
-    blur = DepthBlur(lens, distances, pixel, channels=settings.channels(shape, lens.wavelength), **settings.of_blur)
+    blur = DepthBlur(distances, lens, pixel, channels=settings.channels(shape, lens.wavelength), **settings.of_blur)
     return Occlusion(blur) if settings.occlusion else blur

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
+from lommel.base.deprecation import reordered
 from lommel.estimation.noise import Noise
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.restoration.observed import Method, Observed
@@ -74,9 +75,10 @@ class Restoration:
         )
 
 
+@reordered(since="0.1", until="0.3", was=lambda first: isinstance(first, LinearBlur))
 def restore_with(
-    blur: LinearBlur,
     light: ArrayLike,
+    blur: LinearBlur,
     noise: Noise,
     *,
     method: Method | None = None,
@@ -87,11 +89,11 @@ def restore_with(
 
     Parameters
     ----------
+    light : array_like of float, shape (height, width) or (height, width, channels)
+        As it was recorded, in proportion to light but for the offset. NaN where a pixel is unknown.
     blur : LinearBlur
         :class:`lommel.imaging.Occlusion`, :class:`lommel.imaging.DepthBlur`, or one of your own; no entry of its
         matrix may be negative.
-    light : array_like of float, shape (height, width) or (height, width, channels)
-        As it was recorded, in proportion to light but for the offset. NaN where a pixel is unknown.
     noise : Noise
         Of the values of `light`.
     method : RichardsonLucy or TotalVariation, optional
@@ -114,12 +116,12 @@ def restore_with(
     Examples
     --------
     >>> lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
-    >>> blur = lm.imaging.DepthBlur(lens, np.full((40, 60), 2.3), 8e-6)
+    >>> blur = lm.imaging.DepthBlur(np.full((40, 60), 2.3), lens, 8e-6)
     >>> scene = np.full((40, 60), 0.1)
     >>> scene[10:30, 20:40] = 0.7
     >>> noise = lm.Noise(white=5000, read=3.0)
     >>> photo = noise.record(5000 * blur.forward(scene), seed=0)
-    >>> found = lm.imaging.restore_with(blur, photo, noise)
+    >>> found = lm.imaging.restore_with(photo, blur, noise)
     >>> found.stopped, bool(abs(found.light - scene).mean() < 0.5 * abs(photo - scene).mean())
     ('noise', True)
     """

@@ -1,0 +1,70 @@
+"""The bar on standard error: what is done now, what share is done, and how long the rest takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    Progress,
+    SpinnerColumn,
+    TaskProgressColumn,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+
+
+class Steps:
+    """How far a command is: each call begins the next of `total` steps, or tells a share.
+
+    Parameters
+    ----------
+    bar : Progress, optional
+        None where nobody looks.
+    description : str
+    total : int, optional
+        Steps; without it there is a share only where one is told.
+    """
+
+    def __init__(self, bar: Progress | None, description: str, total: int | None) -> None:
+        self._bar, self._total = bar, total
+        self._begun, self._shown = 0, 0.0
+        self._task = None if bar is None else bar.add_task(description, total=total)
+
+    def __call__(self, name: str, share: float | None = None) -> None:
+        """Say what is done now: the next step, or what has this share, 0 to 1, of the work behind it."""
+        if self._bar is None or self._task is None:
+            return
+        if share is not None:
+            self._shown = min(max(share, self._shown), 1.0)  # estimates may take back what they said
+            self._bar.update(self._task, description=name, total=1.0, completed=self._shown)
+            return
+        if self._total is None:
+            self._bar.update(self._task, description=name)
+        else:
+            self._bar.update(self._task, description=name, completed=self._begun)
+        self._begun += 1
+
+
+@contextmanager
+def progress(description: str, total: int | None = None) -> Iterator[Steps]:
+    """Show a bar on standard error, if that is a terminal; yields what announces each step."""
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        # Not even an end of line, which a bar that is disabled may leave.
+        yield Steps(None, description, total)
+        return
+    columns = (
+        SpinnerColumn(),
+        TextColumn("{task.description}"),
+        BarColumn(),
+        TaskProgressColumn(text_format_no_percentage=""),
+        TimeElapsedColumn(),
+        TextColumn("[dim]left"),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True) as bar:
+        yield Steps(bar, description, total)

@@ -1,0 +1,62 @@
+"""`lommel examples`: what there is to begin with, and copies of it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from lommel.lensfiles import examples
+
+ROOT = Path(__file__).resolve().parents[2] / "examples"
+THERE = {path.stem: path for kind in ("lenses", "objectives") for path in (ROOT / kind).glob("*.toml")}
+
+
+def test_all_examples_are_listed_with_what_they_are(call_lommel, tmp_path):
+    rows = json.loads(call_lommel("examples", "--json", folder=tmp_path).stdout)["examples"]
+    assert {row["name"]: row["kind"] for row in rows} == {
+        name: {"lenses": "lens", "objectives": "objective"}[path.parent.name] for name, path in THERE.items()
+    }
+    told = call_lommel("examples", folder=tmp_path).stdout
+    assert all(row["name"] in told and row["what"][:20] in told for row in rows)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("given", ["phone", "phone.toml"])
+def test_a_copy_is_what_the_example_is_and_serves_the_next_command(call_lommel, tmp_path, given):
+    assert call_lommel("examples", given, folder=tmp_path).stdout == "wrote phone.toml\n"
+    assert (tmp_path / "phone.toml").read_bytes() == THERE["phone"].read_bytes()
+    assert call_lommel("info", "phone.toml", folder=tmp_path).returncode == 0
+
+
+def test_all_go_to_a_folder_that_is_made(call_lommel, tmp_path):
+    told = json.loads(call_lommel("examples", "--all", "-o", "a/b", "--json", folder=tmp_path).stdout)
+    assert (
+        {Path(name).stem for name in told["files"]}
+        == {path.stem for path in (tmp_path / "a/b").iterdir()}
+        == set(THERE)
+    )
+
+
+def test_nothing_is_written_over_nor_invented(call_lommel, tmp_path):
+    (tmp_path / "phone.toml").write_text("mine")
+    result = call_lommel("examples", "nifty-fifty", "phone", folder=tmp_path)
+    assert (result.returncode, result.stderr) == (2, "Error: phone.toml: is there already\n")
+    assert [path.name for path in tmp_path.iterdir()] == ["phone.toml"]
+    assert (tmp_path / "phone.toml").read_text() == "mine"
+    result = call_lommel("examples", "camera", folder=tmp_path)
+    assert result.returncode == 2
+    assert result.stderr.startswith("Error: NAMES must be among camera-field, hubble-1990, ")
+
+
+def test_a_wheel_has_them_within_the_package(tmp_path, monkeypatch):
+    place = tmp_path / "lommel" / "examples" / "lenses"
+    place.mkdir(parents=True)
+    (place / "one.toml").write_text('name = "One"')
+    monkeypatch.setattr(examples, "__file__", str(tmp_path / "lommel" / "lensfiles" / "examples.py"))
+    assert examples.files() == {"one": place / "one.toml"}
+    assert examples.title(place / "one.toml") == "One"
+    (place / "one.toml").unlink()
+    with pytest.raises(FileNotFoundError, match="wheels bring them"):
+        examples.files()

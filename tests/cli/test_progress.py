@@ -1,0 +1,104 @@
+"""The bar of long commands: what is done, the share of it, and how long the rest takes."""
+
+from __future__ import annotations
+
+import io
+import re
+
+import numpy as np
+import pytest
+import tifffile
+from PIL import Image
+from rich.console import Console
+
+import lommel as lm
+from lommel.cli import progress as bars
+from lommel.imaging import blur as blur_module
+from lommel.imaging.defocus import tiles
+
+LENS = """\
+[lens]
+focal_length = "35 mm"
+f_number = 4
+focus_distance = "1.6 m"
+wavelength = "540 nm"
+[sensor]
+pixel = "6 um"
+"""
+NOISE = ("--white", "5000", "--read", "3")
+LONG = {
+    "blur": ("blur", "photo.png", "depth.npy", "lens.toml", "-o", "out.png"),
+    "focus-pull": (
+        "focus-pull", "photo.png", "depth.npy", "lens.toml", "--from", "1.6m", "--to", "1.7m", "--frames", "3",
+        "-o", "pull.gif",
+    ),
+    "restore": ("restore", "photo.png", "depth.npy", "lens.toml", *NOISE, "--steps", "4", "-o", "out.png"),
+    "depth": (
+        "depth", "photo.png", "photo.png", "lens.toml", "--focus", "1.5m", "--focus", "1.8m",
+        "--between", "1.4m", "2m", "--candidates", "15", *NOISE,
+    ),
+    "retrieve": ("retrieve", "star.tif", "lens.toml", "--read", "2", "--terms", "3"),
+    "compare": ("compare", "lens.toml", "--shape", "5"),
+    "paper": ("paper", "out", "--figure", "2", "--figure", "17"),
+}  # fmt: skip
+
+
+@pytest.fixture
+def folder(tmp_path):
+    rng = np.random.default_rng(3)
+    Image.fromarray(rng.integers(60, 180, (80, 96), dtype=np.uint8)).save(tmp_path / "photo.png")
+    np.save(tmp_path / "depth.npy", np.linspace(1.5, 1.8, 80 * 96).reshape(80, 96))
+    (tmp_path / "lens.toml").write_text(LENS)
+    pupil = lm.load_instrument(tmp_path / "lens.toml").pupil()
+    star = lm.psf(pupil, 15, 6e-6).values
+    tifffile.imwrite(tmp_path / "star.tif", lm.Noise(read=2.0).record(1e5 * star, seed=1).astype(np.float32))
+    return tmp_path
+
+
+@pytest.mark.parametrize("command", LONG)
+def test_every_long_command_tells_rising_shares_of_its_work(call_lommel, folder, monkeypatch, command):
+    seen, console = [], Console(file=io.StringIO(), force_terminal=True, width=120)
+    monkeypatch.setattr(bars, "Console", lambda **_: console)
+    monkeypatch.setattr(blur_module, "_BAND", 1)
+    monkeypatch.setattr(tiles, "_CORE", 48)
+    tell = bars.Steps.__call__
+
+    def told(self, *given):
+        tell(self, *given)
+        (task,) = self._bar.tasks
+        seen.append(task.percentage if task.total else None)
+
+    monkeypatch.setattr(bars.Steps, "__call__", told)
+    result = call_lommel(*LONG[command], folder=folder)
+    assert result.returncode == 0, result.stderr
+    shares = [share for share in seen if share is not None]
+    assert len(set(shares)) >= 2
+    assert shares == sorted(shares)
+    assert shares[0] >= 0.0
+    assert shares[-1] <= 100.0
+
+
+def drawn(*calls, total=None):
+    console = Console(file=io.StringIO(), force_terminal=True, width=120)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(bars, "Console", lambda **_: console)
+        with bars.progress("first", total) as started:
+            for call in calls:
+                started(*call)
+    return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", console.file.getvalue())
+
+
+def test_the_bar_shows_what_is_done_its_share_and_the_time_that_is_left():
+    last = drawn(("blurring", 0.25)).rstrip().splitlines()[-1]
+    assert "blurring" in last
+    assert "25%" in last
+    assert re.search(r"left \S*:", last)
+
+
+def test_a_step_counts_once_it_is_over():
+    assert "50%" in drawn(("one",), ("two",), total=2)
+    assert "100%" not in drawn(("one",), ("two",), total=2)
+
+
+def test_no_share_is_made_up_where_none_is_known():
+    assert "%" not in drawn(("reading",), ("writing",))

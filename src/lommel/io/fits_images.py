@@ -57,20 +57,24 @@ def read(data: bytes, most: int) -> list[Image]:
 
     plain = _inflated(data, 8 * most + reading.MAX_TEXT) if data.startswith(_GZIP) else data
     found, total = [], 0
-    with (
-        warnings.catch_warnings(),
-        fits.open(io.BytesIO(plain), memmap=False, lazy_load_hdus=False, disable_image_compression=True) as file,
-    ):
-        warnings.simplefilter("error")
-        for unit in file:
-            header = unit.header
-            if header.get("XTENSION", "IMAGE").strip() != "IMAGE" or not header["NAXIS"]:
-                continue  # a table, or a header alone
-            sides = [header[f"NAXIS{k + 1}"] for k in range(min(header["NAXIS"], _MOST_AXES))]
-            total += math.prod(sides)
-            if min(sides) < 1 or total > most or math.prod(sides) * abs(header["BITPIX"]) > 8 * len(plain):
-                raise ValueError(f"it has {' x '.join(map(str, sides))} values, more than it holds or than {most}")
-            found.append(Image(np.asarray(unit.data, unit.data.dtype.newbyteorder("=")), _cards(header)))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")  # of a file that is cut, say
+        # But of comments in other letters, and cards that are not quite as they should be, nothing depends.
+        warnings.filterwarnings("ignore", "non-ASCII characters")
+        warnings.simplefilter("ignore", fits.verify.VerifyWarning)
+        # One after the other: where the next begins follows from the sizes of the last, which are looked at first.
+        with fits.open(io.BytesIO(plain), memmap=False, disable_image_compression=True) as file:
+            for unit in file:
+                header = unit.header
+                if header.get("XTENSION", "IMAGE").strip() != "IMAGE" or not header["NAXIS"]:
+                    continue  # a table, or a header alone
+                sides = [header[f"NAXIS{k + 1}"] for k in range(min(header["NAXIS"], _MOST_AXES))]
+                total += math.prod(sides)
+                if min(sides) < 1 or total > most or math.prod(sides) * abs(header["BITPIX"]) > 8 * len(plain):
+                    raise ValueError(
+                        f"it has {' x '.join(map(str, sides))} values, more than it holds or than {most}"
+                    )
+                found.append(Image(np.asarray(unit.data, unit.data.dtype.newbyteorder("=")), _cards(header)))
     if not found:
         raise ValueError("it holds no image; one in a compressed table (.fz) is to be unpacked first")
     return found

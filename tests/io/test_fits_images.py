@@ -1,0 +1,53 @@
+"""What a FITS file may cost is known from its header, before any of its values is decoded."""
+
+from __future__ import annotations
+
+import gzip
+
+import numpy as np
+import pytest
+
+from lommel.io import fits_images
+
+VALUES = np.arange(12.0).reshape(3, 4)
+FILE = fits_images.write([(VALUES, {"BUNIT": ("m", "a comment"), "NUMBER": 2.5})])
+
+
+@pytest.mark.parametrize("data", [FILE, gzip.compress(FILE)], ids=["plain", "packed"])
+def test_images_come_with_their_cards(data):
+    ((values, header),) = fits_images.read(data, 12)
+    np.testing.assert_array_equal(values, VALUES)
+    assert values.dtype == np.float64
+    assert (header["BUNIT"], header["NUMBER"]) == ("m", 2.5)
+
+
+@pytest.mark.parametrize("side", [b"99999", b"2000000000", b"0", b"-4"])
+def test_a_header_that_claims_more_values_than_there_are_is_refused(side):
+    at = FILE.index(b"NAXIS1  =")
+    claimed = FILE[:at] + b"NAXIS1  =" + side.rjust(21) + FILE[at + 30 :]
+    with pytest.raises(
+        (ValueError, UserWarning), match=r"-?\d+ x 3 values, more than it holds|may have been truncated"
+    ):
+        fits_images.read(claimed, 2**20)
+
+
+def test_comments_in_other_letters_and_cards_of_other_customs_do_no_harm():
+    at = FILE.index(b"a comment")
+    odd = FILE[:at] + "5 µm, ".encode("latin-1").ljust(9) + FILE[at + 9 :]
+    at = odd.index(b"NUMBER  =")
+    odd = odd[:at] + b"num.ber =" + odd[at + 9 :]
+    np.testing.assert_array_equal(fits_images.read(odd, 12)[0].values, VALUES)
+
+
+def test_more_values_than_asked_for_are_refused():
+    with pytest.raises(ValueError, match="it has 4 x 3 values, more than it holds or than 11"):
+        fits_images.read(FILE, 11)
+    twice = fits_images.write([(VALUES, {}), (VALUES, {})])
+    assert len(fits_images.read(twice, 24)) == 2
+    with pytest.raises(ValueError, match="more than it holds or than 23"):
+        fits_images.read(twice, 23)
+
+
+def test_what_unpacks_to_more_than_any_such_file_is_refused():
+    with pytest.raises(ValueError, match="it unpacks to more than"):
+        fits_images.read(gzip.compress(bytes(17 * 2**20), 1), 10)

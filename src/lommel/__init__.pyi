@@ -14,6 +14,7 @@ from lommel import (
     optics as optics,
     page as page,
     reports as reports,
+    sensor as sensor,
     show as show,
     special as special,
 )
@@ -75,6 +76,13 @@ from lommel.optics.pupil import Pupil as Pupil
 from lommel.optics.wavefront import Wavefront as Wavefront
 from lommel.page.widget import live as live
 from lommel.psf import PSF as PSF, Plan as Plan, psf as psf
+from lommel.sensor.blurs import (
+    Blur as Blur,
+    ChargeDiffusion as ChargeDiffusion,
+    Jitter as Jitter,
+    Motion as Motion,
+    Seeing as Seeing,
+)
 from lommel.special.erf import AbramowitzErf as AbramowitzErf, FresnelErf as FresnelErf, TableErf as TableErf
 
 __version__: str

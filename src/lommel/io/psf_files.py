@@ -23,6 +23,7 @@ from lommel.methods import method_from_dict
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
+from lommel.sensor.blurs import blurs_from_dicts
 
 Made = TypeVar("Made", bound=Answer)
 
@@ -120,6 +121,10 @@ def describe(psf: Answer) -> dict[str, Any]:
     dict
         All but the values; ``lommel.base.checksums.sealed`` adds the checksum of all.
     """
+    # What few have is not stated of the others, whose files read as before.
+    beyond: dict[str, Any] = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}
+    if psf.blur:
+        beyond["blur"] = [blur.to_dict() for blur in psf.blur]
     return {
         "software": f"lommel {version()}",
         "pupil": {"kind": type(psf.pupil).__name__} | psf.pupil.to_dict(),
@@ -129,6 +134,7 @@ def describe(psf: Answer) -> dict[str, Any]:
         "pixel": psf.pixel,
         "center": [np.asarray(part).tolist() for part in psf.grid.center],
         "integrate": psf.grid.integrate,
+        **beyond,
         "unit": psf.unit,
         "error_bound": psf.error_bound,
         "derivative_bounds": {str(name): bound for name, bound in psf.derivative_bounds.items()},
@@ -158,6 +164,7 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
             description["pixel"],
             center=description["center"],
             integrate=description["integrate"],
+            fill=description.get("fill", 1.0),
         ),
         pupil=pupil,
         method=method,
@@ -169,6 +176,7 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
             for said, slope in arrays.items()
             if said.startswith(psf_numpy.SLOPE)
         },
+        blur=blurs_from_dicts(description.get("blur", ())),
         derivative_bounds={psf_numpy.name(k): bound for k, bound in description["derivative_bounds"].items()},
     )
     # Values that are computed as sums may lie below 0 by their error.

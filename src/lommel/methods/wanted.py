@@ -64,7 +64,7 @@ def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
 
 
 def way(method: Any, tol: float | None, integrate: Any) -> tuple[Method | None, float]:
-    """Return the method that is named, if one is, with the tolerance; TypeError or ValueError if there is none such."""
+    """Return the method, if one is named, and the tolerance; TypeError or ValueError if there are none such."""
     if method is not None and not isinstance(method, Method):
         raise TypeError(
             f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {validation.shown(method)}"

@@ -178,7 +178,7 @@ class Grid:
     @property
     def radii(self) -> Array:
         """Distinct distances of pixel centres from a centred axis, rising, in the unit of `pixel`."""
-        return np.sqrt(_quadrant(*self.shape)[0]) * self._side
+        return np.sqrt(_quadrant(*self.shape)[0]) * self.side
 
     @property
     def multiplicity(self) -> NDArray[np.int64]:
@@ -188,7 +188,7 @@ class Grid:
 
     def step(self, pupil: BasePupil) -> float:
         """Return the pitch of square pixels in v of a `pupil`, ``pi pixel / (lambda N)``."""
-        return math.pi * self._side / pupil.scale
+        return math.pi * self.side / pupil.scale
 
     def cell(self, pupil: BasePupil) -> float:
         """Return the area of a pixel in v^2 of a `pupil`, that between active parts included."""
@@ -198,9 +198,10 @@ class Grid:
         return math.pi * down / pupil.scale * (math.pi * across / pupil.scale)
 
     @property
-    def _side(self) -> float:
+    def side(self) -> float:
+        """Pitch of square pixels; ValueError for others, which no method takes by itself."""
         if not isinstance(self.pixel, float):
-            raise ValueError(f"pixel must be one number for a Method on its own, got {self.pixel}; lommel.psf takes two")
+            raise ValueError(f"pixel must be one number for a Method, got {self.named}; lommel.psf takes two")
         return self.pixel
 
     def require_reach(self, pupil: BasePupil) -> None:

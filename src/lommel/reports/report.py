@@ -185,7 +185,7 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
     light in the window, else None. "wide_enough" is the side of a window that holds some 98 % of the light, where
     this one does not hold 95 % and is smaller, else None.
     """
-    energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), answer.pixel)
+    energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), min(answer.grid.pitch))
     return how_made(answer, seconds) | {
         "wide_enough": side if energy < 0.95 and min(answer.shape) < side else None,
         "energy": energy,
@@ -205,7 +205,7 @@ def how_made(answer: Answer, seconds: float) -> dict[str, Any]:
     return {
         "method": answer.method.to_dict(),
         "sampling": answer.sampling,
-        "pixel_over_lambda_N": answer.pixel / answer.pupil.scale,
+        "pixel_over_lambda_N": max(answer.grid.pitch) / answer.pupil.scale,
         "sum": answer.values.sum(axis=(-2, -1), dtype=float).tolist() if stray else None,
         "shape": list(answer.shape),
         "pixel": answer.pixel,

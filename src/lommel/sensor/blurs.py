@@ -166,7 +166,7 @@ class Seeing(Blur):
         if self.wavelength is None or self.focal_length is None:
             return self.r0
         colour = 1.0 if wavelength is None else wavelength / self.wavelength
-        return self.r0 * colour**0.2 / (self.wavelength * self.focal_length)
+        return float(self.r0 * colour**0.2 / (self.wavelength * self.focal_length))
 
     def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
         """Return the transfer function at frequencies `fx`, `fy` in light of a `wavelength`; see :class:`Blur`."""
@@ -185,7 +185,9 @@ def _von_karman(q: Array, scales: float) -> Array:
     from scipy.special import gamma, kv
 
     z = np.atleast_1d(2.0 * math.pi / scales * q)
-    factor = 0.5 * KOLMOGOROV * scales ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0) * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3)
+    factor = (
+        0.5 * KOLMOGOROV * scales ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0) * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3)
+    )
     all_of_it = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
     far = np.minimum(np.maximum(z, 1.0), 700.0)
     found = np.where(z > 1.0, all_of_it - far**_NU * kv(_NU, far), 0.0)
@@ -333,7 +335,9 @@ def blurs(value: Any) -> tuple[Blur, ...]:
         return ()
     several = (value,) if isinstance(value, Blur) else value
     if not isinstance(several, Iterable) or isinstance(several, str | bytes):
-        raise TypeError(f"blur must be Seeing, Jitter, Motion or ChargeDiffusion, or several, got {validation.shown(value)}")
+        raise TypeError(
+            f"blur must be Seeing, Jitter, Motion or ChargeDiffusion, or several, got {validation.shown(value)}"
+        )
     found = tuple(several)
     for one in found:
         if type(one) not in KINDS.values():
@@ -355,7 +359,11 @@ def require_unit(several: tuple[Blur, ...], pupil: BasePupil) -> None:
     metric = pupil.wavelength is not None
     for blur in several:
         if blur.metric is not None and blur.metric != metric:
-            how = "focal_length and wavelength" if metric else "r0 over the diameter alone, as this one has no wavelength"
+            how = (
+                "focal_length and wavelength"
+                if metric
+                else "r0 over the diameter alone, as this one has no wavelength"
+            )
             raise ValueError(f"blur must fit the unit of the pupil, {pupil.unit}: give Seeing {how}, got {blur!r}")
         for length in blur.lengths:
             ratio = length / pupil.scale

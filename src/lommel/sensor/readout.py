@@ -2,8 +2,8 @@ r"""Pixels of any sides, anywhere, from samples on a square lattice: along rows,
 
 The transform of ``box(w) exp(-(w / s)^2 / 2)``, boxes being convolved with the Gaussian, is
 ``g(x) = sin(m x) / (pi x) exp(-(s x)^2 / 2)``: a gate from ``-m`` to ``m`` whose fall is an error function. So
-``h sum_k g(x - k h) exp(i w k h) = exp(i w x)`` for ``abs(w) <= 2`` but for the error of the gate (Poisson's sum), and
-g averaged over a pixel averages. What is left out beyond some samples is an exponential integral.
+``h sum_k g(x - k h) exp(i w k h) = exp(i w x)`` for ``abs(w) <= 2`` but for the error of the gate (Poisson's sum),
+and g averaged over a pixel averages. What is left out beyond some samples is an exponential integral.
 """
 
 from __future__ import annotations
@@ -39,8 +39,8 @@ class Readout(NamedTuple):
     gain: float
 
     @property
-    def count(self) -> int:
-        """How many samples there are."""
+    def samples(self) -> int:
+        """How many there are."""
         return int(self.matrix.shape[1])
 
 

@@ -1,8 +1,8 @@
 r"""Images as sensors record them, by any method: samples on a lattice, spread, and read by pixels of any sides.
 
-The intensity has no frequencies beyond ``abs(w) = 2``, and ``int abs(OTF) dw`` is at most the peak without aberration,
-so that a response that is off by e there makes errors of at most e times that peak (as in methods/averaging.py). What
-samples err by counts as often as the moduli of all weights together.
+The intensity has no frequencies beyond ``abs(w) = 2``, and ``int abs(OTF) dw`` is at most the peak without
+aberration, so that a response that is off by e there makes errors of at most e times that peak (as in
+methods/averaging.py). What samples err by counts as often as the moduli of all weights together.
 """
 
 from __future__ import annotations
@@ -209,24 +209,28 @@ def _of_stack(asked: Asked, part: Component, grid: Grid, several: tuple[Blur, ..
             _of_stack(asked, part._replace(pupil=pupil[index]), grid[index], several)
             for index in np.ndindex(grid.stack)
         ]
-        columns = list(zip(*each, strict=True))[:4]
-        joined = [None if column[0] is None else np.concatenate(column) for column in columns]
-        return Made(*joined, each[0].method)
-    gate = Gate.of(_STEP, asked.error)
-    to_v = math.pi / pupil.scale
+        return _joined(each)
+    gate, to_v = Gate.of(_STEP, asked.error), math.pi / pupil.scale
     rows, columns = (
         readout(to_v * places, to_v * active, gate)
         for places, active in zip((grid.y, grid.x), grid.active, strict=True)
     )
     short, halo = Short.of(several, pupil.scale), halo_of(several, pupil.scale, pupil.wavelength, gate)
     box, kernel = _lattice(asked, short, halo, rows, columns)
-    found = [
-        _of_block(asked, block, pupil, gate, box, kernel, rows, columns)
-        for block in _blocks(pupil, box[1][0] * box[1][1])
-    ]
-    values, given, response, missing = zip(*(one[:4] for one in found), strict=True)
-    whole = None if given[0] is None else np.concatenate(given)
-    return Made(np.concatenate(values), whole, np.concatenate(response), np.concatenate(missing), found[0].method)
+    blocks = _blocks(pupil, math.prod(box[1]))
+    return _joined([_of_block(asked, block, gate, box, kernel, (rows, columns)) for block in blocks])
+
+
+def _joined(parts: list[Made]) -> Made:
+    """Return images of parts of a stack, one after the other."""
+    given = [one.given for one in parts if one.given is not None]
+    return Made(
+        np.concatenate([one.values for one in parts]),
+        np.concatenate(given) if len(given) == len(parts) else None,
+        np.concatenate([one.response for one in parts]),
+        np.concatenate([one.missing for one in parts]),
+        parts[0].method,
+    )
 
 
 Box = tuple[tuple[int, int], tuple[int, int]]
@@ -241,7 +245,7 @@ def _lattice(asked: Asked, short: Short, halo: Any, rows: Readout, columns: Read
     beyond = 0.0 if short.nothing else ends(gate)[0]
     for side, reach in ((rows, down), (columns, across)):
         room = 0 if plain else math.ceil((reach + beyond) / gate.h)
-        first, last = side.first - room, side.first + side.count - 1 + room
+        first, last = side.first - room, side.first + side.samples - 1 + room
         more = math.ceil(asked.margin / gate.h) if halo.several else 0
         low, high = (min(first, 0) - more, max(last, 0) + more) if halo.several else (first, last)
         far = max(-low, high)
@@ -254,8 +258,8 @@ def _lattice(asked: Asked, short: Short, halo: Any, rows: Readout, columns: Read
         least.append(2 * max(last - low, high - first) + 2 if halo.several else counts[-1])
     if max(counts) > _MOST:
         raise ToleranceError(
-            f"what spreads this image takes a lattice of {max(counts)} samples a side, more than {_MOST}, to be known "
-            "to the tolerance: ask for a larger tol, or for a smaller window"
+            f"this image takes a lattice of {max(counts)} samples a side, more than {_MOST}, to be known to the "
+            "tolerance: ask for a larger tol, or for a smaller window"
         )
     box = (begins[0], begins[1]), (counts[0], counts[1])
     return box, None if plain else spread(short, halo, (least[0], least[1]), asked.margin)
@@ -271,35 +275,27 @@ def _blocks(pupil: Any, samples: int) -> list[Any]:
 
 
 def _of_block(
-    asked: Asked,
-    pupil: Any,
-    whole: Any,
-    gate: Gate,
-    box: Box,
-    kernel: Spread | None,
-    rows: Readout,
-    columns: Readout,
+    asked: Asked, pupil: Any, gate: Gate, box: Box, kernel: Spread | None, pixels: tuple[Readout, Readout]
 ) -> Made:
     """Return images of a few pupils, from one lattice."""
-    ceiling, (first, counts) = pupil.amplitude**2, box
+    (rows, columns), ceiling, (first, counts) = pixels, pupil.amplitude**2, box
     fine = Grid(counts, gate.h * pupil.scale / math.pi, center=(-first[0], -first[1]))
     method, samples, off = _sampled(asked, pupil, fine)
-    gain, response, missing = rows.gain * columns.gain, rows.error + columns.error + rows.error * columns.error, 0.0
-    response = np.full(len(samples), 1.0001 * response * ceiling)
+    gain, missing = rows.gain * columns.gain, np.zeros(len(samples))
+    response = np.full(len(samples), 1.0001 * (rows.error + columns.error + rows.error * columns.error) * ceiling)
     if kernel is not None:
         light = 4.0 * math.pi * pupil.transmission
         seen = gate.h**2 * samples.sum(axis=(1, 2))
         unsure = 0.0 if off is None else gate.h**2 * samples[0].size * off
-        absent = np.clip(light - seen + unsure, 0.0, light)
-        missing = gain * absent * kernel.missing
-        response += gain * (ceiling * (kernel.error * 1.0001 + kernel.blind) + light * kernel.off + kernel.rounding(samples))
+        missing = gain * kernel.missing * np.clip(light - seen + unsure, 0.0, light)
+        spreading = ceiling * (1.0001 * kernel.error + kernel.blind) + light * kernel.off + kernel.rounding(samples)
+        response += gain * spreading
         gain *= kernel.gain
         samples = kernel.on(samples, asked.threads)
     top, left = rows.first - first[0], columns.first - first[1]
-    part = samples[:, top : top + rows.count, left : left + columns.count]
+    part = samples[:, top : top + rows.samples, left : left + columns.samples]
     values = np.stack([(columns.matrix @ (rows.matrix @ one).T).T for one in part])
-    given = None if off is None else gain * off
-    return Made(values, given, response, np.broadcast_to(missing, response.shape), method)
+    return Made(values, None if off is None else gain * off, response, missing, method)
 
 
 def _sampled(asked: Asked, pupil: Any, fine: Grid) -> tuple[Method, Array, Array | None]:
@@ -360,8 +356,8 @@ def recorded(
     require_unit(several, pupil)
     if pupil.layered:
         raise ValueError(
-            "blur, fill and pixels that are not square are for lenses, got the pupil of an Objective: take its samples, "
-            "integrate=False, and convolve these"
+            "blur, fill and pixels that are not square are for lenses, got the pupil of an Objective: ask for finer "
+            "square pixels, and sum blocks of them"
         )
     way = method or candidates(pupil, Grid(grid.shape, min(grid.pitch)), tol)[0]
     wanted = wanted_on(grid, pupil, way, normalize, dtype, threads)

@@ -1,9 +1,9 @@
 r"""Samples of an image, convolved with what spreads it: by a transform of a lattice that is wide enough, proven.
 
-Two kinds of kernels. Jitter, diffusion and motion end, but for less than any tolerance, at their `reach`; of these the
-response ``P(w) = sum_m (T G)(w + 2 pi m / h)`` multiplies the transform of the lattice, and what wraps around or is
-missing at the edges is what lies beyond the reach. Seeing has a halo: its kernel is tabulated, the lattice has room for
-all of it, and what is missing is the light beyond the lattice times the kernel there (halo.py).
+Two kinds of kernels. Jitter, diffusion and motion end, but for less than any tolerance, at their `reach`; of these
+the response ``P(w) = sum_m (T G)(w + 2 pi m / h)`` multiplies the transform of the lattice, and what wraps around or
+is missing at the edges is what lies beyond the reach. Seeing has a halo: its kernel is tabulated, the lattice has
+room for all of it, and what is missing is the light beyond the lattice times the kernel there (halo.py).
 """
 
 from __future__ import annotations
@@ -113,7 +113,13 @@ class Spread(NamedTuple):
 
     def rounding(self, samples: Array) -> float:
         """Bound what transforms in double precision add to any value of these samples."""
-        return 20.0 * math.log2(math.prod(self.size)) * _U * self.norm * float(np.sqrt((samples**2).sum(axis=(1, 2)).max()))
+        return (
+            20.0
+            * math.log2(math.prod(self.size))
+            * _U
+            * self.norm
+            * float(np.sqrt((samples**2).sum(axis=(1, 2)).max()))
+        )
 
 
 def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> Spread:
@@ -160,7 +166,7 @@ def spread(short: Short, halo: Halo, least: tuple[int, int], margin: float) -> S
 def short_of(gate: Gate) -> float:
     """Bound the sum of moduli of a kernel that ends, beyond its reach and that of the gate, twice.
 
-    All but `Gate.error` of the light lies within the reach; what the gate smears of that is beyond along x or along y.
+    All but `Gate.error` of the light lies within the reach; what the gate smears of that is beyond along x or y.
     """
     return 2.0 * gained(gate) * (gate.error * gained(gate) + 2.0 * ends(gate)[1])
 

@@ -335,9 +335,7 @@ def blurs(value: Any) -> tuple[Blur, ...]:
         return ()
     several = (value,) if isinstance(value, Blur) else value
     if not isinstance(several, Iterable) or isinstance(several, str | bytes):
-        raise TypeError(
-            f"blur must be Seeing, Jitter, Motion or ChargeDiffusion, or several, got {validation.shown(value)}"
-        )
+        raise TypeError(f"blur must be one of {', '.join(KINDS)}, or several, got {validation.shown(value)}")
     found = tuple(several)
     for one in found:
         if type(one) not in KINDS.values():

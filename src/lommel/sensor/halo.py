@@ -179,7 +179,7 @@ def _gate_norm(gate: Gate, far: float) -> tuple[float, float]:
     """Return the integral of the modulus of the transform of a gate, and the largest of it from `far` on."""
     x, weight = gauss_legendre(400)
     w, weight = gate.end * x, gate.end * weight
-    r = np.linspace(0.0, 60.0, 4001).astype(np.float64)
+    r: Array = np.linspace(0.0, 60.0, 4001)
     g = np.abs(_transformed(weight * w * gate.round(w) / (2.0 * math.pi), w, r))
     # It falls faster than exponentially; what is beyond 60 is below what is before.
     return 1.01 * float(2.0 * math.pi * np.trapezoid(g * r, r)), float(g[r >= min(far, 45.0)].max())

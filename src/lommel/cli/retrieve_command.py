@@ -132,7 +132,7 @@ def retrieve(
         found = fit(
             read_images(_files(images)),
             instrument.pupil(),
-            pixel=instrument.pixel,
+            pixel=instrument.side,
             noise=noise,
             terms=_terms(terms),
             also=_names(also),

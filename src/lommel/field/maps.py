@@ -255,7 +255,7 @@ class FieldMap:
         x: ArrayLike,
         y: ArrayLike,
         shape: int | tuple[int, int],
-        pixel: float,
+        pixel: float | tuple[float, float],
         *,
         method: Method | None = None,
         **options: Any,
@@ -288,7 +288,7 @@ class FieldMap:
         *,
         sensor: tuple[float, float],
         shape: int | tuple[int, int],
-        pixel: float,
+        pixel: float | tuple[float, float],
         method: Method | None = None,
         **options: Any,
     ) -> PSFGrid:

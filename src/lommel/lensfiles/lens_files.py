@@ -25,7 +25,7 @@ from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import field_tables, messages, toml_files, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
-from lommel.lensfiles.sections import Distance, Length, Number, Section, Sensor, SignedLength, read_beside
+from lommel.lensfiles.sections import Distance, Length, Number, PhotoSensor, Section, SignedLength, read_beside
 from lommel.lensfiles.toml_files import LensFileError
 from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
@@ -165,7 +165,7 @@ class _File(Section):
     aperture: ApertureSection = ApertureSection()
     aberrations: _Aberrations = _Aberrations()
     object: _Object = _Object()
-    sensor: Sensor
+    sensor: PhotoSensor
     field: _Field | None = None
     report: _Report = _Report()
 
@@ -180,10 +180,11 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians), W020, W040, W060, W080
     (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131, W222, W220, W311 (waves at
     the edge of the field) with field, a pair [x, y] over that edge, and a section ``[aberrations.zernike]``, all of
-    which add; ``[object]`` distance, by default that in focus; ``[sensor]`` pixel, shape (by default a window that
-    holds about 98 % of the light) and integrate, whether its pixels average over their area, which they do by
-    default; ``[report]`` encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what changes over
-    the sensor and adds to all of this.
+    which add; ``[object]`` distance, by default that in focus; ``[sensor]`` pixel (height and width,
+    ``["4 um", "6 um"]``, where these differ), shape (by default a window that holds about 98 % of the light),
+    integrate, whether its pixels average over their area, which they do by default, and fill, the part of it that
+    they average over, or those of height and width; ``[report]`` encircled_energy, a list of radii on the sensor or
+    of angles; ``[field]`` what changes over the sensor and adds to all of this.
 
     ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
     them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
@@ -285,9 +286,8 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
             "object.distance: must be given where the sensor lies inside the focal plane: no object is in focus"
         )
     name, sensor = stem if file.name is None else file.name, file.sensor
-    found = Instrument(
-        name, file.source, lens, distance, sensor.pixel, sensor.shape, radii, integrate=sensor.integrate
-    )
+    pixels: dict[str, Any] = dict(sensor)
+    found = Instrument(name, file.source, lens, distance, radii=radii, **pixels)
     if file.field is None:
         return found
     try:

@@ -60,7 +60,9 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     nothing: list[None] = [None] * len(at)
     seen, error, image = known(lambda: _energies(pupil, at)) or (nothing, None, None)
     ideal, other_error, _ = known(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None, None)
-    nyquist, round_ = 0.5 / instrument.pixel, pupil.circular
+    # Along columns, whose pitch is the width of a pixel.
+    nyquist, round_ = 0.5 / instrument.pitch[1], pupil.circular
+    sensor: dict[str, Any] = {"pixel": instrument.pixel, "fill": instrument.fill}
     return {
         "name": instrument.name,
         "source": instrument.source,
@@ -90,7 +92,7 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "nyquist": nyquist,
         "mtf_at_nyquist": known(lambda: float(transfer.mtf(pupil, nyquist))) if round_ else None,
         "mtf_at_nyquist_with_pixel": (
-            known(lambda: float(transfer.mtf(pupil, nyquist, pixel=instrument.pixel))) if round_ else None
+            known(lambda: float(transfer.mtf(pupil, nyquist, **sensor))) if round_ else None
         ),
         "aperture": {
             "spider": None if lens.spider is None else lens.spider.to_dict(),
@@ -157,7 +159,7 @@ def other_model(instrument: Instrument) -> dict[str, Any]:
         other = changed.pupil(instrument.object_distance)
         pupils = {lens.model: instrument.pupil(), model: other}
         seen = {
-            name: psf(p, instrument.window, instrument.pixel, dtype="float64", integrate=instrument.integrate)
+            name: psf(p, instrument.window, instrument.pixel, dtype="float64", **instrument.sensor_options)
             for name, p in pupils.items()
         }
     except (ValueError, ArithmeticError, ImportError) as error:
@@ -237,7 +239,8 @@ def compare(
 
     def answer(method: Method, integrate: bool | None) -> PSF:
         window, pixel = instrument.window, instrument.pixel
-        return psf(pupil, window, pixel, method=method, dtype="float64", integrate=integrate)
+        fill = 1.0 if integrate is False else instrument.fill
+        return psf(pupil, window, pixel, method=method, dtype="float64", integrate=integrate, fill=fill)
 
     started(reference_name(pupil))
     truth, seconds = timed(partial(answer, judge, instrument.integrate))

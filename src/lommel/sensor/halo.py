@@ -157,7 +157,8 @@ def _table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
     w, weight = _rule(halo, far)
     step = _BAND / float(w.max())
     rule = steps(_BAND, error)
-    found = _transformed(weight, w, step * np.arange(math.ceil(far / step) + rule.taps + 1))
+    places = np.arange(math.ceil(far / step) + rule.taps + 1, dtype=np.float64)
+    found = _transformed(weight, w, step * places)
     return found, step, rule.error
 
 

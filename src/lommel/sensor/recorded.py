@@ -365,6 +365,8 @@ def recorded(
     values = np.empty(shape, dtype) if out is None else place(out, shape, dtype)
     question = wanted._replace(out=values.reshape(-1, *grid.shape))
     used, made = recorded_images(method, tol, pupil, grid, several, question)
+    # Samples are asked for more than what is recorded.
+    used = method or used.with_tol(tol)
     return {
         "values": values,
         "grid": grid,

@@ -27,6 +27,7 @@ from lommel.estimation.retrieval import Retrieval as Retrieval
 from lommel.estimation.retrieve import retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
+from lommel.field.vignetting import Shading as Shading, Vignetting as Vignetting
 from lommel.io.zernike_tables import ZernikeTable as ZernikeTable, save_zernike as save_zernike
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument

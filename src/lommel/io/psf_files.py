@@ -20,6 +20,7 @@ from lommel.io import psf_numpy, psf_png, psf_tiff, registry
 from lommel.io.registry import Format
 from lommel.measures.answer import Answer
 from lommel.methods import method_from_dict
+from lommel.optics.field_pupil import FieldPupil
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
@@ -190,11 +191,12 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
     return made
 
 
-def _pupil(description: dict[str, Any]) -> Pupil | ObjectivePupil:
+def _pupil(description: dict[str, Any]) -> Pupil | ObjectivePupil | FieldPupil:
     """Return a pupil of the kind that it says; those of lenses did not always say it."""
     plain = dict(description)
-    kind = validation.choice("kind", plain.pop("kind", "Pupil"), ("Pupil", "ObjectivePupil"))
-    return (Pupil if kind == "Pupil" else ObjectivePupil).from_dict(plain)
+    kinds: dict[str, Any] = {kind.__name__: kind for kind in (Pupil, ObjectivePupil, FieldPupil)}
+    found: Pupil = kinds[validation.choice("kind", plain.pop("kind", "Pupil"), kinds)].from_dict(plain)
+    return found
 
 
 def _values(stored: NDArray[Any], kind: str, picture: Any = None) -> NDArray[Any]:

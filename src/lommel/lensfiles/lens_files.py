@@ -26,6 +26,7 @@ from lommel.lensfiles import field_tables, messages, toml_files, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.sections import Distance, Length, Number, PhotoSensor, Section, SignedLength, read_beside
+from lommel.lensfiles.shading_sections import ShadingSection, VignettingSection
 from lommel.lensfiles.toml_files import LensFileError
 from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
@@ -104,6 +105,8 @@ class _Field(_Seidel):
     # Checked in this order: a table needs the order and the columns. Rows and files become tables.
     rows: Any = None
     file: Any = None
+    vignetting: VignettingSection | None = None
+    shading: ShadingSection | None = None
 
     @field_validator("rows")
     @classmethod
@@ -140,6 +143,10 @@ class _Field(_Seidel):
 
     def map(self, pupil: Pupil) -> FieldMap:
         """Return the map, with the aperture and the scale of `pupil`."""
+        edge = None if self.vignetting is None else self.vignetting.made()
+        return self._wavefronts(pupil).seen_through(edge, None if self.shading is None else self.shading.made())
+
+    def _wavefronts(self, pupil: Pupil) -> FieldMap:
         table = self.rows if self.rows is not None else self.file
         if table is not None:
             made: FieldMap = table.field_map(
@@ -191,7 +198,7 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     b, and an angle, or ``[aperture.cat_eye]`` with shift, a pair [x, y], and radius, all over the radius of the
     aperture; ``[aperture.mask]`` with file, the path of a square array (.npy) or grey picture (.png, .tif) from the
     folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``, all
-    positions see this aperture.
+    positions see this aperture, but for what ``[field.vignetting]`` hides.
 
     ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
     the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the
@@ -201,7 +208,9 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     W311 in waves at the edge of the field (edge, by default half the diagonal); columns and rows, a table of Zernike
     coefficients (:func:`lommel.lensfiles.field_tables.read_rows`); or file, a CSV file with such a table
     beside the lens file. Tables may say order ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"),
-    normalization ("rms", "edge"), and direction, "x" or "y", that heights are along.
+    normalization ("rms", "edge"), and direction, "x" or "y", that heights are along. ``[field.vignetting]`` has
+    height, shift and radius of :class:`lommel.Vignetting`; ``[field.shading]`` either distance, of the exit pupil
+    from the sensor (the fourth power of the cosine), or height and light, a table.
 
     Parameters
     ----------

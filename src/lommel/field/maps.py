@@ -308,14 +308,13 @@ class FieldMap:
         return numbers(relative(bare, self.vignetting, self.shading, across, down), across.shape)
 
     def working_f_number(self, x: ArrayLike, y: ArrayLike) -> Numbers:
-        """Return the f-number on the axis of a lens, else the same, that sends as little light as places (x, y) get.
+        """Return the f-number that on the axis makes as little light as arrives at places (`x`, `y`).
 
-        ``N / sqrt(illumination)``; as :meth:`illumination`, and ValueError for a map without an f-number.
+        ``N / sqrt(illumination)``; raises as :meth:`illumination`, and ValueError for a map without an f-number.
         """
-        if self.pupil_without_wavefront.f_number is None:
+        if (known := self.pupil_without_wavefront.f_number) is None:
             raise ValueError("f_number must be known for a working f-number, and this map is in units of lambda*N")
-        light = np.asarray(self.illumination(x, y))
-        return numbers(self.pupil_without_wavefront.f_number / np.sqrt(light), light.shape)
+        return known / np.sqrt(self.illumination(x, y))
 
     def psf(
         self,

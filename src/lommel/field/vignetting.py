@@ -62,7 +62,7 @@ class Vignetting:
             CatEye((far, 0.0), size)
 
     def at(self, x: float, y: float) -> CatEye | None:
-        """Return what is seen from the place (x, y) of the sensor; None where the second circle hides nothing.
+        """Return what is seen from the place (`x`, `y`) of the sensor; None where the second circle hides nothing.
 
         ValueError beyond the last height.
         """
@@ -130,7 +130,7 @@ class Shading:
         return made
 
     def at(self, x: Array, y: Array) -> Array:
-        """Return the light at places (x, y) over that on the axis; ValueError beyond the last height."""
+        """Return the light at places (`x`, `y`) over that on the axis; ValueError beyond the last height."""
         r = np.hypot(x, y)
         if self.distance is not None:
             return np.asarray((1.0 + (r / self.distance) ** 2) ** -2.0)

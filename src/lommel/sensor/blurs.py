@@ -152,6 +152,11 @@ class Seeing(Blur):
         Returns
         -------
         Seeing
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a number is out of range.
         """
         width = validation.real("fwhm", fwhm, above=0.0, below=0.1, unit="radians")
         return cls(FWHM * validation.wavelength(wavelength) / width, focal_length, wavelength, outer_scale)
@@ -162,14 +167,20 @@ class Seeing(Blur):
         return self.wavelength is not None
 
     def coherence(self, wavelength: float | None = None) -> float:
-        """Return the frequency ``r0 / (wavelength focal_length)``, cycles per metre or per lambda*N."""
+        """Return the frequency ``r0 / (wavelength focal_length)`` in light of a `wavelength`.
+
+        Cycles per metre, or per lambda*N.
+        """
         if self.wavelength is None or self.focal_length is None:
             return self.r0
         colour = 1.0 if wavelength is None else wavelength / self.wavelength
         return float(self.r0 * colour**0.2 / (self.wavelength * self.focal_length))
 
     def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
-        """Return the transfer function at frequencies `fx`, `fy` in light of a `wavelength`; see :class:`Blur`."""
+        """Return the transfer function at frequencies `fx`, `fy` in light of a `wavelength`; see :class:`Blur`.
+
+        TypeError or ValueError if these are no finite numbers, or do not broadcast.
+        """
         x, y = self._at(fx, fy)
         given = None if wavelength is None else validation.wavelength(wavelength)
         q = np.hypot(x, y) / self.coherence(given)

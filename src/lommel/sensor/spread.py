@@ -53,9 +53,8 @@ class Short(NamedTuple):
         from scipy.special import erfcinv
 
         deviations = np.sqrt(np.diag(self.covariance))
-        x, y = math.sqrt(2.0) * float(erfcinv(min(0.5 * left, 1.0))) * deviations + 0.5 * np.abs(self.streaks).sum(
-            axis=0
-        )
+        far = math.sqrt(2.0) * float(erfcinv(min(0.5 * left, 1.0)))
+        x, y = far * deviations + 0.5 * np.abs(self.streaks).sum(axis=0)
         return float(x), float(y)
 
     def response(self, x: Array, y: Array) -> Array:

@@ -63,6 +63,13 @@ def test_an_outer_scale_is_that_of_von_karman(q):
     assert found == pytest.approx(float(structure / 2), rel=1e-9)
 
 
+def test_an_outer_scale_is_so_many_r0_of_the_colour_at_hand():
+    air = lm.Seeing(0.1, focal_length=4.0, wavelength=500e-9, outer_scale=2.0)
+    redder = lm.Seeing(0.1 * 1.6**1.2, focal_length=4.0, wavelength=800e-9, outer_scale=2.0)
+    f = np.array([1e3, 1e4, 5e4])
+    assert air.transfer(f, wavelength=800e-9) == pytest.approx(redder.transfer(f), rel=1e-9)
+
+
 def test_without_end_the_outer_scale_is_none():
     f = np.linspace(0.0, 2.0, 9)
     assert lm.Seeing(0.4, outer_scale=math.inf) == lm.Seeing(0.4)

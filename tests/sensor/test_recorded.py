@@ -57,12 +57,12 @@ def test_charge_diffusion_is_a_round_jitter():
     assert np.array_equal(one.values, other.values)
 
 
-@pytest.mark.parametrize("tol", [1e-3, 1e-6, 1e-9])
-def test_motion_is_the_mean_over_shifted_images(tol):
+@pytest.mark.parametrize(("length", "tol"), [(3.0, 1e-3), (3.0, 1e-6), (3.0, 1e-9), (25.0, 1e-3), (40.0, 1e-6)])
+def test_motion_is_the_mean_over_shifted_images(length, tol):
     pupil = lm.Pupil(lm.Wavefront(1.2, nonradial={(3, 1): 0.8, (2, -2): 0.3}))
-    answer = lm.psf(pupil, 9, 0.5, blur=lm.Motion(3.0, 0.6), tol=tol, normalize="strehl", dtype="float64")
-    x, w = np.polynomial.legendre.leggauss(24)
-    moved = [1.5 * x * math.cos(0.6), 1.5 * x * math.sin(0.6)]
+    answer = lm.psf(pupil, 9, 0.5, blur=lm.Motion(length, 0.6), tol=tol, normalize="strehl", dtype="float64")
+    x, w = np.polynomial.legendre.leggauss(24 + 4 * int(length))
+    moved = [0.5 * length * x * math.cos(0.6), 0.5 * length * x * math.sin(0.6)]
     expected = []
     for i, j in PIXELS:
         # Each shift is an axis of its own.

@@ -21,6 +21,7 @@ ORDER = [
     {"special"},
     {"optics"},
     {"methods"},
+    {"sensor"},
     {"measures"},
     {"io"},
     {"show"},

@@ -325,3 +325,34 @@ def test_the_derivative_by_the_obscuration_counts_the_light_that_it_takes():
         found, off = given(at(0.0), "obscuration", normalize=normalize)
         exact = slope(lambda h, n=normalize: lm.psf(at(h), 9, 1e-6, tol=1e-10, normalize=n), 1e-3)
         assert found == pytest.approx(exact, abs=off)
+
+
+@pytest.mark.parametrize("unit", [{}, {"wavelength": 500e-9, "f_number": 4.0}], ids=["lambda*N", "metres"])
+def test_a_pair_of_sides_is_height_and_width_of_a_pixel(unit):
+    pupil = lm.Pupil(lm.Wavefront(1.0), **unit)
+    one = pupil.scale
+    oblong = lm.psf(pupil, (5, 7), (0.4 * one, 0.2 * one), integrate=False, dtype="float64")
+    square = lm.psf(pupil, (9, 7), 0.2 * one, integrate=False, dtype="float64")
+    assert oblong.grid.y == pytest.approx(square.grid.y[::2])
+    assert oblong.grid.x == pytest.approx(square.grid.x)
+    # Fractions of the light per pixel, which is twice as large.
+    assert oblong.values == pytest.approx(2.0 * square.values[::2], abs=2e-6 * oblong.values.max())
+
+
+def test_values_of_partly_active_pixels_still_sum_to_all_light():
+    whole, partly = (lm.psf(lm.Pupil(), 65, 0.4, integrate=True, fill=fill) for fill in (1.0, (0.7, 0.5)))
+    assert float(partly.values.sum()) == pytest.approx(float(whole.values.sum()), abs=1e-4)
+    assert partly.values.max() > whole.values.max()
+
+
+def test_motion_and_jitter_run_along_their_angle_from_columns_to_rows():
+    for blur in (lm.Motion(3.0, 0.25 * math.pi), lm.Jitter(1.0, 0.0, 0.25 * math.pi)):
+        values = lm.psf(lm.Pupil(), 9, 0.5, blur=blur).values
+        # Down and to the right, as x and y rise.
+        assert values[7, 7] > 5.0 * values[7, 1]
+
+
+def test_r0_grows_with_the_wavelength_to_the_power_of_six_fifths():
+    air = lm.Seeing(0.1, focal_length=2.0, wavelength=500e-9)
+    longer = lm.Seeing(0.1 * 1.4**1.2, focal_length=2.0, wavelength=700e-9)
+    assert air.transfer(3e4, wavelength=700e-9) == pytest.approx(longer.transfer(3e4))

@@ -14,6 +14,7 @@ from lommel import (
     optics as optics,
     page as page,
     reports as reports,
+    sensor as sensor,
     show as show,
     special as special,
     stacks as stacks,
@@ -28,6 +29,7 @@ from lommel.estimation.retrieve import retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
 from lommel.io.opd_files import load_opd as load_opd, save_opd as save_opd
+from lommel.field.vignetting import Shading as Shading, Vignetting as Vignetting
 from lommel.io.zernike_tables import ZernikeTable as ZernikeTable, save_zernike as save_zernike
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
@@ -78,6 +80,13 @@ from lommel.optics.pupil import Pupil as Pupil
 from lommel.optics.wavefront import Wavefront as Wavefront
 from lommel.page.widget import live as live
 from lommel.psf import PSF as PSF, Plan as Plan, psf as psf
+from lommel.sensor.blurs import (
+    Blur as Blur,
+    ChargeDiffusion as ChargeDiffusion,
+    Jitter as Jitter,
+    Motion as Motion,
+    Seeing as Seeing,
+)
 from lommel.special.erf import AbramowitzErf as AbramowitzErf, FresnelErf as FresnelErf, TableErf as TableErf
 from lommel.stacks.compute import psf_to as psf_to
 from lommel.stacks.stack import PSFStack as PSFStack, open_stack as open_stack

@@ -19,6 +19,7 @@ from lommel.methods.asked import Asked, asked_about
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
+from lommel.sensor.blurs import Blur, blurs
 from lommel.show.pictured import Pictured
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 def psf(
     pupil: BasePupil,
     shape: int | tuple[int, int],
-    pixel: float,
+    pixel: float | tuple[float, float],
     *,
     method: Method | None = None,
     tol: float | None = None,
@@ -36,6 +37,8 @@ def psf(
     dtype: DTypeLike | None = None,
     center: tuple[ArrayLike, ArrayLike] | None = None,
     integrate: bool | None = None,
+    fill: float | tuple[float, float] = 1.0,
+    blur: Blur | Sequence[Blur] = (),
     derivatives: Sequence[Name] = (),
     out: NDArray[Any] | None = None,
     threads: int | None = None,
@@ -49,8 +52,9 @@ def psf(
     shape : int or (int, int)
         Side of a square, or height and width, in pixels. The centre is the middle of pixel
         ``(height // 2, width // 2)``.
-    pixel : float
-        Pixel pitch, in metres if the pupil has a wavelength, else in units of lambda*N.
+    pixel : float or (float, float)
+        Pixel pitch, or height and width of pixels that are not square, in metres if the pupil has a wavelength, else
+        in units of lambda*N.
     method : Method, optional
         How to evaluate the diffraction integral; by default what serves the pupil and the window: NijboerZernike for
         circular apertures, ChordalGauss instead for small windows of wavefronts that depend on the direction,
@@ -74,6 +78,11 @@ def psf(
         True: average the intensity over the area of each pixel, as a sensor does; False: sample it at the centre. By
         default a pixel in metres averages and one in units of lambda*N samples; `Geometric`, which has no point
         values, always averages. `PSF.sampling` says which.
+    fill : float or (float, float), default 1
+        The part of its area that a pixel averages over, or those of height and width; not 1, it averages.
+    blur : Blur or sequence of Blur, default ()
+        What spreads the light of lenses further: :class:`lommel.Seeing`, :class:`lommel.Jitter`,
+        :class:`lommel.Motion`, :class:`lommel.ChargeDiffusion`. Without derivatives.
     derivatives : sequence, default ()
         By what the values are differentiated, into ``PSF.derivatives``. Per radian: "defocus" (C_d), "spherical"
         (C_s), "rho^6", "rho^8", and Zernike terms at the edge as (n, m), "noll 8", "ansi 8" or "fringe 7". Per pixel:
@@ -122,6 +131,8 @@ def psf(
         dtype=dtype,
         center=center,
         integrate=integrate,
+        fill=fill,
+        blur=blur,
         threads=threads,
     )
     return prepared(pupil, derivatives=derivatives, out=out)
@@ -135,7 +146,7 @@ class Plan:
 
     Parameters
     ----------
-    shape, pixel, method, tol, normalize, dtype, center, integrate, threads
+    shape, pixel, method, tol, normalize, dtype, center, integrate, fill, blur, threads
         As of :func:`psf`.
 
     Raises
@@ -156,7 +167,7 @@ class Plan:
     def __init__(
         self,
         shape: int | tuple[int, int],
-        pixel: float,
+        pixel: float | tuple[float, float],
         *,
         method: Method | None = None,
         tol: float | None = None,
@@ -164,29 +175,19 @@ class Plan:
         dtype: DTypeLike | None = None,
         center: tuple[ArrayLike, ArrayLike] | None = None,
         integrate: bool | None = None,
+        fill: float | tuple[float, float] = 1.0,
+        blur: Blur | Sequence[Blur] = (),
         threads: int | None = None,
     ) -> None:
-        if method is not None and not isinstance(method, Method):
-            raise TypeError(
-                f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {validation.shown(method)}"
-            )
-        if not (integrate is None or isinstance(integrate, bool)):
-            raise TypeError(f"integrate must be True, False or None, got {validation.shown(integrate)}")
-        if integrate is False and method is not None and method.sampling == "pixel":
-            raise ValueError(
-                f"integrate must not be False for {type(method).__name__}, which has no point values; leave it out"
-            )
-        if tol is None:
-            tol = (method or Method).tol
-        elif method is None:
-            tol = validation.real("tol", tol, least=Method.least_tol, below=1e-1)
-        else:
-            method = method.with_tol(tol)
+        method, tol = wanted.way(method, tol, integrate)
         self.integrate = integrate
+        self.blur = blurs(blur) if blur != () else ()
         # Which of the two a pupil is recorded on, its unit decides.
-        self._sampled, self._averaged = (
-            Grid(shape, pixel, center=center, integrate=which) for which in (False, True)
-        )
+        self._averaged = Grid(shape, pixel, center=center, integrate=True, fill=fill)
+        self._sampled = self._averaged if self._averaged.partly else Grid(shape, pixel, center=center)
+        if integrate is False and self._averaged.partly:
+            raise ValueError(f"integrate must not be False with fill={validation.shown(fill)}: samples have no area")
+        self._plain = self._averaged.square and not self.blur
         self.method, self.tol = method, tol
         self.normalize = validation.choice("normalize", normalize, ("energy", "emitted", "strehl", "peak"))
         self.dtype = wanted.output_type(dtype, tol)
@@ -197,6 +198,8 @@ class Plan:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         if places := self._sampled.stack:
             pupil = wanted.for_axes(imaged(pupil), places)
+        if not self._plain:
+            return self._spread(imaged(pupil), derivatives, out)
         light = imaged(pupil).aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = self._asked
         if asked is None or asked.light != light:
@@ -233,8 +236,17 @@ class Plan:
             "scale": scale,
             "derivatives": slopes,
             "derivative_bounds": slope_bounds,
+            "blur": (),
         }
         return made_of(PSF, parts)
+
+    def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: NDArray[Any] | None) -> PSF:
+        from lommel.sensor.recorded import recorded
+
+        if len(derivatives):
+            raise ValueError("derivatives need square pixels without fill and blur; take differences of such images")
+        asked = self.method, self.tol, self.normalize, self.dtype, self.threads
+        return PSF(**recorded(pupil, self.grid(pupil), self.blur, asked, out))
 
     def __getstate__(self) -> dict[str, Any]:
         # Without what is remembered of the last pupil, which the compiled core has a part in.
@@ -271,6 +283,8 @@ class PSF(Pictured):
         Derivatives of the values that were asked for, under the same names, each of the shape of the values.
     derivative_bounds : dict of (str or (int, int)) to float
         Bounds on their errors over the peak of the values, the largest of the stack, in the unit of each.
+    blur : tuple of Blur
+        What spreads the light beside the pupil.
 
     Raises
     ------
@@ -355,22 +369,6 @@ class PSF(Pictured):
 
         Those by the wavefront and the axis cost two images or so, whatever their number; see
         :func:`lommel.measures.pullback.pullback`.
-
-        Parameters
-        ----------
-        g : array_like, of the shape of the values
-        of : sequence, optional
-            As `derivatives` of :func:`psf`; by default those that were asked for, or else the terms of the wavefront.
-
-        Returns
-        -------
-        dict of name to ndarray
-            Of the shape of the pupil.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If g is not real and finite or not of this shape, or where there are no such derivatives.
         """
         return measures.pullback.pullback(self, g, of)
 

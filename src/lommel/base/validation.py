@@ -282,6 +282,33 @@ def pixel(value: Any, *, metric: bool) -> float:
     return pitch
 
 
+def pitch(name: str, value: Any) -> float | tuple[float, float]:
+    """Return the side of a square pixel, or its height and width where these differ; all above 0."""
+    if not isinstance(value, tuple | list):
+        return real(name, value, above=0.0)
+    if len(value) != 2:
+        raise ValueError(f"{name} must be one number, or (height, width), got {shown(value)}")
+    down, across = (real(f"{name}[{k}]", side, above=0.0) for k, side in enumerate(value))
+    return down if down == across else (down, across)
+
+
+def fill(name: str, value: Any) -> tuple[float, float]:
+    """Return the parts of height and width of a pixel that are active, from a pair or from a part of its area."""
+    if not isinstance(value, tuple | list):
+        side = math.sqrt(_part(name, value))
+        return side, side
+    if len(value) != 2:
+        raise ValueError(f"{name} must be one number, or (of height, of width), got {shown(value)}")
+    return _part(f"{name}[0]", value[0]), _part(f"{name}[1]", value[1])
+
+
+def _part(name: str, value: Any) -> float:
+    part = real(name, value, above=0.0)
+    if part > 1.0:
+        raise ValueError(f"{name} must be at most 1, got {part:g}")
+    return part
+
+
 def reach(what: str, v: float, scale: float, unit: str) -> None:
     """Check the largest v that `what` reaches; `scale` is one lambda*N in `unit`."""
     if not v <= MAX_REACH:

@@ -146,7 +146,7 @@ def depth(
         found = depth_from_defocus(
             [one.values for one in pictures],
             lenses,
-            instrument.pixel,
+            instrument.side,
             encoding=pictures[0].encoding,
             noise=Noise(white=white, read=read, offset=offset),
             exposures=exposures or None,
@@ -166,7 +166,7 @@ def depth(
         if figure is not None:
             save_figure(found.plot(), figure)
     files = [path for path in (*outputs, sharp, figure) if path is not None]
-    facts = _facts(found, lenses, seconds) | {"pixel": instrument.pixel, "files": [str(path) for path in files]}
+    facts = _facts(found, lenses, seconds) | {"pixel": instrument.side, "files": [str(path) for path in files]}
     if as_json:
         print_json(facts)
         return
@@ -303,7 +303,7 @@ def precision(
         raise ValueError("give --focus twice or more, or --focus once with --pair or with --best")
     start = time.perf_counter()
     if best:
-        lenses = list(best_foci(one, foci[0], instrument.pixel, **noise).lenses)
+        lenses = list(best_foci(one, foci[0], instrument.side, **noise).lenses)
     elif pair is not None:
         lenses = _around(one, foci[0], pair)
     else:
@@ -312,7 +312,7 @@ def precision(
     if not 0.0 < near < far:
         raise ValueError(f"--between must be the nearest and the farthest distance, got {near:g} m and {far:g} m")
     distance = np.geomspace(near, far, _ROWS if figure is None else _POINTS)
-    deviation = np.asarray(depth_precision(lenses, distance, instrument.pixel, **noise))
+    deviation = np.asarray(depth_precision(lenses, distance, instrument.side, **noise))
     seconds = time.perf_counter() - start
     rows = np.linspace(0, len(distance) - 1, _ROWS).round().astype(int)
     told = ", ".join(_length(each.focus_distance) for each in lenses)
@@ -337,7 +337,7 @@ def precision(
 
     click.echo(f"f = {format_length(one.focal_length)}, f/{one.f_number:.3g}, focus {told}")
     click.echo(
-        f"pixels of {format_length(instrument.pixel)}, {photons:g} electrons, contrast {contrast:g}, windows of "
+        f"pixels of {format_length(instrument.side)}, {photons:g} electrons, contrast {contrast:g}, windows of "
         f"{window:g} pixels rms"
     )
     tables.print_precision([(float(distance[k]), float(deviation[k])) for k in rows])

@@ -24,6 +24,7 @@ try:
     from lommel.cli.parts import (
         FILE,
         Length,
+        Pitch,
         Shape,
         figure_format,
         instrument_of,
@@ -46,7 +47,9 @@ def _lens_command(command: Callable[..., None], *more: Callable[..., Any]) -> Ca
     parts = [
         click.argument("lens", type=FILE),
         click.option("--object-distance", type=Length(), help='Instead of the file\'s: "1.5 m", "inf".'),
-        click.option("--pixel", type=Length(), help='Pixel pitch, instead of the file\'s: "3.45 um".'),
+        click.option(
+            "--pixel", type=Pitch(), help='Instead of the file\'s: "3.45 um", or height x width, "4 um x 6 um".'
+        ),
         click.option("--shape", type=Shape(), help="Window in pixels, instead of the file's: 65 or 64x128."),
         *more,
         click.option("--json", "as_json", is_flag=True, help="Print what the tables show as JSON."),
@@ -165,7 +168,7 @@ def psf(
         return
     instrument = instrument_of(**lens)
     window, pixel = instrument.window, instrument.pixel
-    options["integrate"] = instrument.integrate
+    options |= instrument.sensor_options
     work: Callable[[], Any]
     if field is None:
         count, work = "", partial(compute, instrument.pupil(), window, pixel, **options)
@@ -271,7 +274,7 @@ def compare(as_json: bool, figure: Path | None, **lens: Any) -> None:
     with progress("", total=len(METHODS) + 1) as started:
         methods = [
             # The paper's form at its best, so that nobody compares with it at its worst.
-            ClosedForm.best(pupil, instrument.window, instrument.pixel)
+            ClosedForm.best(pupil, instrument.window, instrument.side)
             if kind is ClosedForm and pupil.radial
             else kind()
             for kind in METHODS.values()

@@ -40,6 +40,22 @@ class Length(click.ParamType[float]):
             self.fail(str(error), param, ctx)
 
 
+class Pitch(click.ParamType[Any]):
+    """A length with a unit, or two with an x between them, in metres."""
+
+    name = "length"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return metres, or a tuple of height and width."""
+        if not isinstance(value, str):
+            return value
+        try:
+            sides = tuple(parse_length(side) for side in re.split(r"\s*[xX]\s*", value))
+            return sides if len(sides) > 1 else sides[0]
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+
 class Shape(click.ParamType[Any]):
     """A number, or two with an x between them."""
 
@@ -146,7 +162,9 @@ def instrument_of(lens: Path, **options: Any) -> Instrument:
 
     changes = {name: value for name, value in options.items() if value is not None}
     if "pixel" in changes:
-        validation.pixel(changes["pixel"], metric=True)
+        for side in changes["pixel"] if isinstance(changes["pixel"], tuple) else [changes["pixel"]]:
+            validation.pixel(side, metric=True)
+        changes["pixel"] = validation.pitch("pixel", changes["pixel"])
     if "shape" in changes:
         changes["shape"] = validation.image_shape(changes["shape"])
     return dataclasses.replace(load_instrument(lens), **changes)

@@ -115,9 +115,9 @@ class Request:
         if instrument.aberrations_of_field is not None:
             raise ValueError(f"{path} has aberrations that vary over the field; a blur has one set of them")
         if self.f_number is None:
-            return instrument.lens, instrument.pixel
+            return instrument.lens, instrument.side
         try:
-            return instrument.lens.stopped(self.f_number), instrument.pixel
+            return instrument.lens.stopped(self.f_number), instrument.side
         except ValueError as error:
             raise ValueError(f"--f-number of {path}: {error}") from None
 

@@ -135,7 +135,7 @@ def retrieve(
         found = fit(
             stars,
             instrument.pupil(),
-            pixel=instrument.pixel,
+            pixel=instrument.side,
             noise=noise,
             terms=_terms(terms),
             also=_names(also),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
@@ -70,7 +70,7 @@ def print_lens(facts: dict[str, Any]) -> None:
         ("wavelength", format_length(facts["wavelength"])),
         ("lambda*N", f"{format_length(facts['wavelength'] * facts['working_f_number'])}"
          f" (working f/{facts['working_f_number']:.4g})"),
-        ("pixel", format_length(facts["pixel"])),
+        ("pixel", _pitch(facts["pixel"])),
         ("model", _model(facts)),
         *([] if facts["apodization"] == 0.0 else [("amplitude", _amplitude(facts))]),
         ("other model", model_in_words(facts["other_model"])),
@@ -225,7 +225,7 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
         ("sensor", f"{format_length(facts['sensor'][0])} x {format_length(facts['sensor'][1])} (height x width)"),
         ("method", repr(grid.psf.method)),
         ("values", f"{rows} x {columns} PSFs of {height} x {width} {facts['dtype']}, {MEANING[facts['normalize']]}"),
-        ("pixel", f"{format_length(facts['pixel'])}, {HOW[facts['sampling']]}"),
+        ("pixel", f"{_pitch(facts['pixel'])}, {HOW[facts['sampling']]}"),
     ]
     if facts["sum"] is not None:
         sums = [value for row in facts["sum"] for value in row]
@@ -254,7 +254,7 @@ def print_comparison(
 ) -> None:
     """Print the rows of :func:`lommel.reports.report.compare`, judged by the `reference` of that name."""
     height, width = instrument.window
-    size = f"{height} x {width} pixels of {format_length(instrument.pixel)}, {HOW[sampling]}"
+    size = f"{height} x {width} pixels of {_pitch(instrument.pixel)}, {HOW[sampling]}"
     table = table_of("method", "time", "MSE", "peak error", "error bound", no_wrap=True)
     table.add_column("")
 
@@ -357,3 +357,8 @@ def _with_deviation(value: float, deviation: float) -> tuple[str, str]:
         return f"{value:.6g}", "-" if deviation == 0.0 else "inf"
     places = max(0, 1 - math.floor(math.log10(deviation)))
     return f"{value:.{places}f}", f"{deviation:.{places}f}"
+
+
+def _pitch(pixel: float | Sequence[float]) -> str:
+    """Return the side of a pixel with its unit, or height and width."""
+    return " x ".join(format_length(side) for side in ([pixel] if isinstance(pixel, float) else pixel))

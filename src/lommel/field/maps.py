@@ -9,10 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
+from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.options import shares
 from lommel.field import wavefronts
 from lommel.field.aperture import ApertureKeywords, ApertureOptions, bare_pupil
+from lommel.field.places import stacked, weighted
 from lommel.field.psf_grid import PSFGrid
+from lommel.field.vignetting import Shading, Vignetting, relative
 from lommel.measures.answer import sides
 from lommel.methods import Method
 from lommel.optics.pupil import Pupil
@@ -34,7 +37,10 @@ class FieldMap:
     Attributes
     ----------
     pupil_without_wavefront : Pupil
-        The aperture, the same over the whole field: that it and the f-number change towards the edge is not modelled.
+        The aperture on the axis, and where there is no vignetting the same over the whole field.
+    vignetting : Vignetting or None
+        What narrows it off the axis; see :meth:`seen_through`.
+    shading : Shading or None
 
     Notes
     -----
@@ -51,6 +57,8 @@ class FieldMap:
     pupil_without_wavefront: Pupil
     _wavefronts: wavefronts.WavefrontsOnSensor
     _added: Wavefront
+    vignetting: Vignetting | None = None
+    shading: Shading | None = None
 
     @classmethod
     @shares(ApertureKeywords, ApertureOptions)
@@ -238,8 +246,7 @@ class FieldMap:
         TypeError, ValueError
             If a position is not finite or lies beyond the map; the message names it and the limits.
         """
-        places = validation.real_array("x", x), validation.real_array("y", y)
-        across, down = validation.broadcast("x and y", *places)
+        across, down = _places(x, y)
         if across.size == 0:
             raise ValueError(f"x and y must not be empty, got shape {across.shape}")
         outside = ~self._wavefronts.contains(across, down)
@@ -248,14 +255,73 @@ class FieldMap:
             limits = self._wavefronts.limits(self.unit)
             raise ValueError(f"position (x, y) = {at} lies outside of the map, {limits}")
         wavefront = self._wavefronts.wavefront(across, down) + self._added
-        return replace(self.pupil_without_wavefront, wavefront=wavefront)
+        pupil = replace(self.pupil_without_wavefront, wavefront=wavefront)
+        if self.vignetting is None:
+            return pupil
+        if across.shape != ():
+            raise ValueError("x and y must be one place where vignetting changes the aperture; psf takes arrays")
+        return replace(pupil, vignetting=self.vignetting.at(float(across), float(down)))
+
+    def seen_through(self, vignetting: Vignetting | None = None, shading: Shading | None = None) -> FieldMap:
+        """Return the map of a lens that is narrowed and shaded off the axis.
+
+        Parameters
+        ----------
+        vignetting : Vignetting, optional
+        shading : Shading, optional
+            Which changes no PSF, but :meth:`illumination`.
+
+        Returns
+        -------
+        FieldMap
+
+        Raises
+        ------
+        TypeError, ValueError
+            If these are of other types, or the aperture is narrowed by an ellipse or a cat's eye already.
+        """
+        validation.optional("vignetting", vignetting, Vignetting)
+        validation.optional("shading", shading, Shading)
+        if vignetting is not None and self.pupil_without_wavefront.vignetting is not None:
+            raise ValueError("vignetting must be left out for an aperture that has one of its own at all places")
+        return replace(self, vignetting=vignetting, shading=shading)
+
+    def illumination(self, x: ArrayLike, y: ArrayLike) -> Numbers:
+        """Return the light at places (x, y) of the sensor over that on the axis, of an evenly bright scene.
+
+        Parameters
+        ----------
+        x, y : array_like
+
+        Returns
+        -------
+        float or ndarray
+            The light that passes what narrows the aperture there over what passes on the axis, times the shading.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a position is not finite, or beyond the vignetting or the shading.
+        """
+        across, down = _places(x, y)
+        bare = self.pupil_without_wavefront
+        return numbers(relative(bare, self.vignetting, self.shading, across, down), across.shape)
+
+    def working_f_number(self, x: ArrayLike, y: ArrayLike) -> Numbers:
+        """Return the f-number that on the axis makes as little light as arrives at places (`x`, `y`).
+
+        ``N / sqrt(illumination)``; raises as :meth:`illumination`, and ValueError for a map without an f-number.
+        """
+        if (known := self.pupil_without_wavefront.f_number) is None:
+            raise ValueError("f_number must be known for a working f-number, and this map is in units of lambda*N")
+        return known / np.sqrt(self.illumination(x, y))
 
     def psf(
         self,
         x: ArrayLike,
         y: ArrayLike,
         shape: int | tuple[int, int],
-        pixel: float,
+        pixel: float | tuple[float, float],
         *,
         method: Method | None = None,
         **options: Any,
@@ -279,7 +345,11 @@ class FieldMap:
         TypeError, ValueError
             As :meth:`pupil` and :func:`lommel.psf`.
         """
-        return psf(self.pupil(x, y), shape, pixel, method=method, **options)
+        across, down = _places(x, y)
+        if self.vignetting is None or across.shape == ():
+            return psf(self.pupil(x, y), shape, pixel, method=method, **options)
+        pupils = [self.pupil(float(a), float(b)) for a, b in zip(across.flat, down.flat, strict=True)]
+        return stacked(pupils, across.shape, lambda one: psf(one, shape, pixel, method=method, **options))
 
     def grid(
         self,
@@ -288,8 +358,9 @@ class FieldMap:
         *,
         sensor: tuple[float, float],
         shape: int | tuple[int, int],
-        pixel: float,
+        pixel: float | tuple[float, float],
         method: Method | None = None,
+        illuminated: bool = False,
         **options: Any,
     ) -> PSFGrid:
         """Compute PSFs over the sensor in one call: one for the centre of each of rows times columns equal cells.
@@ -302,6 +373,8 @@ class FieldMap:
             Height and width, centred on the axis, in the unit of positions.
         shape, pixel, method, options
             As of :meth:`psf`.
+        illuminated : bool, default False
+            Multiply the values of each PSF by the :meth:`illumination` of its place.
 
         Returns
         -------
@@ -316,4 +389,12 @@ class FieldMap:
         height_width = sides(sensor, self.unit)
         # Exactly symmetric, so that the middle one of an odd number is on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
-        return PSFGrid(self.psf(x, y[:, None], shape, pixel, method=method, **options), x, y, height_width)
+        made = self.psf(x, y[:, None], shape, pixel, method=method, **options)
+        if validation.truth("illuminated", illuminated):
+            made = weighted(made, np.asarray(self.illumination(x, y[:, None])))
+        return PSFGrid(made, x, y, height_width)
+
+
+def _places(x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
+    across, down = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
+    return across, down

@@ -32,7 +32,7 @@ def note(pupil: ObjectivePupil) -> dict[str, str]:
 
 def image(psf: Answer, pupil: ObjectivePupil) -> dict[str, Any]:
     """Return the attributes and elements of an image: lengths in the sample, and of the stage."""
-    size, apart = 1e6 * psf.pixel / pupil.magnification, step(pupil.z)
+    size, apart = 1e6 * psf.grid.side / pupil.magnification, step(pupil.z)
     nanometres = 1e9 * pupil.wavelength
     light = "ExcitationWavelength" if isinstance(pupil.emitter, Beam) else "EmissionWavelength"
     layers = pupil.layers

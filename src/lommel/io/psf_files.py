@@ -20,9 +20,11 @@ from lommel.io import fits_images, psf_fits, psf_hdf5, psf_numpy, psf_png, psf_r
 from lommel.io.registry import Format
 from lommel.measures.answer import Answer
 from lommel.methods import method_from_dict
+from lommel.optics.field_pupil import FieldPupil
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 from lommel.optics.pupil import Pupil
+from lommel.sensor.blurs import blurs_from_dicts
 
 Made = TypeVar("Made", bound=Answer)
 
@@ -134,6 +136,10 @@ def describe(psf: Answer) -> dict[str, Any]:
     dict
         All but the values; ``lommel.base.checksums.sealed`` adds the checksum of all.
     """
+    # What few have is not stated of the others, whose files read as before.
+    beyond: dict[str, Any] = {"fill": list(psf.grid.fill)} if psf.grid.partly else {}
+    if psf.blur:
+        beyond["blur"] = [blur.to_dict() for blur in psf.blur]
     return {
         "software": f"lommel {version()}",
         "pupil": {"kind": type(psf.pupil).__name__} | psf.pupil.to_dict(),
@@ -143,6 +149,7 @@ def describe(psf: Answer) -> dict[str, Any]:
         "pixel": psf.pixel,
         "center": [np.asarray(part).tolist() for part in psf.grid.center],
         "integrate": psf.grid.integrate,
+        **beyond,
         "unit": psf.unit,
         "error_bound": psf.error_bound,
         "derivative_bounds": {str(name): bound for name, bound in psf.derivative_bounds.items()},
@@ -172,6 +179,7 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
             description["pixel"],
             center=description["center"],
             integrate=description["integrate"],
+            fill=description.get("fill", 1.0),
         ),
         pupil=pupil,
         method=method,
@@ -183,6 +191,7 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
             for said, slope in arrays.items()
             if said.startswith(psf_numpy.SLOPE)
         },
+        blur=blurs_from_dicts(description.get("blur", ())),
         derivative_bounds={psf_numpy.name(k): bound for k, bound in description["derivative_bounds"].items()},
     )
     # Values that are computed as sums may lie below 0 by their error.
@@ -196,11 +205,12 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
     return made
 
 
-def _pupil(description: dict[str, Any]) -> Pupil | ObjectivePupil:
+def _pupil(description: dict[str, Any]) -> Pupil | ObjectivePupil | FieldPupil:
     """Return a pupil of the kind that it says; those of lenses did not always say it."""
     plain = dict(description)
-    kind = validation.choice("kind", plain.pop("kind", "Pupil"), ("Pupil", "ObjectivePupil"))
-    return (Pupil if kind == "Pupil" else ObjectivePupil).from_dict(plain)
+    kinds: dict[str, Any] = {kind.__name__: kind for kind in (Pupil, ObjectivePupil, FieldPupil)}
+    found: Pupil = kinds[validation.choice("kind", plain.pop("kind", "Pupil"), kinds)].from_dict(plain)
+    return found
 
 
 def _values(stored: NDArray[Any], kind: str, picture: Any = None) -> NDArray[Any]:

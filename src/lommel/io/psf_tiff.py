@@ -19,15 +19,15 @@ def write(psf: Answer, description: dict[str, Any], planes: dict[str, Any] | Non
     import tifffile
 
     metric, pupil = psf.unit == "m", psf.pupil
-    size = psf.pixel * (1e6 if metric else 1.0)
+    height, width = (side * (1e6 if metric else 1.0) for side in psf.grid.pitch)
     if isinstance(pupil, ObjectivePupil):
         description = description | ome_microscope.note(pupil)
     unit = "µm" if metric else "reference frame"
     metadata: dict[str, Any] = {
         "axes": "YX" if psf.values.ndim == 2 else "RYX" if planes else "ZYX",
-        "PhysicalSizeX": size,
+        "PhysicalSizeX": width,
         "PhysicalSizeXUnit": unit,
-        "PhysicalSizeY": size,
+        "PhysicalSizeY": height,
         "PhysicalSizeYUnit": unit,
         "Name": "point spread function",
         "Description": json.dumps(sealed(description, {"values": psf.values}), allow_nan=False),

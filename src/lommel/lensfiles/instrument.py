@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from lommel.base import validation
 from lommel.field.maps import FieldMap
@@ -21,8 +22,10 @@ class Instrument:
     name, source : str
         What it is, and where its figures come from.
     lens : Lens
-    object_distance, pixel : float
+    object_distance : float
         Metres.
+    pixel : float or (float, float)
+        Metres; height and width of pixels that are not square.
     shape : tuple of int, or None
         Height and width of the window, in pixels, where the file names them; see :attr:`window`.
     radii : dict of str to float
@@ -33,23 +36,43 @@ class Instrument:
         What the field adds to the wavefront of the lens.
     integrate : bool or None
         Whether pixels average or sample, as of :func:`lommel.psf`; None where the file does not say.
+    fill : (float, float)
+        The parts of height and width of a pixel that are active.
     """
 
     name: str
     source: str
     lens: Lens
     object_distance: float
-    pixel: float
+    pixel: float | tuple[float, float]
     shape: tuple[int, int] | None
     radii: dict[str, float] = field(hash=False)
     sensor: tuple[float, float] | None = None
     aberrations_of_field: FieldMap | None = field(default=None, repr=False)
     integrate: bool | None = None
+    fill: tuple[float, float] = (1.0, 1.0)
+
+    @property
+    def pitch(self) -> tuple[float, float]:
+        """From row to row and from column to column, metres."""
+        return (self.pixel, self.pixel) if isinstance(self.pixel, float) else self.pixel
+
+    @property
+    def side(self) -> float:
+        """Pitch of square pixels all of which is active; ValueError for others, which few questions are about."""
+        if not isinstance(self.pixel, float) or self.fill != (1.0, 1.0):
+            raise ValueError(f"pixel must be square, and all of it active, got pixel={self.pixel}, fill={self.fill}")
+        return self.pixel
+
+    @property
+    def sensor_options(self) -> dict[str, Any]:
+        """What :func:`lommel.psf` is told of pixels beside their pitch."""
+        return {"integrate": self.integrate, "fill": self.fill}
 
     @property
     def window(self) -> tuple[int, int]:
         """Height and width of the window: `shape`, or a square for about 98 % of the light, see `wide_enough`."""
-        return self.shape or (max(33, min(wide_enough(self.pupil(), self.pixel), 1025)),) * 2
+        return self.shape or (max(33, min(wide_enough(self.pupil(), min(self.pitch)), 1025)),) * 2
 
     def pupil(self) -> Pupil:
         """Return the pupil for the object of the file.

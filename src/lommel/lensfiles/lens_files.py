@@ -25,7 +25,8 @@ from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import field_tables, messages, toml_files, zernike_entries, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
 from lommel.lensfiles.instrument import Instrument
-from lommel.lensfiles.sections import Distance, Length, Number, Section, Sensor, SignedLength, read_beside
+from lommel.lensfiles.sections import Distance, Length, Number, PhotoSensor, Section, SignedLength, read_beside
+from lommel.lensfiles.shading_sections import ShadingSection, VignettingSection
 from lommel.lensfiles.toml_files import LensFileError
 from lommel.optics.apodization import Apodization
 from lommel.optics.lens import Lens
@@ -104,6 +105,8 @@ class _Field(_Seidel):
     # Checked in this order: a table needs the order and the columns. Rows and files become tables.
     rows: Any = None
     file: Any = None
+    vignetting: VignettingSection | None = None
+    shading: ShadingSection | None = None
 
     @field_validator("rows")
     @classmethod
@@ -140,6 +143,10 @@ class _Field(_Seidel):
 
     def map(self, pupil: Pupil) -> FieldMap:
         """Return the map, with the aperture and the scale of `pupil`."""
+        edge = None if self.vignetting is None else self.vignetting.made()
+        return self._wavefronts(pupil).seen_through(edge, None if self.shading is None else self.shading.made())
+
+    def _wavefronts(self, pupil: Pupil) -> FieldMap:
         table = self.rows if self.rows is not None else self.file
         if table is not None:
             made: FieldMap = table.field_map(
@@ -165,7 +172,7 @@ class _File(Section):
     aperture: ApertureSection = ApertureSection()
     aberrations: _Aberrations = _Aberrations()
     object: _Object = _Object()
-    sensor: Sensor
+    sensor: PhotoSensor
     field: _Field | None = None
     report: _Report = _Report()
 
@@ -180,17 +187,18 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     :class:`lommel.Lens`; ``[aberrations]`` defocus and spherical (C_d, C_s, radians), W020, W040, W060, W080
     (waves), spherical_rms (a length: balanced primary spherical over the annulus), W131, W222, W220, W311 (waves at
     the edge of the field) with field, a pair [x, y] over that edge, and a section ``[aberrations.zernike]``, all of
-    which add; ``[object]`` distance, by default that in focus; ``[sensor]`` pixel, shape (by default a window that
-    holds about 98 % of the light) and integrate, whether its pixels average over their area, which they do by
-    default; ``[report]`` encircled_energy, a list of radii on the sensor or of angles; ``[field]`` what changes over
-    the sensor and adds to all of this.
+    which add; ``[object]`` distance, by default that in focus; ``[sensor]`` pixel (height and width,
+    ``["4 um", "6 um"]``, where these differ), shape (by default a window that holds about 98 % of the light),
+    integrate, whether its pixels average over their area, which they do by default, and fill, the part of it that
+    they average over, or those of height and width; ``[report]`` encircled_energy, a list of radii on the sensor or
+    of angles; ``[field]`` what changes over the sensor and adds to all of this.
 
     ``[aperture]`` is for what narrows it: ``[aperture.spider]`` with width (a length) and either vanes, a number of
     them at equal angles from first on, or angles, a list (``"45 deg"``, from x to y); ``[aperture.ellipse]`` with a,
     b, and an angle, or ``[aperture.cat_eye]`` with shift, a pair [x, y], and radius, all over the radius of the
     aperture; ``[aperture.mask]`` with file, the path of a square array (.npy, .fits) or grey picture (.png, .tif)
     from the folder of the lens file, and holds, "amplitude" or "intensity". Where there is a section ``[field]``,
-    all positions see this aperture.
+    all positions see this aperture, but for what ``[field.vignetting]`` hides.
 
     ``[aberrations.zernike]`` holds order, unit, normalization and terms as :func:`lommel.load_zernike` has them, at
     the wavelength of the lens unless it states its own; or it holds ``file``, the path of such a table from the
@@ -200,7 +208,9 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     W311 in waves at the edge of the field (edge, by default half the diagonal); columns and rows, a table of Zernike
     coefficients (:func:`lommel.lensfiles.field_tables.read_rows`); or file, a CSV file with such a table
     beside the lens file. Tables may say order ("noll", "ansi", "fringe"), unit ("waves", "radians", "metres"),
-    normalization ("rms", "edge"), and direction, "x" or "y", that heights are along.
+    normalization ("rms", "edge"), and direction, "x" or "y", that heights are along. ``[field.vignetting]`` has
+    height, shift and radius of :class:`lommel.Vignetting`; ``[field.shading]`` either distance, of the exit pupil
+    from the sensor (the fourth power of the cosine), or height and light, a table.
 
     Parameters
     ----------
@@ -285,9 +295,8 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
             "object.distance: must be given where the sensor lies inside the focal plane: no object is in focus"
         )
     name, sensor = stem if file.name is None else file.name, file.sensor
-    found = Instrument(
-        name, file.source, lens, distance, sensor.pixel, sensor.shape, radii, integrate=sensor.integrate
-    )
+    pixels: dict[str, Any] = dict(sensor)
+    found = Instrument(name, file.source, lens, distance, radii=radii, **pixels)
     if file.field is None:
         return found
     try:

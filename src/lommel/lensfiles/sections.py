@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, PlainValidator
 
 from lommel.base import validation
 from lommel.base.units import parse_angle, parse_length
@@ -71,3 +71,24 @@ class Sensor(Section):
     pixel: Annotated[Length, AfterValidator(partial(validation.pixel, metric=True))]
     shape: Annotated[tuple[int, int], BeforeValidator(_shape)] | None = None
     integrate: Annotated[bool, Field(strict=True)] | None = None
+
+
+def _pitch(value: Any) -> float | tuple[float, float]:
+    """Return the side of a pixel from a text, or height and width from a list of two."""
+    sides = value if isinstance(value, list) else [value]
+    lengths = [validation.pixel(finite(_positive(parse_length(side))), metric=True) for side in sides]
+    return validation.pitch("pixel", lengths if isinstance(value, list) else lengths[0])
+
+
+def _fill(value: Any) -> tuple[float, float]:
+    try:
+        return validation.fill("fill", value)
+    except TypeError as error:
+        raise ValueError(str(error)) from None
+
+
+class PhotoSensor(Sensor):
+    """That of a lens: pixels may have two sides, and an active part."""
+
+    pixel: Annotated[float | tuple[float, float], PlainValidator(_pitch)]  # type: ignore[assignment]
+    fill: Annotated[tuple[float, float], PlainValidator(_fill)] = (1.0, 1.0)

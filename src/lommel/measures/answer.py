@@ -13,6 +13,7 @@ from lommel.base.arrays import Array
 from lommel.methods.method import Method, RadialMethod
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
+from lommel.sensor.blurs import Blur
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +29,7 @@ class Answer:
     scale: Array = field(repr=False)
     derivatives: dict[str | tuple[int, int], NDArray[Any]] = field(default_factory=dict, repr=False)
     derivative_bounds: dict[str | tuple[int, int], float] = field(default_factory=dict, repr=False)
+    blur: tuple[Blur, ...] = ()
 
     def __post_init__(self) -> None:
         for name, kind in (("grid", Grid), ("pupil", BasePupil), ("method", Method)):
@@ -49,8 +51,8 @@ class Answer:
         return self.values.shape
 
     @property
-    def pixel(self) -> float:
-        """Pixel pitch, in :attr:`unit`."""
+    def pixel(self) -> float | tuple[float, float]:
+        """Pixel pitch, in :attr:`unit`; height and width where these differ."""
         return self.grid.pixel
 
     @property
@@ -61,7 +63,7 @@ class Answer:
     @property
     def undersampled(self) -> bool:
         """Whether values sample pixels wider than lambda*N/2, so that they do not sum to the light of the window."""
-        return not self.grid.integrate and self.pixel > 0.5 * (1.0 + 1e-9) * self.pupil.scale
+        return not self.grid.integrate and max(self.grid.pitch) > 0.5 * (1.0 + 1e-9) * self.pupil.scale
 
     @property
     def unit(self) -> str:
@@ -74,8 +76,8 @@ class Answer:
 
     @property
     def radial_method(self) -> RadialMethod | None:
-        """The method where a profile describes the whole PSF (pupil and method are radial), else None."""
-        return self.method.along_radius(self.pupil)
+        """The method where a profile describes the whole PSF (pupil and method are radial, no blur), else None."""
+        return None if self.blur else self.method.along_radius(self.pupil)
 
     def profile(self, radius: ArrayLike | None = None) -> tuple[Array, Array]:
         """Return radii (in :attr:`unit`) and the values there, normalised like `values`.
@@ -99,6 +101,7 @@ class Answer:
         method = self.radial_method
         if method is None:
             what = "a pupil that is not radial" if not self.pupil.radial else type(self.method).__name__
+            what = "light that is spread by blur" if self.blur else what
             raise ValueError(f"radius must be None for {what}, whose values are on the grid only")
         at = validation.real_array("radius", radius, least=0.0)
         far = float(at.max(initial=0.0))
@@ -139,12 +142,13 @@ class Answer:
     def __repr__(self) -> str:
         bound = "none" if self.error_bound is None else f"{self.error_bound:.2g}"
         how = "averaged over pixels" if self.grid.integrate else "sampled at pixel centres"
+        how += "".join(f", {type(blur).__name__}" for blur in self.blur)
         if self.undersampled:
             sums = self.values.sum(axis=(-2, -1), dtype=np.float64)
             how += f", which sum to {' to '.join(f'{s:.3g}' for s in sorted({float(sums.min()), float(sums.max())}))}"
         return (
             f"<{type(self).__name__} {'x'.join(map(str, self.shape))} {self.values.dtype}, "
-            f"pixel {self.pixel:g} {self.unit}, {how}, {type(self.method).__name__}, "
+            f"pixel {self.grid.named} {self.unit}, {how}, {type(self.method).__name__}, "
             f"normalize {self.normalize!r}, error bound {bound}>"
         )
 

@@ -45,13 +45,13 @@ def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis") 
     if answer.radial_method is not None:
         return radial_energy(answer.radial_method, answer.pupil, at)
     grid = answer.grid
-    half = 0.5 * grid.pixel
+    high, wide = (0.5 * side for side in grid.pitch)
     share = energy_per_pixel(answer).reshape(-1, *grid.shape)
     inside = np.empty((len(share), at.size))
     for i, ((x, y), across, down) in enumerate(zip(center, *answer.positions(), strict=True)):
         columns, rows = across - x, down[:, None] - y
         for j, r in enumerate(at.ravel()):
-            covered = disk_overlap(r, columns - half, columns + half, rows - half, rows + half) / grid.pixel**2
+            covered = disk_overlap(r, columns - wide, columns + wide, rows - high, rows + high) / (4.0 * high * wide)
             inside[i, j] = np.sum(covered * share[i])
     return numbers(inside, answer.pupil.shape + at.shape)
 
@@ -89,13 +89,15 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
     grid = answer.grid
     share = energy_per_pixel(answer).reshape(-1, *grid.shape)
 
-    def covered(places: Array) -> Array:
-        low, high = places - 0.5 * grid.pixel, places + 0.5 * grid.pixel
+    def covered(places: Array, side: float) -> Array:
+        low, high = places - 0.5 * side, places + 0.5 * side
         a = at.ravel()[:, None]
-        return np.asarray(np.maximum(np.minimum(high, a) - np.maximum(low, -a), 0.0) / grid.pixel)
+        return np.asarray(np.maximum(np.minimum(high, a) - np.maximum(low, -a), 0.0) / side)
+
+    height, width = grid.pitch
 
     inside = [
-        np.einsum("ky,yx,kx->k", covered(down - y), one, covered(across - x), optimize=True)
+        np.einsum("ky,yx,kx->k", covered(down - y, height), one, covered(across - x, width), optimize=True)
         for one, (x, y), across, down in zip(share, center, *answer.positions(), strict=True)
     ]
     return numbers(inside, pupil.shape + at.shape)
@@ -209,13 +211,13 @@ def window_energy(answer: Answer) -> Numbers:
     pupil, grid = answer.pupil, answer.grid
     if grid.stack:
         return numbers([window_energy(answer[index]) for index in np.ndindex(pupil.shape)], pupil.shape)
-    step = grid.step(pupil) / grid.pixel
-    half = 0.5 * grid.pixel
+    step = math.pi / pupil.scale
+    high, wide = (0.5 * side for side in grid.pitch)
     # Inclusion and exclusion of rectangles with one corner on the axis.
     corners = [
         (float(np.sign(a) * np.sign(b)), abs(a) * step, abs(b) * step)
-        for a in (grid.x[-1] + half, half - grid.x[0])
-        for b in (grid.y[-1] + half, half - grid.y[0])
+        for a in (grid.x[-1] + wide, wide - grid.x[0])
+        for b in (grid.y[-1] + high, high - grid.y[0])
     ]
     return numbers(_rectangles(answer.radial_method, pupil, corners), pupil.shape)
 
@@ -254,5 +256,5 @@ def _quadrant_rule(a: float, b: float, stretch: float) -> tuple[Array, Array]:
 
 def energy_per_pixel(answer: Answer) -> Array:
     """Return the values as fractions of all light per pixel, whatever their normalisation."""
-    factor = answer.grid.step(answer.pupil) ** 2 / (4.0 * math.pi * answer.pupil.transmission)
+    factor = answer.grid.cell(answer.pupil) / (4.0 * math.pi * answer.pupil.transmission)
     return np.asarray(answer.values * (factor / answer.scale)[..., None, None], dtype=np.float64)

@@ -37,8 +37,9 @@ def image_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     """
     checked(answer)
     across, down = frequencies(fx, fy)
-    limit = 0.5 / answer.pixel
-    for name, part in (("fx", across), ("fy", down)):
+    height, width = answer.grid.pitch
+    for name, part, pitch in (("fx", across, width), ("fy", down, height)):
+        limit = 0.5 / pitch
         if part.size and np.abs(part).max() > limit * (1.0 + 1e-12):
             raise ValueError(
                 f"{name} must be at most the Nyquist frequency 1 / (2 pixel) = {limit:.6g} of the samples, "
@@ -71,8 +72,8 @@ def image_spectrum(answer: Answer) -> tuple[Array, Array, NDArray[np.complex128]
     from scipy import fft
 
     grid = answer.grid
-    fx = fft.fftshift(fft.fftfreq(grid.width, grid.pixel))
-    fy = fft.fftshift(fft.fftfreq(grid.height, grid.pixel))
+    fx = fft.fftshift(fft.fftfreq(grid.width, grid.pitch[1]))
+    fy = fft.fftshift(fft.fftfreq(grid.height, grid.pitch[0]))
     plain = fft.fftshift(fft.fft2(energy_per_pixel(answer)), axes=(-2, -1))
     # The transform counts from the first pixel, positions from the axis.
     shift = np.exp(-2j * math.pi * (fy[:, None] * grid.y[..., :1, None] + fx * grid.x[..., :1, None]))

@@ -45,6 +45,8 @@ def pullback(psf: Answer, g: ArrayLike, of: Sequence[Name] | None = None) -> dic
     ToleranceError
         If the tolerance of the method cannot be met.
     """
+    if psf.blur or not psf.grid.square:
+        raise ValueError("psf must have square pixels without fill and blur for its derivatives, got others")
     names = tuple(psf.derivatives) or lens_pupil(psf.pupil).wavefront.terms if of is None else checked(of, "of")
     weights = validation.real_array("g", g)
     if weights.shape != psf.shape:

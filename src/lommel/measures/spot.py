@@ -9,11 +9,14 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
+from lommel.core.answers import Wanted
 from lommel.measures import aperture_means
 from lommel.measures.answer import Answer, checked
 from lommel.measures.energy import encircled_energy, radial_energy, require_radial
-from lommel.methods.method import RadialMethod
+from lommel.methods.method import Method, RadialMethod
+from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
+from lommel.optics.grid import Grid
 
 _STEP = 0.15
 """Spacing of tables in v, over the stretch of the method."""
@@ -37,9 +40,9 @@ def peak_position(answer: Answer) -> Array:
         lambda*N. Of several pixels that are equally bright, as on a ring, it is the first in reading order.
     """
     checked(answer)
-    pixel = answer.pixel
+    height, width = answer.grid.pitch
     out = [
-        (x[column] + pixel * _vertex(across, column), y[row] + pixel * _vertex(down, row))
+        (x[column] + width * _vertex(across, column), y[row] + height * _vertex(down, row))
         for x, y, (row, column, across, down) in zip(*answer.positions(), _brightest(answer), strict=True)
     ]
     return np.array(out).reshape(*answer.pupil.shape, 2)
@@ -65,7 +68,8 @@ def axis_strehl(answer: Answer) -> Numbers:
     """Return the intensity on the axis over that of the same aperture without aberration.
 
     For defocus alone this is ``(sin(C_d) / C_d)^2``. By the method where it and the pupil are radial; from the
-    wavefront (:func:`lommel.strehl`) for others that sample the intensity; `Geometric`, which has no diffraction,
+    wavefront (:func:`lommel.strehl`) for others that sample the intensity; with what spreads the light where there is
+    blur; `Geometric`, which has no diffraction,
     gives that of the pixel on the axis. :func:`lommel.measures.spot.peak_strehl` looks for the brightest point
     instead.
 
@@ -85,7 +89,14 @@ def axis_strehl(answer: Answer) -> Numbers:
     checked(answer)
     method, pupil = answer.method, answer.pupil
     radial = answer.radial_method
-    if radial is not None:
+    if answer.blur:
+        from lommel.sensor.recorded import recorded_images
+
+        # The one that sampled may have been asked for much more.
+        named, tol = (method, method.tol) if isinstance(method, Polychromatic) else (None, Method.tol)
+        made = recorded_images(named, tol, pupil, Grid(1, pupil.scale), answer.blur, Wanted(1.0))[1]
+        center = made.values[:, 0, 0].reshape(pupil.shape)
+    elif radial is not None:
         # At the axis alone the peak, to which errors relate, would be missing.
         v = np.array([0.0, *np.linspace(0.0, float(pupil.v(pupil.geometric_radius()).max()) + 4.0, 64)[1:]])
         center = radial.profile(pupil, v).values[:, 0].reshape(pupil.shape)
@@ -148,10 +159,11 @@ def fwhm(answer: Answer, along: str = "mean") -> Numbers:
     validation.choice("along", along, ("mean", "x", "y"))
     if answer.radial_method is not None:
         return radial_fwhm(answer.radial_method, answer.pupil)
-    out = []
+    (rise, run), out = answer.grid.pitch, []
     for _, _, across, down in _brightest(answer):
-        widths = [_width(line, name) for name, line in (("x", across), ("y", down)) if along in ("mean", name)]
-        out.append(answer.pixel * sum(widths) / len(widths))
+        lines = ("x", across, run), ("y", down, rise)
+        widths = [pitch * _width(line, name) for name, line, pitch in lines if along in ("mean", name)]
+        out.append(sum(widths) / len(widths))
     return numbers(out, answer.pupil.shape)
 
 
@@ -234,7 +246,8 @@ def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> 
     images = [answer] if answer.pupil.shape == () else [answer[i] for i in np.ndindex(answer.pupil.shape)]
     out = []
     for one in images:
-        reach = 1.5 * one.pixel * sum(one.grid.shape) + float(np.hypot(*one.grid.axis)) * one.pixel
+        pixel = max(one.grid.pitch)
+        reach = 1.5 * pixel * sum(one.grid.shape) + float(np.hypot(*one.grid.axis)) * pixel
         most = float(encircled_energy(one, reach, about=about))
         if most < wanted:
             raise ValueError(f"fraction must be at most the {most:.6g} of all light in the window, got {wanted:g}")
@@ -242,7 +255,7 @@ def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> 
         def lacks(radius: float, one: Answer = one) -> float:
             return float(encircled_energy(one, radius, about=about)) - wanted
 
-        out.append(2.0 * brentq(lacks, 0.0, reach, xtol=1e-9 * one.pixel))
+        out.append(2.0 * brentq(lacks, 0.0, reach, xtol=1e-9 * pixel))
     return numbers(out, answer.pupil.shape)
 
 

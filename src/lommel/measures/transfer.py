@@ -7,7 +7,9 @@ The OTF is the Fourier transform of the PSF over all the light,
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,8 +19,10 @@ from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures import cut_overlap
 from lommel.measures.overlap import autocorrelation
 from lommel.methods.polychromatic import Polychromatic
+from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.spectrum import Component
+from lommel.sensor.blurs import Blur, blurs, require_unit
 
 Complexes = np.complex128 | NDArray[np.complex128]
 
@@ -28,7 +32,9 @@ def otf(
     fx: ArrayLike,
     fy: ArrayLike = 0.0,
     *,
-    pixel: float | None = None,
+    pixel: float | tuple[float, float] | None = None,
+    fill: float | tuple[float, float] = 1.0,
+    blur: Blur | Sequence[Blur] = (),
     spectrum: Polychromatic | None = None,
     tol: float = 1e-10,
 ) -> Complexes:
@@ -40,8 +46,13 @@ def otf(
     fx, fy : array_like
         Spatial frequencies along columns and rows: cycles per metre if the pupil has a wavelength, else cycles per
         lambda*N. They broadcast: ``fx[None, :], fy[:, None]`` is a grid.
-    pixel : float, optional
-        Pixel pitch: multiplies by ``sinc(fx pixel) sinc(fy pixel)``, the transfer function of pixels that average.
+    pixel : float or (float, float), optional
+        Pixel pitch, or height and width: multiplies by ``sinc(fx width) sinc(fy height)``, the transfer function of
+        pixels that average.
+    fill : float or (float, float), default 1
+        The part of its area that a pixel averages over, or those of height and width; see :func:`lommel.psf`.
+    blur : Blur or sequence of Blur, default ()
+        What spreads the light further, each a factor; see :func:`lommel.psf`.
     spectrum : Polychromatic, optional
         The sum over a spectrum, phases being path differences, as in the images of that method.
     tol : float, default 1e-10
@@ -71,20 +82,32 @@ def otf(
     _unmasked(pupil)
     across, down = frequencies(fx, fy)
     goal = validation.real("tol", tol, least=1e-13, below=0.1 + 1e-9)
-    if pixel is None:
-        blur = np.ones(across.shape)
-    else:
-        pitch = validation.pixel(pixel, metric=pupil.wavelength is not None)
-        blur = np.sinc(across * pitch) * np.sinc(down * pitch)
+    rest, several = _of_pixels(pupil, across, down, pixel, fill), blurs(blur)
+    require_unit(several, pupil)
     total = np.zeros((math.prod(pupil.shape), across.size), dtype=np.complex128)
     parts = [Component(1.0, 1.0, pupil)]
     if spectrum is not None:
         parts = validation.instance("spectrum", spectrum, Polychromatic).components(pupil)
     for share, _, part in parts:
         f = np.stack([across.ravel(), down.ravel()], axis=-1) * part.scale
-        total += share * (autocorrelation if part.circular else cut_overlap.autocorrelation)(part, f, goal)
-    result: Complexes = (total.reshape(pupil.shape + across.shape) * blur)[()]
+        factors = [one.transfer(across, down, wavelength=part.wavelength) for one in several]
+        overlap = autocorrelation if part.circular else cut_overlap.autocorrelation
+        total += share * overlap(part, f, goal) * np.prod([np.ravel(factor) for factor in factors], axis=0)
+    result: Complexes = (total.reshape(pupil.shape + across.shape) * rest)[()]
     return result
+
+
+def _of_pixels(pupil: Pupil, across: Array, down: Array, pixel: Any, fill: Any) -> Array:
+    """Return the transfer function of pixels that average; 1 where there are none."""
+    if pixel is None:
+        if validation.fill("fill", fill) != (1.0, 1.0):
+            raise ValueError(f"fill must be left out where there is no pixel, got {validation.shown(fill)}")
+        return np.ones(across.shape)
+    metric, sensor = pupil.wavelength is not None, Grid(1, pixel, integrate=True, fill=fill)
+    for side in sensor.pitch:
+        validation.pixel(side, metric=metric)
+    height, width = sensor.active
+    return np.asarray(np.sinc(across * width) * np.sinc(down * height))
 
 
 def mtf(
@@ -92,7 +115,9 @@ def mtf(
     fx: ArrayLike,
     fy: ArrayLike = 0.0,
     *,
-    pixel: float | None = None,
+    pixel: float | tuple[float, float] | None = None,
+    fill: float | tuple[float, float] = 1.0,
+    blur: Blur | Sequence[Blur] = (),
     spectrum: Polychromatic | None = None,
     tol: float = 1e-10,
 ) -> Numbers:
@@ -103,7 +128,7 @@ def mtf(
     pupil : Pupil
     fx, fy : array_like
         Cycles per metre if the pupil has a wavelength, else per lambda*N.
-    pixel, spectrum, tol
+    pixel, fill, blur, spectrum, tol
         As of :func:`lommel.otf`.
 
     Returns
@@ -117,7 +142,7 @@ def mtf(
     >>> camera = lm.Pupil(lm.Wavefront(1.5), wavelength=550e-9, f_number=2.8)
     >>> at_nyquist = lm.mtf(camera, 1 / (2 * 3.45e-6), pixel=3.45e-6)
     """
-    value = otf(pupil, fx, fy, pixel=pixel, spectrum=spectrum, tol=tol)
+    value = otf(pupil, fx, fy, pixel=pixel, fill=fill, blur=blur, spectrum=spectrum, tol=tol)
     return numbers(np.abs(value), value.shape)
 
 
@@ -151,7 +176,15 @@ def ptf(
     return numbers(np.where(np.abs(value) > tol, np.angle(value), 0.0), value.shape)
 
 
-def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel: float | None = None) -> Numbers:
+def mtf_frequency(
+    pupil: Pupil,
+    level: float = 0.5,
+    *,
+    angle: float = 0.0,
+    pixel: float | tuple[float, float] | None = None,
+    fill: float | tuple[float, float] = 1.0,
+    blur: Blur | Sequence[Blur] = (),
+) -> Numbers:
     """Return the lowest frequency at which the MTF has fallen to `level`: MTF50 and its like.
 
     Parameters
@@ -161,7 +194,7 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
         Above 0 and below 1.
     angle : float, default 0
         Direction of the frequency in radians, from the columns (x) to the rows (y).
-    pixel : float, optional
+    pixel, fill, blur
         As of :func:`lommel.otf`.
 
     Returns
@@ -182,14 +215,16 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
     turn = validation.real("angle", angle)
     cos, sin = math.cos(turn), math.sin(turn)
     cutoff = pupil.cutoff
+    sensor: dict[str, Any] = {"pixel": pixel, "fill": fill, "blur": blurs(blur)}
     # An image of radius r makes the OTF oscillate like J1(2 pi r f).
-    blur = float(pupil.v(pupil.geometric_radius()).max())
-    steps = math.ceil(max(128.0, 2.0 * blur))
+    oscillating = float(pupil.v(pupil.geometric_radius()).max())
+    oscillating += 4.0 * sum(math.hypot(*one.streak) for one in sensor["blur"]) / pupil.scale
+    steps = math.ceil(max(128.0, 2.0 * oscillating))
     first = np.zeros(math.prod(pupil.shape), dtype=np.int64)
     for start in range(1, steps + 1, 32):
         k = np.arange(start, min(start + 32, steps + 1))
         f = k * (cutoff / steps)
-        below = np.asarray(mtf(pupil, f * cos, f * sin, pixel=pixel, tol=1e-8)).reshape(-1, k.size) <= wanted
+        below = np.asarray(mtf(pupil, f * cos, f * sin, **sensor, tol=1e-8)).reshape(-1, k.size) <= wanted
         first = np.where((first == 0) & below.any(axis=1), k[below.argmax(axis=1)], first)
         if first.all():
             break
@@ -198,7 +233,7 @@ def mtf_frequency(pupil: Pupil, level: float = 0.5, *, angle: float = 0.0, pixel
     for i, k_high in enumerate(first):
 
         def above(f: float, one: Pupil = flat[i]) -> float:
-            return float(mtf(one, f * cos, f * sin, pixel=pixel)) - wanted
+            return float(mtf(one, f * cos, f * sin, **sensor)) - wanted
 
         low, high = (float(k) * (cutoff / steps) for k in (k_high - 1, k_high))
         # The scan is less exact than the search: a bracket's end may have crossed by rounding.

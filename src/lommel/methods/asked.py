@@ -105,25 +105,39 @@ def asked_about(
     if grid.stack:
         grid = grid.broadcast(pupil.shape)
     ways = candidates(pupil, grid, tol) if method is None else (method,)
-    ways[0].require(pupil)
-    validation.pixel_on(grid.pixel, pupil.scale, metric=pupil.wavelength is not None)
-    if ways[0].sampling == "center":
-        grid.require_reach(pupil)
+    wanted = wanted_on(grid, pupil, ways[0], normalize, dtype, threads)
     stack = pupil.shape
-    count = math.prod(stack) * grid.height * grid.width
+    shortcut = ways[0].plan(pupil, grid, wanted) if len(ways) == 1 else None
+    named, energy, flat = method is not None, normalize == "energy", (math.prod(stack), *grid.shape)
+    return Asked(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
+
+
+def wanted_on(
+    grid: Grid, pupil: BasePupil, method: Method, normalize: str, dtype: np.dtype[Any], threads: int
+) -> Wanted:
+    """Return how images are wanted, once pupil and window are checked.
+
+    Raises
+    ------
+    ValueError
+        If the method does not support the pupil, or the window is none that has an answer.
+    """
+    method.require(pupil)
+    for pitch in grid.pitch:
+        validation.pixel_on(pitch, pupil.scale, metric=pupil.wavelength is not None)
+    if method.sampling == "center":
+        grid.require_reach(pupil)
+    count = math.prod(pupil.shape) * grid.height * grid.width
     if count > validation.MAX_VALUES:
         raise ValueError(
-            f"shape {grid.shape} for {math.prod(stack)} pupils makes {count} values, "
+            f"shape {grid.shape} for {math.prod(pupil.shape)} pupils makes {count} values, "
             f"more than the limit of {validation.MAX_VALUES}"
         )
     scale: float | Array | None = None
     if normalize == "emitted":
-        scale = grid.step(pupil) ** 2 / (4.0 * math.pi) * pupil.collected.ravel()
+        scale = grid.cell(pupil) / (4.0 * math.pi) * pupil.collected.ravel()
     elif normalize == "energy":
-        scale = grid.step(pupil) ** 2 / (4.0 * math.pi * pupil.transmission)
+        scale = grid.cell(pupil) / (4.0 * math.pi * pupil.transmission)
     elif normalize == "strehl":
-        scale = 1.0 / ways[0].unaberrated_peak(pupil)
-    wanted = Wanted(scale, dtype, threads=threads)
-    shortcut = ways[0].plan(pupil, grid, wanted) if len(ways) == 1 else None
-    named, energy, flat = method is not None, normalize == "energy", (math.prod(stack), *grid.shape)
-    return Asked(light, grid, ways, named, energy, wanted, stack + grid.shape, flat, shortcut)
+        scale = 1.0 / method.unaberrated_peak(pupil)
+    return Wanted(scale, dtype, threads=threads)

@@ -339,7 +339,7 @@ def _fine(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
     """Return the samples that the averages over some rows of pixels take."""
     margin, (y, x) = taps.weights.size // 2, grid.center
     at = (y - row) * taps.stride + margin, x * taps.stride + margin
-    return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.pixel / taps.stride, center=at)
+    return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.side / taps.stride, center=at)
 
 
 def finer(grid: Grid, taps: Taps) -> Grid:

@@ -106,7 +106,7 @@ class DebyeRings(LayeredMethod):
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels around one axis, exact enough for the peaks that are found."""
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])
-        step = grid.step(pupil) / grid.pixel
+        step = grid.step(pupil) / grid.side
         v, azimuth = np.hypot(x, y).ravel() * step, np.arctan2(y, x).ravel()
         count = math.ceil(2.0 * float(v.max()) / _BAND) + equal_steps.TAPS_MOST // 2 + 1
         values = np.empty((pupil.focus.size, v.size))

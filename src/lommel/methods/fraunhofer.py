@@ -102,7 +102,7 @@ class Fraunhofer(Method):
         if wanted > _MAX_SIDE:
             raise ValueError(
                 f"Fraunhofer would need an FFT of {wanted:.0f}^2 for {self.samples} samples and pixels of "
-                f"{grid.pixel / pupil.scale:.4g} lambda*N, more than the limit of {_MAX_SIDE}^2"
+                f"{grid.side / pupil.scale:.4g} lambda*N, more than the limit of {_MAX_SIDE}^2"
             )
         side = int(next_fast_len(math.ceil(wanted)))
         return stride, side, 2.0 * math.pi * stride / (side * step)

@@ -50,8 +50,8 @@ class Geometric(Method):
         grid.require_one_axis()
         step = grid.step(pupil)
         # A centred image is four times its quadrant.
-        rows = np.arange(grid.height // 2 + 1.0) if grid.centered else grid.y / grid.pixel
-        columns = np.arange(grid.width // 2 + 1.0) if grid.centered else grid.x / grid.pixel
+        rows = np.arange(grid.height // 2 + 1.0) if grid.centered else grid.y / grid.side
+        columns = np.arange(grid.width // 2 + 1.0) if grid.centered else grid.x / grid.side
         corner = math.hypot(np.abs(rows).max() + 0.5, np.abs(columns).max() + 0.5)
         count = math.ceil(corner * self.rings) + 1
         stack = pupil.radial_terms()

@@ -52,7 +52,7 @@ def growth(
     """
     count, step = math.prod(pupil.shape), grid.step(pupil)
     total, error = np.zeros((count, *grid.shape)), np.zeros(count)
-    across, down = (step / grid.pixel * part for part in grid.positions(pupil.shape))
+    across, down = (step / grid.side * part for part in grid.positions(pupil.shape))
     for v, (slope, off) in zip((across[:, None, :], down[:, :, None]), tilts, strict=True):
         total -= v * slope
         far = np.abs(v).max(axis=(1, 2))

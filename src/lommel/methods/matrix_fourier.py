@@ -83,7 +83,7 @@ class MatrixFourier(Method):
             )
         x = cell_centers(self.samples)
         to_rows, to_columns = (
-            np.exp(-1j * np.multiply.outer((step / grid.pixel * part[:, None] + offset).ravel(), x))
+            np.exp(-1j * np.multiply.outer((step / grid.side * part[:, None] + offset).ravel(), x))
             for part in (grid.y, grid.x)
         )
         out = np.empty((math.prod(pupil.shape), *grid.shape))

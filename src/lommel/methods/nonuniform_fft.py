@@ -131,7 +131,7 @@ class NonuniformFFT(Method):
     def _sum(self, pupil: Pupil, grid: Grid, budget: float, threads: int) -> Array:
         """Return the samples of a single pupil, with errors of U below `budget`."""
         step = grid.step(pupil)
-        reach = step / grid.pixel * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
+        reach = step / grid.side * math.hypot(*(float(np.abs(part).max()) for part in (grid.x, grid.y)))
         degree = degree_needed(edge_amplitudes(pupil), reach, pupil.illumination, budget)
         x, y, w = pupil.rule(math.ceil(degree / _BLOCK_DEGREE) * _BLOCK_DEGREE)
         phase = pupil.wavefront.phase(np.hypot(x, y), np.arctan2(y, x)).ravel()

@@ -71,7 +71,7 @@ def _light(pupil: Pupil) -> float:
 
 def _samples(pupil: Pupil, grid: Grid, error: float) -> tuple[Array, Array]:
     amplitude, light, eps = pupil.amplitude, _light(pupil), pupil.obscuration
-    across, down = (grid.step(pupil) / grid.pixel * part for part in grid.positions(pupil.shape))
+    across, down = (grid.step(pupil) / grid.side * part for part in grid.positions(pupil.shape))
     reach = float(np.hypot(np.abs(across).max(axis=1), np.abs(down).max(axis=1)).max())
     aim = max(0.1 * error / (amplitude + light), 1e-15)
     terms = _amplitudes(pupil)

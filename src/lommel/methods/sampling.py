@@ -23,7 +23,7 @@ def samples_needed(pupil: Pupil, grid: Grid) -> tuple[int, str]:
     """
     step = grid.step(pupil)
     blur = float(pupil.v(pupil.geometric_radius()).max())
-    window = max(float(np.abs(part).max()) for part in (grid.x, grid.y)) * step / grid.pixel + 0.5 * step
+    window = max(float(np.abs(part).max()) for part in (grid.x, grid.y)) * step / grid.side + 0.5 * step
     why = f"the geometric blur (v = {blur:.4g}) and the window (v = {window:.4g})"
     return math.ceil((blur + window) / math.pi), why
 

@@ -150,8 +150,8 @@ def _peak_at_least(method: _Profiled, pupil: Any, grid: Grid, level: int, thread
     Looks at pixels on a line from the axis to where the last rays arrive.
     """
     blur = float(pupil.v(pupil.geometric_radius()).max()) + 4.0
-    pixel = grid.pixel if grid.integrate else blur / _SCAN / grid.step(pupil) * grid.pixel
-    count = min(_SCAN, math.ceil(blur / (grid.step(pupil) * pixel / grid.pixel))) + 1
+    pixel = grid.side if grid.integrate else blur / _SCAN / grid.step(pupil) * grid.side
+    count = min(_SCAN, math.ceil(blur / (grid.step(pupil) * pixel / grid.side))) + 1
     line = Grid((1, count), pixel, center=(0.0, 0.0), integrate=grid.integrate)
     made = _values(method, pupil, line, level, threads)
     assert made.given is not None

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
+from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
 
 AnyPupil = TypeVar("AnyPupil", bound=BasePupil)
@@ -60,3 +61,24 @@ def for_axes(pupil: AnyPupil, places: tuple[int, ...]) -> AnyPupil:
         raise ValueError(
             f"center must broadcast with the stack of pupils, got places of shape {places} for {pupil.shape}"
         ) from None
+
+
+def way(method: Any, tol: float | None, integrate: Any) -> tuple[Method | None, float]:
+    """Return the method, if one is named, and the tolerance; TypeError or ValueError if there are none such."""
+    if method is not None and not isinstance(method, Method):
+        raise TypeError(
+            f"method must be a Method such as NijboerZernike(tol=1e-6) or None, got {validation.shown(method)}"
+        )
+    if not (integrate is None or isinstance(integrate, bool)):
+        raise TypeError(f"integrate must be True, False or None, got {validation.shown(integrate)}")
+    if integrate is False and method is not None and method.sampling == "pixel":
+        raise ValueError(
+            f"integrate must not be False for {type(method).__name__}, which has no point values; leave it out"
+        )
+    if tol is None:
+        tol = (method or Method).tol
+    elif method is None:
+        tol = validation.real("tol", tol, least=Method.least_tol, below=1e-1)
+    else:
+        method = method.with_tol(tol)
+    return method, tol

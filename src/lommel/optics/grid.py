@@ -19,19 +19,22 @@ from lommel.optics.base_pupil import BasePupil
 
 @dataclass(frozen=True, init=False)
 class Grid:
-    """Square pixels around the optical axis.
+    """Pixels around the optical axis, square ones unless they are given two sides.
 
     Parameters
     ----------
     shape : int or (int, int)
         Side of a square, or height and width, each 1 to 16384.
-    pixel : float
-        Pixel pitch: metres where the pupil has a wavelength, else units of lambda*N.
+    pixel : float or (float, float)
+        Pixel pitch, or those of rows and columns: metres where the pupil has a wavelength, else units of lambda*N.
     center : (float, float) or (array_like, array_like), optional
         Row and column of the optical axis, in pixels, 0 being the middle of the first; by default the middle of
         pixel ``(height // 2, width // 2)``. Arrays, which broadcast, have an axis for each pupil of a stack.
     integrate : bool, default False
         Whether pixels average the intensity over their area instead of sampling it at their centre.
+    fill : float or (float, float), default 1
+        The part of its area that a pixel averages over, around its centre, of the same shape; or the parts of its
+        height and of its width. Above 0 and at most 1.
 
     Raises
     ------
@@ -48,19 +51,26 @@ class Grid:
 
     height: int
     width: int
-    pixel: float
+    pixel: float | tuple[float, float]
     center: tuple[float, float] | tuple[Array, Array]
     integrate: bool
     stack: tuple[int, ...] = field(repr=False)
+    fill: tuple[float, float]
 
-    def __init__(self, shape: Any, pixel: float, *, center: Any = None, integrate: bool = False) -> None:
+    def __init__(
+        self, shape: Any, pixel: Any, *, center: Any = None, integrate: bool = False, fill: Any = 1.0
+    ) -> None:
         height, width = validation.image_shape(shape)
         middle = (float(height // 2), float(width // 2))
-        pitch = validation.real("pixel", pixel, above=0.0)
+        pitch = validation.pitch("pixel", pixel)
+        fill = (1.0, 1.0) if isinstance(fill, float) and fill == 1.0 else validation.fill("fill", fill)
         center = middle if center is None else validation.positions("center", center)
         integrate = validation.truth("integrate", integrate)
+        if fill != (1.0, 1.0) and not integrate:
+            raise ValueError(f"fill must be 1 for pixels that sample their centres, got {fill}; average over them")
         stack = () if isinstance(center[0], float) else center[0].shape
         vars(self).update(height=height, width=width, pixel=pitch, center=center, integrate=integrate, stack=stack)
+        vars(self)["fill"] = fill
 
     def __eq__(self, other: object) -> bool:
         """Return whether two grids have the same pixels."""
@@ -72,7 +82,7 @@ class Grid:
 
     def _content(self) -> tuple[Any, ...]:
         center = tuple(part.tobytes() for part in np.asarray(self.center)) if self.stack else self.center
-        return self.height, self.width, self.pixel, self.integrate, self.stack, center
+        return self.height, self.width, self.pixel, self.integrate, self.stack, center, self.fill
 
     def __getitem__(self, index: Any) -> Grid:
         """Return the pixels around some of several axes, as NumPy indexes arrays of their shape."""
@@ -87,7 +97,7 @@ class Grid:
         return self._around(*(np.broadcast_to(part, shape) for part in self.center))
 
     def _around(self, *center: Any) -> Grid:
-        return Grid(self.shape, self.pixel, center=center, integrate=self.integrate)
+        return Grid(self.shape, self.pixel, center=center, integrate=self.integrate, fill=self.fill)
 
     @property
     def axis(self) -> tuple[float, float]:
@@ -103,6 +113,32 @@ class Grid:
                 f"center must be one (row, column) for this method, got arrays of shape {self.stack}; ask pupil by "
                 "pupil, each with its own center, or take NijboerZernike or ChordalGauss where the aperture is round"
             )
+
+    @property
+    def square(self) -> bool:
+        """Whether pixels are square, and average over all of their area if they do: as methods take them."""
+        return isinstance(self.pixel, float) and not self.partly
+
+    @property
+    def partly(self) -> bool:
+        """Whether pixels average over a part of their area only."""
+        return self.fill != (1.0, 1.0)
+
+    @property
+    def pitch(self) -> tuple[float, float]:
+        """From row to row and from column to column."""
+        return (self.pixel, self.pixel) if isinstance(self.pixel, float) else self.pixel
+
+    @property
+    def named(self) -> str:
+        """The pitch as messages have it."""
+        return f"{self.pixel:g}" if isinstance(self.pixel, float) else "({:g}, {:g})".format(*self.pixel)
+
+    @property
+    def active(self) -> tuple[float, float]:
+        """Height and width of what a pixel averages over; 0 and 0 where it samples its centre."""
+        (down, across), (rows, columns) = self.pitch, self.fill
+        return (down * rows, across * columns) if self.integrate else (0.0, 0.0)
 
     @property
     def symmetric(self) -> bool:
@@ -137,12 +173,12 @@ class Grid:
 
     def _positions(self, side: int) -> Array:
         pixels = np.arange(self.shape[side], dtype=np.float64)
-        return np.asarray(self.pixel * (pixels - np.asarray(self.center[side])[..., None]))
+        return np.asarray(self.pitch[side] * (pixels - np.asarray(self.center[side])[..., None]))
 
     @property
     def radii(self) -> Array:
         """Distinct distances of pixel centres from a centred axis, rising, in the unit of `pixel`."""
-        return np.sqrt(_quadrant(*self.shape)[0]) * self.pixel
+        return np.sqrt(_quadrant(*self.shape)[0]) * self.side
 
     @property
     def multiplicity(self) -> NDArray[np.int64]:
@@ -151,17 +187,31 @@ class Grid:
         return np.bincount(ranks.ravel())
 
     def step(self, pupil: BasePupil) -> float:
-        """Return the pixel pitch in v of a `pupil`, ``pi pixel / (lambda N)``."""
-        return math.pi * self.pixel / pupil.scale
+        """Return the pitch of square pixels in v of a `pupil`, ``pi pixel / (lambda N)``."""
+        return math.pi * self.side / pupil.scale
+
+    def cell(self, pupil: BasePupil) -> float:
+        """Return the area of a pixel in v^2 of a `pupil`, that between active parts included."""
+        if isinstance(self.pixel, float):
+            return self.step(pupil) ** 2
+        down, across = self.pixel
+        return math.pi * down / pupil.scale * (math.pi * across / pupil.scale)
+
+    @property
+    def side(self) -> float:
+        """Pitch of square pixels; ValueError for others, which no method takes by itself."""
+        if not isinstance(self.pixel, float):
+            raise ValueError(f"pixel must be one number for a Method, got {self.named}; lommel.psf takes two")
+        return self.pixel
 
     def require_reach(self, pupil: BasePupil) -> None:
         """Raise ValueError if pixels are farther from the axis than a `pupil` sends light that is worth computing."""
-        v = self._farthest * self.step(pupil)
+        v = self._farthest * math.pi * max(self.pitch) / pupil.scale
         if not v <= validation.MAX_REACH:
             center = (
                 "" if self.centered else f" around {'the farthest ' if self.stack else ''}center={self._far_center}"
             )
-            what = f"pixel={self.pixel:g} with shape={self.shape}{center}"
+            what = f"pixel={self.named} with shape={self.shape}{center}"
             validation.reach(what, v, pupil.scale, pupil.unit)
 
     @cached_property

@@ -141,7 +141,7 @@ def state_of(instrument: Instrument) -> tuple[dict[str, float], str]:
         "f_number": float(pupil.f_number),
         "obscuration": pupil.obscuration,
         "wavelength": pupil.wavelength * 1e9,
-        "pixel": instrument.pixel * 1e6,
+        "pixel": instrument.side * 1e6,
         "focal_length": instrument.lens.focal_length * 1e3,
     }
     for name, value in state.items():

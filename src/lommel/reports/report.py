@@ -60,7 +60,9 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
     nothing: list[None] = [None] * len(at)
     seen, error, image = known(lambda: _energies(pupil, at)) or (nothing, None, None)
     ideal, other_error, _ = known(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None, None)
-    nyquist, round_ = 0.5 / instrument.pixel, pupil.circular
+    # Along columns, whose pitch is the width of a pixel.
+    nyquist, round_ = 0.5 / instrument.pitch[1], pupil.circular
+    sensor: dict[str, Any] = {"pixel": instrument.pixel, "fill": instrument.fill}
     return {
         "name": instrument.name,
         "source": instrument.source,
@@ -90,7 +92,7 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "nyquist": nyquist,
         "mtf_at_nyquist": known(lambda: float(transfer.mtf(pupil, nyquist))) if round_ else None,
         "mtf_at_nyquist_with_pixel": (
-            known(lambda: float(transfer.mtf(pupil, nyquist, pixel=instrument.pixel))) if round_ else None
+            known(lambda: float(transfer.mtf(pupil, nyquist, **sensor))) if round_ else None
         ),
         "aperture": {
             "spider": None if lens.spider is None else lens.spider.to_dict(),
@@ -157,7 +159,7 @@ def other_model(instrument: Instrument) -> dict[str, Any]:
         other = changed.pupil(instrument.object_distance)
         pupils = {lens.model: instrument.pupil(), model: other}
         seen = {
-            name: psf(p, instrument.window, instrument.pixel, dtype="float64", integrate=instrument.integrate)
+            name: psf(p, instrument.window, instrument.pixel, dtype="float64", **instrument.sensor_options)
             for name, p in pupils.items()
         }
     except (ValueError, ArithmeticError, ImportError) as error:
@@ -185,7 +187,7 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
     light in the window, else None. "wide_enough" is the side of a window that holds some 98 % of the light, where
     this one does not hold 95 % and is smaller, else None.
     """
-    energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), answer.pixel)
+    energy, side = float(answer.energy), wide_enough(lens_pupil(answer.pupil), min(answer.grid.pitch))
     return how_made(answer, seconds) | {
         "wide_enough": side if energy < 0.95 and min(answer.shape) < side else None,
         "energy": energy,
@@ -206,7 +208,7 @@ def how_made(answer: Answer, seconds: float) -> dict[str, Any]:
     return {
         "method": answer.method.to_dict(),
         "sampling": answer.sampling,
-        "pixel_over_lambda_N": answer.pixel / answer.pupil.scale,
+        "pixel_over_lambda_N": max(answer.grid.pitch) / answer.pupil.scale,
         "sum": answer.values.sum(axis=(-2, -1), dtype=float).tolist() if stray else None,
         "shape": list(answer.shape),
         "pixel": answer.pixel,
@@ -238,7 +240,8 @@ def compare(
 
     def answer(method: Method, integrate: bool | None) -> PSF:
         window, pixel = instrument.window, instrument.pixel
-        return psf(pupil, window, pixel, method=method, dtype="float64", integrate=integrate)
+        fill = 1.0 if integrate is False else instrument.fill
+        return psf(pupil, window, pixel, method=method, dtype="float64", integrate=integrate, fill=fill)
 
     started(reference_name(pupil))
     truth, seconds = timed(partial(answer, judge, instrument.integrate))

@@ -84,16 +84,19 @@ def _stack(psf: Answer, ax: Axes | None, stretch: str) -> NDArray[Any]:
 def _title(psf: Answer) -> str:
     factor, unit = lengths(psf.unit)
     height, width = psf.shape[-2:]
-    return f"{height} × {width} pixels of {psf.pixel * factor:.4g} {unit}, {HOW[psf.sampling]}"
+    sides = psf.grid.pitch[: 1 if isinstance(psf.pixel, float) else 2]
+    size = " × ".join(f"{side * factor:.4g}" for side in sides)
+    spread = "".join(f", {type(blur).__name__}" for blur in psf.blur)
+    return f"{height} × {width} pixels of {size} {unit}, {HOW[psf.sampling]}{spread}"
 
 
 def _draw(psf: Answer, axes: Axes, norm: Any) -> Axes:
     """Draw the values of a single PSF on axes with its lengths."""
     factor, unit = lengths(psf.unit)
     height, width = psf.shape
-    half = 0.5 * psf.pixel * factor
+    high, half = (0.5 * side * factor for side in psf.grid.pitch)
     x, y = psf.grid.x * factor, psf.grid.y * factor
-    extent = (x[0] - half, x[-1] + half, y[-1] + half, y[0] - half)
+    extent = (x[0] - half, x[-1] + half, y[-1] + high, y[0] - high)
     interpolation = "nearest" if max(height, width) < 256 else "antialiased"
     axes.imshow(psf.values, extent=extent, cmap="magma", norm=norm, interpolation=interpolation)
     axes.set_xlabel(f"x ({unit})")
@@ -158,7 +161,7 @@ def compare(answers: Mapping[str, Answer], reference: str) -> Figure:
     errors.grid(alpha=0.3)
     for axes in (slices, errors):
         axes.set_xlabel(f"distance from the centre ({unit})")
-        axes.set_xlim(0.0, max(float(radius[-1]), 0.5 * truth.pixel) * factor)
+        axes.set_xlim(0.0, max(float(radius[-1]), 0.5 * truth.grid.pitch[1]) * factor)
     return figure
 
 
@@ -193,8 +196,9 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     axes = _field_axes(grid) if ax is None else ax
     factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
     sensor = (grid.sensor[0] * factor, grid.sensor[1] * factor)
-    cell = min(sensor[0] / rows / height, sensor[1] / columns / width)
-    half_height, half_width = 0.5 * height * cell, 0.5 * width * cell
+    high, wide = (side * pitch for side, pitch in zip((height, width), grid.psf.grid.pitch, strict=True))
+    larger = min(sensor[0] / rows / high, sensor[1] / columns / wide)
+    half_height, half_width = 0.5 * high * larger, 0.5 * wide * larger
     colors = mpl.colormaps["magma"]
     axes.set_facecolor(colors(0.0))
     interpolation = "nearest" if max(height, width) < 24 else "bilinear"
@@ -219,10 +223,10 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
         axes.figure.colorbar(scale, ax=axes, shrink=0.75, label="value over the largest of each PSF")
     axes.set_xlabel(f"x on the sensor ({unit})")
     axes.set_ylabel(f"y on the sensor ({unit})")
-    # Within the PSFs one pixel is `cell` long.
+    # Within the PSFs lengths are `larger`.
     inner, inner_unit = lengths(grid.unit)
-    length = _round_length(0.8 * width * grid.psf.pixel * inner)
-    _scale_bar(axes, length / (grid.psf.pixel * inner) * cell / sensor[1], f"{length:g} {inner_unit} in the PSFs")
+    length = _round_length(0.8 * wide * inner)
+    _scale_bar(axes, length / inner * larger / sensor[1], f"{length:g} {inner_unit} in the PSFs")
     return axes
 
 

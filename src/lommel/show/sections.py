@@ -100,7 +100,7 @@ def _told(psf: Answer, z: Array, aspect: str, stretch: str) -> list[str]:
     """Return what there is to say of the voxels and of the scales, line by line."""
     steps = np.diff(z)
     even = np.ptp(steps) <= 1e-6 * steps.mean()
-    size = 1e6 * psf.pixel / psf.pupil.magnification  # type: ignore[attr-defined]
+    size = 1e6 * psf.grid.side / psf.pupil.magnification  # type: ignore[attr-defined]
     return [
         f"{z.size} planes, {steps.mean():.4g} µm apart" if even else f"{z.size} planes, not evenly spaced",
         f"{psf.shape[-2]} × {psf.shape[-1]} pixels of {size:.4g} µm in the sample,",

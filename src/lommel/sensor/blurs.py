@@ -1,0 +1,383 @@
+r"""What spreads an image beside the lens: each a factor of the transfer function.
+
+Every one is a density of shifts b, nowhere negative and of all light 1: the image is ``I * b``, its transfer function
+``OTF(f) T(f)``. Here are their Fourier transforms ``T(f) = int b(r) exp(-2 pi i f.r) dr``; spread.py convolves.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.base.arrays import Array, Numbers, numbers
+from lommel.optics.base_pupil import BasePupil
+
+KOLMOGOROV = (4.8 * math.gamma(1.2)) ** (5.0 / 6.0)
+"""Half of 6.88: what q^(5/3) is multiplied by in the exponent of the long exposure."""
+FWHM = 0.975863
+"""Full width at half of the image that Kolmogorov's turbulence makes of a star, in units of wavelength / r0."""
+_NU = 5.0 / 6.0
+
+
+class Blur(ABC):
+    """A factor of the transfer function. Of a pupil with a wavelength lengths are metres, else units of lambda*N."""
+
+    metric: ClassVar[bool | None] = None
+
+    @abstractmethod
+    def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
+        """Return the transfer function at frequencies along columns and rows.
+
+        Parameters
+        ----------
+        fx, fy : array_like
+            Cycles per metre, or per lambda*N; they broadcast.
+        wavelength : float, optional
+            Of the light, metres; it matters to :class:`lommel.Seeing`.
+
+        Returns
+        -------
+        float or ndarray
+            Real, 1 at frequency 0.
+        """
+
+    @property
+    def covariance(self) -> Array:
+        """Of the part that is Gaussian, in (x, y)."""
+        return np.zeros((2, 2))
+
+    @property
+    def streak(self) -> tuple[float, float]:
+        """Along which (x, y) light is smeared evenly."""
+        return 0.0, 0.0
+
+    @property
+    def lengths(self) -> tuple[float, ...]:
+        """What is a length on the sensor."""
+        return ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return its name and options in plain types."""
+        return {"name": type(self).__name__} | asdict(self)  # type: ignore[call-overload, no-any-return]
+
+    def _at(self, fx: ArrayLike, fy: ArrayLike) -> tuple[Array, Array]:
+        parts = validation.real_array("fx", fx), validation.real_array("fy", fy)
+        across, down = validation.broadcast("fx and fy", *parts)
+        return across, down
+
+    def _smooth(self, fx: ArrayLike, fy: ArrayLike) -> Numbers:
+        x, y = self._at(fx, fy)
+        (xx, xy), (_, yy) = self.covariance
+        found = np.exp(-2.0 * math.pi**2 * (xx * x * x + 2.0 * xy * x * y + yy * y * y))
+        return numbers(found, x.shape)
+
+
+@dataclass(frozen=True)
+class Seeing(Blur):
+    r"""The long exposure through a turbulent atmosphere.
+
+    ``T = exp(-D / 2)``, D the structure function of the phase over the distance ``wavelength * focal_length * f`` in
+    the aperture: ``D / 2 = 3.44 (distance / r0)^(5/3)`` after Kolmogorov and Fried, with an outer scale that of von
+    Karman's spectrum.
+
+    Parameters
+    ----------
+    r0 : float
+        Fried's parameter at `wavelength`, metres in front of the telescope. For pupils in units of lambda*N, which
+        have no wavelength, it is over the diameter of the aperture.
+    focal_length : float, optional
+        Metres: together with `wavelength`, for pupils with a wavelength.
+    wavelength : float, optional
+        That r0 is given at, metres. In other light r0 is ``(other / wavelength)^(6/5)`` times as long.
+    outer_scale : float, optional
+        Metres, or over the diameter as r0 is; by default there is none, after Kolmogorov.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a number is not above 0, or one of focal length and wavelength is missing.
+
+    References
+    ----------
+    D. L. Fried, J. Opt. Soc. Am. 56, 1372 (1966), doi:10.1364/JOSA.56.001372. A. Tokovinin, Publ. Astron. Soc. Pac.
+    114, 1156 (2002), doi:10.1086/342683, for the outer scale.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> air = lm.Seeing.from_fwhm(4.85e-6, focal_length=8.0, wavelength=500e-9)  # 1 arcsec
+    >>> round(air.r0, 4)
+    0.1006
+    """
+
+    r0: float
+    focal_length: float | None = None
+    wavelength: float | None = None
+    outer_scale: float | None = None
+
+    def __post_init__(self) -> None:
+        vars(self)["r0"] = validation.real("r0", self.r0, above=0.0)
+        if self.outer_scale is not None:
+            outer = validation.real("outer_scale", self.outer_scale, above=0.0, infinite=True)
+            vars(self)["outer_scale"] = None if math.isinf(outer) else outer
+        if (self.focal_length is None) != (self.wavelength is None):
+            raise ValueError(
+                "focal_length and wavelength must be given together (pupils in metres) or not at all (r0 over the "
+                f"diameter), got focal_length={self.focal_length!r}, wavelength={self.wavelength!r}"
+            )
+        if self.wavelength is not None:
+            vars(self)["wavelength"] = validation.wavelength(self.wavelength)
+            vars(self)["focal_length"] = validation.real("focal_length", self.focal_length, above=0.0)
+
+    @classmethod
+    def from_fwhm(
+        cls, fwhm: float, focal_length: float, wavelength: float = 500e-9, outer_scale: float | None = None
+    ) -> Seeing:
+        """Return the seeing whose image of a star has a full width at half, ``0.976 wavelength / r0``.
+
+        Parameters
+        ----------
+        fwhm : float
+            Radians (1 arcsec is 4.848e-6), of a large telescope without outer scale, as monitors state it.
+        focal_length, wavelength, outer_scale : float
+            As of :class:`lommel.Seeing`.
+
+        Returns
+        -------
+        Seeing
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a number is out of range.
+        """
+        width = validation.real("fwhm", fwhm, above=0.0, below=0.1, unit="radians")
+        return cls(FWHM * validation.wavelength(wavelength) / width, focal_length, wavelength, outer_scale)
+
+    @property
+    def metric(self) -> bool:  # type: ignore[override]
+        """Whether it is for pupils with a wavelength."""
+        return self.wavelength is not None
+
+    def coherence(self, wavelength: float | None = None) -> float:
+        """Return the frequency ``r0 / (wavelength focal_length)`` in light of a `wavelength`.
+
+        Cycles per metre, or per lambda*N.
+        """
+        if self.wavelength is None or self.focal_length is None:
+            return self.r0
+        colour = 1.0 if wavelength is None else wavelength / self.wavelength
+        return float(self.r0 * colour**0.2 / (self.wavelength * self.focal_length))
+
+    def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
+        """Return the transfer function at frequencies `fx`, `fy` in light of a `wavelength`; see :class:`Blur`.
+
+        TypeError or ValueError if these are no finite numbers, or do not broadcast.
+        """
+        x, y = self._at(fx, fy)
+        given = None if wavelength is None else validation.wavelength(wavelength)
+        q = np.hypot(x, y) / self.coherence(given)
+        if self.outer_scale is None:
+            return numbers(np.exp(-KOLMOGOROV * q ** (5.0 / 3.0)), x.shape)
+        colour = 1.0 if given is None or self.wavelength is None else (given / self.wavelength) ** 1.2
+        scales = self.outer_scale / (self.r0 * colour)
+        return numbers(np.exp(-_von_karman(q, scales)), x.shape)
+
+
+def _von_karman(q: Array, scales: float) -> Array:
+    """Return half of the structure function at q r0, the outer scale being so many r0."""
+    from scipy.special import gamma, kv
+
+    z = np.atleast_1d(2.0 * math.pi / scales * q)
+    factor = (
+        0.5 * KOLMOGOROV * scales ** (5.0 / 3.0) * 2.0 ** (1.0 / 6.0) * math.gamma(11.0 / 6.0) / math.pi ** (8 / 3)
+    )
+    all_of_it = math.gamma(_NU) / 2.0 ** (1.0 / 6.0)
+    far = np.minimum(np.maximum(z, 1.0), 700.0)
+    found = np.where(z > 1.0, all_of_it - far**_NU * kv(_NU, far), 0.0)
+    # Near 0 the two cancel; K is the difference of two series in z^2 / 4.
+    k, near = np.arange(14)[:, None], np.minimum(z, 1.0).ravel()
+    powers = (0.25 * near * near) ** k / gamma(k + 1.0)
+    rising = (powers / gamma(k + 1.0 + _NU)).sum(axis=0) * near ** (2.0 * _NU) * 2.0**-_NU
+    even = (powers[1:] / gamma(k[1:] + 1.0 - _NU)).sum(axis=0) * 2.0**_NU
+    series = 0.5 * math.pi / math.sin(math.pi * _NU) * (rising - even)
+    return np.asarray(factor * np.where(z > 1.0, found, series.reshape(z.shape))).reshape(q.shape)
+
+
+@dataclass(frozen=True)
+class Jitter(Blur):
+    """Random motion, such as that of a telescope or of a hand, over an exposure longer than it: a Gaussian.
+
+    Parameters
+    ----------
+    sigma : float
+        Standard deviation of the position along one axis, on the sensor: metres, or units of lambda*N of a pupil
+        without a wavelength. An angle times the focal length.
+    across : float, optional
+        Standard deviation at right angles to `angle`; by default `sigma` too.
+    angle : float, default 0
+        Direction of `sigma` in radians, from the columns (x) to the rows (y).
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a number is no finite one, or a deviation negative.
+    """
+
+    sigma: float
+    across: float | None = None
+    angle: float = 0.0
+
+    def __post_init__(self) -> None:
+        across = self.sigma if self.across is None else self.across
+        vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0)
+        vars(self)["across"] = validation.real("across", across, least=0.0)
+        vars(self)["angle"] = validation.real("angle", self.angle)
+
+    @property
+    def lengths(self) -> tuple[float, ...]:
+        """The two deviations."""
+        assert self.across is not None
+        return self.sigma, self.across
+
+    @property
+    def covariance(self) -> Array:
+        """Of the position (x, y)."""
+        along, across = self.lengths
+        c, s = math.cos(self.angle), math.sin(self.angle)
+        turn = np.array([[c, -s], [s, c]])
+        return np.asarray(turn @ np.diag([along**2, across**2]) @ turn.T)
+
+    def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
+        """Return ``exp(-2 pi^2 f.C f)`` at `fx`, `fy`, C the covariance; the `wavelength` does not matter."""
+        return self._smooth(fx, fy)
+
+
+@dataclass(frozen=True)
+class ChargeDiffusion(Blur):
+    """Charge that moves sideways before a pixel collects it: a Gaussian.
+
+    Parameters
+    ----------
+    sigma : float
+        Standard deviation along each axis, on the sensor: metres, or units of lambda*N of a pupil without a
+        wavelength.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is no finite number, or negative.
+    """
+
+    sigma: float
+
+    def __post_init__(self) -> None:
+        vars(self)["sigma"] = validation.real("sigma", self.sigma, least=0.0)
+
+    @property
+    def lengths(self) -> tuple[float, ...]:
+        """The deviation."""
+        return (self.sigma,)
+
+    @property
+    def covariance(self) -> Array:
+        """Of the position (x, y)."""
+        return self.sigma**2 * np.eye(2)
+
+    def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
+        """Return ``exp(-2 pi^2 sigma^2 f^2)`` at `fx`, `fy`; the `wavelength` does not matter."""
+        return self._smooth(fx, fy)
+
+
+@dataclass(frozen=True)
+class Motion(Blur):
+    """A steady motion during the exposure, along a line: every place of it takes as long.
+
+    Parameters
+    ----------
+    length : float
+        Of the line on the sensor, its middle where the image would be: metres, or units of lambda*N.
+    angle : float, default 0
+        Its direction in radians, from the columns (x) to the rows (y).
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a number is no finite one, or the length negative.
+    """
+
+    length: float
+    angle: float = 0.0
+
+    def __post_init__(self) -> None:
+        vars(self)["length"] = validation.real("length", self.length, least=0.0)
+        vars(self)["angle"] = validation.real("angle", self.angle)
+
+    @property
+    def lengths(self) -> tuple[float, ...]:
+        """That of the line."""
+        return (self.length,)
+
+    @property
+    def streak(self) -> tuple[float, float]:
+        """From one end to the other, (x, y)."""
+        return self.length * math.cos(self.angle), self.length * math.sin(self.angle)
+
+    def transfer(self, fx: ArrayLike, fy: ArrayLike = 0.0, *, wavelength: float | None = None) -> Numbers:
+        """Return ``sinc(f.d)`` at `fx`, `fy`, d the line; the `wavelength` does not matter."""
+        x, y = self._at(fx, fy)
+        dx, dy = self.streak
+        return numbers(np.sinc(x * dx + y * dy), x.shape)
+
+
+KINDS: dict[str, type[Blur]] = {kind.__name__: kind for kind in (Seeing, Jitter, ChargeDiffusion, Motion)}
+
+
+def blurs(value: Any) -> tuple[Blur, ...]:
+    """Return what `blur` names, one or several; TypeError if it is none."""
+    if value is None:
+        return ()
+    several = (value,) if isinstance(value, Blur) else value
+    if not isinstance(several, Iterable) or isinstance(several, str | bytes):
+        raise TypeError(f"blur must be one of {', '.join(KINDS)}, or several, got {validation.shown(value)}")
+    found = tuple(several)
+    for one in found:
+        if type(one) not in KINDS.values():
+            raise TypeError(f"blur must be made of {', '.join(KINDS)}, got {validation.shown(one)}")
+    return found
+
+
+def blurs_from_dicts(descriptions: Iterable[dict[str, Any]]) -> tuple[Blur, ...]:
+    """Rebuild what :meth:`Blur.to_dict` described; TypeError or ValueError if it is none."""
+    found = []
+    for described in descriptions:
+        parts = dict(described)
+        found.append(KINDS[validation.choice("name", parts.pop("name"), KINDS)](**parts))
+    return tuple(found)
+
+
+def require_unit(several: tuple[Blur, ...], pupil: BasePupil) -> None:
+    """Raise ValueError if a blur is in metres and a pupil in units of lambda*N, or the other way round."""
+    metric = pupil.wavelength is not None
+    for blur in several:
+        if blur.metric is not None and blur.metric != metric:
+            how = (
+                "focal_length and wavelength"
+                if metric
+                else "r0 over the diameter alone, as this one has no wavelength"
+            )
+            raise ValueError(f"blur must fit the unit of the pupil, {pupil.unit}: give Seeing {how}, got {blur!r}")
+        for length in blur.lengths:
+            ratio = length / pupil.scale
+            if length and (not ratio <= 1e4 or (not metric and ratio < 1e-4)):
+                raise ValueError(
+                    f"blur must be at most 1e4 lambda*N wide, and lengths are in {pupil.unit} here, got {blur!r}, "
+                    f"that is {ratio:.3g} lambda*N"
+                )

@@ -1,0 +1,91 @@
+"""Cat's eyes and shading over the field: closed forms, single places, and grids of them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.optics.field_pupil import FieldPupil
+
+EDGES = lm.Vignetting([0.0, 10e-3, 20e-3], shift=[0.0, 0.2, 0.8], radius=[1.0, 1.0, 1.1])
+PLAIN = lm.FieldMap.from_seidel(20e-3, W131=1.0, W222=0.5, wavelength=550e-9, f_number=2.8)
+FIELD = PLAIN.seen_through(EDGES, lm.Shading.cos4(50e-3))
+SAMPLED = lm.MatrixFourier(samples=64)
+
+
+def lens(d: float) -> float:
+    """Return what two discs of radius 1, d apart, share, over one of them."""
+    return (2.0 * math.acos(0.5 * d) - 0.5 * d * math.sqrt(4.0 - d * d)) / math.pi
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.7, 2.5, -1.2])
+@pytest.mark.parametrize("height", [0.0, 4e-3, 10e-3])
+def test_two_circles_let_through_what_they_share(height, angle):
+    x, y = height * math.cos(angle), height * math.sin(angle)
+    expected = lens(20.0 * height) / (1.0 + (height / 50e-3) ** 2) ** 2
+    assert float(FIELD.illumination(x, y)) == pytest.approx(expected, rel=1e-9)
+    assert float(FIELD.working_f_number(x, y)) == pytest.approx(2.8 / math.sqrt(expected), rel=1e-9)
+
+
+def test_a_cat_s_eye_moves_along_the_direction_of_its_place():
+    eye = FIELD.pupil(0.0, 15e-3).vignetting
+    assert eye.shift == pytest.approx((0.0, 0.5))
+    assert eye.radius == pytest.approx(1.05)
+    assert lm.Vignetting([0.0, 1.0], [0.0, 0.1], 2.0).at(0.5, 0.5) is None
+
+
+def test_measured_shading_is_linear_between_heights():
+    field = PLAIN.seen_through(shading=lm.Shading([0.0, 10e-3, 20e-3], [1.0, 0.9, 0.5]))
+    assert field.illumination([0.0, 5e-3, 15e-3], 0.0) == pytest.approx([1.0, 0.95, 0.7])
+    assert PLAIN.illumination(3e-3, 0.0) == 1.0
+
+
+def test_a_grid_has_the_cat_s_eye_of_each_place(tmp_path):
+    options = {"sensor": (20e-3, 20e-3), "shape": 7, "pixel": 2e-6, "method": SAMPLED}
+    grid = FIELD.grid(2, 3, **options)
+    assert isinstance(grid.psf.pupil, FieldPupil)
+    for i, j in [(0, 0), (1, 1), (1, 2)]:
+        alone = FIELD.psf(grid.x[j], grid.y[i], 7, 2e-6, method=SAMPLED)
+        assert np.array_equal(grid[i, j].values, alone.values)
+        assert grid[i, j].pupil == alone.pupil
+        assert float(grid[i, j].energy) == pytest.approx(float(grid.psf.energy[i, j]))
+    assert not np.allclose(grid.values, PLAIN.grid(2, 3, **options).values)
+    grid.save(tmp_path / "grid.npz")
+    back = lm.PSFGrid.load(tmp_path / "grid.npz")
+    assert np.array_equal(back.values, grid.values)
+    assert back.psf.pupil == grid.psf.pupil
+
+
+def test_an_illuminated_grid_darkens_as_the_light_does():
+    field = PLAIN.seen_through(shading=lm.Shading.cos4(20e-3))
+    options = {"sensor": (20e-3, 20e-3), "shape": 9, "pixel": 2e-6}
+    plain, dark = field.grid(3, 3, **options), field.grid(3, 3, illuminated=True, **options)
+    light = field.illumination(plain.x, plain.y[:, None])
+    assert dark.values == pytest.approx(plain.values * light[..., None, None], rel=1e-6)
+    # How much of its own light is in the window stays.
+    assert dark.psf.energy == pytest.approx(plain.psf.energy)
+
+
+@pytest.mark.parametrize(
+    ("ask", "message"),
+    [
+        (lambda: lm.Vignetting([0.0], [0.0]), "height must rise from 0"),
+        (lambda: lm.Vignetting([0.0, 1.0], [0.1, 0.2]), "shift must be one for each height"),
+        (lambda: lm.Vignetting([0.0, 1.0], [0.0, 0.1], [1.0, 1.0, 1.0]), "radius must be one number"),
+        (lambda: lm.Vignetting([0.0, 1.0], [0.0, 3.0]), "shift"),
+        (lambda: lm.Shading([0.0, 1.0], [0.9, 0.5]), "light must be one for each height"),
+        (lambda: lm.Shading.cos4(0.0), "distance must be > 0"),
+        (lambda: PLAIN.seen_through(vignetting=0.5), "vignetting must be of the type Vignetting"),
+        (lambda: FIELD.pupil([0.0, 1e-3], 0.0), "psf takes arrays"),
+        (lambda: FIELD.illumination(21e-3, 0.0), "beyond the last height"),
+        (lambda: lm.psf(FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).pupil, 5, 2e-6), "one aperture"),
+        (lambda: FIELD.psf([1e-3, 9e-3], 0.0, 5, 2e-6, method=SAMPLED).peak_strehl, "index the stack"),
+        (lambda: lm.FieldMap.from_seidel(1.0, W131=1.0).working_f_number(0.0, 0.0), "f_number must be known"),
+    ],
+)
+def test_what_cannot_be_is_told(ask, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        ask()

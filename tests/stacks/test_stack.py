@@ -299,3 +299,16 @@ def test_a_cluster_computes_the_same_bits(fields, tmp_path):
             np.testing.assert_array_equal(made.error_bound, lm.open_stack(path).error_bound)
         sent = client.submit(lambda one: one[3, 1, 2].values, made)
         np.testing.assert_array_equal(sent.result(), made[3, 1, 2].values)
+
+
+def test_pixels_of_two_sides_and_what_spreads_the_light_come_back(tmp_path):
+    pupils = lm.Pupil(lm.Wavefront([0.0, 2.0]), wavelength=550e-9, f_number=4.0)
+    how = {"fill": 0.8, "blur": lm.Jitter(1e-6)}
+    pixel = (3e-6, 4e-6)
+    lm.psf_to(tmp_path / "s.h5", pupils, 9, pixel, **how)
+    found, wanted = lm.open_stack(tmp_path / "s.h5")[1], lm.psf(pupils[1], 9, pixel, **how)
+    assert (found.pixel, found.grid.fill, found.blur) == (pixel, wanted.grid.fill, wanted.blur)
+    # What errs by less for one of two is computed as exactly as the other takes.
+    np.testing.assert_allclose(found.values, wanted.values, rtol=0, atol=2e-6 * wanted.values.max())
+    with pytest.raises(ValueError, match="blur"):
+        lm.psf_to(tmp_path / "s.h5", pupils, 9, pixel, fill=0.8)

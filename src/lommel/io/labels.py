@@ -51,8 +51,8 @@ def light(psf: Answer) -> tuple[Array, Array]:
 
 
 def arcseconds(psf: Answer) -> float | None:
-    """Return the angle of a pixel seen from the lens, on the axis; None where the lens has no distances."""
+    """Return the angle of a square pixel seen from the lens, on the axis; None where the lens has no distances."""
     pupil = psf.pupil
-    if not isinstance(pupil, Pupil) or pupil.geometry is None:
+    if not isinstance(pupil, Pupil) or pupil.geometry is None or not isinstance(psf.pixel, float):
         return None
     return math.atan(psf.pixel / pupil.geometry.sensor_distance) / _ARCSEC

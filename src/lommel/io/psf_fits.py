@@ -47,9 +47,9 @@ def _header(psf: Answer, description: dict[str, Any]) -> dict[str, Any]:
     if angle is not None:
         cards["PIXELSCL"] = (angle, "[arcsec/pixel] seen from the lens, on the axis")
     if metric:
-        for side in "XY":
-            cards[f"{side}PIXSZ"] = (1e6 * psf.pixel, "[um] of a pixel on the sensor")
-    else:
+        for side, pitch in zip("YX", psf.grid.pitch, strict=True):
+            cards[f"{side}PIXSZ"] = (1e6 * pitch, "[um] of a pixel on the sensor")
+    elif isinstance(psf.pixel, float):
         cards["PIXELSZ"] = (psf.pixel, "[lambda*N] of a pixel on the sensor")
     waves, shares = labels.light(psf)
     if waves.size:
@@ -58,10 +58,11 @@ def _header(psf: Answer, description: dict[str, Any]) -> dict[str, Any]:
     for k in range(min(waves.size, _MOST_WAVES)):
         cards[f"WAVE{k}"] = (float(waves[k]), "[m] wavelength")
         cards[f"WGHT{k}"] = (float(shares[k]), "its share of the light")
+    pitches = dict(zip("yx", psf.grid.pitch, strict=True))
     # FITS counts its axes from the last, and their entries from 1.
     for k, (name, places, unit) in enumerate(reversed(labels.axes(psf, description)), 1):
         cards[f"CTYPE{k}"] = name.upper()
-        step = psf.pixel if name in ("x", "y") else places is not None and ome_microscope.step(places)
+        step = pitches[name] if name in pitches else places is not None and ome_microscope.step(places)
         if places is None or not step:
             continue
         cards[f"CRPIX{k}"] = (1.0 - float(places[0]) / step, "where it is 0, on the axis")

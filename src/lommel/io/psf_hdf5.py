@@ -27,7 +27,12 @@ def write(psf: Answer, description: dict[str, Any]) -> bytes:
     arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
     said = json.dumps(sealed(description, arrays), allow_nan=False)
     waves, shares = labels.light(psf)
-    plain = {"pixel": psf.pixel, "unit": psf.unit, "normalize": psf.normalize, "sampling": psf.sampling}
+    plain: dict[str, Any] = {
+        "pixel": psf.pixel,
+        "unit": psf.unit,
+        "normalize": psf.normalize,
+        "sampling": psf.sampling,
+    }
     plain |= {"wavelength": waves, "weight": shares} if waves.size else {}
     plain |= {} if psf.error_bound is None else {"error_bound": psf.error_bound}
 

@@ -56,20 +56,20 @@ def difference(a: Answer | ArrayLike, b: Answer, ax: Axes | None = None) -> Any:
         for name in ("unit", "normalize"):
             if getattr(a, name) != getattr(b, name):
                 raise ValueError(f"a must have the {name} of b, {getattr(b, name)!r}, got {getattr(a, name)!r}")
-        if not math.isclose(a.pixel, b.pixel, rel_tol=1e-9):
-            raise ValueError(f"a must have the pixel of b, {b.pixel:g}, got {a.pixel:g}")
+        if not np.allclose(a.grid.pitch, b.grid.pitch, rtol=1e-9, atol=0.0):
+            raise ValueError(f"a must have the pixel of b, {b.grid.named}, got {a.grid.named}")
     values = np.asarray(a, dtype=np.float64)
     if values.shape != b.shape:
         raise ValueError(f"a must have the shape of b, {b.shape}, got {values.shape}")
     largest, mean = peak_error(values, b.values), math.sqrt(mse(values, b.values))
     away = (values - b.values) / float(b.values.max())
     factor, unit = lengths(b.unit)
-    half = 0.5 * b.pixel * factor
+    high, half = (0.5 * side * factor for side in b.grid.pitch)
     x, y = b.grid.x * factor, b.grid.y * factor
     axes = new_axes(ax)
     image = axes.imshow(
         away,
-        extent=(x[0] - half, x[-1] + half, y[-1] + half, y[0] - half),
+        extent=(x[0] - half, x[-1] + half, y[-1] + high, y[0] - high),
         cmap="RdBu_r",
         norm=even_norm(float(np.abs(away).max())),
         interpolation="nearest",

@@ -92,8 +92,9 @@ def encircled_energy(psf: Answer, ax: Axes | None = None, *, radius: float | Non
 def _fitting(psf: Answer) -> float:
     """Return the radius of the largest circle about the axis in all windows; of others half their longer side."""
     ends = [part for at in (psf.grid.x, psf.grid.y) for part in (-at[..., 0], at[..., -1])]
-    inside = float(np.min(ends)) + 0.5 * psf.pixel
-    return inside if inside > 0.0 else 0.5 * max(psf.grid.shape) * psf.pixel
+    inside = float(np.min(ends)) + 0.5 * min(psf.grid.pitch)
+    sides = (count * pitch for count, pitch in zip(psf.grid.shape, psf.grid.pitch, strict=True))
+    return inside if inside > 0.0 else 0.5 * max(sides)
 
 
 def _ideal(psf: Answer, radius: Array) -> Array | None:

@@ -243,7 +243,9 @@ def _rms(thing: Pupil) -> list[Row]:
 
 def _pixels(answer: Answer) -> str:
     height, width = answer.shape[-2:]
-    return f"{height} × {width} of {_length(answer.pixel, answer.unit)}, {HOW[answer.sampling]}"
+    size = " × ".join(dict.fromkeys(_length(side, answer.unit) for side in answer.grid.pitch))
+    spread = "".join(f", {type(blur).__name__}" for blur in answer.blur)
+    return f"{height} × {width} of {size}, {HOW[answer.sampling]}{spread}"
 
 
 def _aperture(pupil: Pupil) -> str:

@@ -66,7 +66,7 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
     if isinstance(thing, Answer):
         if pixel is not None:
             raise ValueError(f"pixel must be None for a PSF, which has its own, got {validation.shown(pixel)}")
-        pupil, pitch = thing.pupil, thing.pixel if thing.grid.integrate else None
+        pupil, pitch = thing.pupil, thing.grid.side if thing.grid.integrate and _of_all_light(thing) else None
     else:
         pupil = checked(thing)
         pitch = None if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
@@ -104,15 +104,18 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
 
 
 def _of_all_light(psf: Answer) -> bool:
-    """Whether the wavefront tells: of a round lens, but for what has rays alone."""
-    return isinstance(psf.pupil, Pupil) and psf.pupil.circular and psf.method.sampling == "center"
+    """Whether the wavefront tells: of a round lens and square pixels, but for what has rays alone."""
+    plain = psf.grid.square and not psf.blur
+    return plain and isinstance(psf.pupil, Pupil) and psf.pupil.circular and psf.method.sampling == "center"
 
 
 def _known(thing: Any, pixel: float | None) -> _Known:
     """Return the MTF of a single pupil or PSF."""
     if isinstance(thing, Answer) and not _of_all_light(thing):
         return _Known(
-            thing.pupil, lambda fx, fy: np.abs(image_otf(thing, fx, fy)), min(0.5 / thing.pixel, thing.pupil.cutoff)
+            thing.pupil,
+            lambda fx, fy: np.abs(image_otf(thing, fx, fy)),
+            min(0.5 / max(thing.grid.pitch), thing.pupil.cutoff),
         )
     pupil: Any = thing.pupil if isinstance(thing, Answer) else thing
     spectrum = None

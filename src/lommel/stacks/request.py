@@ -23,6 +23,7 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 from lommel.optics.stacked import apart, together
 from lommel.psf import PSF, Plan
+from lommel.sensor.blurs import Blur
 from lommel.stacks.layout import DEFAULT, FORMAT, Index, Layout, cut, layouts
 
 _METRES = ("object_distance", "depth", "z", "wavelength")
@@ -39,6 +40,8 @@ class Keywords(TypedDict, total=False):
     dtype: DTypeLike | None
     center: tuple[ArrayLike, ArrayLike] | None
     integrate: bool | None
+    fill: float | tuple[float, float]
+    blur: Blur | Sequence[Blur]
     threads: int | None
 
 
@@ -48,7 +51,7 @@ class Options:
 
     Parameters
     ----------
-    method, tol, normalize, dtype, integrate : optional
+    method, tol, normalize, dtype, integrate, fill, blur : optional
         As of :func:`lommel.psf`.
     center : (float, float) or (array_like, array_like), optional
         As of :func:`lommel.psf`; arrays broadcast with the stack.
@@ -62,6 +65,8 @@ class Options:
     dtype: DTypeLike | None = None
     center: tuple[ArrayLike, ArrayLike] | None = None
     integrate: bool | None = None
+    fill: float | tuple[float, float] = 1.0
+    blur: Blur | Sequence[Blur] = ()
     threads: int | None = None
 
 
@@ -70,8 +75,10 @@ class Question:
     """All that is asked but the pupils, as workers are sent it."""
 
     window: tuple[int, int]
-    pixel: float
+    pixel: float | tuple[float, float]
     integrate: bool
+    fill: tuple[float, float]
+    blur: tuple[Blur, ...]
     normalize: str
     dtype: str
 
@@ -87,6 +94,8 @@ class Question:
                 dtype=self.dtype,
                 center=center,
                 integrate=self.integrate,
+                fill=self.fill,
+                blur=self.blur,
                 threads=1,  # for sums of transforms by several differ in their last bits
             )
             return plan(pupil)
@@ -186,7 +195,7 @@ def requested(
         raise ValueError(f"pupils must be a stack of 1 to {_MOST_AXES} axes, got shape {stack}; psf computes one")
     ways = tuple(candidates(one, grid, plan.tol) if plan.method is None else (plan.method,) for one in stacks)
     dtype = np.dtype(plan.dtype)
-    question = Question(grid.shape, grid.pixel, grid.integrate, plan.normalize, dtype.name)
+    question = Question(grid.shape, grid.pixel, grid.integrate, grid.fill, plan.blur, plan.normalize, dtype.name)
     shared, arrays = _differences(stacks, listed)
     if grid.stack:
         arrays |= {"row": np.asarray(grid.center[0]), "column": np.asarray(grid.center[1])}
@@ -204,6 +213,8 @@ def requested(
         "pixel": grid.pixel,
         "unit": stacks[0].unit,
         "integrate": grid.integrate,
+        "fill": list(grid.fill),
+        "blur": [one.to_dict() for one in plan.blur],
         "center": None if grid.stack else list(grid.axis),
         "methods": [way.to_dict() for way in _different(ways)],
         "normalize": plan.normalize,

@@ -20,6 +20,7 @@ from lommel.methods.registry import method_from_dict
 from lommel.optics.grid import Grid
 from lommel.optics.stacked import together
 from lommel.psf import PSF
+from lommel.sensor.blurs import blurs_from_dicts
 from lommel.stacks.layout import OF_CHUNK, Index
 from lommel.stacks.store import Store
 from lommel.stacks.stores import kind
@@ -194,11 +195,14 @@ class PSFStack:
             normalize=said["normalize"],
             error_bound=None if math.isnan(bound) else bound,
             scale=found["scale"],
+            blur=blurs_from_dicts(said["blur"]),
         )
 
     def _pixels(self, center: Any) -> Grid:
         said = self._store.said
-        return Grid(tuple(said["window"]), said["pixel"], center=center, integrate=said["integrate"])
+        pixel = said["pixel"] if isinstance(said["pixel"], float) else tuple(said["pixel"])
+        kept = {"integrate": said["integrate"], "fill": tuple(said["fill"])}
+        return Grid(tuple(said["window"]), pixel, center=center, **kept)
 
     def _members(
         self, index: Any, only: tuple[str, ...] | None = None

@@ -105,6 +105,16 @@ def test_seeing_is_the_transform_of_both_transfer_functions(ratio, tol):
     assert answer.error_bound <= tol
 
 
+def test_a_window_beside_the_axis_is_within_its_bound_over_the_peak():
+    answer = lm.psf(
+        lm.Pupil(), 9, 0.5, blur=lm.Seeing(1.0), tol=1e-6, center=(40, 40), normalize="strehl", dtype="float64"
+    )
+    peak = float(through_air(np.zeros(1), 1.0)[0])
+    radius = np.array([np.hypot(answer.grid.y[i], answer.grid.x[j]) for i, j in PIXELS])
+    off = np.abs([answer.values[at] for at in PIXELS] - through_air(radius, 1.0)).max() / peak
+    assert off <= answer.error_bound <= 1e-6
+
+
 def test_an_obscured_telescope_sees_through_the_air():
     answer = lm.psf(
         lm.Pupil(obscuration=0.4), 9, 1.0, blur=[lm.Seeing(0.3)], normalize="strehl", dtype="float64", integrate=False

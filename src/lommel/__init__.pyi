@@ -60,6 +60,7 @@ from lommel.methods.stratified import Stratified as Stratified
 from lommel.methods.tuned_closed_form import TunedClosedForm as TunedClosedForm
 from lommel.optics.aperture import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
 from lommel.optics.apodization import Apodization as Apodization
+from lommel.optics.colour import Colour as Colour
 from lommel.optics.emitter import Beam as Beam, Dipole as Dipole, Scalar as Scalar
 from lommel.optics.fitting import (
     WavefrontFit as WavefrontFit,

@@ -248,7 +248,8 @@ class FieldMap:
             limits = self._wavefronts.limits(self.unit)
             raise ValueError(f"position (x, y) = {at} lies outside of the map, {limits}")
         wavefront = self._wavefronts.wavefront(across, down) + self._added
-        return replace(self.pupil_without_wavefront, wavefront=wavefront)
+        bare = self.pupil_without_wavefront
+        return replace(bare, wavefront=wavefront, colour=bare.colour and bare.colour.at(across, down))
 
     def psf(
         self,

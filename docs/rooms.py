@@ -25,6 +25,7 @@ ORDER = [
     {"io"},
     {"show"},
     {"psf"},
+    {"channel_psf"},
     {"estimation", "field"},
     {"imaging"},
     {"lensfiles", "microscopy"},

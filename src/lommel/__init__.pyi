@@ -17,6 +17,7 @@ from lommel import (
     show as show,
     special as special,
 )
+from lommel.channel_psf import ColourPSF as ColourPSF, colour_psf as colour_psf
 from lommel.core.answers import ToleranceError as ToleranceError
 from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision
 from lommel.estimation.fisher import fisher as fisher
@@ -60,6 +61,7 @@ from lommel.methods.stratified import Stratified as Stratified
 from lommel.methods.tuned_closed_form import TunedClosedForm as TunedClosedForm
 from lommel.optics.aperture import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
 from lommel.optics.apodization import Apodization as Apodization
+from lommel.optics.channels import Channels as Channels
 from lommel.optics.colour import Colour as Colour
 from lommel.optics.emitter import Beam as Beam, Dipole as Dipole, Scalar as Scalar
 from lommel.optics.fitting import (

@@ -202,7 +202,7 @@ class Plan:
         asked = self._asked
         if asked is None or asked.light != light:
             asked = self._asked = asked_about(
-                pupil, light, self._grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
+                pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
         _, grid, ways, _, _, _, shape, _, shortcut = asked
         names = wanted.names(derivatives)
@@ -241,7 +241,8 @@ class Plan:
         # Without what is remembered of the last pupil, which the compiled core has a part in.
         return vars(self) | {"_asked": None}
 
-    def _grid(self, pupil: BasePupil) -> Grid:
+    def grid(self, pupil: BasePupil) -> Grid:
+        """Return the pixels, which average or sample by the unit of `pupil` where nobody says which."""
         averages = self.integrate
         if averages is None:
             metric = pupil.wavelength is not None

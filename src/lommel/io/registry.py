@@ -12,6 +12,7 @@ from lommel.base import optional, reading, validation
 
 KINDS = {
     "psf": "a PSF",
+    "colours": "a PSF in channels",
     "field": "a grid of PSFs",
     "photo": "a photograph",
     "frames": "frames",
@@ -32,7 +33,7 @@ class Format:
 
     Parameters
     ----------
-    kind : {"psf", "field", "photo", "frames", "depth map", "images"}
+    kind : {"psf", "colours", "field", "photo", "frames", "depth map", "images"}
     suffixes : tuple of str
         Of its files, in small letters, each with its dot.
     write, read : callable, optional
@@ -54,6 +55,7 @@ class Format:
     ``write`` and ``read`` are, for each kind:
 
     - "psf": (PSF, description) to bytes; bytes to (``{"values": array}`` and derivatives, text of a description)
+    - "colours": as "psf", of a ColourPSF; a picture has nothing to read
     - "field": (PSFGrid, description, path), which writes by itself; (path, class of PSF) to (PSF, description)
     - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
     - "frames": (list of values, milliseconds each, quality) to bytes

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -153,7 +153,7 @@ class Polychromatic(Spectrum, RadialMethod):
 
 
 def together(
-    sums: Sequence[Polychromatic], pupil: Pupil, grid: Grid, threads: int, tol: float, *, window: bool = False
+    sums: Sequence[Polychromatic], pupil: Any, grid: Grid, threads: int, tol: float, *, window: bool = False
 ) -> list[Intensities]:
     """Return the intensities of several sums, each wavelength computed once for all of them.
 

@@ -123,16 +123,44 @@ class Colour:
         return cls(wavelengths, f * ((index[0] - 1.0) / (index - 1.0) - 1.0))
 
     def shift(self, wavelength: float) -> float:
-        """Return how much longer the focal length is at a `wavelength`, metres both.
+        """Return how much longer the focal length is at a wavelength.
 
-        ValueError if the wavelength lies beyond those that are known.
+        Parameters
+        ----------
+        wavelength : float
+            Metres.
+
+        Returns
+        -------
+        float
+            Metres, as the table counts them.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it is no wavelength, or lies beyond those that are known.
         """
         return float(_between(self._known(wavelength), self.wavelengths, self.focus_shift))
 
     def shift_across(self, height: ArrayLike, wavelength: float) -> Array:
-        """Return how much farther from the axis the image at a `wavelength` is, at distances from the axis, metres.
+        """Return how much farther from the axis the image is at a wavelength.
 
-        ValueError if a wavelength or a distance lies beyond those that are known.
+        Parameters
+        ----------
+        height : array_like
+            Distances from the axis, metres.
+        wavelength : float
+            Metres.
+
+        Returns
+        -------
+        ndarray
+            Metres, as the table counts them, of the shape of `height`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If these are no such numbers, or lie beyond those that are known.
         """
         h, known = validation.real_array("height", height, least=0.0), self._known(wavelength)
         if not self.heights:

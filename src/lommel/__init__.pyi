@@ -28,6 +28,7 @@ from lommel.estimation.retrieve import retrieve as retrieve
 from lommel.field.maps import FieldMap as FieldMap
 from lommel.field.psf_grid import PSFGrid as PSFGrid
 from lommel.io.zernike_tables import ZernikeTable as ZernikeTable, save_zernike as save_zernike
+from lommel.lensfiles.channel_files import load_channels as load_channels
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
 from lommel.lensfiles.microscope import Microscope as Microscope

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from lommel.base import validation
 from lommel.field.maps import FieldMap
+from lommel.optics.channels import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
@@ -33,6 +34,8 @@ class Instrument:
         What the field adds to the wavefront of the lens.
     integrate : bool or None
         Whether pixels average or sample, as of :func:`lommel.psf`; None where the file does not say.
+    channels : Channels or None
+        What the sensor records, where the file says it.
     """
 
     name: str
@@ -45,6 +48,7 @@ class Instrument:
     sensor: tuple[float, float] | None = None
     aberrations_of_field: FieldMap | None = field(default=None, repr=False)
     integrate: bool | None = None
+    channels: Channels | None = None
 
     @property
     def window(self) -> tuple[int, int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Unpack
 
@@ -10,11 +11,15 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.options import shares
+from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.field import wavefronts
 from lommel.field.aperture import ApertureKeywords, ApertureOptions, bare_pupil
+from lommel.field.depths import at_depths
 from lommel.field.psf_grid import PSFGrid
-from lommel.measures.answer import sides
+from lommel.measures.answer_grid import sides
 from lommel.methods import Method
+from lommel.optics.channels import Channels
+from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
 from lommel.psf import PSF, psf
@@ -290,10 +295,14 @@ class FieldMap:
         sensor: tuple[float, float],
         shape: int | tuple[int, int],
         pixel: float,
-        method: Method | None = None,
+        channels: Channels | Sequence[float] | None = None,
+        depths: ArrayLike | None = None,
+        lens: Lens | None = None,
         **options: Any,
     ) -> PSFGrid:
         """Compute PSFs over the sensor in one call: one for the centre of each of rows times columns equal cells.
+
+        And, where they are asked for, at several distances of the object and in several channels.
 
         Parameters
         ----------
@@ -301,8 +310,14 @@ class FieldMap:
             1 to 1000 each.
         sensor : (float, float)
             Height and width, centred on the axis, in the unit of positions.
-        shape, pixel, method, options
+        shape, pixel, options
             As of :meth:`psf`.
+        channels : Channels or sequence of float, optional
+            As of :func:`lommel.colour_psf`, with the lateral and axial colour of the lens that the aperture is of.
+        depths : array_like, shape (k,), optional
+            Distances of the object from the lens, metres; may be infinite.
+        lens : Lens, optional
+            With the focus of these distances, and without aberrations: the map has them.
 
         Returns
         -------
@@ -311,10 +326,23 @@ class FieldMap:
         Raises
         ------
         TypeError, ValueError
-            As :meth:`psf`; also if a centre lies outside of the map.
+            As :meth:`psf` and :func:`lommel.colour_psf`; also if a centre lies outside of the map, or if one of
+            `depths` and `lens` is missing, or the lens has other light than the map.
         """
+        if (depths is None) != (lens is None):
+            missing = "lens" if lens is None else "depths"
+            raise ValueError(f"{missing} is missing: they go together, for the lens has the defocus of each distance")
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
         height_width = sides(sensor, self.unit)
         # Exactly symmetric, so that the middle one of an odd number is on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
-        return PSFGrid(self.psf(x, y[:, None], shape, pixel, method=method, **options), x, y, height_width)
+        pupil, distances = self.pupil(x, y[:, None]), None
+        if depths is not None and lens is not None:
+            pupil = at_depths(pupil, lens, depths)
+            distances = np.atleast_1d(np.asarray(depths, dtype=np.float64))
+        made: PSF | ColourPSF
+        if channels is None:
+            made = psf(pupil, shape, pixel, **options)
+        else:
+            made = colour_psf(pupil, shape, pixel, channels, **options)
+        return PSFGrid(made, x, y, height_width, distances)

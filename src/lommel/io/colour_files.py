@@ -45,8 +45,7 @@ def save(answer: AnswerChannels[Any], path: str | PathLike[str]) -> None:
         If the file cannot be written.
     """
     form = find(path)
-    if any(psf.derivatives for psf in answer):
-        raise ValueError('derivatives are saved channel by channel, as by answer["red"].save("red.npz")')
+    require_plain(answer)
     atomic.write(Path(path), form.write(answer, describe(answer)))
 
 
@@ -65,6 +64,12 @@ def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Channels, tuple[M
     with psf_files.told(source, "a PSF in channels"):
         arrays, text = form.read(data)
         return rebuild(arrays["values"], json.loads(text), kind)
+
+
+def require_plain(answer: AnswerChannels[Any]) -> None:
+    """Raise ValueError if there are derivatives, which files in channels have no place for."""
+    if any(psf.derivatives for psf in answer):
+        raise ValueError('derivatives are saved channel by channel, as by answer["red"].save("red.npz")')
 
 
 def describe(answer: AnswerChannels[Any]) -> dict[str, Any]:
@@ -100,7 +105,8 @@ def rebuild(values: Any, description: dict[str, Any], kind: type[Made]) -> tuple
     return channels, tuple(made)
 
 
-def _npz(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
+def npz(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
+    """Return an archive of the values and the description."""
     values = np.ascontiguousarray(answer.values)
     said = np.array(json.dumps(sealed(description, {"values": values}), allow_nan=False))
     return atomic.contents(np.savez_compressed, allow_pickle=False, description=said, values=values)
@@ -143,7 +149,7 @@ def _png(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
 
 
 registry.register(
-    Format("colours", (".npz",), _npz, psf_numpy.read_npz),
+    Format("colours", (".npz",), npz, psf_numpy.read_npz),
     Format("colours", (".tif", ".tiff"), _tiff, psf_tiff.read, library="tifffile", extra="images"),
     Format("colours", (".png",), _png, library="PIL.Image", extra="images"),
 )

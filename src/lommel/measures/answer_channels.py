@@ -13,6 +13,7 @@ from lommel.base import validation
 from lommel.measures.answer import Answer
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.channels import Channels
+from lommel.optics.grid import Grid
 
 One = TypeVar("One", bound=Answer)
 
@@ -56,6 +57,11 @@ class AnswerChannels(Generic[One]):
     def pupil(self) -> BasePupil:
         """The pupil at the wavelength that it was given for."""
         return self.psfs[0].pupil
+
+    @property
+    def grid(self) -> Grid:
+        """The pixels."""
+        return self.psfs[0].grid
 
     @property
     def pixel(self) -> float:

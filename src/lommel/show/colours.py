@@ -10,13 +10,12 @@ from numpy.typing import NDArray
 from lommel.base import validation
 from lommel.measures.answer import Answer
 from lommel.measures.answer_channels import AnswerChannels, colours
-from lommel.show.drawing import pyplot
+from lommel.show.drawing import pyplot, stretched
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _MOST = 64  # PSFs of a stack in one figure
-_FLOOR = 1e-5  # of the largest value: the bottom of logarithmic scales
 
 
 def plot(answer: AnswerChannels[Any], ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
@@ -77,13 +76,6 @@ def plot(answer: AnswerChannels[Any], ax: Axes | None = None, *, stretch: str = 
         spare.set_axis_off()
     found = drawn[: len(pictures)]
     return found[0] if not titles[0] else found.reshape(stack or -1)
-
-
-def stretched(light: NDArray[Any], stretch: str) -> NDArray[np.float64]:
-    """Return levels from 0 to 1 of light from 0 to 1."""
-    if stretch == "log":
-        return np.asarray(1.0 - np.log10(np.maximum(light, _FLOOR)) / np.log10(_FLOOR))
-    return np.asarray(np.sqrt(light) if stretch == "sqrt" else light, dtype=np.float64)
 
 
 def _draw(axes: Any, picture: NDArray[np.float64], psf: Answer) -> None:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from lommel.base.optional import library
 
 MEANING = {
@@ -30,6 +33,13 @@ def norm_of(stretch: str, peak: float) -> Any:
     if stretch == "log":
         return LogNorm(_FLOOR * peak, peak, clip=True)
     return PowerNorm(0.5, 0.0, peak) if stretch == "sqrt" else Normalize(0.0, peak)
+
+
+def stretched(light: NDArray[Any], stretch: str) -> NDArray[np.float64]:
+    """Return levels from 0 to 1 of light from 0 to 1."""
+    if stretch == "log":
+        return np.asarray(1.0 - np.log10(np.maximum(light, _FLOOR)) / np.log10(_FLOOR))
+    return np.asarray(np.sqrt(light) if stretch == "sqrt" else light, dtype=np.float64)
 
 
 def pyplot() -> Any:

@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.optional import library
-from lommel.measures.answer import Answer, AnswerGrid
-from lommel.show.drawing import HOW, MEANING, USER, norm_of, pyplot
+from lommel.measures.answer import Answer
+from lommel.measures.answer_channels import AnswerChannels, colours
+from lommel.measures.answer_grid import AnswerGrid
+from lommel.show.drawing import HOW, MEANING, USER, norm_of, pyplot, stretched
 from lommel.show.sections import is_z_stack, sections
 
 if TYPE_CHECKING:
@@ -192,30 +194,34 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     Raises
     ------
     ValueError
-        If there is no such `stretch`.
+        If there is no such `stretch`, if the grid has several distances, or channels that are neither one nor three.
     ImportError
         If matplotlib is not installed.
     """
     mpl = library("matplotlib", *USER)
     validation.choice("stretch", stretch, ("sqrt", "linear", "log"))
-    rows, columns, height, width = grid.values.shape
+    if grid.depths is not None:
+        raise ValueError("a grid of several distances has no one picture: draw one of them, grid.at_depth(0).plot()")
+    coloured = isinstance(grid.psf, AnswerChannels)
+    pictures = stretched(colours(grid.psf), stretch) if isinstance(grid.psf, AnswerChannels) else grid.values
+    (rows, columns), (height, width) = grid.values.shape[:2], grid.values.shape[-2:]
     axes = _field_axes(grid) if ax is None else ax
     factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
     sensor = (grid.sensor[0] * factor, grid.sensor[1] * factor)
     cell = min(sensor[0] / rows / height, sensor[1] / columns / width)
     half_height, half_width = 0.5 * height * cell, 0.5 * width * cell
     colors = mpl.colormaps["magma"]
-    axes.set_facecolor(colors(0.0))
+    axes.set_facecolor("black" if coloured else colors(0.0))
     interpolation = "nearest" if max(height, width) < 24 else "bilinear"
     for i, j in np.ndindex(rows, columns):
         x, y = grid.x[j] * factor, grid.y[i] * factor
-        values = grid.values[i, j]
+        values = pictures[i, j]
+        norm = {} if coloured else {"cmap": colors, "norm": norm_of(stretch, float(values.max()) or 1.0)}
         axes.imshow(
             values,
             extent=(x - half_width, x + half_width, y + half_height, y - half_height),
-            cmap=colors,
-            norm=norm_of(stretch, float(values.max()) or 1.0),
             interpolation=interpolation,
+            **norm,
         )
     axes.set_xlim(-0.5 * sensor[1], 0.5 * sensor[1])
     axes.set_ylim(0.5 * sensor[0], -0.5 * sensor[0])
@@ -251,5 +257,5 @@ def _field_axes(grid: AnswerGrid) -> Any:
     return pyplot().subplots(figsize=(width, width * ratio + 0.7), layout="constrained")[1]
 
 
-def _scale(psf: Answer) -> tuple[float, str]:
+def _scale(psf: Answer | AnswerChannels[Any]) -> tuple[float, str]:
     return (1e6, "µm") if psf.unit == "m" else (1.0, "λN")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.measures.answer import Answer
+from lommel.measures.answer import Answer, checked
 from lommel.measures.answer_channels import AnswerChannels
 from lommel.optics.geometry import object_distances
 
@@ -26,9 +26,7 @@ class AnswerGrid:
     depths: Array | None = None
 
     def __post_init__(self) -> None:
-        if not isinstance(self.psf, Answer | AnswerChannels):
-            raise TypeError(f"psf must be a PSF or a ColourPSF, got {validation.shown(self.psf)}")
-        stack = self.psf.pupil.shape
+        stack = (self.psf if isinstance(self.psf, AnswerChannels) else checked(self.psf, "psf")).pupil.shape
         axes = 2 if self.depths is None else 3
         for name, count in (("y", 0), ("x", 1)):
             places = validation.real_array(name, getattr(self, name))

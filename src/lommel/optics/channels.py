@@ -277,8 +277,10 @@ class Channels:
         light = validation.real_array("light", parts["light"], least=0.0)
         rows = validation.real_array("weights", parts["weights"]) * light[:, None]
         made = cls(parts["wavelengths"], rows, parts["names"])
-        paths = parts["paths"]
-        vars(made).update(error=validation.real("error", parts["error"], least=0.0), paths=paths and float(paths))
+        paths, error = parts["paths"], validation.real("error", parts["error"], least=0.0)
+        # As they were, not divided again by sums that are 1 but for rounding.
+        weights = tuple(tuple(float(w) for w in row) for row in parts["weights"])
+        vars(made).update(weights=weights, light=tuple(light.tolist()), error=error, paths=paths and float(paths))
         return made
 
 

@@ -23,7 +23,8 @@ def test_files_and_tables_hold_what_python_computes(call_lommel, lenses, tmp_pat
         found = lm.ColourPSF.load(tmp_path / name)
         assert found.channels == instrument.channels
         assert np.abs(found.values - expected.values).max() <= 1e-7 * expected.values.max()
-    assert Image.open(tmp_path / "a.png").mode == "RGB"
+    with Image.open(tmp_path / "a.png") as picture:
+        assert picture.mode == "RGB"
     assert "red" in result.stdout
     assert "8 from 440 nm to 630 nm" in result.stdout
     assert result.stdout.split("wrote ")[1:] == ["a.npz\n", "a.tif\n", "a.png\n", "p.png\n"]

@@ -27,6 +27,13 @@ channels = lm.Channels.rgb(width=70e-9)
 distances = np.array([1.955, 1.975, 1.99, 2.0, 2.01, 2.025, 2.045])
 stack = lm.colour_psf(lens.pupil(distances), 51, 3.76e-6, channels)
 
+# %%
+# Where each wavelength is in focus follows from the table alone, and how wide points are from the PSFs:
+# the diameter of half of their light, by channel.
+
+many = np.linspace(1.95, 2.05, 41)
+answers = lm.colour_psf(lens.pupil(many), 9, 3.76e-6, channels)
+
 figure = plt.figure(figsize=(10.5, 5.4), layout="constrained")
 above, below = figure.subfigures(2, 1, height_ratios=(1, 1.4))
 half = 0.5e3 * stack.pixel * stack.shape[-1]
@@ -38,10 +45,6 @@ for k, axes in enumerate(above.subplots(1, len(distances))):
     axes.set_yticks([])
 above.suptitle("square root of the light over its largest value, by object distance: 0.19 mm a side", fontsize=10)
 
-# %%
-# Where each wavelength is in focus follows from the table alone, and how many rays miss the middle from the PSFs: the
-# diameter of half of the light, by channel.
-
 focus, width = below.subplots(1, 2)
 between = np.linspace(wavelengths[0], wavelengths[-1], 200)
 focus.plot(between * 1e9, [lens.in_light(w).focus_distance for w in between], color="black")
@@ -51,8 +54,6 @@ for name, pairs in channels:
 focus.set_xlabel("wavelength (nm)")
 focus.set_ylabel("object distance in focus (m)")
 
-many = np.linspace(1.95, 2.05, 41)
-answers = lm.colour_psf(lens.pupil(many), 9, 3.76e-6, channels)
 for name, answer in zip(answers.names, answers, strict=True):
     width.plot(many, answer.energy_diameter(0.5) * 1e6, color=name, label=name)
 width.set_xlabel("object distance (m)")

@@ -162,6 +162,8 @@ def test_pictures_are_drawn():
 
 
 def test_what_cannot_be_is_refused_with_the_way_out():
+    with pytest.raises(TypeError, match=r"colour_psf\(\) has no option 'out'; known are method, tol"):
+        lm.colour_psf(LENS.pupil(), 9, 3e-6, out=np.empty((3, 9, 9)))
     with pytest.raises(ValueError, match="needs a pupil with a wavelength"):
         lm.colour_psf(lm.Pupil(), 9, 0.5)
     with pytest.raises(TypeError, match=r"Channels.rgb\(\), or wavelengths"):

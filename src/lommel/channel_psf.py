@@ -6,19 +6,20 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array, largest
+from lommel.base.options import near
 from lommel.core.answers import Wanted
 from lommel.io import colour_files
 from lommel.measures.answer_channels import AnswerChannels
 from lommel.methods import wanted
 from lommel.methods.asked import asked_about
-from lommel.methods.method import painted, storing, widened
+from lommel.methods.method import Method, painted, storing, widened
 from lommel.methods.polychromatic import Polychromatic, together
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.channels import Channels, checked
@@ -30,6 +31,19 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _AT_ONCE = 2**22  # values of a channel that are computed at once
+
+
+class Keywords(TypedDict, total=False):
+    """What :func:`colour_psf` takes beside, as :func:`lommel.psf` does."""
+
+    method: Method | None
+    tol: float | None
+    normalize: str
+    dtype: DTypeLike | None
+    center: tuple[ArrayLike, ArrayLike] | None
+    integrate: bool | None
+    threads: int | None
+    derivatives: Sequence[Any]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -75,7 +89,7 @@ def colour_psf(
     shape: int | tuple[int, int],
     pixel: float,
     channels: Channels | Sequence[float] | None = None,
-    **options: Any,
+    **options: Unpack[Keywords],
 ) -> ColourPSF:
     """Compute the point spread function of a pupil in each channel of a sensor, or at each of some wavelengths.
 
@@ -113,16 +127,23 @@ def colour_psf(
     >>> answer.values.shape, answer["red"].values.shape
     ((3, 33, 33), (33, 33))
     """
+    if stray := [name for name in options if name not in Keywords.__annotations__]:
+        raise TypeError(f"colour_psf() has no option {stray[0]!r}; {near(stray[0], Keywords.__annotations__)}")
     light = Channels.rgb() if channels is None else checked(channels)
-    derivatives = options.pop("derivatives", ())
-    method = options.pop("method", None)
-    plan = Plan(shape, pixel, method=method, **options)
+    if imaged(pupil).wavelength is None:
+        raise ValueError(
+            "pupil must have a wavelength, to which those of the channels are related; colour needs a pupil with a "
+            "wavelength and an f_number, such as that of a Lens"
+        )
+    rest: dict[str, Any] = {**options}
+    derivatives = rest.pop("derivatives", ())
+    plan = Plan(shape, pixel, **rest)
     sums = [Polychromatic([w for w, _ in each], [s for _, s in each], plan.method, plan.tol) for _, each in light]
     if derivatives:
-        options.pop("tol", None)
-        made = [Plan(shape, pixel, method=each, **options)(pupil, derivatives=derivatives) for each in sums]
+        rest |= {"tol": None}
+        made = [Plan(shape, pixel, **rest | {"method": each})(pupil, derivatives=derivatives) for each in sums]
         return ColourPSF(light, tuple(made))
-    if places := plan.grid(imaged(pupil)).stack:
+    if places := plan.grid(pupil).stack:
         pupil = wanted.for_axes(pupil, places)
     return ColourPSF(light, _psfs(pupil, sums, plan))
 

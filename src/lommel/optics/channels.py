@@ -79,7 +79,8 @@ class Channels:
         rows = rows / rows.max()  # whose sums cannot overflow
         if names is None:
             names = _RGB if len(rows) == 3 else [str(k) for k in range(1, len(rows) + 1)]
-        if isinstance(names, str) or not all(isinstance(name, str) and name for name in names):
+        listed = isinstance(names, Sequence) and not isinstance(names, str)
+        if not listed or not all(isinstance(name, str) and name for name in names):
             raise TypeError(f"names must be texts, one for each channel, got {validation.shown(names)}")
         if len(set(names)) != len(rows) or len(names) != len(rows):
             raise ValueError(f"names must be {len(rows)} that differ, got {validation.shown(names)}")
@@ -143,7 +144,9 @@ class Channels:
             If a wavelength is none, or the width not above 0.
         """
         middle = [validation.wavelength(w) for w in validation.real_array("centers", centers).ravel()]
-        half = 0.5 * validation.real("width", width, above=0.0, unit="metres")
+        if not middle:
+            raise ValueError("centers must not be empty")
+        half = 0.5 * validation.real("width", width, above=0.0, below=2.0 * min(middle), unit="metres")
         nodes, weights = gauss_legendre(validation.integer("count", count, least=1, most=256), -1.0, 1.0)
         waves: dict[float, int] = {}
         found = [[(waves.setdefault(m + half * x, len(waves)), w) for x, w in zip(nodes, weights, strict=True)]

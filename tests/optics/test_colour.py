@@ -67,6 +67,9 @@ def test_lateral_colour_moves_the_image_away_from_the_axis():
     for wavelength, shift in ((450e-9, 4e-6), (650e-9, -3e-6)):
         pupil = field.pupil(x, y).in_light(wavelength)
         assert np.array(lm.centroid(pupil)) == pytest.approx(shift / 20e-3 * np.stack([x, y], axis=-1), abs=1e-11)
+    # By way of another colour, where the shift is not 0.
+    twice = field.pupil(x, y).in_light(450e-9).in_light(650e-9)
+    assert np.abs((twice.wavefront - field.pupil(x, y).in_light(650e-9).wavefront).edge).max() < 1e-9
     assert lm.centroid(field.pupil(10e-3, 0.0)) == pytest.approx([0.0, 0.0], abs=1e-15)
 
 

@@ -26,6 +26,7 @@ ORDER = [
     {"io"},
     {"show"},
     {"psf"},
+    {"channel_psf"},
     {"estimation", "field", "stacks"},
     {"imaging"},
     {"lensfiles", "microscopy"},

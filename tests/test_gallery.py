@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 GALLERY = sorted((ROOT / "examples" / "gallery").rglob("*.py"))
 # What takes seconds as the pages have it is run with less: fewer pixels, points, steps or methods.
 LESS = {
+    "colour_fringes": [("2.05, 41)", "2.05, 3)"), ("width=70e-9)", "width=70e-9, count=2)")],
     "depth_from_defocus": [("np.s_[60:380, 180:620]", "np.s_[60:220, 180:400]")],
     "depth_precision": [("2.6, 41)", "2.6, 5)"), ("16.0, 13)", "16.0, 4)"), ("2.5, 161)", "2.5, 9)")],
     "field_blur": [("iter_lim=30", "iter_lim=3")],

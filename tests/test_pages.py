@@ -87,6 +87,9 @@ def folder(tmp_path, monkeypatch) -> Path:
     for k, image in enumerate(np.round(lm.Noise(read=2.0).record(stars + 20.0, seed=1))):
         tifffile.imwrite(f"star-{k}.tif", np.maximum(image, 0.0).astype(np.uint16))
     tifffile.imwrite("spot.tif", np.round(stars[1] + 20.0).astype(np.float32))
+    table = next(code for code, _ in blocks(ROOT / "docs" / "colour.md", "text"))
+    (tmp_path / "sensor.csv").write_text(table.lstrip(), encoding="utf-8")
+    (tmp_path / "cut.csv").write_text("wavelength (nm),transmission (%)\n380,98\n620,95\n680,2\n", encoding="utf-8")
     texture = np.random.default_rng(0).random((64, 80))
     for k, name in enumerate(("near", "far")):
         blurred = texture + np.roll(texture, 1, axis=k) + np.roll(texture, -1, axis=k)
@@ -195,6 +198,15 @@ def error_table() -> dict[str, list[str]]:
     text = (ROOT / "docs" / "choose.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (-?\d+, \d+) \| (.*) \|$", text, flags=re.MULTILINE)
     return {name: cells.split(" | ") for name, cells in rows}
+
+
+def test_the_lens_files_of_the_page_about_colour_work(folder):
+    first, second = [code for code, _ in blocks(ROOT / "docs" / "colour.md", "toml")]
+    for sections, names in ((first, ("red", "green", "blue")), (first.partition("[channels]")[0] + second, None)):
+        (folder / "own.toml").write_text(Path("lens.toml").read_text(encoding="utf-8") + sections, encoding="utf-8")
+        found = lm.load_instrument(folder / "own.toml")
+        assert found.channels.names == (names or ("red", "green", "blue"))
+        assert found.lens.colour.focus_shift == (42e-6, 0.0, 25e-6)
 
 
 def test_the_errors_of_methods_without_a_bound_are_those_of_the_table():

@@ -19,6 +19,7 @@ from lommel import (
     special as special,
     stacks as stacks,
 )
+from lommel.channel_psf import ColourPSF as ColourPSF, colour_psf as colour_psf
 from lommel.core.answers import ToleranceError as ToleranceError
 from lommel.estimation.depth_precision import Foci as Foci, best_foci as best_foci, depth_precision as depth_precision
 from lommel.estimation.fisher import fisher as fisher
@@ -31,6 +32,7 @@ from lommel.field.psf_grid import PSFGrid as PSFGrid
 from lommel.io.opd_files import load_opd as load_opd, save_opd as save_opd
 from lommel.field.vignetting import Shading as Shading, Vignetting as Vignetting
 from lommel.io.zernike_tables import ZernikeTable as ZernikeTable, save_zernike as save_zernike
+from lommel.lensfiles.channel_files import load_channels as load_channels
 from lommel.lensfiles.instrument import Instrument as Instrument
 from lommel.lensfiles.lens_files import load_instrument as load_instrument
 from lommel.lensfiles.microscope import Microscope as Microscope
@@ -64,6 +66,8 @@ from lommel.methods.stratified import Stratified as Stratified
 from lommel.methods.tuned_closed_form import TunedClosedForm as TunedClosedForm
 from lommel.optics.aperture import CatEye as CatEye, Ellipse as Ellipse, Mask as Mask, Spider as Spider
 from lommel.optics.apodization import Apodization as Apodization
+from lommel.optics.channels import Channels as Channels
+from lommel.optics.colour import Colour as Colour
 from lommel.optics.emitter import Beam as Beam, Dipole as Dipole, Scalar as Scalar
 from lommel.optics.fitting import (
     WavefrontFit as WavefrontFit,

@@ -195,3 +195,20 @@ def test_arguments_in_the_wrong_order_are_told_in_one_line(way):
             way(*order, encoding="linear")
     with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is depth, lens, pixel$"):
         DepthBlur(8e-6, image, LENS)
+    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is lens, depth, pixel$"):
+        DepthBlur(image, LENS, 8e-6)
+
+
+def test_a_photograph_has_the_focus_of_each_colour():
+    colour = lm.Colour([450e-9, 550e-9, 650e-9], [60e-6, 0.0, 40e-6])
+    lens = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9, colour=colour)
+    image, depth, waves = np.zeros((41, 41, 3)), np.full((41, 41), 1.95), (640e-9, 550e-9, 460e-9)
+    image[20, 20] = 1.0
+    options = {"encoding": "linear", "wavelengths": waves, "energy": 0.97, "occlusion": False, "dtype": np.float64}
+    found = lm.imaging.depth_of_field(image, depth, lens, 6e-6, **options)
+    for k, wavelength in enumerate(waves):
+        exact = lm.psf(lens.in_light(wavelength).pupil(1.95), 41, 6e-6, dtype=np.float64).values
+        # What is beyond the windows is spread over what is within.
+        assert found.values[20, 20, k] * (1.0 - found.lost) == pytest.approx(exact[20, 20], rel=2e-3)
+    # The blue is out of focus by more than any defocus that is the same path in all light.
+    assert found.values[20, 20, 2] < 0.2 * found.values[20, 20, 1]

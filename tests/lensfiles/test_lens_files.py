@@ -249,7 +249,7 @@ def test_an_unknown_section_is_told_with_what_it_may_have_been(load):
     message = fault(load, text=PLAIN + "[zoom]\n")
     assert message == (
         "zoom (line 16): unknown key; known are name, source, lens, aperture, aberrations, object, sensor, field, "
-        "report"
+        "colour, channels, report"
     )
 
 

@@ -136,6 +136,7 @@ LENS_PARTS = {
     "model": "aplanatic",
     "corrected_for": "focus",
     "apodization": "aplanatic",
+    "colour": lm.Colour([500e-9, 550e-9, 600e-9], [1e-6, 0.0, 2e-6], [1e-6, 0.0, -1e-6], 1e-2),
 }
 
 
@@ -164,7 +165,18 @@ def test_nothing_that_a_lens_is_made_of_is_forgotten():
     made = {
         "focused": (lens.focused(3.0), lens, {"sensor_distance": 1 / (1 / 0.05 - 1 / 3.0)}),
         "stopped": (same_stop, plain, {"aberrations": same_stop.aberrations}),
+        "in_light": (
+            (red := lens.in_light(600e-9)),
+            lens,
+            {
+                "wavelength": 600e-9,
+                "focal_length": red.focal_length,
+                "aberrations": 550e-9 / 600e-9 * lens.aberrations,
+                "apodization": lens.illumination,
+            },
+        ),
     }
+    assert red.focal_length == pytest.approx(0.05 + 2e-6, abs=1e-15)
     assert set(made) == _methods_that_return(lm.Lens)
     for name, (found, before, changes) in made.items():
         assert _same(_parts(found), _parts(before) | changes), name
@@ -175,6 +187,7 @@ def test_nothing_that_a_lens_is_made_of_is_forgotten():
 def test_nothing_that_a_pupil_is_made_of_is_forgotten():
     lens = lm.Lens(**LENS_PARTS)
     pupil = replace(lens.pupil([1.0, 2.0]), apodization=0.3)
+    pupil = replace(pupil, colour=pupil.colour.at(np.array([1e-3, 2e-3]), np.zeros(2)))
     defaults = {f.name: f.default for f in fields(lm.Pupil)}
     assert not any(value is None or value == defaults[name] for name, value in _parts(pupil).items())
     kept = {name: getattr(lens, name) for name in ("obscuration", "wavelength", *SHAPES)}
@@ -183,13 +196,21 @@ def test_nothing_that_a_pupil_is_made_of_is_forgotten():
     assert kept_distances.items() <= vars(pupil.geometry).items()
     one, focus = lens.pupil(2.0), lens.pupil()
     made = {
-        "__getitem__": (pupil[1], {"wavefront": pupil.wavefront[1], "geometry": one.geometry}),
+        "__getitem__": (
+            pupil[1],
+            {
+                "wavefront": pupil.wavefront[1],
+                "geometry": one.geometry,
+                "colour": replace(pupil.colour, x=(2e-3,), y=(0.0,)),
+            },
+        ),
         "unaberrated": (pupil.unaberrated(), {"wavefront": lm.Wavefront(), "geometry": focus.geometry}),
         "broadcast": (
             pupil.broadcast((3, 2)),
             {
                 "wavefront": pupil.wavefront.broadcast((3, 2)),
                 "geometry": replace(pupil.geometry, object_distance=(1.0, 2.0) * 3),
+                "colour": replace(pupil.colour, x=(1e-3, 2e-3) * 3, y=(0.0,) * 6),
             },
         ),
         "carrying": (
@@ -197,8 +218,12 @@ def test_nothing_that_a_pupil_is_made_of_is_forgotten():
             {"wavefront": lm.Wavefront(2.0), "geometry": one.geometry},
         ),
         "in_light": (
-            pupil.in_light(600e-9),
-            {"wavefront": pupil.wavelength / 600e-9 * pupil.wavefront, "wavelength": 600e-9},
+            (red := pupil.in_light(600e-9)),
+            {
+                "wavefront": red.wavefront,
+                "wavelength": 600e-9,
+                "geometry": lens.in_light(600e-9).pupil([1.0, 2.0]).geometry,
+            },
         ),
         "from_dict": (lm.Pupil.from_dict(pupil.to_dict()), {"mask": lm.Mask(np.full((4, 4), 0.5))}),
     }

@@ -108,6 +108,9 @@ for command in (blur, depth, examples, focus_pull, live, methods, precision, res
               "Repeatable. With --field .tif, .fits, .h5, .mat, .zarr or .npz.")  # fmt: skip
 @click.option("--field", type=Shape(), metavar="ROWSxCOLUMNS",
               help="A grid of PSFs over the sensor, such as 5x7; the lens file needs a section [field].")  # fmt: skip
+@click.option("--colour", is_flag=True,
+              help="In the channels of the file, [channels], or in red, green and blue: data in .npz or .tif (OME), "
+              ".png in colour; with --field .npz or .zarr.")  # fmt: skip
 @click.option("--plot", "figure", type=FILE,
               help="A figure with axes and scale, the square root of the values: .png, .pdf, .svg.")  # fmt: skip
 @click.option("-m", "--method", "method_name", default="auto", show_default=True,
@@ -125,6 +128,7 @@ for command in (blur, depth, examples, focus_pull, live, methods, precision, res
 def psf(
     outputs: tuple[Path, ...],
     field: Any,
+    colour: bool,
     figure: Path | None,
     method_name: str,
     tol: float | None,
@@ -147,6 +151,7 @@ def psf(
       lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz
       lommel psf camera.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
       lommel psf camera.toml --field 5x7 --plot field.png -o field.tif
+      lommel psf camera.toml --colour -o camera.png -o camera.npz
       lommel psf objective.toml --stack 64 --step "100 nm" --depth "2 um" -o psf.ome.tif -o psf.png
     """  # noqa: D301 (\b is meant)
     from lommel.cli import tables
@@ -154,7 +159,8 @@ def psf(
     from lommel.psf import psf as compute
     from lommel.reports import report
 
-    forms = [(path, (psf_files if field is None else field_files).find(path, "--output")) for path in outputs]
+    registry = psf_files if field is None else field_files
+    forms = [(path, registry.find(path, "--output")) for path in (() if colour else outputs)]
     written = [place for path, form in forms for place in form.places(path)]
     if figure is not None:
         figure_format(figure)
@@ -162,13 +168,25 @@ def psf(
     options["dtype"] = dtype
     if tol is not None and any(setting.startswith("tol=") for setting in settings):
         raise ValueError("tol is given twice, by --tol and by --set")
-    microscope = microscope_command.microscope_of(**lens, field=field, stack=stack, step=step, depth=depth)
+    of_kinds: dict[str, Any] = {
+        "field": field,
+        "colour": colour or None,
+        "stack": stack,
+        "step": step,
+        "depth": depth,
+    }
+    microscope = microscope_command.microscope_of(**lens, **of_kinds)
     if microscope is not None:
         microscope_command.psf(microscope, outputs, written, figure, as_json, options)
         return
     instrument = instrument_of(**lens)
     window, pixel = instrument.window, instrument.pixel
     options |= instrument.sensor_options
+    if colour:
+        from lommel.cli import colour_command
+
+        colour_command.psf(instrument, field, outputs, figure, as_json, options)
+        return
     work: Callable[[], Any]
     if field is None:
         count, work = "", partial(compute, instrument.pupil(), window, pixel, **options)

@@ -20,7 +20,11 @@ if TYPE_CHECKING:
 
 DEPTH = click.option("--depth", type=Length(), help='Of the emitter from the cover glass: "2 um". Of microscopes.')
 
-_OF_LENSES = {"object_distance": "--depth says where the emitter is", "field": "its PSF is that of the axis"}
+_OF_LENSES = {
+    "object_distance": "--depth says where the emitter is",
+    "field": "its PSF is that of the axis",
+    "colour": "its emitter has one wavelength; lommel.colour_psf takes its pupil",
+}
 _OF_MICROSCOPES = ("stack", "step", "depth")
 
 

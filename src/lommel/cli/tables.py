@@ -11,6 +11,7 @@ from rich.console import Console
 from rich.table import Table
 
 from lommel.base.units import format_length
+from lommel.measures.answer import checked
 from lommel.show.drawing import HOW, MEANING
 
 if TYPE_CHECKING:
@@ -223,7 +224,7 @@ def print_field(grid: PSFGrid, facts: dict[str, Any]) -> None:
     rows, columns, height, width = facts["shape"]
     lines = [
         ("sensor", f"{format_length(facts['sensor'][0])} x {format_length(facts['sensor'][1])} (height x width)"),
-        ("method", repr(grid.psf.method)),
+        ("method", repr(checked(grid.psf).method)),
         ("values", f"{rows} x {columns} PSFs of {height} x {width} {facts['dtype']}, {MEANING[facts['normalize']]}"),
         ("pixel", f"{_pitch(facts['pixel'])}, {HOW[facts['sampling']]}"),
     ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Unpack
 
@@ -9,22 +10,26 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
-from lommel.base.arrays import Array, Numbers, numbers
 from lommel.base.options import shares
+from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.field import wavefronts
 from lommel.field.aperture import ApertureKeywords, ApertureOptions, bare_pupil
+from lommel.field.depths import at_depths
 from lommel.field.places import stacked, weighted
 from lommel.field.psf_grid import PSFGrid
-from lommel.field.vignetting import Shading, Vignetting, relative
-from lommel.measures.answer import sides
+from lommel.field.shaded import Shaded, places
+from lommel.field.vignetting import Shading, Vignetting
+from lommel.measures.answer_grid import sides
 from lommel.methods import Method
+from lommel.optics.channels import Channels
+from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
 from lommel.psf import PSF, psf
 
 
 @dataclass(frozen=True, eq=False)
-class FieldMap:
+class FieldMap(Shaded):
     """Wavefronts known at some positions on the sensor, and smoothly in between.
 
     Made by :meth:`on_grid`, :meth:`scattered`, :meth:`radial` or :meth:`from_seidel`. Positions (x, y) are measured
@@ -246,7 +251,7 @@ class FieldMap:
         TypeError, ValueError
             If a position is not finite or lies beyond the map; the message names it and the limits.
         """
-        across, down = _places(x, y)
+        across, down = places(x, y)
         if across.size == 0:
             raise ValueError(f"x and y must not be empty, got shape {across.shape}")
         outside = ~self._wavefronts.contains(across, down)
@@ -255,66 +260,13 @@ class FieldMap:
             limits = self._wavefronts.limits(self.unit)
             raise ValueError(f"position (x, y) = {at} lies outside of the map, {limits}")
         wavefront = self._wavefronts.wavefront(across, down) + self._added
-        pupil = replace(self.pupil_without_wavefront, wavefront=wavefront)
+        bare = self.pupil_without_wavefront
+        pupil = replace(bare, wavefront=wavefront, colour=bare.colour and bare.colour.at(across, down))
         if self.vignetting is None:
             return pupil
         if across.shape != ():
             raise ValueError("x and y must be one place where vignetting changes the aperture; psf takes arrays")
         return replace(pupil, vignetting=self.vignetting.at(float(across), float(down)))
-
-    def seen_through(self, vignetting: Vignetting | None = None, shading: Shading | None = None) -> FieldMap:
-        """Return the map of a lens that is narrowed and shaded off the axis.
-
-        Parameters
-        ----------
-        vignetting : Vignetting, optional
-        shading : Shading, optional
-            Which changes no PSF, but :meth:`illumination`.
-
-        Returns
-        -------
-        FieldMap
-
-        Raises
-        ------
-        TypeError, ValueError
-            If these are of other types, or the aperture is narrowed by an ellipse or a cat's eye already.
-        """
-        validation.optional("vignetting", vignetting, Vignetting)
-        validation.optional("shading", shading, Shading)
-        if vignetting is not None and self.pupil_without_wavefront.vignetting is not None:
-            raise ValueError("vignetting must be left out for an aperture that has one of its own at all places")
-        return replace(self, vignetting=vignetting, shading=shading)
-
-    def illumination(self, x: ArrayLike, y: ArrayLike) -> Numbers:
-        """Return the light at places (x, y) of the sensor over that on the axis, of an evenly bright scene.
-
-        Parameters
-        ----------
-        x, y : array_like
-
-        Returns
-        -------
-        float or ndarray
-            The light that passes what narrows the aperture there over what passes on the axis, times the shading.
-
-        Raises
-        ------
-        TypeError, ValueError
-            If a position is not finite, or beyond the vignetting or the shading.
-        """
-        across, down = _places(x, y)
-        bare = self.pupil_without_wavefront
-        return numbers(relative(bare, self.vignetting, self.shading, across, down), across.shape)
-
-    def working_f_number(self, x: ArrayLike, y: ArrayLike) -> Numbers:
-        """Return the f-number that on the axis makes as little light as arrives at places (`x`, `y`).
-
-        ``N / sqrt(illumination)``; raises as :meth:`illumination`, and ValueError for a map without an f-number.
-        """
-        if (known := self.pupil_without_wavefront.f_number) is None:
-            raise ValueError("f_number must be known for a working f-number, and this map is in units of lambda*N")
-        return known / np.sqrt(self.illumination(x, y))
 
     def psf(
         self,
@@ -345,7 +297,7 @@ class FieldMap:
         TypeError, ValueError
             As :meth:`pupil` and :func:`lommel.psf`.
         """
-        across, down = _places(x, y)
+        across, down = places(x, y)
         if self.vignetting is None or across.shape == ():
             return psf(self.pupil(x, y), shape, pixel, method=method, **options)
         pupils = [self.pupil(float(a), float(b)) for a, b in zip(across.flat, down.flat, strict=True)]
@@ -359,11 +311,15 @@ class FieldMap:
         sensor: tuple[float, float],
         shape: int | tuple[int, int],
         pixel: float | tuple[float, float],
-        method: Method | None = None,
         illuminated: bool = False,
+        channels: Channels | Sequence[float] | None = None,
+        depths: ArrayLike | None = None,
+        lens: Lens | None = None,
         **options: Any,
     ) -> PSFGrid:
         """Compute PSFs over the sensor in one call: one for the centre of each of rows times columns equal cells.
+
+        And, where they are asked for, at several distances of the object and in several channels.
 
         Parameters
         ----------
@@ -371,10 +327,16 @@ class FieldMap:
             1 to 1000 each.
         sensor : (float, float)
             Height and width, centred on the axis, in the unit of positions.
-        shape, pixel, method, options
+        shape, pixel, options
             As of :meth:`psf`.
         illuminated : bool, default False
             Multiply the values of each PSF by the :meth:`illumination` of its place.
+        channels : Channels or sequence of float, optional
+            As of :func:`lommel.colour_psf`, with the lateral and axial colour of the lens that the aperture is of.
+        depths : array_like, shape (k,), optional
+            Distances of the object from the lens, metres; may be infinite.
+        lens : Lens, optional
+            With the focus of these distances, and without aberrations: the map has them.
 
         Returns
         -------
@@ -383,18 +345,34 @@ class FieldMap:
         Raises
         ------
         TypeError, ValueError
-            As :meth:`psf`; also if a centre lies outside of the map.
+            As :meth:`psf` and :func:`lommel.colour_psf`; also if a centre lies outside of the map, or if one of
+            `depths` and `lens` is missing, or the lens has other light than the map.
         """
+        if (depths is None) != (lens is None):
+            missing = "lens" if lens is None else "depths"
+            raise ValueError(f"{missing} is missing: they go together, for the lens has the defocus of each distance")
         counts = [validation.integer(n, v, least=1, most=1000) for n, v in (("rows", rows), ("columns", columns))]
         height_width = sides(sensor, self.unit)
         # Exactly symmetric, so that the middle one of an odd number is on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
-        made = self.psf(x, y[:, None], shape, pixel, method=method, **options)
+        pupil_of = {"channels": channels, "depths": depths}
+        if named := [name for name, value in pupil_of.items() if value is not None]:
+            if self.vignetting is not None or validation.truth("illuminated", illuminated):
+                raise ValueError(
+                    f"{' and '.join(named)} must be left out where vignetting changes the aperture or values are "
+                    "weighted by the illumination; ask channel by channel, or multiply by illumination(x, y)"
+                )
+            pupil, distances = self.pupil(x, y[:, None]), None
+            if depths is not None and lens is not None:
+                pupil = at_depths(pupil, lens, depths)
+                distances = np.atleast_1d(np.asarray(depths, dtype=np.float64))
+            made: PSF | ColourPSF
+            if channels is None:
+                made = psf(pupil, shape, pixel, **options)
+            else:
+                made = colour_psf(pupil, shape, pixel, channels, **options)
+            return PSFGrid(made, x, y, height_width, distances)
+        alone = self.psf(x, y[:, None], shape, pixel, **options)
         if validation.truth("illuminated", illuminated):
-            made = weighted(made, np.asarray(self.illumination(x, y[:, None])))
-        return PSFGrid(made, x, y, height_width)
-
-
-def _places(x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
-    across, down = validation.broadcast("x and y", validation.real_array("x", x), validation.real_array("y", y))
-    return across, down
+            alone = weighted(alone, np.asarray(self.illumination(x, y[:, None])))
+        return PSFGrid(alone, x, y, height_width)

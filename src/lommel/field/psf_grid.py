@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from lommel import show
 from lommel.base import validation
+from lommel.channel_psf import ColourPSF
 from lommel.io import field_files
-from lommel.measures.answer import AnswerGrid
+from lommel.measures.answer_grid import AnswerGrid
 from lommel.psf import PSF
 
 if TYPE_CHECKING:
@@ -22,12 +23,14 @@ class PSFGrid(AnswerGrid):
 
     Attributes
     ----------
-    psf : PSF
-        A stack of shape (rows, columns).
+    psf : PSF or ColourPSF
+        A stack of shape (rows, columns), or (rows, columns, depths).
     x, y : ndarray, shapes (columns,) and (rows,)
         Where each is, from the optical axis, in :attr:`unit`.
     sensor : (float, float)
         Height and width.
+    depths : ndarray, shape (depths,), or None
+        Distances of the object from the lens, metres.
 
     Raises
     ------
@@ -35,14 +38,59 @@ class PSFGrid(AnswerGrid):
         If these do not fit each other.
     """
 
-    psf: PSF
+    psf: PSF | ColourPSF
 
-    def __getitem__(self, index: Any) -> PSF:
-        """Return part of the stack."""
-        return self.psf[index]
+    def __getitem__(self, index: Any) -> PSF | ColourPSF:
+        """Return part of the stack, in all channels where there are some, as NumPy indexes arrays of its shape."""
+        return self.psf.part(index) if isinstance(self.psf, ColourPSF) else self.psf[index]
+
+    def channel(self, channel: str | int) -> PSFGrid:
+        """Return the grid of one channel.
+
+        Parameters
+        ----------
+        channel : str or int
+            Its name or its number.
+
+        Returns
+        -------
+        PSFGrid
+
+        Raises
+        ------
+        ValueError, KeyError, TypeError
+            If there are no channels, or none such.
+        """
+        if not isinstance(self.psf, ColourPSF):
+            raise ValueError("this grid has no channels; grid(..., channels=) makes one that has")
+        return replace(self, psf=self.psf[channel])
+
+    def at_depth(self, index: int) -> PSFGrid:
+        """Return the grid at one of the distances.
+
+        Parameters
+        ----------
+        index : int
+            Which of :attr:`depths`.
+
+        Returns
+        -------
+        PSFGrid
+
+        Raises
+        ------
+        ValueError, TypeError, IndexError
+            If there are no distances, or none such.
+        """
+        if self.depths is None:
+            raise ValueError("this grid has no distances; grid(..., depths=, lens=) makes one that has")
+        which = validation.integer("index", index, least=-self.depths.size, most=self.depths.size - 1)
+        return replace(self, psf=self[:, :, which], depths=None)
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Axes:
-        """Draw each PSF, enlarged, in its place on the sensor; see :func:`lommel.show.plot.field`.
+        """Draw each PSF, enlarged, in its place on the sensor; three channels in colour.
+
+        See :func:`lommel.show.plot.field`.
 
         Parameters
         ----------
@@ -101,4 +149,5 @@ class PSFGrid(AnswerGrid):
         OSError
             If it cannot be read.
         """
-        return cls(*field_files.load(path, PSF))
+        psf, x, y, sensor, depths = field_files.load(path, PSF)
+        return cls(psf if isinstance(psf, PSF) else ColourPSF(*psf), x, y, sensor, depths)

@@ -14,11 +14,11 @@ from lommel.imaging.restoration.richardson_lucy import RichardsonLucy
 from lommel.imaging.restoration.tiles import restore_by_tiles
 from lommel.imaging.restoration.total_variation import TotalVariation
 from lommel.imaging.scene import Photograph
-from lommel.imaging.settings import RED_GREEN_BLUE
 from lommel.imaging.slopes import BlurSlopes
 from lommel.imaging.tiles import depth_of_field_by_tiles
 from lommel.io.depthmaps import read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
+from lommel.optics.channels import RED_GREEN_BLUE
 
 __all__ = [
     "RED_GREEN_BLUE",

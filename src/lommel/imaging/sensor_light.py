@@ -67,6 +67,7 @@ class SensorLight:
             wavelength=lens.wavelength,
             f_number=lens.working_f_number,
             apodization=lens.illumination,
+            colour=lens.pupil_colour,
         )
         return cls(pupil, lens.phase, spectrum, pixel, threads, lens.phase_rate)
 

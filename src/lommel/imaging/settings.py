@@ -11,14 +11,12 @@ import numpy as np
 from numpy.typing import DTypeLike
 
 from lommel.base import options, validation
+from lommel.optics.channels import RED_GREEN_BLUE, Channels
 
 BORDERS = ("reflect", "extend", "zero")
 MISSING = ("raise", "nearest", "infinity")
 
 Spectrum = float | Sequence[tuple[float, float]]
-
-RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
-"""Wavelengths (metres) that stand for the channels of a colour image where none are given."""
 
 
 class BlurKeywords(TypedDict, total=False):
@@ -36,7 +34,7 @@ class Keywords(BlurKeywords, total=False):
     """What a photograph takes."""
 
     occlusion: bool
-    wavelengths: Sequence[Spectrum] | None
+    wavelengths: Channels | Sequence[Spectrum] | None
     missing: str
 
 
@@ -49,9 +47,9 @@ class Settings:
     occlusion : bool, default True
         Whether near points hide far ones. Without, light is only added, which is quicker: what lies behind a near
         object bleeds over its edges.
-    wavelengths : sequence, optional
-        A wavelength (metres), or pairs of wavelength and weight, for each channel. By default that of the lens for a
-        grey image, and 600, 540 and 460 nm for one of three channels.
+    wavelengths : Channels or sequence, optional
+        :class:`lommel.Channels`, or a wavelength (metres) or pairs of wavelength and weight for each channel. By
+        default that of the lens for a grey image, and 600, 540 and 460 nm for one of three channels.
     missing : {"raise", "nearest", "infinity"}, default "raise"
         What a NaN in the depth means: an error, the nearest known depth, or no object.
     border : {"reflect", "extend", "zero"}, default "reflect"
@@ -78,7 +76,7 @@ class Settings:
     """
 
     occlusion: bool = True
-    wavelengths: Sequence[Spectrum] | None = None
+    wavelengths: Channels | Sequence[Spectrum] | None = None
     missing: str = "raise"
     border: str = "reflect"
     energy: float = 0.98
@@ -160,7 +158,7 @@ class Settings:
                 raise ValueError(
                     f"wavelengths must be one for each of the {count} channels, got {len(self.wavelengths)}"
                 )
-            return self.wavelengths
+            return cast("Sequence[Spectrum]", self.wavelengths)
         if count == 1:
             assert wavelength is not None
             return (wavelength,)
@@ -178,6 +176,8 @@ def spectra(name: str, channels: Any) -> tuple[tuple[tuple[float, float], ...], 
     TypeError, ValueError
         If `channels`, called `name`, is no sequence of wavelengths and such pairs.
     """
+    if isinstance(channels, Channels):
+        return channels.spectra
     if not isinstance(channels, Sequence | np.ndarray) or getattr(channels, "ndim", 1) == 0:
         raise TypeError(f"{name} must be a sequence, one for each channel, got {validation.shown(channels)}")
     return tuple(_spectrum(channel) for channel in channels)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
 import stat
-from collections.abc import Callable
 from functools import partial
 from os import PathLike
 from pathlib import Path
@@ -16,12 +16,15 @@ from numpy.typing import NDArray
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array
 from lommel.base.checksums import sealed
-from lommel.io import fits_images, psf_files, psf_fits, psf_hdf5, psf_numpy, psf_tiff, registry
+from lommel.io import colour_files, fits_images, psf_files, psf_fits, psf_hdf5, psf_numpy, psf_tiff, registry
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Format
-from lommel.measures.answer import Answer, AnswerGrid
+from lommel.measures.answer import Answer
+from lommel.measures.answer_channels import AnswerChannels
+from lommel.measures.answer_grid import AnswerGrid
 
 _KEY = "field"  # of what a description says about the positions
+_AXES = "at several distances or in channels"
 
 
 def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
@@ -32,6 +35,8 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
     of version 3 with the array ``values`` (field_y, field_x, y, x) and a coordinate array for each dimension, named
     as xarray expects; the description is the attribute ``lommel``. ``.npz``, ``.fits``, ``.h5``, ``.mat``: as a stack
     of PSFs, in all but the first with the places on the sensor, ``field_y`` and ``field_x``.
+    With several distances (depth, metres) and channels, whose numbers stand for the names in the description,
+    ``.zarr`` and ``.npz`` hold (field_y, field_x, depth, channel, y, x).
 
     Each has the JSON description of :func:`lommel.io.psf_files.save` with the positions and the size of the sensor
     added, so that :meth:`lommel.PSF.load` reads the stack from all but ``.zarr``. All is written under a
@@ -45,20 +50,38 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
     Raises
     ------
     ValueError
-        If the suffix is unknown, for derivatives in anything but ``.npz`` and ``.h5``, or if there is something at
-        the path of a ``.zarr`` that is no Zarr store.
+        If the suffix is unknown, for derivatives in anything but ``.npz`` and ``.h5`` or in channels, for distances
+        or channels in anything but ``.npz`` and ``.zarr``, or if there is something at the path of a ``.zarr`` that
+        is no Zarr store.
     ImportError
         If tifffile, zarr, astropy or h5py is not installed.
     OSError
         If it cannot be written.
     """
-    form = find(path, holding="with derivatives" if grid.psf.derivatives else "")
-    field = {"x": grid.x.tolist(), "y": grid.y.tolist(), "sensor": list(grid.sensor), "unit": grid.unit}
-    form.write(grid, psf_files.describe(grid.psf) | {_KEY: field}, Path(path))
+    psf = grid.psf
+    if isinstance(psf, AnswerChannels):
+        colour_files.require_plain(psf)
+        form, said = find(path, holding=_AXES), colour_files.describe(psf)
+    else:
+        deep = "" if grid.depths is None else _AXES
+        form, said = find(path, holding="with derivatives" if psf.derivatives else deep), psf_files.describe(psf)
+    field: dict[str, Any] = {"x": grid.x.tolist(), "y": grid.y.tolist(), "sensor": list(grid.sensor)}
+    if grid.depths is not None:  # JSON has no infinity
+        field["depths"] = [None if np.isinf(s) else s for s in grid.depths.tolist()]
+    form.write(grid, said | {_KEY: field | {"unit": grid.unit}}, Path(path))
 
 
-def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, Array, Array, tuple[float, float]]:
-    """Read what :func:`lommel.io.field_files.save` wrote: PSFs of this kind, their places x and y, the sensor.
+def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Any, Array, Array, tuple[float, float], Array | None]:
+    """Read what :func:`lommel.io.field_files.save` wrote.
+
+    Returns
+    -------
+    psf : PSF or (Channels, tuple of PSF)
+        Of this kind.
+    x, y : ndarray
+        Their places.
+    sensor : (float, float)
+    depths : ndarray or None
 
     Raises
     ------
@@ -75,12 +98,30 @@ def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, Array, Arra
         field = description[_KEY]
         x, y = validation.real_array("x", field["x"]), validation.real_array("y", field["y"])
         height, width = (validation.real("sensor", side, above=0.0) for side in field["sensor"])
-        if psf.pupil.shape != (y.size, x.size):
-            raise ValueError(f"positions of shape {(y.size, x.size)} for PSFs of shape {psf.pupil.shape}")
-    return psf, x, y, (height, width)
+        depths = field.get("depths")
+        if depths is not None:
+            depths = np.array([np.inf if s is None else validation.real("depths", s, above=0.0) for s in depths])
+        one, places = psf[1][0] if isinstance(psf, tuple) else psf, (y.size, x.size)
+        if one.pupil.shape != places + (() if depths is None else depths.shape):
+            raise ValueError(f"positions of shape {places} for PSFs of shape {one.pupil.shape}")
+    return psf, x, y, (height, width), depths
+
+
+def _read(source: Path, kind: type[Made]) -> tuple[Any, dict[str, Any]]:
+    form, data = psf_files.find(source, verb="read"), reading.contents(source)
+    with psf_files.told(source, "a grid of PSFs"):
+        arrays, text = form.read(data)
+        return _rebuilt(arrays, json.loads(text), kind)
+
+
+def _rebuilt(arrays: dict[str, Any], description: dict[str, Any], kind: type[Made]) -> tuple[Any, dict[str, Any]]:
+    if "channels" in description:
+        return colour_files.rebuild(arrays["values"], description, kind), description
+    return psf_files.rebuild(arrays, description, kind), description
 
 
 def _write_tiff(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
+    assert isinstance(grid.psf, Answer)
     factor, unit = (1e6, "µm") if grid.unit == "m" else (1.0, "reference frame")
     y, x = (part.ravel() * factor for part in np.meshgrid(grid.y, grid.x, indexing="ij"))
     planes = {"PositionX": x.tolist(), "PositionY": y.tolist()}
@@ -93,6 +134,12 @@ def _as_stack(write: Callable[[Answer, dict[str, Any]], bytes]) -> Callable[...,
     return lambda grid, description, target: atomic.write(target, write(grid.psf, description))
 
 
+def _write_npz(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
+    psf = grid.psf
+    made = colour_files.npz(psf, description) if isinstance(psf, AnswerChannels) else psf_numpy.npz(psf, description)
+    atomic.write(target, made)
+
+
 def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
     import zarr
 
@@ -100,7 +147,8 @@ def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> 
         raise ValueError(
             "path must not end in .zarr for PSFs with a center each, since all have one x and one y there"
         )
-    said = sealed(description, {"values": grid.values})
+    values = np.ascontiguousarray(grid.values)
+    said = sealed(description, {"values": values})
     if (target.exists() or target.is_symlink()) and not (target / "zarr.json").is_file():
         raise ValueError(
             f"path must be new or a Zarr store, got {validation.shown(str(target))}, which is something else"
@@ -108,16 +156,21 @@ def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> 
 
     def fill(folder: Path) -> None:
         group = zarr.create_group(folder, zarr_format=3, attributes={"lommel": said})
-        dimensions = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
+        places: dict[str, Any] = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
+        places |= {"depth": grid.depths, "channel": np.arange(values.shape[-3])}
+        dimensions = {name: places[name] for name in grid.dims}
+        units = {"depth": "m", "channel": "1"}
         group.create_array(
             "values",
-            data=grid.values,
-            chunks=(1, 1, *grid.values.shape[2:]),  # a chunk for each PSF: what is read together
+            data=values,
+            chunks=(*[1] * (values.ndim - 2), *values.shape[-2:]),  # a chunk for each PSF: what is read together
             compressors=None,  # so that its size is known before it is read
             dimension_names=list(dimensions),
         )
         for name, positions in dimensions.items():
-            group.create_array(name, data=positions, dimension_names=[name], attributes={"units": grid.unit})
+            group.create_array(
+                name, data=positions, dimension_names=[name], attributes={"units": units.get(name, grid.unit)}
+            )
 
     atomic.write_folder(target, fill)
 
@@ -135,7 +188,7 @@ def _read_zarr(source: Path, kind: type[Made]) -> tuple[Made, dict[str, Any]]:
         if store.compressors or store.filters or store.shards or store.nbytes > size:
             raise ValueError(f"its values take {store.nbytes} bytes, plainly stored, got {size}")
         values: NDArray[Any] = np.asarray(store[...])
-        return psf_files.rebuild({"values": values}, description, kind), description
+        return _rebuilt({"values": values}, description, kind)
 
 
 def _size(folder: Path) -> int:
@@ -153,13 +206,13 @@ def _size(folder: Path) -> int:
     return total
 
 
-_form = partial(Format, "field", read=psf_files.load_described)
+_form = partial(Format, "field", read=_read)
 _fits, _hdf5 = (partial(_form, library=name, extra=extra) for name, extra in (("astropy", "fits"), ("h5py", "hdf5")))
 _DERIVED = ("with derivatives",)
 registry.register(
     _form((".tif", ".tiff"), _write_tiff, library="tifffile", extra="images"),
-    Format("field", (".zarr",), _write_zarr, _read_zarr, library="zarr", extra="zarr"),
-    _form((".npz",), _as_stack(psf_numpy.npz), holds=_DERIVED),
+    Format("field", (".zarr",), _write_zarr, _read_zarr, holds=(_AXES,), library="zarr", extra="zarr"),
+    _form((".npz",), _write_npz, holds=(*_DERIVED, _AXES)),
     _fits(fits_images.SUFFIXES, _as_stack(psf_fits.write)),
     _fits(fits_images.PACKED, _as_stack(fits_images.packed(psf_fits.write))),
     _hdf5((".h5", ".hdf5"), _as_stack(psf_hdf5.write), holds=_DERIVED),

@@ -13,6 +13,7 @@ from lommel.base import optional, reading, validation
 
 KINDS = {
     "psf": "a PSF",
+    "colours": "a PSF in channels",
     "field": "a grid of PSFs",
     "photo": "a photograph",
     "frames": "frames",
@@ -35,7 +36,7 @@ class Format:
 
     Parameters
     ----------
-    kind : {"psf", "field", "photo", "frames", "depth map", "images", "zernike", "opd"}
+    kind : {"psf", "colours", "field", "photo", "frames", "depth map", "images", "zernike", "opd"}
     suffixes : tuple of str
         Of its files, in small letters, each with its dot.
     write, read : callable, optional
@@ -60,6 +61,7 @@ class Format:
 
     - "psf": (PSF, description) to bytes; bytes to (``{"values": array}`` and derivatives, text of a description);
       a format with a file `beside`: to (bytes, bytes beside), and from both
+    - "colours": as "psf", of a ColourPSF; a picture has nothing to read
     - "field": (PSFGrid, description, path), which writes by itself; (path, class of PSF) to (PSF, description)
     - "photo": (values, quality, ICC profile or None) to bytes; bytes to (values, tags of EXIF, ICC profile or None)
     - "frames": (list of values, milliseconds each, quality) to bytes

@@ -8,6 +8,7 @@ from typing import Any
 
 from lommel.base import validation
 from lommel.field.maps import FieldMap
+from lommel.optics.channels import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
@@ -38,6 +39,8 @@ class Instrument:
         Whether pixels average or sample, as of :func:`lommel.psf`; None where the file does not say.
     fill : (float, float)
         The parts of height and width of a pixel that are active.
+    channels : Channels or None
+        What the sensor records, where the file says it.
     """
 
     name: str
@@ -68,6 +71,8 @@ class Instrument:
     def sensor_options(self) -> dict[str, Any]:
         """What :func:`lommel.psf` is told of pixels beside their pitch."""
         return {"integrate": self.integrate, "fill": self.fill}
+
+    channels: Channels | None = None
 
     @property
     def window(self) -> tuple[int, int]:

@@ -24,6 +24,7 @@ from lommel.field.maps import FieldMap
 from lommel.io.zernike_tables import ZernikeTable
 from lommel.lensfiles import field_tables, messages, toml_files, zernike_entries, zernike_files
 from lommel.lensfiles.aperture_section import ApertureSection
+from lommel.lensfiles.colour_section import ChannelsSection, ColourSection
 from lommel.lensfiles.instrument import Instrument
 from lommel.lensfiles.sections import Distance, Length, Number, PhotoSensor, Section, SignedLength, read_beside
 from lommel.lensfiles.shading_sections import ShadingSection, VignettingSection
@@ -174,6 +175,8 @@ class _File(Section):
     object: _Object = _Object()
     sensor: PhotoSensor
     field: _Field | None = None
+    colour: ColourSection | None = None
+    channels: ChannelsSection | None = None
     report: _Report = _Report()
 
 
@@ -211,6 +214,11 @@ def load_instrument(path: str | PathLike[str], *, folder_only: bool = False) -> 
     normalization ("rms", "edge"), and direction, "x" or "y", that heights are along. ``[field.vignetting]`` has
     height, shift and radius of :class:`lommel.Vignetting`; ``[field.shading]`` either distance, of the exit pupil
     from the sensor (the fourth power of the cosine), or height and light, a table.
+
+    ``[colour]`` has wavelengths, focus_shift, lateral and heights, lists as of :class:`lommel.Colour`. ``[channels]``
+    has what the sensor records: file, a CSV file of :func:`lommel.load_channels` beside the lens file, with filters,
+    illuminant, tol and paths of it; or wavelengths, and weights by the name of each channel
+    (``weights.red = [0.1, 0.9]``), without which each wavelength is a channel.
 
     Parameters
     ----------
@@ -281,7 +289,7 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
     if table is not None:
         own = wavelength if table.wavelength is None else table.wavelength
         aberrations += replace(table, wavelength=own).wavefront(wavelength)
-    given = dict(file.lens)
+    given: dict[str, Any] = dict(file.lens) | {"colour": file.colour and file.colour.colour()}
     radius = 0.5 * Lens(**given).aperture_diameter
     shapes = file.aperture.shapes(radius)
     try:
@@ -295,8 +303,9 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
             "object.distance: must be given where the sensor lies inside the focal plane: no object is in focus"
         )
     name, sensor = stem if file.name is None else file.name, file.sensor
+    channels = None if file.channels is None else file.channels.channels()
     pixels: dict[str, Any] = dict(sensor)
-    found = Instrument(name, file.source, lens, distance, radii=radii, **pixels)
+    found = Instrument(name, file.source, lens, distance, radii=radii, channels=channels, **pixels)
     if file.field is None:
         return found
     try:

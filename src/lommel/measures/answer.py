@@ -153,51 +153,6 @@ class Answer:
         )
 
 
-@dataclass(frozen=True, eq=False)
-class AnswerGrid:
-    """The data of a :class:`lommel.PSFGrid`, whose attributes these are."""
-
-    psf: Answer
-    x: Array
-    y: Array
-    sensor: tuple[float, float]
-
-    def __post_init__(self) -> None:
-        stack = checked(self.psf, "psf").pupil.shape
-        for name, count in (("y", 0), ("x", 1)):
-            places = validation.real_array(name, getattr(self, name))
-            if len(stack) != 2 or places.shape != stack[count : count + 1]:
-                raise ValueError(f"{name} must be the places of PSFs of shape {stack}, got shape {places.shape}")
-            object.__setattr__(self, name, places)
-        object.__setattr__(self, "sensor", sides(self.sensor, self.unit))
-
-    @property
-    def values(self) -> NDArray[Any]:
-        """Values, shape (rows, columns, height, width)."""
-        return self.psf.values
-
-    @property
-    def unit(self) -> str:
-        """Unit of positions: ``"m"`` or ``"lambda*N"``."""
-        return self.psf.unit
-
-    def __len__(self) -> int:
-        """Return the number of rows."""
-        return len(self.psf)
-
-    def __repr__(self) -> str:
-        size = f"{self.sensor[0]:g} x {self.sensor[1]:g} {self.unit}"
-        return f"<{type(self).__name__} {self.y.size} x {self.x.size} on {size}: {self.psf!r}>"
-
-
-def sides(sensor: Any, unit: str) -> tuple[float, float]:
-    """Return the height and width of a sensor; TypeError or ValueError if it has none."""
-    if not isinstance(sensor, tuple | list) or len(sensor) != 2:
-        raise TypeError(f"sensor must be (height, width), got {validation.shown(sensor)}")
-    height, width = (validation.real(f"sensor[{k}]", side, above=0.0, unit=unit) for k, side in enumerate(sensor))
-    return height, width
-
-
 def checked(answer: Any, name: str = "answer") -> Answer:
     """Return `answer` if it is one; TypeError otherwise, with the name that it has outside."""
     if not isinstance(answer, Answer):

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.core.answers import Images, Intensities, ToleranceError, Wanted, not_met
+from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods.choice import candidates, first_proven, of_profiles
 from lommel.methods.method import Method, RadialMethod, painted, storing
+from lommel.methods.mixing import Contract, mixed
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.optics.spectrum import Component, Spectrum
@@ -109,8 +110,9 @@ class Polychromatic(Spectrum, RadialMethod):
         return max(part.stretch for part in self.components(pupil))
 
     def along_radius(self, pupil: Pupil) -> RadialMethod | None:
-        """Return the sum itself where pupil and method are radial."""
-        return self if pupil.radial and isinstance(self.method, RadialMethod | None) else None
+        """Return the sum itself where method and pupil are radial, in every light."""
+        radial = pupil.radial and isinstance(self.method, RadialMethod | None)
+        return self if radial and all(part.pupil.radial for part in self.components(pupil)) else None
 
     def profile(self, pupil: Pupil, v: NDArray[np.float64]) -> Intensities:
         """Return the weighted sum of I at rising v (of the reference wavelength)."""
@@ -123,7 +125,8 @@ class Polychromatic(Spectrum, RadialMethod):
                 )
             return way.profile(part.pupil, v * part.stretch)
 
-        return self._summed(pupil, ask, self.tol)
+        parts = self.components(pupil)
+        return mixed(parts, np.array([self.weights]), ask, self.contract(self.tol))[0]
 
     def intensity(self, pupil: Pupil, grid: Grid, threads: int = 0) -> Intensities:
         """Return the weighted sum of I at the distinct radii of `grid`, or on its pixels where these share none."""
@@ -142,50 +145,56 @@ class Polychromatic(Spectrum, RadialMethod):
         return painted(made, grid, wanted)
 
     def _recorded(self, pupil: Pupil, grid: Grid, threads: int, tol: float, *, window: bool = False) -> Intensities:
-        def ask(part: Component, tol: float) -> Intensities:
-            ways = candidates(part.pupil, grid, tol) if self.method is None else (self.method.tightened(tol),)
-            return first_proven(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
+        return together((self,), pupil, grid, threads, tol, window=window)[0]
 
-        return self._summed(pupil, ask, tol, window=window)
-
-    def _summed(
-        self, pupil: Pupil, ask: Callable[[Component, float], Intensities], tol: float, *, window: bool = False
-    ) -> Intensities:
-        """Return the sum of what is asked for each wavelength, to `tol` of its peak or of its largest value."""
-        parts, asked = self.components(pupil), tol
-        least = (self.method or Method).least_tol
-        while True:
-            try:
-                made = _sum(parts, [ask(part, asked) for part in parts], window=window)
-            except ToleranceError as fault:
-                raise ToleranceError(
-                    f"tol={self.tol:g} cannot be met by a sum over wavelengths each of which must be exact to "
-                    f"{asked:.2g} of its peak: {fault}"
-                ) from None
-            if made.error is None or not self.keeps_tol or (worst := float(made.error.max())) <= tol:
-                return made
-            # Each part is within the tolerance of its own peak; that of the sum may be lower than theirs together.
-            if asked <= least:
-                raise not_met(self.tol, worst, "the largest value in the window" if window else "the peak")
-            asked = max(least, asked * max(1e-3, min(0.5, 0.5 * tol / worst)))
+    def contract(self, tol: float, *, window: bool = False) -> Contract:
+        """Return what is promised of the sum: `tol` over its peak, or over its largest value in the `window`."""
+        return Contract(tol, self.tol, (self.method or Method).least_tol, self.keeps_tol, window)
 
 
-def _sum(parts: list[Component], found: list[Intensities], *, window: bool) -> Intensities:
-    """Return the sum of weighted intensities, and its error over what its peak is at least.
+def together(
+    sums: Sequence[Polychromatic], pupil: Any, grid: Grid, threads: int, tol: float, *, window: bool = False
+) -> list[Intensities]:
+    """Return the intensities of several sums, each wavelength computed once for all of them.
 
-    Or, with `window`, over what the largest value in the window is at least.
+    Parameters
+    ----------
+    sums : sequence of Polychromatic
+        By one method, to one tolerance.
+    pupil : Pupil
+    grid : Grid
+    threads : int
+    tol : float
+        Over the peak of each sum.
+    window : bool, default False
+        Whether over its largest value in the window instead.
+
+    Returns
+    -------
+    list of Intensities
+        At the distinct radii of `grid`, or on its pixels.
+
+    Raises
+    ------
+    ToleranceError
+        If the tolerance cannot be met.
     """
-    weights = [part.weight for part in parts]
-    values = np.sum([weight * made.values for weight, made in zip(weights, found, strict=True)], axis=0)
-    highest = values.reshape(len(values), -1).max(axis=1)
-    peak, off = highest, (len(parts) + 8) * 2.0**-53 * highest  # what weights, products and the sum are rounded by
-    for weight, made in zip(weights, found, strict=True):
-        if made.error is None:
-            return Intensities(values, None, highest)
-        top = made.values.reshape(len(values), -1).max(axis=1) if made.peak is None else made.peak
-        off = off + weight * made.error * top
-        if not window:
-            # Nothing is negative, so the sum is at least as bright as any part of it.
-            peak = np.maximum(peak, weight * top)
-    least = peak - off
-    return Intensities(values, np.divide(off, least, out=np.full(off.shape, np.inf), where=least > 0), least)
+    places = {w: k for k, w in enumerate(dict.fromkeys(w for each in sums for w in each.wavelengths))}
+    parts = Spectrum(tuple(places), np.ones(len(places))).components(pupil)
+    shares = np.zeros((len(sums), len(parts)))
+    for row, each in zip(shares, sums, strict=True):
+        np.add.at(row, [places[w] for w in each.wavelengths], each.weights)
+    method = sums[0].method
+    # Colours of which some lie beside the axis have no radii in common.
+    alike = all(part.pupil.radial == pupil.radial for part in parts)
+
+    def ask(part: Component, tol: float) -> Intensities:
+        ways = candidates(part.pupil, grid, tol) if method is None else (method.tightened(tol),)
+        made = first_proven(ways, lambda way: way.intensity(part.pupil, grid, threads))[1]
+        if alike or made.values.ndim == 3:
+            return made
+        values = np.empty((len(made.values), *grid.shape))
+        grid.paint(made.values, np.ones(len(values)), values)
+        return made._replace(values=values)
+
+    return mixed(parts, shares, ask, sums[0].contract(tol, window=window))

@@ -26,6 +26,7 @@ from functools import cache
 import numpy as np
 
 from lommel.base.arrays import Array
+from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
 
 _DEGREE = 80  # of the series that is cut
@@ -143,3 +144,26 @@ def expansion(radius: float, sphere: float, vergence: Array, wavelength: float) 
     terms = series[:, : degree + 1] @ _chebyshev_to_legendre(degree)
     rounding = _ROUNDING * (total + np.abs(terms).sum(axis=1).max())
     return terms[:, 1:], float(tails[degree + 1] + beyond + rounding) if size else 0.0
+
+
+def wavefront(radius: float, sphere: float, vergence: Array, wavelength: float) -> Wavefront:
+    """Return the phase ``2 pi W / wavelength`` as a stack of the shape of `vergence`; see :func:`expansion`.
+
+    Parameters
+    ----------
+    radius, sphere, wavelength : float
+        As of :func:`expansion`.
+    vergence : ndarray
+        Of any shape.
+
+    Returns
+    -------
+    Wavefront
+
+    Raises
+    ------
+    ValueError
+        As :func:`expansion`.
+    """
+    edge, error = expansion(radius, sphere, vergence.ravel(), wavelength)
+    return Wavefront.radial_sum(edge.reshape(*vergence.shape, -1), error)

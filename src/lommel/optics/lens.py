@@ -12,12 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation, views
 from lommel.base.cached import cached_property
 from lommel.base.trusted import changed
+from lommel.optics import aplanatic
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
-from lommel.optics.aplanatic import expansion, growth
 from lommel.optics.apodization import Apodization, illumination, lens_apodization
+from lommel.optics.colour import Colour, PupilColour
+from lommel.optics.distances import aperture, sensor
 from lommel.optics.geometry import Geometry, object_distances
 from lommel.optics.pupil import Pupil
-from lommel.optics.wavefront import Wavefront
+from lommel.optics.stopping import narrowed
+from lommel.optics.wavefront import Wavefront, same_path
 
 MODELS = ("paraxial", "aplanatic")
 CORRECTED_FOR = ("object", "focus")
@@ -64,6 +67,8 @@ class Lens(views.Shown):
         states, and rises towards the rim. An evenly lit entrance pupil has the amplitude ``cos(theta)^(1/2)`` on the
         reference sphere, and ``1 / cos(theta)`` is from the solid angle (Richards and Wolf 1959, the scalar part,
         doi:10.1098/rspa.1959.0200). Light that a point sends out evenly in all directions has the same.
+    colour : Colour, optional
+        Axial and lateral colour: how focal length and size of the image change with the wavelength.
 
     Raises
     ------
@@ -89,6 +94,7 @@ class Lens(views.Shown):
     model: str
     corrected_for: str
     apodization: float | Apodization | str
+    colour: Colour | None
 
     def __init__(
         self,
@@ -107,35 +113,11 @@ class Lens(views.Shown):
         model: str = "paraxial",
         corrected_for: str = "object",
         apodization: float | Apodization | str = 0.0,
+        colour: Colour | None = None,
     ) -> None:
         f = validation.real("focal_length", focal_length, above=0.0, unit="metres")
-        if (f_number is None) == (aperture_diameter is None):
-            raise ValueError(
-                "give exactly one of f_number and aperture_diameter, "
-                f"got f_number={f_number!r}, aperture_diameter={aperture_diameter!r}"
-            )
-        if f_number is not None:
-            diameter = f / validation.real("f_number", f_number, above=0.0)
-        else:
-            diameter = validation.real("aperture_diameter", aperture_diameter, above=0.0, unit="metres")
-        validation.real(
-            "aperture_diameter, focal_length / f_number,", diameter, least=1e-12, below=1e6, unit="metres"
-        )
-        if focus_distance is not None and sensor_distance is not None:
-            raise ValueError(
-                "give at most one of focus_distance and sensor_distance, "
-                f"got focus_distance={focus_distance!r}, sensor_distance={sensor_distance!r}"
-            )
-        if sensor_distance is not None:
-            d = validation.real("sensor_distance", sensor_distance, above=0.0, unit="metres")
-        else:
-            s = math.inf if focus_distance is None else focus_distance
-            s = validation.real("focus_distance", s, above=0.0, infinite=True, unit="metres")
-            if s <= f:
-                raise ValueError(
-                    f"focus_distance must exceed the focal length {f:g} m (no real image otherwise), got {s:g}"
-                )
-            d = 1.0 / (1.0 / f - 1.0 / s)
+        diameter = aperture(f, f_number, aperture_diameter)
+        d = sensor(f, focus_distance, sensor_distance)
         if aberrations is None:
             aberrations = Wavefront()
         values: dict[str, Any] = {
@@ -151,12 +133,15 @@ class Lens(views.Shown):
             "model": validation.choice("model", model, MODELS),
             "corrected_for": validation.choice("corrected_for", corrected_for, CORRECTED_FOR),
             "apodization": lens_apodization(apodization, model),
+            "colour": colour,
         }
+        validation.optional("colour", colour, Colour)
         # What is no such shape, or leaves nothing clear, is told now.
         Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
         vars(self).update(values)
         if model == "aplanatic":
             self.phase(0.0)  # a rim out of reach is told now
+        self.pupil_colour  # noqa: B018 (a wavelength beyond the table is told now)
 
     @property
     def f_number(self) -> float:
@@ -217,31 +202,34 @@ class Lens(views.Shown):
             or with an Apodization is opened wider, where these are not known, or if it has vignetting or a mask.
         """
         stop = validation.real("f_number", f_number, least=1e-6, below=1e12)
-        ratio = stop / self.f_number
-        if self.vignetting or self.mask:
-            raise ValueError(
-                "f_number of a lens with vignetting or a mask cannot change, for these are stated over the radius of "
-                "the aperture: make a lens with those of the other stop"
-            )
-        light, flat = self.apodization, not self.aberrations.edge.any()
-        shaped = isinstance(light, Apodization) and not light.uniform
-        for there, what in ((not flat, "aberrations are"), (shaped, "apodization is")):
-            if there and ratio < 1.0 - 1e-9:
-                raise ValueError(
-                    f"f_number must be at least that of the lens, f/{self.f_number:g}, up to which its {what} known, "
-                    f"got f/{stop:g}"
-                )
-        if isinstance(light, Apodization):
-            light = light.scaled(min(1.0, 1.0 / ratio)) if shaped else light
-        elif isinstance(light, float):
-            light = light / ratio**2
+        return self._with(f_number=stop, aperture_diameter=None, **narrowed(self, stop / self.f_number))
+
+    def in_light(self, wavelength: float) -> Lens:
+        """Return the lens in light of another wavelength: of the focal length that its `colour` has there.
+
+        The sensor and the stop stay, and so do the path differences of the aberrations.
+
+        Parameters
+        ----------
+        wavelength : float
+            Metres.
+
+        Returns
+        -------
+        Lens
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it is no wavelength, or none that the colour is known at.
+        """
+        wave, colour = validation.wavelength(wavelength), self.pupil_colour
         return self._with(
-            f_number=stop,
-            apodization=light,
-            aperture_diameter=None,
-            obscuration=self.obscuration * ratio,
-            aberrations=self.aberrations if flat else self.aberrations.scaled(min(1.0, 1.0 / ratio)),
-            spider=self.spider and replace(self.spider, width=self.spider.width * ratio),
+            wavelength=wave,
+            focal_length=self.focal_length if colour is None else colour.focal_length + colour.table.shift(wave),
+            aberrations=same_path(self.aberrations, self.wavelength, wave),
+            # That of a cosine, by the angles, is that of the same aperture in every light.
+            apodization=self.illumination if isinstance(self.apodization, str) else self.apodization,
         )
 
     def _with(self, **changes: Any) -> Lens:
@@ -311,9 +299,8 @@ class Lens(views.Shown):
             return Wavefront.of_defocus(c)
         c = np.asarray(c)
         radius = 0.5 * self.aperture_diameter
-        vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c.ravel()
-        edge, error = expansion(radius, self._geometry.sphere, vergence, self.wavelength)
-        return Wavefront.radial_sum(edge.reshape(*c.shape, -1), error)
+        vergence = 2.0 * self.wavelength / (math.pi * radius**2) * c
+        return aplanatic.wavefront(radius, self._geometry.sphere, vergence, self.wavelength)
 
     def phase_rate(self, reach: float) -> float:
         """Return how much Im phase differs across the pupil, at most, for each Im C_d, at complex defocus.
@@ -332,7 +319,7 @@ class Lens(views.Shown):
             return 2.0
         radius = 0.5 * self.aperture_diameter
         vergence = 2.0 * self.wavelength / (math.pi * radius**2)
-        return 4.0 / radius**2 * growth(radius, self._geometry.sphere, vergence * reach)
+        return 4.0 / radius**2 * aplanatic.growth(radius, self._geometry.sphere, vergence * reach)
 
     @property
     def illumination(self) -> Apodization:
@@ -387,7 +374,16 @@ class Lens(views.Shown):
             spider=self.spider,
             vignetting=self.vignetting,
             mask=self.mask,
+            colour=self.pupil_colour,
         )
+
+    @cached_property
+    def pupil_colour(self) -> PupilColour | None:
+        """What the colour changes in pupils."""
+        if self.colour is None:
+            return None
+        focal = self.focal_length - self.colour.shift(self.wavelength)
+        return PupilColour(self.colour, focal, 0.5 * self.aperture_diameter, self.model)
 
     def _object_distance(self, value: ArrayLike | None) -> _Numbers:
         if value is None:

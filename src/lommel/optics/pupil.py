@@ -20,6 +20,7 @@ from lommel.special import zernike
 
 if TYPE_CHECKING:  # most pupils are round, and need none of these
     from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
+    from lommel.optics.colour import PupilColour
     from lommel.optics.geometry import Geometry
     from lommel.optics.opening import Opening, Rule
 
@@ -51,6 +52,8 @@ class Pupil(BasePupil):
         A further edge within which light passes.
     mask : Mask, optional
         Amplitude transmission sampled over the aperture. The pupil function is then that of the samples.
+    colour : PupilColour, optional
+        How wavefront and distances change with the wavelength, filled in by a :class:`lommel.Lens` with colour.
 
     Attributes
     ----------
@@ -79,6 +82,7 @@ class Pupil(BasePupil):
     spider: Spider | None = field(default=None, kw_only=True)
     vignetting: Ellipse | CatEye | None = field(default=None, kw_only=True)
     mask: Mask | None = field(default=None, kw_only=True)
+    colour: PupilColour | None = field(default=None, kw_only=True)
     illumination: Apodization = field(init=False, repr=False, compare=False)
     circular: bool = field(init=False, repr=False, compare=False)
     # Fields, for a PSF asks several times and a small one takes microseconds.
@@ -117,7 +121,7 @@ class Pupil(BasePupil):
 
         validation.optional("mask", self.mask, Mask)  # the opening checks the others
         if self.area < 1e-12:
-            parts = {name: part for name in _SHAPES if (part := getattr(self, name)) is not None}
+            parts = {name: part for name in _PARTS[:3] if (part := getattr(self, name)) is not None}
             listed = ", ".join(f"{name}={part!r}" for name, part in parts.items())
             raise ValueError(
                 f"{', '.join(parts)} must leave part of the aperture clear, got {listed} with "
@@ -183,11 +187,15 @@ class Pupil(BasePupil):
     def in_light(self, wavelength: float) -> Pupil:
         """Return the pupil in light of another `wavelength`, metres.
 
-        Its aperture, distances and f-number stay, and so do the paths of light: see
-        ``same_path`` in lommel.optics.wavefront.
+        Its aperture, distances and f-number stay, and so do the paths of light (``same_path`` in
+        lommel.optics.wavefront) but for what the colour of its lens changes, see :class:`lommel.Colour`.
         """
         assert self.wavelength is not None
-        return self.carrying(same_path(self.wavefront, self.wavelength, wavelength), self.geometry, wavelength)
+        there = same_path(self.wavefront, self.wavelength, wavelength)
+        if self.colour is None:
+            return self.carrying(there, self.geometry, wavelength)
+        added, geometry = self.colour.change(self, self.geometry, wavelength)
+        return self.carrying(there + added, geometry, wavelength)
 
     def coefficients(self) -> NDArray[np.float64]:
         """Return the phase coefficients of t = rho^2 for the flattened stack, shape ``(n, terms)``."""
@@ -293,7 +301,7 @@ class Pupil(BasePupil):
         if geometry is not None:
             distances = np.reshape(geometry.distances, self.shape)[index]
             geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
-        return self.carrying(part, geometry)
+        return changed(self.carrying(part, geometry), colour=self.colour and self.colour.part(self.shape, index))
 
     def broadcast(self, shape: tuple[int, ...]) -> Pupil:
         """Return a stack of another `shape`, which this one is broadcast to."""
@@ -303,7 +311,8 @@ class Pupil(BasePupil):
         if geometry is not None:
             distances = np.broadcast_to(np.reshape(geometry.distances, self.shape), shape)
             geometry = replace(geometry, object_distance=tuple(np.ravel(distances).tolist()))
-        return self.carrying(self.wavefront.broadcast(shape), geometry)
+        colour = self.colour and self.colour.broadcast(self.shape, shape)
+        return changed(self.carrying(self.wavefront.broadcast(shape), geometry), colour=colour)
 
     def to_dict(self) -> dict[str, Any]:
         """Return everything in plain types; :meth:`from_dict` is the inverse."""
@@ -315,18 +324,20 @@ class Pupil(BasePupil):
             "apodization": light.to_dict() if isinstance(light := self.apodization, Apodization) else light,
             "geometry": None if self.geometry is None else self.geometry.to_dict(),
         }
-        shapes = {name: shape for name in _SHAPES if (shape := getattr(self, name)) is not None}
+        shapes = {name: shape for name in _PARTS if (shape := getattr(self, name)) is not None}
         return plain | {name: shape.to_dict() for name, shape in shapes.items()}
 
     @classmethod
     def from_dict(cls, description: dict[str, Any]) -> Pupil:
         """Rebuild a pupil from a `description` by :meth:`to_dict`."""
         from lommel.optics.aperture import Mask, Spider, vignetting_from_dict
+        from lommel.optics.colour import PupilColour
         from lommel.optics.geometry import Geometry
 
         parts = dict(description)
         geometry = parts.pop("geometry")
-        for name, build in zip(_SHAPES, (Spider.from_dict, vignetting_from_dict, Mask.from_dict), strict=True):
+        builds = (Spider.from_dict, vignetting_from_dict, Mask.from_dict, PupilColour.from_dict)
+        for name, build in zip(_PARTS, builds, strict=True):
             if name in parts:
                 parts[name] = build(parts[name])
         if isinstance(parts.get("apodization"), dict):
@@ -338,7 +349,7 @@ class Pupil(BasePupil):
         )
 
 
-_SHAPES = ("spider", "vignetting", "mask")
+_PARTS = ("spider", "vignetting", "mask", "colour")
 
 
 @lru_cache(maxsize=8)

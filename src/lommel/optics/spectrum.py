@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.optics.base_pupil import BasePupil
@@ -54,7 +55,7 @@ class Spectrum:
     wavelengths: tuple[float, ...]
     weights: tuple[float, ...]
 
-    def __init__(self, wavelengths: Sequence[float], weights: Sequence[float]) -> None:
+    def __init__(self, wavelengths: Sequence[float], weights: ArrayLike) -> None:
         waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
         shares = validation.real_array("weights", weights, least=0.0)
         if shares.shape != (len(waves),) or not waves or not shares.max() > 0:

@@ -14,7 +14,7 @@ import numpy as np
 from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.measures import aperture_means, errors, spot, transfer
-from lommel.measures.answer import Answer
+from lommel.measures.answer import Answer, checked
 from lommel.measures.encircled import MAX_RADIUS, encircled
 from lommel.methods import HuygensFresnel, Method
 from lommel.methods.choice import of_profiles, reference
@@ -197,8 +197,9 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
 def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dict[str, Any]:
     """Return what there is to say about PSFs over the field: lengths in metres, one entry for each of the grid."""
     place = {"sensor": list(grid.sensor), "x": grid.x.tolist(), "y": grid.y.tolist()}
-    energy = {"energy": np.asarray(grid.psf.energy).tolist()}
-    return {"name": instrument.name, "source": instrument.source} | place | energy | how_made(grid.psf, seconds)
+    answer = checked(grid.psf)
+    energy = {"energy": np.asarray(answer.energy).tolist()}
+    return {"name": instrument.name, "source": instrument.source} | place | energy | how_made(answer, seconds)
 
 
 def how_made(answer: Answer, seconds: float) -> dict[str, Any]:

@@ -53,6 +53,13 @@ def even_norm(largest: float) -> Any:
     return library("matplotlib.colors", *USER).Normalize(-(largest or 1.0), largest or 1.0)
 
 
+def stretched(light: NDArray[Any], stretch: str) -> NDArray[np.float64]:
+    """Return levels from 0 to 1 of light from 0 to 1."""
+    if stretch == "log":
+        return np.asarray(1.0 - np.log10(np.maximum(light, _FLOOR)) / np.log10(_FLOOR))
+    return np.asarray(np.sqrt(light) if stretch == "sqrt" else light, dtype=np.float64)
+
+
 def pyplot() -> Any:
     """Return ``matplotlib.pyplot``; ImportError if it is not installed."""
     return library("matplotlib.pyplot", *USER)

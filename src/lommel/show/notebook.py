@@ -16,7 +16,8 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.base.validation import brief
-from lommel.measures.answer import Answer, AnswerGrid
+from lommel.measures.answer import Answer
+from lommel.measures.answer_grid import AnswerGrid
 from lommel.measures.aperture_means import rms
 from lommel.measures.energy import energy_per_pixel
 from lommel.optics.lens import Lens

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.optional import library
-from lommel.measures.answer import Answer, AnswerGrid
+from lommel.measures.answer import Answer
+from lommel.measures.answer_channels import AnswerChannels, colours
+from lommel.measures.answer_grid import AnswerGrid
 from lommel.show.drawing import (
     HOW,
     MEANING,
@@ -22,6 +24,7 @@ from lommel.show.drawing import (
     norm_of,
     only_single,
     pyplot,
+    stretched,
     tiles,
 )
 from lommel.show.labels import of_pupils
@@ -186,13 +189,17 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     Raises
     ------
     ValueError
-        If there is no such `stretch`.
+        If there is no such `stretch`, if the grid has several distances, or channels that are neither one nor three.
     ImportError
         If matplotlib is not installed.
     """
     mpl = library("matplotlib", *USER)
     validation.choice("stretch", stretch, STRETCHES)
-    rows, columns, height, width = grid.values.shape
+    if grid.depths is not None:
+        raise ValueError("a grid of several distances has no one picture: draw one of them, grid.at_depth(0).plot()")
+    coloured = isinstance(grid.psf, AnswerChannels)
+    pictures = stretched(colours(grid.psf), stretch) if isinstance(grid.psf, AnswerChannels) else grid.values
+    (rows, columns), (height, width) = grid.values.shape[:2], grid.values.shape[-2:]
     axes = _field_axes(grid) if ax is None else ax
     factor, unit = (1e3, "mm") if grid.unit == "m" else (1.0, "λN")
     sensor = (grid.sensor[0] * factor, grid.sensor[1] * factor)
@@ -200,17 +207,17 @@ def field(grid: AnswerGrid, ax: Axes | None = None, *, stretch: str = "sqrt") ->
     larger = min(sensor[0] / rows / high, sensor[1] / columns / wide)
     half_height, half_width = 0.5 * high * larger, 0.5 * wide * larger
     colors = mpl.colormaps["magma"]
-    axes.set_facecolor(colors(0.0))
+    axes.set_facecolor("black" if coloured else colors(0.0))
     interpolation = "nearest" if max(height, width) < 24 else "bilinear"
     for i, j in np.ndindex(rows, columns):
         x, y = grid.x[j] * factor, grid.y[i] * factor
-        values = grid.values[i, j]
+        values = pictures[i, j]
+        norm = {} if coloured else {"cmap": colors, "norm": norm_of(stretch, float(values.max()) or 1.0)}
         axes.imshow(
             values,
             extent=(x - half_width, x + half_width, y + half_height, y - half_height),
-            cmap=colors,
-            norm=norm_of(stretch, float(values.max()) or 1.0),
             interpolation=interpolation,
+            **norm,
         )
     axes.set_xlim(-0.5 * sensor[1], 0.5 * sensor[1])
     axes.set_ylim(0.5 * sensor[0], -0.5 * sensor[0])

@@ -31,7 +31,7 @@ def psf_to(
     store: str | os.PathLike[str],
     pupils: BasePupil | Sequence[BasePupil],
     shape: int | tuple[int, int],
-    pixel: float,
+    pixel: float | tuple[float, float],
     *,
     axes: Mapping[str, Any] | None = None,
     chunk: int | None = None,

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.options import shares
+from lommel.field.depths import require_light
 from lommel.field.maps import FieldMap
 from lommel.imaging.blur import require_depth, require_lens
 from lommel.imaging.field.bank import FieldBank, build_field_bank
@@ -19,7 +20,7 @@ from lommel.imaging.field.light import PointLight
 from lommel.imaging.field.part import Part
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.settings import Settings, Spectrum, spectra
-from lommel.measures.answer import sides
+from lommel.measures.answer_grid import sides
 from lommel.optics.lens import Lens
 
 
@@ -289,19 +290,7 @@ class FieldBlur(LinearBlur):
         distances = require_depth(depth)
         if distances.shape != self.shape:
             raise ValueError(f"depth must have the shape of the image, {self.shape}, got {distances.shape}")
-        if not lens.aberrations.flat:
-            raise ValueError("lens must have no aberrations, for the map has those of all places: add them to it")
-        light, there = self.field_map.pupil_without_wavefront, lens.pupil(1.0).unaberrated()
-        for name, own, other in (
-            ("wavelength", there.wavelength, light.wavelength),
-            ("working f-number", there.f_number, light.f_number),
-            ("aperture", there.aperture, light.aperture),
-        ):
-            if own != other:
-                raise ValueError(
-                    f"lens must have the {name} of the map, {other}, got {own}; make the map with "
-                    "aperture=lens.pupil(1.0).unaberrated()"
-                )
+        require_light(self.field_map.pupil_without_wavefront, lens)
         defocus = lens.defocus(distances)
         defocus.flags.writeable = False
         return lens, defocus

@@ -1,0 +1,207 @@
+"""PSFs in colour, :func:`colour_psf`: one for each channel of a sensor, each wavelength computed once for all."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from lommel.base import validation
+from lommel.base.arrays import Array, largest
+from lommel.base.options import near
+from lommel.core.answers import Wanted
+from lommel.io import colour_files
+from lommel.measures.answer_channels import AnswerChannels
+from lommel.methods import wanted
+from lommel.methods.asked import asked_about
+from lommel.methods.method import Method, painted, storing, widened
+from lommel.methods.polychromatic import Polychromatic, together
+from lommel.optics.base_pupil import BasePupil, imaged
+from lommel.optics.channels import Channels, checked
+from lommel.optics.grid import Grid
+from lommel.psf import PSF, Plan
+from lommel.show import colours
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_AT_ONCE = 2**22  # values of a channel that are computed at once
+
+
+class Keywords(TypedDict, total=False):
+    """What :func:`colour_psf` takes beside, as :func:`lommel.psf` does."""
+
+    method: Method | None
+    tol: float | None
+    normalize: str
+    dtype: DTypeLike | None
+    center: tuple[ArrayLike, ArrayLike] | None
+    integrate: bool | None
+    threads: int | None
+    derivatives: Sequence[Any]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ColourPSF(AnswerChannels[PSF]):
+    """PSFs of a pupil, or a stack of them, in channels; ``answer["red"]`` is one like any other.
+
+    Attributes
+    ----------
+    channels : Channels
+        Names, wavelengths and weights.
+    psfs : tuple of PSF
+        One for each channel, by a :class:`lommel.Polychromatic` of its wavelengths; their pupil is the one that was
+        given, at its own wavelength, to which the others are related.
+    values : ndarray, shape ``pupil.shape + (channels, height, width)``
+        Those of each channel normalised on their own.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If there is not one PSF for each channel, or they differ in more than their light.
+    """
+
+    def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
+        """Draw the PSF in colour, a stack side by side; other numbers of channels than three each on their own.
+
+        See :func:`lommel.show.colours.plot`.
+        """
+        validation.axes("ax", ax)
+        return colours.plot(self, ax, stretch=stretch)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Write ``.npz``, ``.tif`` (OME) or ``.png`` (in colour); see :func:`lommel.io.colour_files.save`."""
+        colour_files.save(self, path)
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> ColourPSF:
+        """Read a ``.npz`` or ``.tif`` file, `path`, that :meth:`save` wrote; ValueError if it is another."""
+        return cls(*colour_files.load(path, PSF))
+
+
+def colour_psf(
+    pupil: BasePupil,
+    shape: int | tuple[int, int],
+    pixel: float,
+    channels: Channels | Sequence[float] | None = None,
+    **options: Unpack[Keywords],
+) -> ColourPSF:
+    """Compute the point spread function of a pupil in each channel of a sensor, or at each of some wavelengths.
+
+    Parameters
+    ----------
+    pupil : Pupil or ObjectivePupil
+        With a wavelength, the reference; each other one is what :meth:`lommel.Lens.in_light` makes of its lens.
+    shape : int or (int, int)
+    pixel : float
+        As of :func:`lommel.psf`.
+    channels : Channels or sequence of float, optional
+        What is summed in each channel, or wavelengths in metres; by default ``Channels.rgb()``.
+    **options
+        ``method`` (of one wavelength), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``derivatives``
+        and ``threads`` as of :func:`lommel.psf`. The tolerance is that of each channel, over its own peak, and each
+        is normalised on its own. With derivatives wavelengths that channels share are computed for each of them.
+
+    Returns
+    -------
+    ColourPSF
+        With ``values`` of shape ``pupil.shape + (channels, height, width)``.
+
+    Raises
+    ------
+    TypeError, ValueError
+        As :func:`lommel.psf`; also if the pupil has no wavelength, or the channels are none.
+    ToleranceError
+        If the tolerance cannot be met.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> lens = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+    >>> answer = lm.colour_psf(lens.pupil(1.5), 33, 3.45e-6, lm.Channels.rgb())
+    >>> answer.values.shape, answer["red"].values.shape
+    ((3, 33, 33), (33, 33))
+    """
+    if stray := [name for name in options if name not in Keywords.__annotations__]:
+        raise TypeError(f"colour_psf() has no option {stray[0]!r}; {near(stray[0], Keywords.__annotations__)}")
+    light = Channels.rgb() if channels is None else checked(channels)
+    if imaged(pupil).wavelength is None:
+        raise ValueError(
+            "pupil must have a wavelength, to which those of the channels are related; colour needs a pupil with a "
+            "wavelength and an f_number, such as that of a Lens"
+        )
+    rest: dict[str, Any] = {**options}
+    derivatives = rest.pop("derivatives", ())
+    plan = Plan(shape, pixel, **rest)
+    sums = [Polychromatic([w for w, _ in each], [s for _, s in each], plan.method, plan.tol) for _, each in light]
+    if derivatives:
+        rest |= {"tol": None}
+        made = [Plan(shape, pixel, **rest | {"method": each})(pupil, derivatives=derivatives) for each in sums]
+        return ColourPSF(light, tuple(made))
+    if places := plan.grid(pupil).stack:
+        pupil = wanted.for_axes(pupil, places)
+    return ColourPSF(light, _psfs(pupil, sums, plan))
+
+
+def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF, ...]:
+    asked = asked_about(pupil, (), plan.grid(pupil), sums[0], plan.tol, plan.normalize, plan.dtype, plan.threads)
+    count, sides = math.prod(pupil.shape), asked.grid.shape
+    if len(sums) * count * math.prod(sides) > validation.MAX_VALUES:
+        raise ValueError(
+            f"shape {sides} for {count} pupils in {len(sums)} channels makes more than the limit of "
+            f"{validation.MAX_VALUES} values"
+        )
+    values = np.empty((len(sums), *pupil.shape, *sides), plan.dtype)
+    scales = np.empty((len(sums), count))
+    errors: list[list[NDArray[np.float64] | None]] = [[] for _ in sums]
+    step = max(1, _AT_ONCE // math.prod(sides))
+    for first in range(0, count, step):
+        block = slice(first, min(first + step, count))
+        part, grid = _part(pupil, asked.grid, block, count)
+        normalized = asked.wanted.scale is None
+        aim = (0.48 if normalized else 1.0) * (plan.tol - 1.1 * storing(plan.dtype))
+        found = together(sums, part, grid, plan.threads, aim, window=normalized)
+        for c, (each, intensities) in enumerate(zip(sums, found, strict=True)):
+            out = values[c].reshape(count, *sides)[block]
+            question = Wanted(
+                _scale(each, part, plan, asked.wanted.scale, block), plan.dtype, out, threads=plan.threads
+            )
+            images = widened(painted(intensities, grid, question), part, each, normalized=normalized)
+            scales[c, block] = images.scale
+            errors[c].append(images.error)
+    return tuple(
+        PSF(
+            values=values[c],
+            grid=asked.grid,
+            pupil=pupil,
+            method=each,
+            normalize=plan.normalize,
+            error_bound=None
+            if any(e is None for e in errors[c])
+            else max(largest(e) for e in errors[c] if e is not None),
+            scale=scales[c].reshape(pupil.shape),
+        )
+        for c, each in enumerate(sums)
+    )
+
+
+def _part(pupil: BasePupil, grid: Grid, block: slice, count: int) -> tuple[BasePupil, Grid]:
+    """Return a block of a flattened stack, and its pixels."""
+    if block == slice(0, count):
+        return pupil, grid
+    index = np.unravel_index(np.arange(block.start, block.stop), pupil.shape)
+    return pupil[index], grid[index] if grid.stack else grid
+
+
+def _scale(
+    each: Polychromatic, pupil: BasePupil, plan: Plan, scale: float | Array | None, block: slice
+) -> float | Array | None:
+    """Return what intensities of a block are multiplied by: the light of a channel decides where it is the peak."""
+    if plan.normalize == "strehl":
+        return 1.0 / each.unaberrated_peak(pupil)  # type: ignore[arg-type]
+    return scale[block] if isinstance(scale, np.ndarray) and scale.ndim else scale

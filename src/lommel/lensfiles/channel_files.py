@@ -1,0 +1,146 @@
+"""Spectra from tables in CSV: what the channels of a sensor count, behind a filter, in some light."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from os import PathLike
+
+import numpy as np
+
+from lommel.base import reading, validation
+from lommel.base.arrays import Array
+from lommel.base.units import LENGTHS
+from lommel.lensfiles import cells
+from lommel.lensfiles.messages import TOLD
+from lommel.optics.channels import Channels
+
+_PATH = str | PathLike[str]
+_HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
+_PERCENT = re.compile(r"(.*?)[\s_(\[]*(?:%|percent|per cent)[\s)\]]*", re.IGNORECASE)
+_LEAST = -0.01  # of the largest value: what measurements of nothing may be, which counts as 0
+
+
+def load_channels(
+    path: _PATH,
+    *,
+    filters: _PATH | Sequence[_PATH] = (),
+    illuminant: _PATH | None = None,
+    tol: float = 1e-3,
+    paths: float = 5e-6,
+) -> Channels:
+    """Read what the channels of a sensor count at each wavelength, times filters, times light, from CSV files.
+
+    The first line names the columns: the wavelength with its unit, as ``wavelength (nm)``, ``lambda_um`` or ``nm``,
+    then one for each channel, as ``red`` or ``red (%)``. The other lines hold numbers, in any order. Lines that are
+    empty or begin with ``#`` are skipped; cells end with commas, tabs or semicolons (numbers may then have a decimal
+    comma). Values down to -1 % of the largest count as 0.
+
+    Parameters
+    ----------
+    path : path
+        Quantum efficiency of each channel: how many electrons for each photon.
+    filters : path or sequence of paths, optional
+        Transmissions, each with one column beside the wavelength.
+    illuminant : path, optional
+        Photons at each wavelength, in any unit, likewise; by default as many at each.
+    tol : float, default 1e-3
+    paths : float, default 5e-6
+        How exact few wavelengths must be, and for which paths: as of :meth:`lommel.Channels.from_curves`.
+
+    Returns
+    -------
+    Channels
+        With ``error``, a bound on what they are off in place of the tables. Between the lines of a table values lie
+        on straight lines; light beyond any of the tables is left out.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a file is none such, in one line with the numbers of its lines; if the tables have no wavelength in common
+        or leave a channel no light; or as :meth:`lommel.Channels.from_curves`.
+    OSError
+        If a file cannot be read.
+    """
+    names, waves, curves = _table(path)
+    tables = [(waves, curves)]
+    single = [filters] if isinstance(filters, str | PathLike) else list(filters)
+    for other in [*single, *([] if illuminant is None else [illuminant])]:
+        columns, at, values = _table(other)
+        if len(columns) != 1:
+            raise ValueError(
+                f"{validation.line(other)} must have one column beside the wavelength, got {', '.join(columns)}"
+            )
+        tables.append((at, values))
+    low, high = max(at[0] for at, _ in tables), min(at[-1] for at, _ in tables)
+    if not low < high:
+        spans = ", ".join(f"{at[0] * 1e9:g} to {at[-1] * 1e9:g} nm" for at, _ in tables)
+        raise ValueError(f"tables must have wavelengths in common, got {spans}")
+    every = np.unique(np.concatenate([at for at, _ in tables]))
+    every = every[(every >= low) & (every <= high)]
+    if len(tables) > 1:  # a product of lines is none: closer, it is one nearly
+        every = np.interp(np.linspace(0.0, 1.0, 4 * every.size - 3), np.linspace(0.0, 1.0, every.size), every)
+    product = np.ones((len(names), every.size))
+    for at, values in tables:
+        product *= np.stack([np.interp(every, at, row) for row in values])
+    dark = [name for name, row in zip(names, product, strict=True) if not row.max() > 0.0]
+    if dark:
+        raise ValueError(f"channels must have light, got none for {', '.join(dark)}")
+    return Channels.from_curves(every, product, names, tol=tol, paths=paths)
+
+
+def _table(path: _PATH) -> tuple[list[str], Array, Array]:
+    """Return names of columns, wavelengths in metres, rising, and the values, shape (columns, wavelengths)."""
+    source = validation.path("path", path)
+    try:
+        text = reading.text(source).removeprefix("\ufeff")
+        if ";" in text:
+            text = text.replace(",", ".").replace(";", ",")
+        lines = list(cells.rows(text.replace("\t", ",")))
+        return _columns(lines)
+    except ValueError as error:
+        told = reading.reason(error)
+        raise ValueError(f"{validation.line(source)}: {told}") from None
+
+
+def _columns(lines: list[tuple[int, list[str]]]) -> tuple[list[str], Array, Array]:
+    if not lines:
+        raise ValueError("is empty; its first line must name the columns, such as wavelength (nm), red")
+    place, head = lines[0]
+    unit = _HEAD.fullmatch(head[0]) if head[0] else None
+    if unit is None or unit[1].lower() not in LENGTHS:
+        raise ValueError(
+            f"line {place}: the first column must be the wavelength with its unit, such as wavelength (nm), got "
+            f"{validation.shown(head[0])}"
+        )
+    shares = [_PERCENT.fullmatch(name) for name in head[1:]]
+    names = [share[1] if share else name for share, name in zip(shares, head[1:], strict=True)]
+    if not names or not all(names) or len(set(names)) != len(names):
+        raise ValueError(f"line {place}: columns must have names that differ, got {validation.shown(head[1:])}")
+    found, faults = [], []
+    for place, row in lines[1:]:
+        numbers = [cells.number(cell) for cell in row]
+        bad = [n for n in numbers if isinstance(n, str) or not np.isfinite(n)]
+        if len(row) != len(head):
+            faults.append(f"line {place} must have {len(head)} cells, got {len(row)}")
+        elif bad:
+            faults.append(f"line {place} must hold numbers, got {validation.shown(bad[0])}")
+        else:
+            found.append(numbers)
+    if faults:
+        more = f"; and {len(faults) - TOLD} more" if len(faults) > TOLD else ""
+        raise ValueError("; ".join(faults[:TOLD]) + more)
+    if len(found) < 2:
+        raise ValueError(f"must have two wavelengths or more, got {len(found)}")
+    table = np.array(sorted(found, key=lambda row: row[0]), dtype=np.float64)
+    assert unit is not None
+    waves, curves = table[:, 0] * LENGTHS[unit[1].lower()], np.ascontiguousarray(table[:, 1:].T)
+    if same := np.flatnonzero(np.diff(waves) <= 0.0).tolist():
+        raise ValueError(f"wavelength {table[same[0], 0]:g} {unit[1]} comes twice")
+    for wave in (waves[0], waves[-1]):
+        validation.wavelength(float(wave))
+    for name, row in zip(names, curves, strict=True):
+        if row.min() < _LEAST * abs(row.max()):
+            raise ValueError(f"{name} must be >= 0, got {row.min():g}")
+    percent = np.array([0.01 if share else 1.0 for share in shares])[:, None]
+    return names, waves, np.maximum(curves, 0.0) * percent

@@ -1,0 +1,298 @@
+"""The channels of a sensor: sums over wavelengths, each with a name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from lommel.base import validation
+from lommel.base.units import format_length
+from lommel.optics.resampling import checked_paths, few
+from lommel.special.legendre import gauss_legendre
+
+RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
+"""Wavelengths (metres) that stand for the channels of a colour image where none are given."""
+
+_RGB = ("red", "green", "blue")
+
+
+@dataclass(frozen=True, init=False)
+class Channels:
+    """The channels of a sensor, each a sum over the same wavelengths with weights of its own.
+
+    Parameters
+    ----------
+    wavelengths : sequence of float, shape (n,)
+        Metres, all different.
+    weights : array_like, shape (channels, n)
+        The light that each channel counts at each wavelength, >= 0, in none all 0.
+    names : sequence of str, optional
+        All different; by default "red", "green" and "blue" of three channels, else "1", "2" and so on.
+
+    Attributes
+    ----------
+    names : tuple of str
+    wavelengths : tuple of float
+    weights : tuple of tuple of float
+        Those of each channel sum to 1.
+    light : tuple of float
+        How much each counts of the same light, over the largest.
+    error : float
+        Bound on what these wavelengths are off in place of a measured spectrum, over the peak without aberration;
+        0 where none was. See :meth:`from_curves`.
+    paths : float or None
+        Largest difference of optical paths in the pupil for which `error` holds, metres; else None.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If these are no such numbers or names.
+
+    Examples
+    --------
+    >>> import lommel as lm
+    >>> lm.Channels.rgb().names
+    ('red', 'green', 'blue')
+    """
+
+    names: tuple[str, ...]
+    wavelengths: tuple[float, ...]
+    weights: tuple[tuple[float, ...], ...]
+    light: tuple[float, ...]
+    error: float
+    paths: float | None
+
+    def __init__(self, wavelengths: Sequence[float], weights: ArrayLike, names: Sequence[str] | None = None) -> None:
+        waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
+        if len(set(waves)) != len(waves):
+            raise ValueError(f"wavelengths must all be different, got {validation.shown(wavelengths)}")
+        rows = validation.real_array("weights", weights, least=0.0)
+        if rows.ndim != 2 or rows.shape[1] != len(waves) or not rows.size or not rows.max(axis=1).all():
+            raise ValueError(
+                f"weights must be of shape (channels, {len(waves)}), with light in every channel, "
+                f"got {validation.shown(weights)}"
+            )
+        rows = rows / rows.max()  # whose sums cannot overflow
+        if names is None:
+            names = _RGB if len(rows) == 3 else [str(k) for k in range(1, len(rows) + 1)]
+        listed = isinstance(names, Sequence) and not isinstance(names, str)
+        if not listed or not all(isinstance(name, str) and name for name in names):
+            raise TypeError(f"names must be texts, one for each channel, got {validation.shown(names)}")
+        if len(set(names)) != len(rows) or len(names) != len(rows):
+            raise ValueError(f"names must be {len(rows)} that differ, got {validation.shown(names)}")
+        light = rows.sum(axis=1)
+        vars(self).update(
+            names=tuple(names),
+            wavelengths=waves,
+            weights=tuple(tuple(row) for row in (rows / light[:, None]).tolist()),
+            light=tuple((light / light.max()).tolist()),
+            error=0.0,
+            paths=None,
+        )
+
+    @classmethod
+    def rgb(cls, width: float = 0.0, count: int = 5) -> Channels:
+        """Return red, green and blue around 600, 540 and 460 nm.
+
+        Parameters
+        ----------
+        width : float, default 0
+            Of each band, metres; 0 for the three wavelengths themselves.
+        count : int, default 5
+            Wavelengths in a band.
+
+        Returns
+        -------
+        Channels
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`bands`.
+        """
+        if width == 0.0:
+            return cls(RED_GREEN_BLUE, np.eye(3))
+        return cls.bands(RED_GREEN_BLUE, width, count=count)
+
+    @classmethod
+    def bands(
+        cls, centers: Sequence[float], width: float, *, names: Sequence[str] | None = None, count: int = 5
+    ) -> Channels:
+        """Return channels that count the light of a band evenly, and none beside.
+
+        Parameters
+        ----------
+        centers : sequence of float
+            Metres.
+        width : float
+            Metres, from edge to edge.
+        names : sequence of str, optional
+        count : int, default 5
+            Wavelengths in a band: nodes of Gauss's rule.
+
+        Returns
+        -------
+        Channels
+
+        Raises
+        ------
+        TypeError, ValueError
+            If a wavelength is none, or the width not above 0.
+        """
+        middle = [validation.wavelength(w) for w in validation.real_array("centers", centers).ravel()]
+        if not middle:
+            raise ValueError("centers must not be empty")
+        half = 0.5 * validation.real("width", width, above=0.0, below=2.0 * min(middle), unit="metres")
+        nodes, weights = gauss_legendre(validation.integer("count", count, least=1, most=256), -1.0, 1.0)
+        waves: dict[float, int] = {}
+        found = [[(waves.setdefault(m + half * x, len(waves)), w) for x, w in zip(nodes, weights, strict=True)]
+                 for m in middle]  # fmt: skip
+        rows = np.zeros((len(middle), len(waves)))
+        for row, pairs in zip(rows, found, strict=True):
+            row[[k for k, _ in pairs]] = [w for _, w in pairs]
+        return cls(tuple(waves), rows, names)
+
+    @classmethod
+    def of_wavelengths(cls, wavelengths: ArrayLike) -> Channels:
+        """Return a channel for each of some wavelengths, named by it: ``"550 nm"``.
+
+        Parameters
+        ----------
+        wavelengths : sequence of float
+            Metres, all different.
+
+        Returns
+        -------
+        Channels
+
+        Raises
+        ------
+        TypeError, ValueError
+            If these are no such wavelengths.
+        """
+        waves = np.atleast_1d(validation.array("wavelengths", wavelengths))
+        digits = next(
+            (
+                n
+                for n in range(4, 17)
+                if len({format_length(validation.wavelength(w), digits=n) for w in waves}) == len(waves)
+            ),
+            17,
+        )
+        return cls(tuple(waves), np.eye(len(waves)), [format_length(float(w), digits=digits) for w in waves])
+
+    @classmethod
+    def from_curves(
+        cls,
+        wavelengths: ArrayLike,
+        curves: ArrayLike,
+        names: Sequence[str] | None = None,
+        *,
+        tol: float = 1e-3,
+        paths: float = 5e-6,
+    ) -> Channels:
+        """Return channels from measured curves, by as few wavelengths as a tolerance takes.
+
+        Parameters
+        ----------
+        wavelengths : array_like, shape (n,)
+            Metres, rising, at least two.
+        curves : array_like, shape (channels, n)
+            What each channel counts at each, >= 0: quantum efficiency times filter times light. Lines in between,
+            nothing beyond.
+        names : sequence of str, optional
+        tol : float, default 1e-3
+            Bound on what a PSF by few wavelengths is off, over the peak without aberration, 1e-6 to 0.5.
+        paths : float, default 5e-6
+            Largest difference of optical paths between two points of the pupil for which that holds, metres. Defocus
+            of C_d makes ``lambda C_d / pi``, and a point of the sensor at the distance r from the axis ``r / N``.
+            In light of which paths differ by more, PSFs average over more rings than there are wavelengths.
+
+        Returns
+        -------
+        Channels
+            With the bound as ``error``.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If these are no such numbers, or if it takes more than 256 wavelengths.
+        """
+        waves = validation.real_array("wavelengths", wavelengths)
+        if waves.ndim != 1 or waves.size < 2 or not np.all(np.diff(waves) > 0.0):
+            raise ValueError(f"wavelengths must be two or more that rise, got {validation.shown(wavelengths)}")
+        for wave in (waves[0], waves[-1]):
+            validation.wavelength(float(wave))
+        light = validation.real_array("curves", curves, least=0.0)
+        if light.ndim != 2 or light.shape[1] != waves.size or not light.size or not light.max(axis=1).all():
+            raise ValueError(
+                f"curves must be of shape (channels, {waves.size}), with light in every channel, "
+                f"got {validation.shown(curves)}"
+            )
+        nodes, weights, error = few(waves, light / light.max(), *checked_paths(paths, tol))
+        made = cls(tuple(nodes.tolist()), weights * np.trapezoid(light, waves, axis=1).reshape(-1, 1), names)
+        vars(made).update(error=error, paths=float(paths))
+        return made
+
+    def __len__(self) -> int:
+        """Return the number of channels."""
+        return len(self.names)
+
+    @property
+    def spectra(self) -> tuple[tuple[tuple[float, float], ...], ...]:
+        """For each channel pairs of a wavelength and a weight that is not 0, as photographs take `wavelengths`."""
+        return tuple(
+            tuple((w, share) for w, share in zip(self.wavelengths, row, strict=True) if share > 0.0)
+            for row in self.weights
+        )
+
+    def __iter__(self) -> Iterator[tuple[str, tuple[tuple[float, float], ...]]]:
+        """Yield the name of each channel and its pairs of wavelength and weight."""
+        return iter(zip(self.names, self.spectra, strict=True))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return everything in plain types."""
+        return asdict(self)
+
+    @classmethod
+    def from_dict(cls, description: dict[str, Any]) -> Channels:
+        """Rebuild channels.
+
+        Parameters
+        ----------
+        description : dict
+            By :meth:`to_dict`.
+
+        Returns
+        -------
+        Channels
+
+        Raises
+        ------
+        TypeError, ValueError, KeyError
+            If it is none such.
+        """
+        parts = dict(description)
+        light = validation.real_array("light", parts["light"], least=0.0)
+        rows = validation.real_array("weights", parts["weights"]) * light[:, None]
+        made = cls(parts["wavelengths"], rows, parts["names"])
+        paths, error = parts["paths"], validation.real("error", parts["error"], least=0.0)
+        # As they were, not divided again by sums that are 1 but for rounding.
+        weights = tuple(tuple(float(w) for w in row) for row in parts["weights"])
+        vars(made).update(weights=weights, light=tuple(light.tolist()), error=error, paths=paths and float(paths))
+        return made
+
+
+def checked(channels: Any) -> Channels:
+    """Return channels, or one for each of some wavelengths; TypeError or ValueError if it is neither."""
+    if isinstance(channels, Channels):
+        return channels
+    if isinstance(channels, Sequence | np.ndarray) and not isinstance(channels, str):
+        return Channels.of_wavelengths(channels)
+    raise TypeError(
+        f"channels must be Channels such as Channels.rgb(), or wavelengths, got {validation.shown(channels)}"
+    )

@@ -1,0 +1,69 @@
+"""`lommel psf --colour`, run as a user runs it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import lommel as lm
+
+
+def test_files_and_tables_hold_what_python_computes(call_lommel, lenses, tmp_path):
+    path = lenses["fast-portrait"]
+    outputs = [part for name in ("a.npz", "a.tif", "a.png") for part in ("-o", name)]
+    result = call_lommel("psf", path, "--colour", "--shape", "33", *outputs, "--plot", "p.png", folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    instrument = lm.load_instrument(path)
+    expected = lm.colour_psf(instrument.pupil(), 33, instrument.pixel, instrument.channels)
+    for name in ("a.npz", "a.tif"):
+        found = lm.ColourPSF.load(tmp_path / name)
+        assert found.channels == instrument.channels
+        assert np.abs(found.values - expected.values).max() <= 1e-7 * expected.values.max()
+    with Image.open(tmp_path / "a.png") as picture:
+        assert picture.mode == "RGB"
+    assert "red" in result.stdout
+    assert "8 from 440 nm to 630 nm" in result.stdout
+    assert result.stdout.split("wrote ")[1:] == ["a.npz\n", "a.tif\n", "a.png\n", "p.png\n"]
+
+
+def test_a_file_without_channels_has_red_green_and_blue(call_lommel, lenses, tmp_path):
+    result = call_lommel("psf", lenses["phone"], "--colour", "--shape", "9", "--json", folder=tmp_path)
+    facts = json.loads(result.stdout)
+    assert [one["name"] for one in facts["channels"]] == ["red", "green", "blue"]
+    assert [one["wavelengths"] for one in facts["channels"]] == [[600e-9], [540e-9], [460e-9]]
+    assert facts["shape"] == [3, 9, 9]
+
+
+def test_a_field_is_in_colour(call_lommel, lenses, tmp_path):
+    pytest.importorskip("zarr")
+    options = ["--colour", "--field", "2x3", "--shape", "15", "-o", "f.zarr", "-o", "f.npz", "--plot", "f.png"]
+    result = call_lommel("psf", lenses["camera-field"], *options, folder=tmp_path)
+    assert (result.returncode, result.stderr) == (0, "")
+    for name in ("f.zarr", "f.npz"):
+        assert lm.PSFGrid.load(tmp_path / name).values.shape == (2, 3, 3, 15, 15)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["-o", "a.jpg"], "--output must end in .npz, .tif, .tiff, .png for a PSF in channels"),
+        (["--field", "2x3"], "must have a section [field]"),
+        (["--normalize", "emitted"], "for the pupils of an Objective"),
+    ],
+)
+def test_faults_are_one_line(call_lommel, lenses, tmp_path, options, message):
+    result = call_lommel("psf", lenses["phone"], "--colour", *options, folder=tmp_path)
+    assert result.returncode == 2
+    assert message in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_a_microscope_has_one_wavelength(call_lommel, tmp_path):
+    file = Path(__file__).parents[2] / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml"
+    result = call_lommel("psf", file, "--colour", folder=tmp_path)
+    assert result.returncode == 2
+    assert "--colour is for lenses" in result.stderr

@@ -1,0 +1,125 @@
+"""One table over field, distance and colour."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+WAVES = (450e-9, 550e-9, 650e-9)
+COLOUR = lm.Colour(WAVES, [20e-6, 0.0, 15e-6], [4e-6, 0.0, -3e-6], 25e-3)
+LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9, colour=COLOUR)
+FIELD = lm.FieldMap.from_seidel(25e-3, W131=0.5, W222=0.3, aperture=LENS.pupil(1.0).unaberrated())
+WHERE = {"sensor": (16e-3, 24e-3), "shape": (9, 11), "pixel": 3e-6}
+DEPTHS = [1.9, 2.1, math.inf]
+
+
+@pytest.fixture(scope="module")
+def table() -> lm.PSFGrid:
+    return FIELD.grid(2, 3, **WHERE, channels=WAVES, depths=DEPTHS, lens=LENS)
+
+
+def test_the_axes_are_field_distance_and_colour(table):
+    assert table.values.shape == (2, 3, 3, 3, 9, 11)
+    assert table.dims == ("field_y", "field_x", "depth", "channel", "y", "x")
+    assert table.depths.tolist() == DEPTHS
+    assert table[1, 2].values.shape == (3, 3, 9, 11)
+    assert table[1, 2, 0]["450 nm"].values.shape == (9, 11)
+    assert table.channel("450 nm").at_depth(-1).values.shape == (2, 3, 9, 11)
+    assert len(table) == 2
+
+
+def test_each_is_that_of_its_place_distance_and_wavelength(table):
+    for (i, j), k, c in (((0, 0), 0, 0), ((1, 2), 1, 2), ((0, 1), 0, 1)):
+        x, y, wavelength = table.x[j], table.y[i], WAVES[c]
+        # By the lens of that colour, the aberrations at the place and the shift of the image, each on its own.
+        field = lm.Wavefront.from_seidel(W131=0.5, W222=0.3, field=(x / 25e-3, y / 25e-3))
+        lens = LENS.in_light(wavelength)
+        away = COLOUR.lateral[0][c] / 25e-3
+        tilt = math.pi / (wavelength * lens.working_f_number) * away
+        shift = lm.Wavefront(nonradial={(1, 1): tilt * x, (1, -1): tilt * y})
+        wavefront = lens.pupil(DEPTHS[k]).wavefront + 550e-9 / wavelength * field + shift
+        pupil = lm.Pupil(wavefront, wavelength=wavelength, f_number=lens.working_f_number)
+        exact = lm.psf(pupil, (9, 11), 3e-6, tol=1e-9, dtype=np.float64)
+        found = table[i, j, k][c]
+        assert np.abs(found.values - exact.values).max() <= found.error_bound * exact.values.max() * 1.1
+
+
+def test_a_grid_of_distances_alone_is_one_of_psfs():
+    table = FIELD.grid(1, 2, **WHERE, depths=[1.9, 2.1], lens=LENS)
+    assert table.dims == ("field_y", "field_x", "depth", "y", "x")
+    expected = lm.psf((FIELD + LENS.pupil(2.1).wavefront).pupil(table.x[1], table.y[0]), (9, 11), 3e-6)
+    assert lm.peak_error(table[0, 1, 1], expected) < 1e-6
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".zarr"])
+def test_files_keep_all_axes(tmp_path, table, suffix):
+    pytest.importorskip("zarr")
+    for name, grid in (("all", table), ("deep", table.channel(0)), ("coloured", table.at_depth(0))):
+        path = tmp_path / f"{name}{suffix}"
+        grid.save(path)
+        again = lm.PSFGrid.load(path)
+        assert np.array_equal(again.values, grid.values)
+        assert again.dims == grid.dims
+        assert (again.depths is None) == (grid.depths is None)
+        assert grid.depths is None or np.array_equal(again.depths, grid.depths)
+        assert again.psf.pupil == grid.psf.pupil
+        if name != "deep":
+            assert again.psf.channels == grid.psf.channels
+        with pytest.raises(ValueError, match=r"must end in .zarr, .npz"):
+            grid.save(tmp_path / "grid.tif")
+
+
+def test_zarr_is_named_as_others_read_it(tmp_path, table):
+    zarr = pytest.importorskip("zarr")
+    table.save(tmp_path / "t.zarr")
+    group = zarr.open_group(tmp_path / "t.zarr", mode="r")
+    assert group["values"].metadata.dimension_names == table.dims
+    assert group["values"].chunks == (1, 1, 1, 1, 9, 11)
+    assert group["depth"][...].tolist() == DEPTHS
+    assert group["channel"].shape == (3,)
+
+
+def test_pictures_are_of_one_distance_and_in_colour(table):
+    plt = pytest.importorskip("matplotlib.pyplot")
+    with pytest.raises(ValueError, match=r"grid.at_depth\(0\).plot\(\)"):
+        table.plot()
+    assert table.at_depth(0).plot().images[0].get_array().shape == (9, 11, 3)
+    assert table.channel(1).at_depth(0).plot().images[0].get_array().shape == (9, 11)
+    plt.close("all")
+
+
+def test_an_aplanatic_lens_has_its_distances_in_a_grid():
+    lens = lm.Lens(
+        focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9, colour=COLOUR, model="aplanatic"
+    )
+    field = lm.FieldMap.from_seidel(25e-3, W131=0.5, aperture=lens.pupil(1.0).unaberrated())
+    table = field.grid(1, 1, **WHERE, channels=WAVES, depths=[1.9, 2.2], lens=lens)
+    for k, s in enumerate((1.9, 2.2)):
+        exact = lm.psf(lens.in_light(450e-9).pupil(s), (9, 11), 3e-6, dtype=np.float64)
+        assert lm.peak_error(table[0, 0, k][0], exact) < 2e-6
+    with pytest.raises(ValueError, match="lens= and depths="):
+        field.grid(1, 1, **WHERE, channels=WAVES)
+
+
+def test_what_does_not_go_together_is_told(table):
+    with pytest.raises(ValueError, match="lens is missing"):
+        FIELD.grid(1, 1, **WHERE, depths=[1.0])
+    with pytest.raises(ValueError, match="depths is missing"):
+        FIELD.grid(1, 1, **WHERE, lens=LENS)
+    with pytest.raises(ValueError, match="lens must have the working f-number of the map"):
+        FIELD.grid(1, 1, **WHERE, lens=LENS.stopped(8.0), depths=[1.0])
+    with pytest.raises(ValueError, match="object_distance must be > 0"):
+        FIELD.grid(1, 1, **WHERE, lens=LENS, depths=[-1.0])
+    with pytest.raises(ValueError, match="asked for 400"):
+        FIELD.grid(1, 1, **WHERE, channels=[400e-9])
+    plain = FIELD.grid(1, 1, **WHERE)
+    with pytest.raises(ValueError, match="no channels"):
+        plain.channel(0)
+    with pytest.raises(ValueError, match="no distances"):
+        plain.at_depth(0)
+    with pytest.raises(ValueError, match="index must be"):
+        table.at_depth(3)

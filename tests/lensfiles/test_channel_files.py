@@ -1,0 +1,112 @@
+"""Spectra of sensors, filters and light from CSV files."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.base.units import LENGTHS
+
+WAVES = np.arange(400, 701, 20)
+
+
+def bell(center: float, width: float = 35.0, waves: np.ndarray = WAVES) -> np.ndarray:
+    return np.exp(-0.5 * ((waves - center) / width) ** 2)
+
+
+def write(path, head, *columns, separator=",", comma="."):
+    rows = [separator.join(f"{value:.6g}".replace(".", comma) for value in row) for row in zip(*columns, strict=True)]
+    path.write_text("\n".join([head, "# measured", "", *rows]) + "\n")
+    return path
+
+
+@pytest.fixture
+def sensor(tmp_path):
+    return write(tmp_path / "sensor.csv", "wavelength (nm),red,green,blue", WAVES, bell(600), bell(540), bell(460))
+
+
+def test_a_table_is_read_as_it_is(sensor):
+    found = lm.load_channels(sensor)
+    expected = lm.Channels.from_curves(WAVES * 1e-9, [bell(c) for c in (600, 540, 460)])
+    assert found.names == ("red", "green", "blue")
+    assert found.wavelengths == pytest.approx(expected.wavelengths, rel=1e-5)
+    assert np.array(found.weights) == pytest.approx(np.array(expected.weights), abs=1e-4)
+    assert found.light == pytest.approx(expected.light, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("head", "unit"),
+    [
+        ("wavelength (nm)", "nm"),
+        ("Lambda_um", "um"),
+        ("nm", "nm"),
+        ("λ [µm]", "µm"),
+        ("wavelength nm", "nm"),
+        ("wl(NM)", "nm"),
+    ],
+)
+def test_the_unit_is_what_the_header_says(tmp_path, sensor, head, unit):
+    waves = WAVES * 1e-9 / LENGTHS[unit]
+    path = write(tmp_path / "other.csv", f"{head},red,green,blue", waves, bell(600), bell(540), bell(460))
+    assert lm.load_channels(path).wavelengths == pytest.approx(lm.load_channels(sensor).wavelengths, rel=1e-5)
+
+
+def test_per_cent_semicolons_tabs_and_any_order_are_read(tmp_path, sensor):
+    turned = [column[::-1] for column in (WAVES, 100.0 * bell(600), bell(540), 100.0 * bell(460))]
+    expected = lm.load_channels(sensor)
+    for separator, comma in ((";", ","), ("\t", ".")):
+        head = separator.join(["wavelength (nm)", "red (%)", "green", "blue [%]"])
+        found = lm.load_channels(write(tmp_path / "c.csv", head, *turned, separator=separator, comma=comma))
+        assert found.names == expected.names
+        assert found.light == pytest.approx(expected.light, rel=1e-4)
+
+
+def test_filters_and_light_multiply(tmp_path, sensor):
+    fine = np.arange(380, 651, 5)
+    cut = write(tmp_path / "cut.csv", "wavelength (nm),ir", fine, np.clip((620 - fine) / 40.0, 0.0, 1.0))
+    lamp = write(tmp_path / "lamp.csv", "wavelength (um),light", np.array([0.35, 0.9]), np.array([1.0, 6.5]))
+    found = lm.load_channels(sensor, filters=cut, illuminant=lamp)
+    dense = np.linspace(400, 650, 20001)
+    product = np.interp(dense, fine, np.clip((620 - fine) / 40.0, 0.0, 1.0)) * (1.0 + 5.5 * (dense - 350) / 550)
+    for center, (_, pairs), light in zip((600, 540, 460), found, found.light, strict=True):
+        curve = product * np.interp(dense, WAVES, bell(center))
+        waves, weights = np.array(pairs).T
+        assert weights @ waves == pytest.approx(1e-9 * (curve @ dense) / curve.sum(), rel=1e-3)
+        assert light == pytest.approx(curve.sum() / max(
+            (product * np.interp(dense, WAVES, bell(c))).sum() for c in (600, 540, 460)), rel=2e-3)  # fmt: skip
+    assert lm.load_channels(sensor, filters=[cut, cut]).light[0] < lm.load_channels(sensor, filters=[cut]).light[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "is empty"),
+        ("wavelength,red\n400,1\n500,1", "line 1: the first column must be the wavelength with its unit"),
+        ("wavelength (furlong),red\n400,1\n500,1", "with its unit"),
+        ("nm,red,red\n400,1,1\n500,1,1", "line 1: columns must have names that differ"),
+        ("nm\n400\n500", "columns must have names"),
+        ("nm,red\n400,1\n500,x", "line 3 must hold numbers, got 'x'"),
+        ("nm,red\n400,1\n500,nan", "line 3 must hold numbers"),
+        ("nm,red\n400,1\n500,1,2\n600", "line 3 must have 2 cells, got 3; line 4 must have 2 cells, got 1"),
+        ("nm,red\n400,1", "two wavelengths or more, got 1"),
+        ("nm,red\n400,1\n400,2", "wavelength 400 nm comes twice"),
+        ("nm,red\n400,1\n500,-1", "red must be >= 0, got -1"),
+        ("nm,red\n400,0\n500,0", "channels must have light, got none for red"),
+        ("m,red\n400,1\n500,1", "wavelength"),
+    ],
+)
+def test_damaged_files_are_told_in_one_line(tmp_path, text, message):
+    path = tmp_path / "bad.csv"
+    path.write_text(text)
+    with pytest.raises(ValueError, match=message) as told:
+        lm.load_channels(path)
+    assert "\n" not in str(told.value)
+
+
+def test_tables_that_do_not_meet_are_told(tmp_path, sensor):
+    far = write(tmp_path / "far.csv", "nm,t", np.array([800.0, 900.0]), np.ones(2))
+    with pytest.raises(ValueError, match="wavelengths in common, got 400 to 700 nm, 800 to 900 nm"):
+        lm.load_channels(sensor, filters=far)
+    with pytest.raises(ValueError, match=r"sensor.csv must have one column beside the wavelength"):
+        lm.load_channels(sensor, illuminant=sensor)

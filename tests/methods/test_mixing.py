@@ -1,0 +1,74 @@
+"""Sums over wavelengths, several at once: their values, their bounds, and what is asked of the parts."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from lommel.core.answers import Intensities, ToleranceError
+from lommel.methods.mixing import Contract, mixed
+from lommel.optics.spectrum import Component
+
+PARTS = [Component(1.0, stretch, None) for stretch in (1.0, 1.25, 0.8)]
+SHARES = np.array([[0.0, 0.75, 0.25], [0.5, 0.25, 0.25], [1.0, 0.0, 0.0]])
+RNG = np.random.default_rng(4)
+VALUES = RNG.random((3, 2, 7))
+PEAKS = VALUES.max(axis=2) * np.array([1.0, 3.0, 1.5])[:, None]  # of the second, outside of the window
+
+
+def parts_of(error):
+    """Return what answers for a part: its values, each off by a share of `error` of its peak."""
+    asked = []
+
+    def ask(part, tol):
+        k = PARTS.index(part)
+        asked.append(tol)
+        return Intensities(VALUES[k], np.full(2, error(k, tol)), PEAKS[k])
+
+    return ask, asked
+
+
+@pytest.mark.parametrize("window", [False, True])
+def test_sums_and_bounds_are_those_written_out(window):
+    ask, asked = parts_of(lambda k, tol: (k + 1) * 1e-6)
+    found = mixed(PARTS, SHARES, ask, Contract(1.0, 1.0, 1e-12, True, window))
+    assert len(asked) == 3
+    for row, made in zip(SHARES, found, strict=True):
+        weights = row * np.array([part.stretch**2 for part in PARTS])
+        assert made.values == pytest.approx(np.einsum("k,knr->nr", weights, VALUES), rel=1e-14)
+        off = sum(w * (k + 1) * 1e-6 * PEAKS[k] for k, w in enumerate(weights))
+        highest = made.values.max(axis=1)
+        peak = highest if window else np.maximum(highest, (weights[:, None] * PEAKS).max(axis=0))
+        assert made.error == pytest.approx(off / (peak - off), rel=1e-9)
+        assert np.all(made.error > off / (peak - off))  # rounding counts
+        assert made.peak == pytest.approx(peak - off, rel=1e-12)
+
+
+def test_parts_are_asked_for_more_until_every_sum_is_exact_enough():
+    ask, asked = parts_of(lambda k, tol: 5.0 * tol if k == 0 else 1e-3 * tol)
+    found = mixed(PARTS, SHARES, ask, Contract(1e-6, 1e-6, 1e-12, True))
+    assert max(made.error.max() for made in found) <= 1e-6
+    assert asked[0] == 1e-6 > asked[-1]
+
+
+def test_what_cannot_be_kept_is_told():
+    ask, _ = parts_of(lambda k, tol: max(tol, 1e-5))
+    with pytest.raises(ToleranceError, match="tol=1e-06 cannot be met"):
+        mixed(PARTS, SHARES, ask, Contract(1e-6, 1e-6, 1e-9, True))
+    kept_by_nobody = mixed(PARTS, SHARES, ask, Contract(1e-6, 1e-6, 1e-9, False))
+    assert kept_by_nobody[2].error.max() > 1e-6
+
+    def refusing(part, tol):
+        raise ToleranceError("too much")
+
+    with pytest.raises(ToleranceError, match="by a sum over wavelengths each of which must be exact to 1e-06"):
+        mixed(PARTS, SHARES, refusing, Contract(1e-6, 1e-6, 1e-9, True))
+
+
+def test_a_part_without_a_bound_leaves_its_sums_without_one():
+    def ask(part, tol):
+        k = PARTS.index(part)
+        return Intensities(VALUES[k], None if k == 1 else np.full(2, 1e-9), None if k == 1 else PEAKS[k])
+
+    found = mixed(PARTS, SHARES, ask, Contract(1e-6, 1e-6, 1e-12, True))
+    assert [made.error is None for made in found] == [True, True, False]

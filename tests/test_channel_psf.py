@@ -1,0 +1,183 @@
+"""PSFs in channels are sums of monochromatic ones, whatever else is asked."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+WAVES = (450e-9, 550e-9, 650e-9)
+COLOUR = lm.Colour(WAVES, [40e-6, 0.0, 30e-6], [4e-6, 0.0, -3e-6], 20e-3)
+LENS = lm.Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9, colour=COLOUR)
+CHANNELS = lm.Channels(WAVES, [[0.0, 1.0, 3.0], [1.0, 4.0, 1.0], [1.0, 0.0, 0.0]])
+COMA = lm.Wavefront(2.0, nonradial={(3, 1): 2.0})
+SCALE = {"wavelength": 550e-9, "f_number": 4.0}
+PUPILS = {
+    "lens": LENS.pupil([1.9, 2.1]),
+    "coma": lm.Pupil(COMA, obscuration=0.3, **SCALE),
+    "spider": lm.Pupil(lm.Wavefront(2.0), spider=lm.Spider.equal(3, 0.05), **SCALE),
+    "cut": lm.Pupil(COMA, vignetting=lm.CatEye((0.3, 0.0)), apodization=1.2, **SCALE),
+    "mask": lm.Pupil(lm.Wavefront(1.0), mask=lm.Mask(np.full((48, 48), 0.5)), **SCALE),
+    "field": lm.FieldMap.from_seidel(20e-3, W222=0.3, aperture=LENS.pupil().unaberrated()).pupil([8e-3, 0.0], 5e-3),
+    "aside": lm.FieldMap.from_seidel(20e-3, W220=0.3, aperture=LENS.pupil().unaberrated()).pupil([8e-3, 0.0], 0.0),
+}
+
+
+@pytest.mark.parametrize("name", PUPILS)
+@pytest.mark.parametrize(
+    "options", [{}, {"integrate": False}, {"normalize": "peak"}, {"normalize": "strehl"}, {"center": (3.3, 8.0)}]
+)
+def test_a_channel_is_the_sum_of_what_each_wavelength_makes(name, options):
+    pupil = PUPILS[name]
+    answer = lm.colour_psf(pupil, (13, 16), 1.5e-6, CHANNELS, **options)
+    assert answer.values.shape == (*pupil.shape, 3, 13, 16)
+    strehl = options | {"normalize": "strehl" if options.get("normalize") else "energy"}
+    ones = [lm.psf(pupil.in_light(w), (13, 16), 1.5e-6, tol=1e-9, dtype=np.float64, **strehl).values for w in WAVES]
+    for c, (found, (_, pairs)) in enumerate(zip(answer, CHANNELS, strict=True)):
+        # As much light is brighter, over the peak without aberration, where its spot is smaller.
+        rates = {w: share * (w**-2.0 if options.get("normalize") else 1.0) for w, share in pairs}
+        total = sum(rates.values())
+        expected = sum(rates.get(w, 0.0) / total * one for w, one in zip(WAVES, ones, strict=True))
+        if options.get("normalize") == "peak":
+            expected = expected / expected.max(axis=(-2, -1), keepdims=True)
+        assert np.array_equal(found.values, answer.values[..., c, :, :])
+        off = np.abs(found.values - expected).max(axis=(-2, -1)) / expected.max(axis=(-2, -1))
+        assert off.max() <= (1e-6 if found.error_bound is None else found.error_bound) <= 1e-6
+
+
+def test_a_channel_is_an_answer_like_any_other():
+    answer = lm.colour_psf(LENS.pupil(1.95), 33, 3e-6, CHANNELS)
+    plain = lm.psf(LENS.pupil(1.95), 33, 3e-6, method=lm.Polychromatic(WAVES, (1.0, 4.0, 1.0)))
+    green = answer["green"]
+    assert green is answer[1]
+    assert lm.peak_error(green, plain) < 1e-6
+    assert green.encircled_energy(20e-6) == pytest.approx(plain.encircled_energy(20e-6), abs=1e-6)
+    assert green.strehl == pytest.approx(plain.strehl, rel=1e-5)
+    assert [psf.values.shape for psf in answer] == [(33, 33)] * 3
+
+
+def test_wavelengths_are_an_axis():
+    answer = lm.colour_psf(LENS.pupil(1.95), 21, 3e-6, WAVES)
+    assert answer.names == ("450 nm", "550 nm", "650 nm")
+    for wavelength, found in zip(WAVES, answer, strict=True):
+        exact = lm.psf(LENS.in_light(wavelength).pupil(1.95), 21, 3e-6, method=lm.Hankel(), dtype=np.float64)
+        assert lm.peak_error(found, exact) <= found.error_bound <= 1e-6
+
+
+def test_the_exact_sum_over_the_aperture_agrees_at_every_wavelength():
+    lens = lm.Lens(
+        focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9, colour=COLOUR, model="aplanatic"
+    )
+    answer = lm.colour_psf(lens.pupil(1.9), 9, 4e-6, CHANNELS, integrate=False, tol=1e-9)
+    exact = [
+        lm.psf(lens.in_light(w).pupil(1.9), 9, 4e-6, method=lm.HuygensFresnel(), integrate=False, dtype=np.float64)
+        for w in WAVES
+    ]
+    for found, row in zip(answer, CHANNELS.weights, strict=True):
+        expected = sum(share * one.values for share, one in zip(row, exact, strict=True))
+        assert lm.peak_error(found, expected) < 1e-8
+
+
+def test_each_wavelength_is_computed_once_for_all_channels(monkeypatch):
+    seen = []
+    whole = lm.NijboerZernike.intensity
+
+    def counted(self, pupil, grid, threads=0):
+        seen.append(pupil.wavelength)
+        return whole(self, pupil, grid, threads)
+
+    monkeypatch.setattr(lm.NijboerZernike, "intensity", counted)
+    lm.colour_psf(LENS.pupil(1.98), 9, 3e-6, CHANNELS, method=lm.NijboerZernike())
+    assert sorted(seen) == sorted(WAVES)
+
+
+def test_blocks_of_a_stack_are_those_of_the_whole(monkeypatch):
+    import lommel.channel_psf as module
+
+    pupil = LENS.pupil(np.linspace(1.8, 2.2, 6).reshape(2, 3))
+    whole = lm.colour_psf(pupil, 9, 3e-6, CHANNELS, center=(np.array([3.0, 4.0, 5.0]), 4.0))
+    monkeypatch.setattr(module, "_AT_ONCE", 200)
+    parts = lm.colour_psf(pupil, 9, 3e-6, CHANNELS, center=(np.array([3.0, 4.0, 5.0]), 4.0))
+    assert np.abs(whole.values - parts.values).max() <= 1e-6 * whole.values.max()
+    assert parts["red"].scale == pytest.approx(whole["red"].scale, rel=1e-15)
+    assert whole.part((1, slice(None))).values == pytest.approx(whole.values[1], abs=0.0)
+    assert whole.part((1, 2))["blue"].values.shape == (9, 9)
+
+
+def test_derivatives_are_those_of_each_channel():
+    answer = lm.colour_psf(LENS.pupil(1.98), 9, 3e-6, CHANNELS, derivatives=("defocus",))
+    plain = lm.psf(
+        LENS.pupil(1.98), 9, 3e-6, method=lm.Polychromatic(WAVES, (1.0, 4.0, 1.0)), derivatives=("defocus",)
+    )
+    assert np.array_equal(answer["green"].derivatives["defocus"], plain.derivatives["defocus"])
+    with pytest.raises(ValueError, match="saved channel by channel"):
+        answer.save("out.npz")
+
+
+@pytest.mark.parametrize("suffix", [".npz", ".tif"])
+@pytest.mark.parametrize("distance", [1.9, (1.9, 2.1)])
+def test_files_give_back_what_was_saved(tmp_path, suffix, distance):
+    answer = lm.colour_psf(LENS.pupil(distance), 9, 3e-6, CHANNELS)
+    answer.save(tmp_path / f"p{suffix}")
+    again = lm.ColourPSF.load(tmp_path / f"p{suffix}")
+    assert np.array_equal(again.values, answer.values)
+    assert again.channels == answer.channels
+    for one, other in zip(again, answer, strict=True):
+        assert (one.pupil, one.method, one.error_bound) == (other.pupil, other.method, other.error_bound)
+    data = (tmp_path / f"p{suffix}").read_bytes()
+    (tmp_path / f"cut{suffix}").write_bytes(data[: len(data) // 2])
+    with pytest.raises(ValueError, match="is not a PSF in channels written by lommel"):
+        lm.ColourPSF.load(tmp_path / f"cut{suffix}")
+    lm.psf(LENS.pupil(distance), 9, 3e-6).save(tmp_path / f"plain{suffix}")
+    with pytest.raises(ValueError, match=r"it has no channels; PSF.load reads it"):
+        lm.ColourPSF.load(tmp_path / f"plain{suffix}")
+
+
+def test_a_picture_has_the_channels_as_red_green_and_blue(tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    answer = lm.colour_psf(LENS.pupil(1.95), (9, 11), 3e-6, CHANNELS)
+    answer.save(tmp_path / "p.png")
+    found = np.asarray(image.open(tmp_path / "p.png")).astype(float)
+    times = found.shape[1] // 11
+    expected = np.sqrt(np.moveaxis(answer.values, 0, -1) / answer.values.max())
+    assert np.abs(found[::times, ::times] / 255.0 - expected).max() < 0.51 / 255.0
+    with pytest.raises(ValueError, match=r"a \.png holds a single PSF"):
+        lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6).save(tmp_path / "s.png")
+    with pytest.raises(ValueError, match="a picture takes three channels, or one, got 2"):
+        lm.colour_psf(LENS.pupil(1.9), 9, 3e-6, WAVES[:2]).save(tmp_path / "two.png")
+    with pytest.raises(ValueError, match=r"path must end in .npz, .tif, .tiff, .png"):
+        answer.save(tmp_path / "p.gif")
+
+
+def test_pictures_are_drawn():
+    plt = pytest.importorskip("matplotlib.pyplot")
+    axes = lm.colour_psf(LENS.pupil(1.95), 9, 3e-6).plot()
+    assert axes.images[0].get_array().shape == (9, 9, 3)
+    assert lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6).plot(stretch="log").shape == (2,)
+    assert lm.colour_psf(LENS.pupil(1.9), 9, 3e-6, WAVES[:2]).plot().shape == (2,)
+    with pytest.raises(ValueError, match="a stack takes three channels"):
+        lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6, WAVES[:2]).plot()
+    plt.close("all")
+
+
+def test_what_cannot_be_is_refused_with_the_way_out():
+    with pytest.raises(TypeError, match=r"colour_psf\(\) has no option 'out'; known are method, tol"):
+        lm.colour_psf(LENS.pupil(), 9, 3e-6, out=np.empty((3, 9, 9)))
+    with pytest.raises(ValueError, match="needs a pupil with a wavelength"):
+        lm.colour_psf(lm.Pupil(), 9, 0.5)
+    with pytest.raises(TypeError, match=r"Channels.rgb\(\), or wavelengths"):
+        lm.colour_psf(LENS.pupil(), 9, 3e-6, "rgb")
+    with pytest.raises(TypeError, match="method must be a Method of one wavelength"):
+        lm.colour_psf(LENS.pupil(), 9, 3e-6, method=lm.Polychromatic(WAVES, (1, 1, 1)))
+    with pytest.raises(TypeError, match=r"lens\.pupil"):
+        lm.colour_psf(LENS, 9, 3e-6)
+    answer = lm.colour_psf(LENS.pupil(), 9, 3e-6)
+    with pytest.raises(KeyError, match="there are red, green, blue"):
+        answer["infrared"]
+    with pytest.raises(TypeError, match=r"part\(index\)"):
+        answer[0, 1]
+    with pytest.raises(TypeError, match="a PSF for each of the 3 channels"):
+        lm.ColourPSF(lm.Channels.rgb(), (answer[0],))
+    turned = lm.ColourPSF(lm.Channels.rgb(), answer.psfs[::-1])
+    assert np.array_equal(turned.values, answer.values[::-1])

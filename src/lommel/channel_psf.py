@@ -25,6 +25,7 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.channels import Channels, checked
 from lommel.optics.grid import Grid
 from lommel.psf import PSF, Plan
+from lommel.sensor.blurs import Blur
 from lommel.show import colours
 
 if TYPE_CHECKING:
@@ -42,6 +43,8 @@ class Keywords(TypedDict, total=False):
     dtype: DTypeLike | None
     center: tuple[ArrayLike, ArrayLike] | None
     integrate: bool | None
+    fill: float | tuple[float, float]
+    blur: Blur | Sequence[Blur]
     threads: int | None
     derivatives: Sequence[Any]
 
@@ -87,7 +90,7 @@ class ColourPSF(AnswerChannels[PSF]):
 def colour_psf(
     pupil: BasePupil,
     shape: int | tuple[int, int],
-    pixel: float,
+    pixel: float | tuple[float, float],
     channels: Channels | Sequence[float] | None = None,
     **options: Unpack[Keywords],
 ) -> ColourPSF:
@@ -98,14 +101,15 @@ def colour_psf(
     pupil : Pupil or ObjectivePupil
         With a wavelength, the reference; each other one is what :meth:`lommel.Lens.in_light` makes of its lens.
     shape : int or (int, int)
-    pixel : float
+    pixel : float or (float, float)
         As of :func:`lommel.psf`.
     channels : Channels or sequence of float, optional
         What is summed in each channel, or wavelengths in metres; by default ``Channels.rgb()``.
     **options
-        ``method`` (of one wavelength), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``derivatives``
-        and ``threads`` as of :func:`lommel.psf`. The tolerance is that of each channel, over its own peak, and each
-        is normalised on its own. With derivatives wavelengths that channels share are computed for each of them.
+        ``method`` (of one wavelength), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill``,
+        ``blur``, ``derivatives`` and ``threads`` as of :func:`lommel.psf`. The tolerance is that of each channel, over
+        its own peak, and each is normalised on its own. With derivatives, blur, and pixels that are not square or not
+        whole, wavelengths that channels share are computed for each of them.
 
     Returns
     -------
@@ -139,7 +143,7 @@ def colour_psf(
     derivatives = rest.pop("derivatives", ())
     plan = Plan(shape, pixel, **rest)
     sums = [Polychromatic([w for w, _ in each], [s for _, s in each], plan.method, plan.tol) for _, each in light]
-    if derivatives:
+    if derivatives or not plan.plain:
         rest |= {"tol": None}
         made = [Plan(shape, pixel, **rest | {"method": each})(pupil, derivatives=derivatives) for each in sums]
         return ColourPSF(light, tuple(made))

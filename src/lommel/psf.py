@@ -187,7 +187,8 @@ class Plan:
         self._sampled = self._averaged if self._averaged.partly else Grid(shape, pixel, center=center)
         if integrate is False and self._averaged.partly:
             raise ValueError(f"integrate must not be False with fill={validation.shown(fill)}: samples have no area")
-        self._plain = self._averaged.square and not self.blur
+        # Whether methods take pixels and light as they are.
+        self.plain = self._averaged.square and not self.blur
         self.method, self.tol = method, tol
         self.normalize = validation.choice("normalize", normalize, ("energy", "emitted", "strehl", "peak"))
         self.dtype = wanted.output_type(dtype, tol)
@@ -198,7 +199,7 @@ class Plan:
         """Compute the PSF of `pupil`; see :func:`psf`."""
         if places := self._sampled.stack:
             pupil = wanted.for_axes(imaged(pupil), places)
-        if not self._plain:
+        if not self.plain:
             return self._spread(imaged(pupil), derivatives, out)
         light = imaged(pupil).aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
         asked = self._asked

@@ -107,21 +107,20 @@ def rebuild(values: Any, description: dict[str, Any], kind: type[Made]) -> tuple
 
 def npz(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
     """Return an archive of the values and the description."""
-    values = np.ascontiguousarray(answer.values)
-    said = np.array(json.dumps(sealed(description, {"values": values}), allow_nan=False))
-    return atomic.contents(np.savez_compressed, allow_pickle=False, description=said, values=values)
+    return psf_numpy.archive({"values": np.ascontiguousarray(answer.values)}, description)
 
 
 def _tiff(answer: AnswerChannels[Any], description: dict[str, Any]) -> bytes:
     import tifffile
 
     metric, values = answer.unit == "m", np.ascontiguousarray(answer.values)
-    size, unit = (answer.pixel * 1e6, "µm") if metric else (answer.pixel, "reference frame")
+    factor, unit = (1e6, "µm") if metric else (1.0, "reference frame")
+    high, wide = (side * factor for side in answer.grid.pitch)
     metadata: dict[str, Any] = {
         "axes": "CYX" if values.ndim == 3 else "ZCYX",
-        "PhysicalSizeX": size,
+        "PhysicalSizeX": wide,
         "PhysicalSizeXUnit": unit,
-        "PhysicalSizeY": size,
+        "PhysicalSizeY": high,
         "PhysicalSizeYUnit": unit,
         "Channel": {"Name": list(answer.names)},
         "Name": "point spread function",

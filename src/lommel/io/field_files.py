@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import stat
+from collections.abc import Callable
 from functools import partial
 from os import PathLike
 from pathlib import Path

@@ -10,6 +10,7 @@ import zipfile
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base import atomic, reading
 from lommel.base.checksums import sealed
@@ -45,14 +46,19 @@ def read_npy(data: bytes) -> tuple[dict[str, Any], str]:
 def npz(psf: Answer, description: dict[str, Any]) -> bytes:
     """Return an archive of the values, the derivatives and the description."""
     arrays = {"values": psf.values} | {f"{SLOPE}{name}": values for name, values in psf.derivatives.items()}
+    return archive(arrays, description)
+
+
+def archive(arrays: dict[str, NDArray[Any]], description: dict[str, Any]) -> bytes:
+    """Return an archive of arrays and their description."""
     # As bytes: readers of NumPy's files in other languages know no text.
     said = np.frombuffer(_text(description, arrays).encode(), np.uint8)
     file = io.BytesIO()
     # As NumPy would, but with sizes of 32 bits where these do, which is what other readers know.
-    with zipfile.ZipFile(file, "w") as archive:
+    with zipfile.ZipFile(file, "w") as made:
         for name, values in (arrays | {"description": said}).items():
             array = atomic.contents(np.save, values, allow_pickle=False)
-            archive.writestr(zipfile.ZipInfo(f"{name}.npy"), array, zipfile.ZIP_DEFLATED)
+            made.writestr(zipfile.ZipInfo(f"{name}.npy"), array, zipfile.ZIP_DEFLATED)
     return file.getvalue()
 
 

@@ -197,7 +197,7 @@ def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:
 def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dict[str, Any]:
     """Return what there is to say about PSFs over the field: lengths in metres, one entry for each of the grid."""
     place = {"sensor": list(grid.sensor), "x": grid.x.tolist(), "y": grid.y.tolist()}
-    answer = checked(grid.psf)
+    answer: Any = checked(grid.psf)
     energy = {"energy": np.asarray(answer.energy).tolist()}
     return {"name": instrument.name, "source": instrument.source} | place | energy | how_made(answer, seconds)
 

@@ -17,6 +17,7 @@ from lommel.base.arrays import Array
 from lommel.base.units import format_length
 from lommel.base.validation import brief
 from lommel.measures.answer import Answer
+from lommel.measures.answer_channels import AnswerChannels
 from lommel.measures.answer_grid import AnswerGrid
 from lommel.measures.aperture_means import rms
 from lommel.measures.energy import energy_per_pixel
@@ -75,21 +76,27 @@ def psf(answer: Answer) -> str:
 def grid(thing: AnswerGrid) -> str:
     """Return a grid of PSFs, each over its largest value."""
     rows, columns = thing.values.shape[:2]
+    one: Answer = thing.psf[len(thing.psf) // 2] if isinstance(thing.psf, AnswerChannels) else thing.psf
+    first = () if thing.depths is None else (0,)
 
     def picture() -> str:
         at_rows, at_columns = few(list(range(rows)), 5), few(list(range(columns)), 7)
-        parts = [[_lit(png.smaller(_window(thing.psf, (i, j)), 48)) for j in at_columns] for i in at_rows]
+        parts = [[_lit(png.smaller(_window(one, (i, j, *first)), 48)) for j in at_columns] for i in at_rows]
         values = np.concatenate([np.concatenate(line, axis=1) for line in parts])
         return png.image(values, "light", "square roots of the values over the largest of each", 280)
 
     high, wide = (_length(side, thing.unit) for side in thing.sensor)
     told: list[Row] = [
         ("sensor", f"{high} × {wide}"),
-        ("pixels of each", _pixels(thing.psf)),
+        ("pixels of each", _pixels(one)),
         ("values", f"{thing.values.dtype}, {MEANING[thing.psf.normalize]}"),
-        ("method", type(thing.psf.method).__name__),
+        ("method", type(one.method).__name__),
         ("pupil", _light(thing.psf.pupil)),
     ]
+    if isinstance(thing.psf, AnswerChannels):
+        told.insert(1, ("channels", ", ".join(thing.psf.names)))
+    if thing.depths is not None:
+        told.insert(1, ("distances", _places(thing.depths)))
     return _html(f"PSFGrid, {rows} × {columns}", told, picture, "square root, each over its largest value")
 
 

@@ -159,7 +159,7 @@ class Request:
 def requested(
     pupils: Any,
     shape: Any,
-    pixel: float,
+    pixel: float | tuple[float, float],
     axes: Mapping[str, Any] | None,
     chunk: int | None,
     options: Options,

@@ -112,6 +112,16 @@ def test_a_stack_in_parts_is_the_stack(monkeypatch):
     assert made == pytest.approx(whole, abs=2e-9 * whole.max())
 
 
+def test_values_over_their_peak_are_the_same_ones():
+    pupil = OIL.pupil(depth=0.0, z=[-2e-7, 1e-7], wavelength=WAVE, aberrations=FIVE)
+    made = lm.psf(pupil, 9, PIXEL, integrate=False, normalize="peak")
+    plain = lm.psf(pupil, 9, PIXEL, integrate=False, tol=1e-9)
+    assert made.values.max(axis=(1, 2)) == pytest.approx(np.ones(2), abs=2e-7)
+    expected = plain.values / plain.values.max(axis=(1, 2), keepdims=True)
+    assert made.values == pytest.approx(expected, abs=made.error_bound + 1e-8)
+    assert made.error_bound <= 1e-6
+
+
 @pytest.mark.parametrize("integrate", [True, False])
 def test_each_plane_may_have_its_own_axis(integrate):
     pupil = OIL.pupil(depth=0.0, z=[[-2e-7], [1e-7]], wavelength=WAVE, aberrations=FIVE)
@@ -200,7 +210,7 @@ def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
     theta = np.linspace(0.0, 2.0 * np.pi, 201)[:, None]
     for piece in pupil_pieces.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, pupil_pieces.Model()):
         bound = azimuths.growth(piece, terms)
-        discs = piece.covered[0]
+        discs = piece.covered.at.x
         for row, turn in ((3, 0.3), (12, -1.0), (20, 2.0), (20, 5.0)):
             x = discs.centre[row] + 0.999 * discs.radius[row] * np.exp(1j * turn)
             rho = np.sqrt(piece.square(x)) / piece.layers.NA

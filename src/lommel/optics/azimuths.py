@@ -120,8 +120,8 @@ def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> 
 @lru_cache(maxsize=16)
 def growth(piece: Piece, terms: Sizes) -> Array:
     """Return the logarithm of a bound on ``abs(exp(i W))`` at any azimuth, on each disc around a piece."""
-    x, height = piece.covered.x, piece.covered.height
-    square = piece.square(x) * piece.layers.NA**-2
+    at, height = piece.covered.at, piece.covered.height
+    square = at.square * piece.layers.NA**-2
     root = np.sqrt(square.largest)
     total = np.zeros(height.shape)
     for (n, m), w in terms:

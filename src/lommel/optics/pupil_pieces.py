@@ -29,7 +29,7 @@ from lommel.special.discs import Disc, disc, windings
 
 _ETA = np.geomspace(4e-3, 2.5, 28)
 _ARCS = 1024
-_GLANCE = 48  # points of an ellipse
+_GLANCE = 24  # points of an ellipse
 _ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1)}
 _ODD = ("radial", "azimuthal")
 # Where the centre ends, in 1 - c and in rho over n / NA: as far from rho = n / NA as the rest is from rho = 0.

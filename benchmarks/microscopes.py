@@ -50,6 +50,8 @@ def microscopes(settings: Settings) -> Table:
             _add(settings, table, one, [one, *others[1:]], _checked(one, side, integrate=True))
     fresh = _contender("64 planes of 257², a new objective", 257, _new, integrate=False)
     _add(settings, table, fresh, [fresh, _lens(257, 64)], None)
+    measured = _contender("64 planes of 257², five Zernike terms on top", 257, _measured, integrate=False)
+    _add(settings, table, measured, [measured, _lens(257, 64, _FIVE)], None)
     centers = 12 + np.random.default_rng(7).uniform(-0.5, 0.5, (2, 1000))
     ways: list[tuple[str, dict[str, Any]]] = [
         ("1000 of 25², each at its own depth and stage", {"integrate": False}),
@@ -65,6 +67,7 @@ def microscopes(settings: Settings) -> Table:
     return table
 
 
+_FIVE = lm.Wavefront.zernike({5: 0.08, 6: -0.04, 7: 0.05, 8: 0.03, 11: -0.04}, order="noll", unit="waves")
 _SLOPES = ("z", "row", "column")
 
 
@@ -79,6 +82,12 @@ def _focal(k: int, planes: int) -> ObjectivePupil:
     """Return a stack through focus, none like another."""
     z = (np.arange(planes) - planes // 2) * 2e-7 + 1e-13 * k
     return _OBJECTIVE.pupil(depth=2e-6, z=z, wavelength=_WAVE)
+
+
+def _measured(k: int) -> ObjectivePupil:
+    """Return such a stack with a measured wavefront; the lens beside it has the same terms."""
+    z = (np.arange(64) - 32) * 2e-7 + 1e-13 * k
+    return _OBJECTIVE.pupil(depth=2e-6, z=z, wavelength=_WAVE, aberrations=_FIVE)
 
 
 def _random(k: int) -> ObjectivePupil:
@@ -108,9 +117,10 @@ def _contender(
     return Contender(name, call, fresh=lambda count: [stack(k) for k in range(count)], values=intensity)
 
 
-def _lens(side: int, planes: int) -> Contender:
+def _lens(side: int, planes: int, more: lm.Wavefront | None = None) -> Contender:
     def fresh(count: int) -> list[lm.Pupil]:
-        return [lm.Pupil(lm.Wavefront(np.linspace(-20.0, 20.0, planes) + 1e-9 * k)) for k in range(count)]
+        through = [lm.Wavefront(np.linspace(-20.0, 20.0, planes) + 1e-9 * k) for k in range(count)]
+        return [lm.Pupil(each if more is None else each + more) for each in through]
 
     pixel = _NM * 2.0 * _OBJECTIVE.NA / _WAVE
     return Contender(_LENS, lambda pupil: lm.psf(pupil, side, pixel, threads=1), fresh=fresh, values=intensity)

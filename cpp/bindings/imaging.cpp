@@ -6,7 +6,7 @@
 #include <nanobind/stl/optional.h>
 
 #include "lommel/imaging/levels.hpp"
-#include "lommel/imaging/product.hpp"
+#include "lommel/base/product.hpp"
 #include "lommel/imaging/spread.hpp"
 
 #include "python.hpp"

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "lommel/special/bessel.hpp"
+#include "lommel/special/fft.hpp"
 #include "lommel/special/fresnel.hpp"
 #include "lommel/special/legendre.hpp"
 
@@ -59,6 +60,7 @@ Out<complex, 1> fresnel_auxiliary(In<double, 1> s) {
 
 void bindings::define_special(nb::module_& m) {
     m.def("bessel_sequence", &bessel_sequence, "v"_a, "count"_a, "J_0 .. J_{count-1} at each v >= 0.");
+    m.def("fft_length", &lommel::RowFft<double>::length, "least"_a, "The next length that transforms over angles have.");
     m.def("legendre_transforms", &legendre_transforms, "v"_a, "terms"_a,
           "2 (-1)^n J_{2n+1}(v) / v for n < terms, at each v >= 0.");
     m.def("gauss_legendre", &gauss_legendre, "n"_a, "Nodes and weights on [-1, 1].");

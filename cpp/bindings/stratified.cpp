@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lommel/stratified/images.hpp"
+#include "lommel/stratified/rings_image.hpp"
 
 #include "pupils.hpp"
 
@@ -124,6 +125,49 @@ std::pair<Out<double, 3>, Out<double, 1>> layered_profiles(In<double, 1> rho, In
     return {values, bounds};
 }
 
+lommel::RingTaps taps_of(const In<double, 2>& polynomials, std::size_t count) {
+    require(polynomials.shape(0) > 0 && polynomials.shape(1) == lommel::RingTaps::most, "taps are sixteen polynomials");
+    require(count >= 4 && count <= lommel::RingTaps::most && count % 2 == 0, "of taps there are 4 to 16, an even number");
+    return {polynomials.data(), polynomials.shape(0), count};
+}
+
+// Images of planes with any wavefront: Bessel functions (orders, circles, nodes), parts (n or 1, 2 orders - 1, fields, nodes),
+// waves (n, nodes) and power (n,); how circles are filtered, taps of both ways and how many these are, gains and aliases (2, m).
+template <class T>
+Out<double, 2> ringed_images(In<double, 3> bessel, In<complex, 4> parts, In<complex, 2> waves, In<double, 1> power,
+                             std::size_t angles, In<double, 1> filter, In<double, 2> along, In<double, 2> around,
+                             std::pair<std::size_t, std::size_t> taps, In<double, 2> gains, In<double, 2> centers, double step,
+                             In<double, 1> scales, int threads, Out<T, 3> images) {
+    const std::size_t n = waves.shape(0), orders = bessel.shape(0), circles = bessel.shape(1), nodes = bessel.shape(2);
+    const std::size_t fields = parts.shape(2), height = images.shape(1), width = images.shape(2);
+    require(n > 0 && orders > 0 && nodes > 0 && fields > 0 && height > 0 && width > 0 && threads >= 0, "nothing may be empty");
+    require(parts.shape(0) == n || parts.shape(0) == 1, "one wavefront, or one a plane");
+    require(parts.shape(1) == 2 * orders - 1 && parts.shape(3) == nodes && waves.shape(1) == nodes, "one value a node");
+    require(power.shape(0) == n && scales.shape(0) == n && images.shape(0) == n, "one image, power and scale a plane");
+    require(gains.shape(0) == 2 && gains.shape(1) == 2 * orders - 1, "a gain and an alias for each order of the intensity");
+    require(angles == lommel::RowFft<double>::length(angles) && angles >= 4 * orders - 3, "too few angles, or no length");
+    const lommel::RingLight light{bessel.data(),  orders, circles,      nodes,        parts.data(),
+                                  parts.shape(0), fields, waves.data(), power.data(), n};
+    const lommel::RingSteps steps{angles,
+                                  filter.data(),
+                                  filter.shape(0),
+                                  taps_of(along, taps.first),
+                                  taps_of(around, taps.second),
+                                  gains.data(),
+                                  gains.data() + gains.shape(1),
+                                  gains.shape(1)};
+    require(steps.filters > 0, "a filter has one weight at least");
+    require_centers(centers, centers.shape(0) == 1 ? 1 : n);
+    const lommel::RingWindow window{height, width, centers.data(), centers.shape(0), step};
+    const double most = window.farthest() * step + static_cast<double>(steps.before() + steps.filters) + 1.0;
+    require(step > 0.0 && most <= static_cast<double>(circles), "too few circles for the window");
+    auto numbers = new_array<double, 2>({lommel::RingNumbers::count(fields), n});
+    released([&] {
+        lommel::RingImages<T>(light, steps, window, threads).run(scales.data(), images.data(), {numbers.data(), n, fields});
+    });
+    return numbers;
+}
+
 }  // namespace
 
 void bindings::define_stratified(nb::module_& m) {
@@ -136,6 +180,13 @@ void bindings::define_stratified(nb::module_& m) {
             "Images of planes through layers, and of each in `numbers` what it is multiplied by (0 on entry: over its largest "
             "value), the bound on its error over the peak, and that peak; False, with nothing written, for windows that this "
             "has no way for.");
+        m.def(
+            "ringed_images", &ringed_images<decltype(pixel)>, "bessel"_a, "parts"_a, "waves"_a, "power"_a, "angles"_a,
+            "filter"_a, "along"_a, "around"_a, "taps"_a, "gains"_a, "centers"_a, "step"_a, "scales"_a, "threads"_a,
+            "images"_a.noconvert(),
+            "Images of planes with any wavefront, interpolated between circles, times scales. Returns of each plane the "
+            "largest square of each field, the largest intensity on circles, what its orders may be off by and their sum, and "
+            "the largest pixel.");
     });
     m.def("layered_profiles", &layered_profiles, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a, "forms"_a, "turns"_a,
           "v"_a, "threads"_a, "The orders of the azimuth of the intensity at rising v, and what their sum is off by.");

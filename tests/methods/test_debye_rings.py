@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel import _core
 from lommel.methods import debye_rings
 from lommel.methods.debye_rings import DebyeRings
-from lommel.optics import azimuths, pupil_pieces
+from lommel.optics import azimuths, debye, pupil_pieces
 from plane_waves import intensity
 
 WAVE, PIXEL = 520e-9, 6.5e-6
@@ -69,6 +70,25 @@ def test_no_error_is_above_its_bound_nor_that_above_the_tolerance(seed):
     assert made.error_bound <= tol
 
 
+@pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
+@pytest.mark.parametrize("tol", [1e-6, 1e-9])
+def test_wide_windows_are_within_the_bound_whatever_the_instructions(level, tol):
+    z = np.linspace(-2e-6, 2e-6, 11)
+    pupil = OIL.pupil(depth=2e-6, z=z, wavelength=WAVE, aberrations=FIVE)
+    _core.limit_instructions(level)
+    try:
+        made = lm.psf(pupil, (81, 97), PIXEL, tol=tol, integrate=False, threads=2)
+    finally:
+        _core.limit_instructions("avx512")
+    assert made.error_bound <= tol
+    rng = np.random.default_rng(5)
+    y, x = np.append([40, 39, 0, 80], rng.integers(0, 81, 12)), np.append([48, 48, 96, 0], rng.integers(0, 97, 12))
+    for k in (0, 4, 10):
+        exact = intensity(OIL, pupil[k], PIXEL * (x - 48.0), PIXEL * (y - 40.0), 140, 420)[0] / pupil[k].power
+        found = made.values[k][y, x] / np.asarray(made.scale).ravel()[k % np.asarray(made.scale).size]
+        assert np.abs(found - exact).max() <= made.error_bound * made.values[k].max() * 1.01 + 1e-13
+
+
 def test_a_stack_of_wavefronts_is_each_of_them():
     wave = lm.Wavefront.zernike({(2, 2): [0.2, -0.4], (3, 1): 0.3, (1, 1): [0.5, 0.0]})
     pupil = OIL.pupil(depth=1e-6, z=[[0.0], [0.2e-6]], wavelength=WAVE, aberrations=wave)
@@ -84,13 +104,22 @@ def test_a_stack_of_wavefronts_is_each_of_them():
 
 
 def test_a_stack_in_parts_is_the_stack(monkeypatch):
-    wave = lm.Wavefront.zernike({(2, 2): [0.2, -0.4, 0.1], (3, 1): 0.3})
-    pupil = OIL.pupil(depth=[0.0, 1e-7, 1e-6], wavelength=WAVE, aberrations=wave)
+    wave = lm.Wavefront.zernike({(2, 2): np.linspace(-0.4, 0.3, 19), (3, 1): 0.3})
+    pupil = OIL.pupil(depth=np.linspace(0.0, 1e-6, 19), wavelength=WAVE, aberrations=wave)
     whole = lm.psf(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
-    for name in ("_VALUES", "_KEPT", "_WEIGHTS"):
-        monkeypatch.setattr(debye_rings, name, 10_000)
-        made = lm.psf(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
-        assert made == pytest.approx(whole, abs=2e-9 * whole.max())
+    monkeypatch.setattr(debye_rings, "_PARTS", 1)
+    made = lm.psf(pupil, 9, PIXEL, tol=1e-9, integrate=False).values
+    assert made == pytest.approx(whole, abs=2e-9 * whole.max())
+
+
+def test_values_over_their_peak_are_the_same_ones():
+    pupil = OIL.pupil(depth=0.0, z=[-2e-7, 1e-7], wavelength=WAVE, aberrations=FIVE)
+    made = lm.psf(pupil, 9, PIXEL, integrate=False, normalize="peak")
+    plain = lm.psf(pupil, 9, PIXEL, integrate=False, tol=1e-9)
+    assert made.values.max(axis=(1, 2)) == pytest.approx(np.ones(2), abs=2e-7)
+    expected = plain.values / plain.values.max(axis=(1, 2), keepdims=True)
+    assert made.values == pytest.approx(expected, abs=made.error_bound + 1e-8)
+    assert made.error_bound <= 1e-6
 
 
 @pytest.mark.parametrize("integrate", [True, False])
@@ -128,19 +157,48 @@ def test_in_one_medium_with_a_small_aperture_it_is_the_scalar_lens():
         assert here.values == pytest.approx(there.values, abs=5e-8 * there.values.max())
 
 
-@pytest.mark.parametrize("terms", [{(2, 2): 3.0}, {(3, 1): 1.0, (4, -4): 2.0}, {(8, 2): 0.5, (6, 0): 4.0}])
+WAVEFRONTS = [{(2, 2): 3.0}, {(3, 1): 1.0, (4, -4): 2.0}, {(8, 2): 0.5, (6, 0): 4.0}]
+
+
+@pytest.mark.parametrize("terms", WAVEFRONTS)
 def test_orders_left_out_are_less_than_they_are_proven_to_be(terms):
     wave = lm.Wavefront(nonradial={t: c for t, c in terms.items() if t[1]}, spherical=terms.get((6, 0), 0.0))
     rho = np.linspace(0.0, 1.0, 9)
-    found = azimuths.components(wave, rho, azimuths.Orders(60, 256, 0.0))[0]
+    found = azimuths.samples(wave, rho, azimuths.Orders(60, 256, 0.0))[0]
     for error in (1e-2, 1e-5, 1e-9):
         kept = azimuths.orders(azimuths.sizes(wave), error)
-        few = azimuths.components(wave, rho, kept)[0]
+        few = azimuths.samples(wave, rho, kept)[0]
         off = np.abs(found).sum(axis=0) - np.abs(found[60 - kept.most : 61 + kept.most]).sum(axis=0)
         off += np.abs(few - found[60 - kept.most : 61 + kept.most]).sum(axis=0)
         assert off.max() <= kept.error + 1e-13
         assert kept.error <= error
         assert kept.most < 58
+
+
+@pytest.mark.parametrize("terms", WAVEFRONTS)
+def test_as_few_orders_as_a_rule_needs_are_kept(terms):
+    waves = [lm.Wavefront.zernike({t: share * c for t, c in terms.items()}) for share in (1.0, 0.5)]
+    pupil = OIL.pupil(depth=0.1e-6, wavelength=WAVE)
+    at = pupil.depth.ravel(), pupil.focus.ravel()
+    rule = debye.rule(pupil.layers, pupil_pieces.Model(), *at, 20.0, 1e-9)
+    wave = lm.Wavefront.zernike({t: [c, 0.5 * c] for t, c in terms.items()})
+    sizes = azimuths.sizes(wave)
+    for error in (1e-2, 1e-5, 1e-9):
+        across, left = azimuths.components(wave, sizes, rule, error)
+        most = across.shape[1] // 2
+        assert left <= 1.02 * error
+        worst = 0.0
+        for each, made in zip(waves, across, strict=True):
+            found = azimuths.samples(each, rule.rho, azimuths.Orders(120, 512, 0.0))[0]
+            found[120 - most : 121 + most] -= made
+            off = np.abs(found).sum(axis=0)
+            worst = max(worst, *(float((np.abs(part) * off).sum()) for part in rule.parts))
+        assert worst <= left + 1e-13
+        # One order fewer would not do, and many fewer are kept than hold for all radii.
+        assert most < azimuths.orders(sizes, error).most
+        if most:
+            fewer, more = azimuths.components(wave, sizes, rule, 0.99 * left)
+            assert fewer.shape[1] // 2 > most or more <= left
 
 
 @pytest.mark.parametrize(
@@ -152,7 +210,7 @@ def test_the_growth_of_the_wavefront_is_above_every_sample(terms):
     theta = np.linspace(0.0, 2.0 * np.pi, 201)[:, None]
     for piece in pupil_pieces.pieces(OIL.pupil(depth=0.0, wavelength=WAVE).layers, pupil_pieces.Model()):
         bound = azimuths.growth(piece, terms)
-        discs = piece.covered[0]
+        discs = piece.covered.at.x
         for row, turn in ((3, 0.3), (12, -1.0), (20, 2.0), (20, 5.0)):
             x = discs.centre[row] + 0.999 * discs.radius[row] * np.exp(1j * turn)
             rho = np.sqrt(piece.square(x)) / piece.layers.NA

@@ -132,10 +132,11 @@ def by_halves(of, model, depth, focus, v):
                 (0.5 * (piece.low + piece.high), piece.high),
             ):
                 x, w = gauss_legendre(n, low, high)
-                fixed, by_depth, by_focus = piece.rates(x)
+                at = pupil_pieces.At(piece, x)
+                fixed, by_depth, by_focus = piece.rates(at)
                 wave = np.exp(1j * (fixed + np.outer(depth, by_depth) + np.outer(focus, by_focus))) * w
-                rho = np.sqrt(piece.square(x)) / of.NA
-                for order, part, sum_ in zip(model.orders, piece.parts(x, model), total, strict=True):
+                rho = np.sqrt(at.square) / of.NA
+                for order, part, sum_ in zip(model.orders, piece.parts(at, model), total, strict=True):
                     sum_ += (wave * part) @ jv(order, np.outer(rho, v))
         if before is not None and max(np.abs(a - b).max() for a, b in zip(total, before, strict=True)) < 1e-12:
             return total
@@ -165,10 +166,11 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
         for row in fit[:: max(1, fit.size // 5)]:
             half = 0.5 * (piece.high - piece.low)
             x = piece.low + half * (1 + np.cos(theta + 1j * pupil_pieces._ETA[row]))
-            fixed, by_depth, by_focus = piece.rates(x)
-            rho = np.sqrt(piece.square(x)) / of.NA
+            at = pupil_pieces.At(piece, x)
+            fixed, by_depth, by_focus = piece.rates(at)
+            rho = np.sqrt(at.square) / of.NA
             wave = np.exp(1j * (fixed + depth * by_depth + focus * by_focus))
-            pairs = zip(model.orders, piece.parts(x, model), strict=True)
+            pairs = zip(model.orders, piece.parts(at, model), strict=True)
             parts = [0.0, *(np.abs(wave * part * jv(m, v * rho)).max() for m, part in pairs)]
             largest = math.log(max(*parts, 1e-300))  # J1 is 0 on the axis
             assert largest <= growth[row] <= largest + above
@@ -177,7 +179,7 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
 @pytest.mark.parametrize(("of", "model"), [(OIL, VECTOR), (DRY, VECTOR), (TIRF, pupil_pieces.Model("azimuthal"))])
 def test_the_discs_cover_each_ellipse(of, model):
     for piece in pupil_pieces.pieces(of, model):
-        discs = piece.covered.x
+        discs = piece.covered.at.x
         half = 0.5 * (piece.high - piece.low)
         # The ends and the middles of the arcs, and near them.
         arc = 2 * np.pi * (np.arange(1024) + 0.5) / 1024

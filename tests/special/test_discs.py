@@ -104,3 +104,12 @@ def test_a_curve_that_may_meet_zero_has_no_number_of_windings():
     x = circle(1.0, 64)
     assert windings(x - 1.0) == -1
     assert windings(x - 1.2) == 0
+
+
+@pytest.mark.parametrize("turns", [-2, -1, 0, 1, 3])
+@pytest.mark.parametrize("start", [0.0, 1.0, np.pi])
+def test_windings_count_turns_of_either_sense_from_anywhere(turns, start):
+    theta = 2.0 * np.pi * np.arange(40) / 40.0
+    centre = (1.5 + np.cos(3.0 * theta + start)) * np.exp(1j * (turns * theta + start + 0.3 * np.sin(theta)))
+    curves = Disc(np.stack([centre, centre + 4.0]), np.full((2, 40), 1e-3))
+    assert windings(curves).tolist() == [turns, 0]

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from lommel import _core
 from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Images, Intensities, Slopes, Wanted, not_met
+from lommel.core.layers import Layered, Ringed, Rings
 
 # As the core has them.
 average_samples = _core.average_samples
@@ -23,6 +24,7 @@ chebyshev_intensity = _core.chebyshev_intensity
 closed_form_field = _core.closed_form_field
 collect = _core.collect
 distinct_radii = _core.distinct_radii
+fft_length = _core.fft_length
 gauss_error = _core.gauss_error
 gauss_legendre = _core.gauss_legendre
 huygens_sum = _core.huygens_sum
@@ -251,35 +253,6 @@ def radial_profiles(stack: RadialStack, v: Array, tol: float, threads: int = 1) 
     return Intensities(values, bounds, peaks)
 
 
-class Layered(NamedTuple):
-    """Planes through layers: angles, and what their light is made of.
-
-    Attributes
-    ----------
-    rho : ndarray, shape (q,)
-    parts : ndarray of complex, shape (m, q)
-        Of orders 0, 1, ..., with the weights of the rule.
-    rates : ndarray of complex, shape (3, q)
-        The phase, and its derivatives by depth and focus.
-    error : float
-        What each part of the field is proven to err by.
-    planes : ndarray, shape (3, n)
-        Depth, focus and power.
-    forms : ndarray of complex, shape (k, m, m)
-        Hermitian, of each order of the azimuth.
-    turns : ndarray, shape (k, 3)
-        That order, and the factors of its cosine and its sine; order 0 first.
-    """
-
-    rho: Array
-    parts: NDArray[np.complex128]
-    rates: NDArray[np.complex128]
-    error: float
-    planes: Array
-    forms: NDArray[np.complex128]
-    turns: Array
-
-
 BY_DEPTH, BY_FOCUS, BY_AXIS = 0, 1, 2
 """By what :func:`layered_images` differentiates."""
 
@@ -331,6 +304,13 @@ def layered_images(
 def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
     """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, ``(n,)``."""
     return _core.layered_profiles(*asked, v, threads)
+
+
+def ringed_images(asked: Rings, window: Window, scales: Array, threads: int, out: NDArray[Any]) -> Ringed:
+    """Write intensities times scales; the step of the window is in circles, its centers are (n or 1, 2)."""
+    centers = np.ascontiguousarray(window.center, dtype=np.float64)
+    made = _core.ringed_images(*asked, centers, window.step, np.ascontiguousarray(scales), threads, out)
+    return Ringed(made[:-4], *made[-4:])
 
 
 class PixelRadii(NamedTuple):

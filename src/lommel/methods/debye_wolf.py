@@ -12,7 +12,7 @@ from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.methods.averaging import averaged_images
 from lommel.methods.layered import BRIGHT_RING, LEAST, LayeredMethod, settled
-from lommel.methods.method import RadialMethod
+from lommel.methods.method import RadialMethod, painted
 from lommel.methods.subpixel import subpixel_intensity
 from lommel.optics import debye
 from lommel.optics.emitter import Harmonic
@@ -84,6 +84,18 @@ class DebyeWolf(LayeredMethod, RadialMethod):
         if pupil.radial or not grid.integrate or wanted.terms or wanted.powers:
             return super().images(pupil, grid, wanted)
         return averaged_images(self._samples, pupil, grid, self.tol, wanted)
+
+    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+        made = self._centres(pupil, grid, max(tol, LEAST))
+        return painted(made, grid, wanted)._replace(peak=made.peak)
+
+    def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
+        """Return I at the centres of pixels, around one axis or one for each plane."""
+        if not grid.stack:
+            return self._sampled(pupil, grid, tol)
+        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
+        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
+        return Intensities(values, error, peak)
 
     def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         x, y = np.broadcast_arrays(grid.x, grid.y[:, None])

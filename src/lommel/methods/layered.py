@@ -1,8 +1,7 @@
-"""What methods for the pupils of objectives share: a tolerance, and samples around one axis or each plane's own."""
+"""What methods for the pupils of objectives share: a tolerance, and how it is met over peaks yet unknown."""
 
 from __future__ import annotations
 
-from abc import abstractmethod
 from collections.abc import Callable
 from typing import ClassVar
 
@@ -10,9 +9,8 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Intensities, Wanted, not_met
-from lommel.methods.method import Method, painted
-from lommel.optics.grid import Grid
+from lommel.core.answers import Intensities, not_met
+from lommel.methods.method import Method
 from lommel.optics.objective_pupil import ObjectivePupil
 
 LEAST = 1e-15
@@ -20,6 +18,14 @@ LEAST = 1e-15
 
 BRIGHT_RING = 1.8412
 """The maximum of J1 in v: light that is dark on the axis is bright here."""
+
+
+def likely_peak(pupil: ObjectivePupil) -> float:
+    """Return about what light is at its peak in the darkest plane, spread over where paraxial rays arrive."""
+    layers = pupil.layers
+    away = np.abs(pupil.focus - (layers.immersion / layers.sample) * pupil.depth).max()
+    blur = layers.wavenumber * float(away) * layers.NA**2 / layers.immersion
+    return min(0.25, 2.0 / (1.0 + blur**2))
 
 
 def settled(
@@ -43,7 +49,7 @@ def settled(
 
 
 class LayeredMethod(Method):
-    """A method for the pupils of objectives that samples planes around one axis; dataclasses of it have a `tol`."""
+    """A method for the pupils of objectives; dataclasses of it have a `tol`."""
 
     layered: ClassVar[bool | None] = True
     apodized: ClassVar[bool] = True
@@ -51,19 +57,3 @@ class LayeredMethod(Method):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
-
-    @abstractmethod
-    def _sampled(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        """Return I at the centres of pixels around one axis."""
-
-    def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        made = self._centres(pupil, grid, max(tol, LEAST))
-        return painted(made, grid, wanted)._replace(peak=made.peak)
-
-    def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
-        """Return I at the centres of pixels, around one axis or one for each plane."""
-        if not grid.stack:
-            return self._sampled(pupil, grid, tol)
-        alone = [self._sampled(pupil[k], grid[k], tol) for k in np.ndindex(pupil.shape)]
-        values, error, peak = (np.concatenate(part) for part in zip(*alone, strict=True))
-        return Intensities(values, error, peak)

@@ -92,15 +92,15 @@ def _stored(name: Name, values: Array, wrong: Array, pupil: ObjectivePupil, made
     """Return a derivative of images from that of I at a fixed power, as they are stored."""
     assert made.peak is not None
     scale = np.broadcast_to(np.asarray(made.scale, dtype=np.float64), wrong.shape)
-    total = values * scale[:, None, None]
     error = wrong / made.peak
     # What is over the light far from the glass does not change with the light that is collected.
     if name == "depth" and not isinstance(wanted.scale, np.ndarray):
         slope, _ = debye.power(pupil.layers, pupil.depth.ravel(), pupil.light.model, slope=True)
         rate = slope @ pupil.light.shares / pupil.power
-        total -= made.values * rate[:, None, None]
+        values = values - made.values * (rate / scale)[:, None, None]
         assert made.error is not None
         error = error + np.abs(rate) * (made.error + 1e-12)
-    kept = total.astype(wanted.dtype)
-    largest = np.abs(total).reshape(len(total), -1).max(axis=1)
-    return Slope(kept, error + (storing(wanted.dtype) + 2.0**-48) * largest / (made.peak * scale))
+    kept = np.empty(values.shape, wanted.dtype)
+    np.multiply(values, scale[:, None, None], out=kept, casting="same_kind")
+    largest = np.maximum(values.max(axis=(1, 2)), -values.min(axis=(1, 2)))
+    return Slope(kept, error + (storing(wanted.dtype) + 2.0**-48) * largest / made.peak)

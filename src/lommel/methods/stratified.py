@@ -16,8 +16,10 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
-from lommel.core.engine import Layered, Window, layered_images, layered_profiles
+from lommel.core.engine import Window, layered_images, layered_profiles
+from lommel.core.layers import Layered
 from lommel.methods.debye_wolf import DebyeWolf
+from lommel.methods.layered import likely_peak
 from lommel.optics import debye
 from lommel.optics.debye import Rule
 from lommel.optics.emitter import Light
@@ -98,7 +100,7 @@ class _Accuracy(NamedTuple):
 
 def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: ObjectivePupil, tol: float) -> T | None:
     """Return what the first attempt made whose bound is at most `tol`; None where there is none, or it made none."""
-    peak = _likely_peak(pupil)
+    peak = likely_peak(pupil)
     while True:
         # Powers of two, so that angles and tables serve others too.
         field = max(_LEAST, 2.0 ** math.floor(math.log2(_FIELD * tol * math.sqrt(peak))))
@@ -108,14 +110,6 @@ def _settled(attempt: Callable[[_Accuracy], tuple[T | None, float]], pupil: Obje
         if field <= _LEAST:
             return None
         peak *= max(1e-6, min(0.25, 0.5 * tol / worst))
-
-
-def _likely_peak(pupil: ObjectivePupil) -> float:
-    """Return about what light is at its peak in the darkest plane, spread over where paraxial rays arrive."""
-    layers = pupil.layers
-    away = np.abs(pupil.focus - (layers.immersion / layers.sample) * pupil.depth).max()
-    blur = layers.wavenumber * float(away) * layers.NA**2 / layers.immersion
-    return min(0.25, 2.0 / (1.0 + blur**2))
 
 
 def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images | None:

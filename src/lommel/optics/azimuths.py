@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
+from lommel.optics.debye import Rule
 from lommel.optics.pupil_pieces import Piece
 from lommel.optics.wavefront import Wavefront
 
@@ -91,7 +92,7 @@ def orders(terms: Sizes, error: float) -> Orders:
     )
 
 
-def components(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.complex128]:
+def samples(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.complex128]:
     """Return P_m at each rho, shape ``(n, 2 most + 1, len(rho))``, m from -most on, of a flattened stack."""
     theta = 2.0 * np.pi / kept.angles * np.arange(kept.angles)
     phases = wavefront.flattened().phase(np.minimum(rho[:, None], 1.0), theta)
@@ -99,11 +100,28 @@ def components(wavefront: Wavefront, rho: Array, kept: Orders) -> NDArray[np.com
     return np.moveaxis(found[..., np.arange(-kept.most, kept.most + 1)], -1, 1)
 
 
+def components(wavefront: Wavefront, terms: Sizes, rule: Rule, error: float) -> tuple[NDArray[np.complex128], float]:
+    """Return as few P_m, m from -most to most, as err by about `error` in sums by a rule, and a bound on that.
+
+    Those that :func:`orders` proves to be enough are looked at where the rule has its nodes.
+    """
+    size = max(float(np.abs(part).sum()) for part in rule.parts)
+    kept = orders(terms, 0.01 * error / size)
+    found = samples(wavefront, rule.rho, kept)
+    # What orders m and -m can add, the largest of all parts and pupils, and all from m on.
+    weights = np.abs(np.stack(rule.parts))
+    each = (np.abs(found) @ weights.T).max(axis=-1)
+    each = (each + each[:, ::-1])[:, kept.most :].max(axis=0)
+    beyond = np.append(np.cumsum(each[::-1])[::-1], 0.0)[1:]
+    most = int(np.flatnonzero(beyond <= error)[0])
+    return found[:, kept.most - most : kept.most + most + 1], float(beyond[most] + kept.error * size)
+
+
 @lru_cache(maxsize=16)
 def growth(piece: Piece, terms: Sizes) -> Array:
     """Return the logarithm of a bound on ``abs(exp(i W))`` at any azimuth, on each disc around a piece."""
-    x, height = piece.covered.x, piece.covered.height
-    square = piece.square(x) * piece.layers.NA**-2
+    at, height = piece.covered.at, piece.covered.height
+    square = at.square * piece.layers.NA**-2
     root = np.sqrt(square.largest)
     total = np.zeros(height.shape)
     for (n, m), w in terms:

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.optics.pupil_pieces import Complex, Model, Piece, pieces
+from lommel.optics.pupil_pieces import At, Complex, Model, Piece, pieces
 from lommel.optics.stratified import Layers
 from lommel.special.legendre import gauss_legendre
 
@@ -94,9 +94,10 @@ def rule(
             n = piece.nodes(piece.growth(model, depth, focus, v, factor=factor(piece)), tol / len(cut))
         counts.append(n)
         x, w = gauss_legendre(n, piece.low, piece.high)
-        rhos.append(np.sqrt(piece.square(x)) / layers.NA)
-        parts.append([w * part for part in piece.parts(x, model)])
-        rates.append(piece.rates(x))
+        at = At(piece, x)
+        rhos.append(np.sqrt(at.square) / layers.NA)
+        parts.append([w * part for part in piece.parts(at, model)])
+        rates.append(piece.rates(at))
     rho = np.concatenate(rhos)
     joined = tuple(np.concatenate(each) for each in zip(*parts, strict=True))
     fixed, by_depth, by_focus = (np.concatenate(each) for each in zip(*rates, strict=True))
@@ -160,10 +161,11 @@ def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Arra
     steady, fading, faint = np.zeros(len(model.orders)), np.zeros(0), np.zeros((0, len(model.orders)))
     for piece in pieces(layers, model):
         x, w = gauss_legendre(n, piece.low, piece.high)
-        light = np.stack([w * np.abs(part) ** 2 for part in piece.parts(x, model)], axis=1)
+        at = At(piece, x)
+        light = np.stack([w * np.abs(part) ** 2 for part in piece.parts(at, model)], axis=1)
         light /= 2.0 * piece.jacobian(x)[:, None]
         if piece.above:
-            fading, faint = -2.0 * piece.rates(x)[1].imag, light
+            fading, faint = -2.0 * piece.rates(at)[1].imag, light
         else:
             steady += light.sum(axis=0)
     return steady, fading, faint

@@ -25,11 +25,11 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.optics.stratified import Amplitudes, Layers, Values
-from lommel.special.discs import Disc, windings
+from lommel.special.discs import Disc, disc, windings
 
 _ETA = np.geomspace(4e-3, 2.5, 28)
 _ARCS = 1024
-_GLANCE = 48  # points of an ellipse
+_GLANCE = 24  # points of an ellipse
 _ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1)}
 _ODD = ("radial", "azimuthal")
 # Where the centre ends, in 1 - c and in rho over n / NA: as far from rho = n / NA as the rest is from rho = 0.
@@ -64,16 +64,43 @@ class Model:
 
 
 class Covered(NamedTuple):
-    """Ellipses around a piece, each with discs along it: of the variable, the rates of the phase, the amplitudes.
+    """Ellipses around a piece, each with discs along it: the rates of the phase there, the amplitudes.
 
     `height` bounds ``abs(Im rho)``, and `fit` says of each whether it is proven to hold no singularity.
     """
 
-    x: Disc
+    at: At
     rates: tuple[Disc, Disc, Disc]
     amplitudes: Amplitudes
     height: Array
     fit: NDArray[np.bool_]
+
+
+class At:
+    """Points of a piece, or discs: ``(NA rho)^2`` there, cosines in each layer, the transmission; computed once.
+
+    Parameters
+    ----------
+    piece : Piece
+    x : Values
+        In its variable.
+    """
+
+    def __init__(self, piece: Piece, x: Values) -> None:
+        self.x, self.square = x, piece.square(x)
+        self._piece = piece
+        self._known: dict[float, Values] = {}
+
+    def __call__(self, index: float) -> Values:
+        """Return c_m of a layer."""
+        if index not in self._known:
+            self._known[index] = self._piece.cosine(self, index)
+        return self._known[index]
+
+    @cached_property
+    def amplitudes(self) -> Amplitudes:
+        """The transmission."""
+        return self._piece.layers.amplitudes(self, self.square)
 
 
 @dataclass(frozen=True)
@@ -98,33 +125,32 @@ class Piece:
         """Return ``(NA rho)^2``."""
         return self.lowest**2 * (x * x + 1.0 if self.above else x * (2.0 - x))
 
-    def cosine(self, x: Values, index: float) -> Values:
+    def cosine(self, at: At, index: float) -> Values:
         """Return c_m of a layer."""
-        if index == self.lowest:
-            return 1j * x if self.above else 1.0 + 0.0j - x
-        within = 1.0 - self.square(x) * index**-2
-        return within.sqrt() if isinstance(within, Disc) else np.sqrt(within + 0.0j)
+        if self._is_root(index):
+            return _root(1.0 - at.square * index**-2)
+        return 1j * at.x if self.above else 1.0 + 0.0j - at.x
 
-    def amplitudes(self, x: Values) -> Amplitudes:
-        """Return the transmission at x."""
-        return self.layers.amplitudes(lambda index: self.cosine(x, index), self.square(x))
+    def _is_root(self, index: float) -> bool:
+        """Return whether a cosine is one of what may have branch points."""
+        return index != self.lowest
 
-    def rates(self, x: Values) -> tuple[Values, Values, Values]:
+    def rates(self, at: At) -> tuple[Values, Values, Values]:
         """Return the phase without depth and focus, and its derivatives by these."""
-        return self.layers.rates(lambda index: self.cosine(x, index))
+        return self.layers.rates(at)
 
     def jacobian(self, x: Values) -> Values:
         """Return ``rho d rho / dx``."""
         return (x if self.above else 1.0 - x) * (self.lowest / self.layers.NA) ** 2
 
-    def parts(self, x: Array | Complex, model: Model) -> tuple[Complex, ...]:
+    def parts(self, at: At, model: Model) -> tuple[Complex, ...]:
         """Return what multiplies ``exp(i psi) J_m``, in the order of `model`, with the Jacobian."""
-        c_i, c_s = self.cosine(x, self.layers.immersion), self.cosine(x, self.layers.sample)
-        light = self.jacobian(x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
+        c_i, c_s = at(self.layers.immersion), at(self.layers.sample)
+        light = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
         if model.kind == "scalar":
             return (2.0 * light,)
-        t_s, t_p, _ = self.amplitudes(x)
-        sine = np.sqrt(self.square(x)) / self.layers.sample
+        t_s, t_p, _ = at.amplitudes
+        sine = np.sqrt(at.square) / self.layers.sample
         if model.kind == "azimuthal":
             return 0.0 * light, 2.0 * light * t_s
         if model.kind == "radial":
@@ -147,22 +173,27 @@ class Piece:
         # abs(dx/dtheta)^2 / half^2 = sin^2 theta + sinh^2 eta, at most this along the arc.
         slope = np.hypot(np.minimum(np.abs(np.sin(theta)) + 0.5 * step, 1.0), np.sinh(eta)[:, None])
         radius = 0.25 * step * (self.high - self.low) * slope * (1.0 + 1e-12) + 1e-15
-        x = Disc(self._ellipses(eta, theta), radius)
-        rates, amplitudes = self.rates(x), self.amplitudes(x)
+        at = At(self, Disc(self._ellipses(eta, theta), radius))
+        rates, amplitudes = self.rates(at), at.amplitudes
         fit = np.all([windings(each) == 0 for each in amplitudes.denominators], axis=0)
-        fit &= self._in_sheet(x)
+        fit &= self._in_sheet(at)
         if self.odd:
-            fit &= windings(self.square(x)) == 0
-        return Covered(x, rates, amplitudes, self._height(x), fit)
+            fit &= windings(at.square) == 0
+        return Covered(at, rates, amplitudes, self._height(at), fit)
 
-    def _in_sheet(self, x: Disc) -> NDArray[np.bool_]:
+    def _in_sheet(self, at: At) -> NDArray[np.bool_]:
         """Return on which ellipses all cosines are known, and those that may have branch points have none within."""
-        fit = np.ones(x.radius.shape[:-1], np.bool_)
+        fit = np.ones(disc(at.x).radius.shape[:-1], np.bool_)
         for index in {*self._rooted, self.layers.sample}:
-            c = self.cosine(x, index)
-            fit &= np.isfinite(c.radius).all(axis=-1)
-            if index in self._rooted:
-                fit &= (c.centre.real > c.radius).all(axis=-1)
+            c = at(index)
+            if isinstance(c, Disc):
+                fit &= np.isfinite(c.radius).all(axis=-1)
+                if index in self._rooted:
+                    fit &= (c.centre.real > c.radius).all(axis=-1)
+            elif self._is_root(index):
+                fit &= ((c * c).real > 0.0).all(axis=-1)
+            elif index in self._rooted:
+                fit &= (c.real > 0.0).all(axis=-1)
         return fit
 
     @property
@@ -170,9 +201,9 @@ class Piece:
         """The indices of layers whose cosines are roots of what must stay in the right half plane."""
         return self.layers.immersion, self.layers.glass
 
-    def _height(self, x: Disc) -> Array:
+    def _height(self, at: At) -> Array:
         """Return what bounds ``abs(Im rho)``."""
-        square = self.square(x) * self.layers.NA**-2
+        square = at.square * self.layers.NA**-2
         root = np.sqrt(square.centre)
         size = np.maximum(np.abs(root), 1e-300)
         near = np.abs(root.imag) + square.radius / size
@@ -206,16 +237,15 @@ class Piece:
 
     def _glance(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
         """Return what :meth:`growth` may be, from some points of each ellipse: no bound, at a tenth of the cost."""
-        x = self._ellipses(_ETA, (np.arange(_GLANCE) + 0.5) * (2.0 * math.pi / _GLANCE))
-        fixed, by_depth, by_focus = self.rates(x)
-        square, none = self.square(x), np.zeros(x.shape)
-        fit = self._in_sheet(Disc(x, none))
-        for around in (*self.amplitudes(x).denominators, *([square] if self.odd else [])):
-            fit &= windings(Disc(around, none)) == 0
+        at = At(self, self._ellipses(_ETA, (np.arange(_GLANCE) + 0.5) * (2.0 * math.pi / _GLANCE)))
+        fixed, by_depth, by_focus = self.rates(at)
+        fit = self._in_sheet(at)
+        for around in (*at.amplitudes.denominators, *([at.square] if self.odd else [])):
+            fit &= windings(disc(around)) == 0
         with np.errstate(all="ignore"):
-            light = np.log(np.max([np.abs(part) for part in self.parts(x, model)], axis=0))
+            light = np.log(np.max([np.abs(part) for part in self.parts(at, model)], axis=0))
             fading = np.min([(fixed + d * by_depth + f * by_focus).imag for d, f in extremes(depth, focus)], axis=0)
-            found = (light - fading + v / self.layers.NA * np.abs(np.sqrt(square).imag)).max(axis=-1)
+            found = (light - fading + v / self.layers.NA * np.abs(np.sqrt(at.square).imag)).max(axis=-1)
         return np.where(fit & np.isfinite(found), found, np.inf)
 
     def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
@@ -230,7 +260,7 @@ class Piece:
         rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
         covered, _ = _enclosed(self, model, rows)
         # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
-        rho = np.sqrt(self.square(covered.x).largest) / self.layers.NA
+        rho = np.sqrt(covered.at.square.largest) / self.layers.NA
         factors = covered.rates[1].largest, covered.rates[2].largest, rho
         proven = (self._constant() - 2.0 * n * _ETA + growth)[list(rows)]
         by_depth, by_focus, by_v = (float(np.exp((proven + np.log(each.max(axis=-1))).min())) for each in factors)
@@ -272,31 +302,23 @@ class Centre(Piece):
         """Return ``(NA rho)^2``."""
         return x * x * self.layers.NA**2
 
-    def cosine(self, x: Values, index: float) -> Values:
-        """Return c_m of a layer."""
-        within = 1.0 - self.square(x) * index**-2
-        return within.sqrt() if isinstance(within, Disc) else np.sqrt(within + 0.0j)
+    def _is_root(self, index: float) -> bool:
+        return True
 
     def jacobian(self, x: Values) -> Values:
         """Return rho."""
         return x
 
-    def _in_sheet(self, x: Disc) -> NDArray[np.bool_]:
-        """Return on which ellipses all cosines are known, and those that may have branch points have none within."""
-        fit = np.ones(x.radius.shape[:-1], np.bool_)
-        for index in {*self._rooted, self.layers.sample}:
-            c = self.cosine(x, index)
-            fit &= np.isfinite(c.radius).all(axis=-1)
-            if index in self._rooted:
-                fit &= (c.centre.real > c.radius).all(axis=-1)
-        return fit
-
     @property
     def _rooted(self) -> tuple[float, ...]:
         return self.layers.immersion, self.layers.glass, self.layers.sample
 
-    def _height(self, x: Disc) -> Array:
-        return np.asarray(np.abs(x.centre.imag) + x.radius)
+    def _height(self, at: At) -> Array:
+        return np.asarray(np.abs(at.x.centre.imag) + at.x.radius)
+
+
+def _root(of: Values) -> Values:
+    return of.sqrt() if isinstance(of, Disc) else np.sqrt(of + 0.0j)
 
 
 @lru_cache(maxsize=32)
@@ -310,15 +332,15 @@ def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None) -> tuple
 
 
 def _largest(piece: Piece, model: Model, covered: Covered) -> Array:
-    x, (t_s, t_p, _) = covered.x, covered.amplitudes
+    at, (t_s, t_p, _) = covered.at, covered.amplitudes
     with np.errstate(all="ignore"):
-        light = np.log(piece.jacobian(x).largest)
+        light = np.log(piece.jacobian(at.x).largest)
         if model.aplanatic:
-            light -= 0.5 * np.log(piece.cosine(x, piece.layers.immersion).least)
+            light -= 0.5 * np.log(at(piece.layers.immersion).least)
         if model.kind == "scalar":
             return np.asarray(light + math.log(2.0))
-        c_s = piece.cosine(x, piece.layers.sample)
-        sine = np.sqrt(piece.square(x).largest) / piece.layers.sample
+        c_s = at(piece.layers.sample)
+        sine = np.sqrt(at.square.largest) / piece.layers.sample
         if model.kind == "azimuthal":
             return np.asarray(light + np.log(2.0 * t_s.largest))
         if model.kind == "radial":

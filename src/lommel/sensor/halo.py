@@ -157,20 +157,23 @@ def _table(halo: Halo, far: float, error: float) -> tuple[Array, float, float]:
     w, weight = _rule(halo, far)
     step = _BAND / float(w.max())
     rule = steps(_BAND, error)
-    places = np.arange(math.ceil(far / step) + rule.taps + 1, dtype=np.float64)
+    beyond = rule.filter.size - 1
+    places = np.arange(math.ceil(far / step) + rule.taps.size + 1 + beyond, dtype=np.float64)
     found = _transformed(weight, w, step * places)
-    return found, step, rule.error
+    mirrored = np.concatenate([found[beyond:0:-1], found])
+    filtered = np.convolve(mirrored, np.concatenate([rule.filter[:0:-1], rule.filter]), "valid")
+    return filtered, step, rule.error
 
 
 def between(table: Array, step: float, error: float, r: Array) -> Array:
     """Return a table of :meth:`Halo.table` at radii within it."""
-    rule = steps(_BAND, error)
-    half = rule.taps // 2
+    taps = steps(_BAND, error).taps
+    half = taps.size // 2
     mirrored = np.concatenate([table[half:0:-1], table])
     cell = np.minimum((r / step).astype(np.int64), table.size - half - 1)
     found = np.zeros(r.shape)
-    weights = rule.at((r / step - cell).ravel()).reshape(*r.shape, rule.taps)
-    for k in range(rule.taps):
+    weights = taps.at((r / step - cell).ravel()).reshape(*r.shape, taps.size)
+    for k in range(taps.size):
         found += weights[..., k] * mirrored[cell + k + 1]
     return found
 

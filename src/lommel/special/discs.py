@@ -137,6 +137,11 @@ def windings(values: Disc) -> NDArray[np.int_]:
     by less than pi/2 twice where no disc holds 0. Of a function that is analytic inside, it is the number of zeros.
     """
     clear = np.asarray((values.least > 0.0).all(axis=-1))
-    turned = np.where(clear[..., None], values.centre, 1.0)
-    turns = np.angle(np.roll(turned, -1, axis=-1) / turned).sum(axis=-1) / (2.0 * np.pi)
-    return np.where(clear, np.rint(turns).astype(np.int_), -1)
+    x, y = values.centre.real, values.centre.imag
+    with np.errstate(invalid="ignore", over="ignore"):
+        after, up = np.roll(x, -1, axis=-1), np.roll(y, -1, axis=-1)
+        onwards = x * up - y * after  # its sign is that of the change of the argument
+        # How often the negative real axis is crossed, one way and the other.
+        down = (y >= 0.0) & (up < 0.0) & (onwards > 0.0)
+        back = (y < 0.0) & (up >= 0.0) & (onwards < 0.0)
+    return np.where(clear, down.sum(axis=-1) - back.sum(axis=-1), -1)

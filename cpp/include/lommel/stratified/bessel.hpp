@@ -21,13 +21,14 @@ struct BesselPieces {
     static constexpr double half = 1.0, error = 96.0;  // in units of roundoff
 
     double reach;
-    Doubles rows;  // [piece][order][coefficient]
+    Doubles rows;  // [piece][coefficient][order]
 
     explicit BesselPieces(double most)
         : reach(std::max(64.0, std::exp2(std::ceil(std::log2(most + 1.0))))),
           rows((static_cast<std::size_t>(0.5 * reach / half) + 1) * orders * coefficients) {
         const ChebyshevToMonomials<coefficients> polynomial;
         std::array<double, orders * coefficients> values{};
+        std::array<double, coefficients> series{};
         for (std::size_t first = 0; first < rows.size(); first += values.size()) {
             look();
             const double middle = half * (2.0 * static_cast<double>(first / values.size()) + 1.0);
@@ -35,24 +36,30 @@ struct BesselPieces {
                 bessel_sequence(middle + half * chebyshev_point(j, coefficients), orders, values.data() + j * orders);
             }
             for (std::size_t m = 0; m < orders; ++m) {
-                polynomial(values.data() + m, orders, rows.data() + first + m * coefficients);
+                polynomial(values.data() + m, orders, series.data());
+                for (std::size_t k = 0; k < coefficients; ++k) {
+                    rows[first + k * orders + m] = series[k];
+                }
             }
         }
     }
 
-    // J_0(v), J_1(v), ... up to the reach. Bound by multiply-adds, of whose chains there are two an order.
-    template <std::size_t Count>
-    LOMMEL_INLINE void operator()(double v, double (&out)[Count]) const {
+    // J_0(v), J_1(v), ... up to the reach, side by side. Bound by multiply-adds.
+    template <class I>
+    LOMMEL_INLINE void operator()(I, double v, double (&out)[orders]) const {
+        constexpr std::size_t lanes = I::lanes < orders ? I::lanes : orders;
+        using V = typename Vector<lanes>::pack;
         const std::size_t piece = static_cast<std::size_t>(0.5 * v / half);
-        const double x = (v - half * (2.0 * static_cast<double>(piece) + 1.0)) / half, square = x * x;
+        const double x = (v - half * (2.0 * static_cast<double>(piece) + 1.0)) / half;
+        const V at = splat<V>(x), square = splat<V>(x * x);
         const double* row = rows.data() + piece * orders * coefficients;
-        for (std::size_t m = 0; m < Count; ++m, row += coefficients) {
-            double even = row[coefficients - 2], odd = row[coefficients - 1];
+        for (std::size_t m = 0; m < orders; m += lanes, row += lanes) {
+            V even = load<V>(row + (coefficients - 2) * orders), odd = load<V>(row + (coefficients - 1) * orders);
             for (std::size_t k = coefficients - 2; k > 0; k -= 2) {
-                even = even * square + row[k - 2];
-                odd = odd * square + row[k - 1];
+                even = even * square + load<V>(row + (k - 2) * orders);
+                odd = odd * square + load<V>(row + (k - 1) * orders);
             }
-            out[m] = even + x * odd;
+            store(out + m, even + at * odd);
         }
     }
 

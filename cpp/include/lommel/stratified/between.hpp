@@ -38,6 +38,7 @@ struct Between : Radii {  // Chebyshev points of each piece, in v
             }
         }
         radii.resize(count + widest_step, radii.back());
+        weights.reserve((layout->count / tile + pieces + 1) * nodes * tile);
         std::size_t i = 0;
         for (std::size_t s = 0; s < pieces; ++s) {
             first.push_back(i);

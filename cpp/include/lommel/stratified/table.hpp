@@ -29,13 +29,13 @@ struct AngleTable {
         : radii(at), step(pitch), rho(angles), parts(orders), slopes(derivatives), kinds(slopes ? 2 * parts : parts),
           tiles((at->count + tile - 1) / tile), rows(tiles * kinds * rho.size() * tile) {
         const auto bessel = BesselPieces::get(radii->reach() * step);
-        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
             for (std::size_t t = 0; t < tiles; ++t) {
                 look();
                 for (std::size_t q = 0; q < rho.size(); ++q) {
                     double* const row = rows.data() + (t * kinds * rho.size() + q) * tile;
                     for (std::size_t i = 0; i < tile; ++i) {
-                        fill(*bessel, row + i, rho[q], std::min(t * tile + i, radii->count - 1));
+                        fill(isa, *bessel, row + i, rho[q], std::min(t * tile + i, radii->count - 1));
                     }
                 }
             }
@@ -57,10 +57,11 @@ struct AngleTable {
     }
 
    private:
-    LOMMEL_INLINE void fill(const BesselPieces& bessel, double* to, double angle, std::size_t place) const {
+    template <class I>
+    LOMMEL_INLINE void fill(I isa, const BesselPieces& bessel, double* to, double angle, std::size_t place) const {
         const std::size_t apart = rho.size() * tile;
         double J[BesselPieces::orders];
-        bessel(angle * (step * radii->radii[place]), J);
+        bessel(isa, angle * (step * radii->radii[place]), J);
         for (std::size_t m = 0; m < parts; ++m) {
             to[m * apart] = J[m];
             if (slopes) {

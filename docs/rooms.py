@@ -24,6 +24,7 @@ ORDER = [
     {"measures"},
     {"io"},
     {"show"},
+    {"twins"},
     {"psf"},
     {"estimation", "field"},
     {"imaging"},

@@ -20,6 +20,7 @@ from lommel.methods.asked import Asked, asked_about
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
+from lommel.twins.door import Traceable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -128,7 +129,7 @@ def psf(
     return prepared(pupil, derivatives=derivatives, out=out)
 
 
-class Plan:
+class Plan(Traceable):
     """A question asked of many pupils, one after the other: everything but the pupil is checked once.
 
     Called with a pupil, it answers as :func:`psf` would. After the first call with `out` nothing large is allocated

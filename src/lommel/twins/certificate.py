@@ -55,8 +55,8 @@ def exponential(ns: Namespace, logarithm: Any) -> Any:
     """Return e to a logarithm and a little more; what would be out of range is infinite."""
     xp = ns.xp
     big = logarithm > _MOST
-    least = xp.exp(xp.where(big, 0.0 * logarithm, logarithm)) * _ROOM
-    return xp.where(big, least * float("inf"), least)
+    least = xp.exp(xp.where(big, xp.zeros_like(logarithm), logarithm)) * _ROOM
+    return xp.where(big, _infinite(xp, least), least)
 
 
 class FieldError(NamedTuple):
@@ -87,7 +87,7 @@ class FieldError(NamedTuple):
         each = rule.each + (2.5 * coarse if c.shape[-1] > 4 else 0.0)
         error = quadrature_error + self.sums * (each * size + rule.fixed + 4.0 * coarse)
         error = error + (self.rounding + self.left_out)
-        return xp.where(size <= rule.limit, error, error + float("inf"))
+        return xp.where(size <= rule.limit, error, _infinite(xp, error))
 
 
 def of_intensity(ns: Namespace, intensity: Any, error: Any, unit: float) -> Any:
@@ -104,12 +104,16 @@ def over_peak(ns: Namespace, values: Any, error: Any, stored: float, *, divided:
     xp = ns.xp
     peak = xp.max(values, axis=-1)
     room = peak - error
-    ratio = error / xp.where(room > 0.0, room, 1.0 + 0.0 * peak)
-    ratio = xp.where(room > 0.0, ratio, ratio + float("inf"))
+    ratio = error / xp.where(room > 0.0, room, xp.ones_like(peak))
+    ratio = xp.where(room > 0.0, ratio, _infinite(xp, ratio))
     if divided:
         small = ratio < 0.5
-        twice = 2.0 * ratio / (1.0 - xp.where(small, ratio, 0.0 * peak))
-        ratio = xp.where(small, twice, 0.0 * peak + float("inf"))
+        ratio = xp.where(small, ratio, xp.zeros_like(ratio))
+        ratio = xp.where(small, 2.0 * ratio / (1.0 - ratio), _infinite(xp, ratio))
     bound = (ratio + (1.0 + ratio) * stored) * _ROOM
     # What is not a number compares as False.
-    return xp.where(bound >= 0.0, bound, xp.full(bound.shape, float("inf"), dtype=bound.dtype))
+    return xp.where(bound >= 0.0, bound, _infinite(xp, bound))
+
+
+def _infinite(xp: Any, like: Any) -> Any:
+    return xp.full_like(like, float("inf"))

@@ -2,8 +2,8 @@ r"""The field of radially symmetric pupils as one matrix product.
 
 ``U(v) = int A exp(i Phi) J0(v sqrt t) dt`` over ``[eps^2, 1]`` in t = rho^2, by Gauss and Legendre's rule: a phase at
 K nodes from a few coefficients, its cosine and sine, and their product with the table ``w_k A_k J0(v_r sqrt t_k)``,
-made in double precision here. How many nodes a tolerance takes, and what each pupil is off by, follow from the size of
-the integrand on Bernstein ellipses: :mod:`lommel.methods.bounds`, whose bound is computed anew for each pupil.
+made in double precision here. How many nodes a tolerance takes, and what each pupil is off by, follow from how large
+the integrand is on Bernstein ellipses: :mod:`lommel.methods.bounds`, whose bound is computed anew for each pupil.
 """
 
 from __future__ import annotations

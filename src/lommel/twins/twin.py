@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from typing import Any, NamedTuple, Self
 
 import numpy as np
@@ -111,7 +112,7 @@ class Twin:
         ToleranceError
             If the error of an image is not proven to be at most `tol` of its largest value; not while tracing.
         """
-        images, bound = self._made(c)
+        images, bound = self._answer(c)
         if check:
             self._require(c, bound)
         return images
@@ -136,14 +137,14 @@ class Twin:
         TypeError, ValueError, ToleranceError
             As above.
         """
-        images, bound = self._made(c)
+        images, bound = self._answer(c)
         if check:
             self._require(c, bound)
         return images, bound
 
     def error(self, c: Any) -> Any:
         """Return the bounds alone, shape (...), and raise nothing where they are large; of coefficients `c`."""
-        return self._made(c)[1]
+        return self._answer(c)[1]
 
     def defocus(self, distance: Any) -> Any:
         """Return C_d in radians of objects, as :meth:`lommel.Lens.defocus`; differentiable.
@@ -182,11 +183,21 @@ class Twin:
             raise ValueError(f"coefficients must be on the device of the twin, {like.device}, got {values.device}")
         return values if xp.isdtype(values.dtype, "real floating") else xp.astype(values, like.dtype)
 
+    def _answer(self, c: Any) -> tuple[Any, Any]:
+        """Return images and bounds; in JAX compiled, even where nobody asked for it: step by step takes seconds."""
+        if self._static.namespace.name == "jax":
+            return _compiled()(self, self._array(c))  # type: ignore[no-any-return]
+        return self._made(c)
+
     def _made(self, c: Any) -> tuple[Any, Any]:
         static = self._static
         ns, xp = static.namespace, static.namespace.xp
-        if str(self._tables[0]["size"].dtype).rpartition(".")[2] != static.precision:
-            raise TypeError(f"the tables must be {static.precision}, as they were made; trace the plan anew instead")
+        kind = str(self._tables[0]["size"].dtype).rpartition(".")[2]
+        if kind != static.precision or (kind == "float64" and not ns.has_double(None)):
+            raise TypeError(
+                f"the twin must be used in {static.precision}, as it was made; trace the plan anew instead of "
+                "turning its tables or the framework to another precision"
+            )
         c = self._array(c)
         if len(c.shape) == 0 or c.shape[-1] != len(static.terms):
             raise ValueError(
@@ -198,7 +209,7 @@ class Twin:
             flat = xp.stack([flat[..., j] for j in static.kept], axis=-1)
         values, bound = self.evaluated(flat)
         proven = xp.reshape(bound <= static.tol, (-1, 1))
-        values = xp.astype(xp.where(proven, values, 0.0 * values + float("nan")), getattr(xp, static.dtype))
+        values = xp.astype(xp.where(proven, values, xp.full_like(values, float("nan"))), getattr(xp, static.dtype))
         images = static.pixels.unfold(ns, self._tables[0], values)
         return xp.reshape(images, stack + static.pixels[:2]), xp.reshape(bound, stack)
 
@@ -282,6 +293,13 @@ def placed(static: Static, tables: tuple[dict[str, Any], ...], device: Any) -> T
     if ns.name == "jax":
         _register()
     return made
+
+
+@cache
+def _compiled() -> Any:
+    import jax
+
+    return jax.jit(Twin._made)
 
 
 def _register() -> None:

@@ -177,7 +177,7 @@ class Twin:
             device = getattr(like, "device", None)
             kind = None if ns.has_double(device) else like.dtype
             values = ns.put(np.asarray(values, dtype=np.float64), device, kind)
-        if ns.name not in ("jax", "numpy") and type(values) is not type(like):
+        if ns.name not in ("jax", "numpy") and not isinstance(values, type(like)):
             raise TypeError(f"coefficients must be of {ns.name}, as the plan was traced with, got {type(values)}")
         if ns.name not in ("jax", "numpy") and values.device != like.device:
             raise ValueError(f"coefficients must be on the device of the twin, {like.device}, got {values.device}")

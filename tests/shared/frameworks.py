@@ -32,7 +32,7 @@ class Framework(NamedTuple):
 
     def array(self, xp: Any, values: Any) -> Any:
         """Return an array there."""
-        return xp.asarray(np.asarray(values, dtype=np.float64), device=self.place(xp))
+        return xp.asarray(np.array(values, dtype=np.float64), device=self.place(xp))
 
     def to_numpy(self, values: Any) -> np.ndarray:
         """Return the values as float64."""

@@ -11,6 +11,8 @@ import lommel as lm
 from lommel.twins.module import module
 
 torch = pytest.importorskip("torch")
+# What torch says of itself as it loads its parts.
+pytestmark = pytest.mark.filterwarnings("ignore::FutureWarning", "ignore::DeprecationWarning")
 
 REACH = lm.Pupil(lm.Wavefront([-10.0, 10.0], [-1.0, 1.0]))
 C = np.array([[3.0, 0.5], [-9.0, -1.0], [0.1, 0.0]])

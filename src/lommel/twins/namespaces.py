@@ -66,6 +66,8 @@ class Namespace:
 
     def put(self, values: Any, device: Any, dtype: Any = None) -> Any:
         """Return an array of the framework made of one of NumPy, on a device, and at once even while it traces."""
+        if self.name == "torch":
+            values = np.array(values)  # it warns of arrays that are not to be written to
         if self.name != "jax":
             return self.xp.asarray(values, dtype=dtype, device=device)
         import jax

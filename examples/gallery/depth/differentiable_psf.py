@@ -2,10 +2,10 @@
 A differentiable PSF
 ====================
 
-An image of a point tells how far the point is, best where the image changes fastest with depth. At the plane in focus
-it does not change at all, to first order, and a lens that is to measure depth needs something that breaks the symmetry.
-Which aperture, which focus and how much spherical aberration do best? With a PSF that JAX differentiates this is a
-minimisation: the gradient of a bound that itself holds a derivative.
+An image of a point tells how far the point is, best where the image changes fastest with depth. At the plane in
+focus it does not change at all, to first order, and a lens that is to measure depth needs something that breaks the
+symmetry. Which aperture, which focus and how much spherical aberration do best? With a PSF that JAX differentiates
+this is a minimisation: the gradient of a bound that itself holds a derivative.
 """
 
 import time
@@ -87,7 +87,7 @@ print(f"{time.perf_counter() - begin:.0f} s with all compilations")
 # without an answer. Wide apertures need little of it.
 
 figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained", width_ratios=(3, 2))
-for color, f_number in zip(("C0", "C1", "C2", "C3"), designs, strict=True):
+for color, f_number in zip(("C0", "C1", "C2", "C3"), designs, strict=False):
     left.semilogy(1 / distance, curves[f_number], color=color, label=f"f/{f_number}")
     left.semilogy(1 / distance, before[f_number], "--", color=color, linewidth=1)
 left.set_xlabel("1 / distance (dioptres)")

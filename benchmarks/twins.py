@@ -1,7 +1,7 @@
 """Twins on a processor, beside the compiled core and an FFT in the same framework: ``python -m benchmarks.twins``.
 
-Times are those of the processor, the least of several, so that what else runs counts little; one thread where the shell
-says so, as by ``taskset -c 0``.
+Times are those of the processor, the least of several, so that what else runs counts little; one thread where the
+shell says so, as by ``taskset -c 0``.
 """
 
 from __future__ import annotations

@@ -46,7 +46,7 @@ def quadrature(ns: Namespace, rule: Exponents, tables: dict[str, Any], c: Any, u
     else:
         largest = xp.max(phase + tables["kernel"], axis=-1) * rule.widening
     # What the products above may have lost, and the sums of logarithms.
-    lost = (c.shape[-1] + 8) * (unit + ns.coarseness()) * ns.matmul(xp.abs(c), tables["most"])
+    lost = (c.shape[-1] + 8) * (unit + ns.coarseness(unit)) * ns.matmul(xp.abs(c), tables["most"])
     logarithm = xp.min(largest + lost + tables["constant"], axis=-1)
     return exponential(ns, logarithm)
 
@@ -82,7 +82,7 @@ class FieldError(NamedTuple):
     def total(self, ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any, quadrature_error: Any) -> Any:
         """Bound the error of the field; infinite where a phase is larger than sums of terms were made for."""
         xp = ns.xp
-        coarse = ns.coarseness() if self.unit > 1e-10 else 0.0
+        coarse = ns.coarseness(self.unit)
         size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
         each = rule.each + (2.5 * coarse if c.shape[-1] > 4 else 0.0)
         error = quadrature_error + self.sums * (each * size + rule.fixed + 4.0 * coarse)

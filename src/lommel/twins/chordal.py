@@ -57,7 +57,9 @@ class Chordal(NamedTuple):
         amplitudes = xp.sqrt(ns.matmul(still * still, tables["pairs"]))
         total = 0.0
         for name in ("chords", "nodes"):
-            size = ns.matmul(amplitudes, tables["growth"]) * (1.0 + 64.0 * (self.error.unit + ns.coarseness()))
+            size = ns.matmul(amplitudes, tables["growth"]) * (
+                1.0 + 64.0 * (self.error.unit + ns.coarseness(self.error.unit))
+            )
             total = total + exponential(ns, xp.min(size + tables[name], axis=-1))
         return self.error.total(ns, self.phase, tables, still, total)
 

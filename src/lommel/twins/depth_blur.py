@@ -43,6 +43,15 @@ class TracedBlur:
     made by :func:`lommel.imaging.traced_blur`; its derivative by the image is the adjoint, and that by the distance
     exists everywhere within reach. Beyond it, everything is NaN.
 
+    Parameters
+    ----------
+    static : Blur
+        All that is no array.
+    weights : array, shape (degrees, rank)
+        Of Chebyshev polynomials of the defocus.
+    windows : array, shape (rank, side, side)
+        What these are convolved with.
+
     Attributes
     ----------
     rank : int

@@ -51,7 +51,7 @@ class Pixels(NamedTuple):
             return xp.reshape(values, (values.shape[0], -1)), error
         if self.growth:
             most = xp.max(ns.stop(values), axis=-1)
-            lost = (values.shape[-1] + 2) * unit + ns.coarseness() * (2.0 if unit > 1e-10 else 0.0)
+            lost = (values.shape[-1] + 2) * unit + 2.0 * ns.coarseness(unit)
             return ns.matmul(values, tables["matrix"]), self.growth * (error + lost * most) + self.added * most
         return values, error
 

@@ -88,8 +88,10 @@ class Namespace:
             return self.xp.matmul(a, b, precision="highest")
         return self.xp.matmul(a, b)
 
-    def coarseness(self) -> float:
-        """Return what products of float32 may round operands to, where a user allowed it: TF32 or bfloat16."""
+    def coarseness(self, unit: float) -> float:
+        """Return what products round operands to where a user allowed it for float32, told by its `unit`."""
+        if unit < 1e-10:
+            return 0.0
         if self.name == "torch":
             import torch
 

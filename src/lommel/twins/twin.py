@@ -66,6 +66,13 @@ class Twin:
     them; being traced it cannot, and makes images NaN where no tolerance is proven, which leaves all others and their
     gradients as they are.
 
+    Parameters
+    ----------
+    static : Static
+        All that is no array.
+    tables : tuple of dict of array
+        Of each wavelength, by name.
+
     Attributes
     ----------
     terms : tuple

@@ -43,7 +43,6 @@ class Chordal(NamedTuple):
         """Return I, shape ``(n, rows * columns)``, and a bound on the error of the field, ``(n,)``."""
         xp, count = ns.xp, c.shape[0]
         phase = phases.phases(ns, self.phase, tables, c)
-        phase = xp.permute_dims(xp.reshape(phase, (count, self.chords, self.nodes)), (1, 0, 2))
         along = ns.matmul(xp.concat([xp.cos(phase), xp.sin(phase)], axis=-1), tables["along"])
         along = xp.permute_dims(xp.reshape(along, (self.chords, count, 2, self.rows)), (1, 3, 2, 0))
         across = ns.matmul(xp.reshape(along, (count * self.rows, 2 * self.chords)), tables["across"])
@@ -130,6 +129,9 @@ def make(
     rounding = unit * sums * (2.0 * nodes + 2.0 * len(px) + 24.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
+    # Chord by chord, as the phases are to stand.
+    by_chord = (len(terms), len(px), nodes)
+    tables = {k: v if k == "size" else v.reshape(by_chord).transpose(1, 0, 2).copy() for k, v in tables.items()}
     tables |= {
         "along": _turned(py[:, :, None] * y, weights[:, :, None]),
         "across": _turned(px[:, 0, None] * x, np.ones(1)),

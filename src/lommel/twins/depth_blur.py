@@ -70,7 +70,7 @@ class TracedBlur:
     error = property(lambda self: self._static.error)
 
     def defocus(self, distance: Any) -> Any:
-        """Return C_d in radians of objects at a distance, metres; differentiable."""
+        """Return C_d in radians of objects at a `distance`, metres; differentiable."""
         there = self._static.distances
         return there.waves * (there.vergence + 1.0 / distance)
 

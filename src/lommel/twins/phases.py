@@ -75,7 +75,10 @@ def make(basis: Array, degree: int, largest: float, precision: str) -> tuple[Pha
 
 
 def phases(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> Any:
-    """Return phases but for whole turns, radians, shape ``(n, nodes)``, from coefficients ``(n, terms)``."""
+    """Return phases but for whole turns, radians, from coefficients ``(n, terms)``: ``(n, nodes)``, line by line.
+
+    Tables of several lines of nodes have these first, and so do the phases.
+    """
     xp, dtype = ns.xp, tables["basis"].dtype
     if not rule.scale:
         return _sum(ns, xp.astype(c, dtype), tables["basis"])
@@ -88,7 +91,7 @@ def phases(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> An
 
 
 def _sum(ns: Namespace, c: Any, rows: Any) -> Any:
-    if rows.shape[0] > _ADDED:
+    if len(rows.shape) > 2 or rows.shape[0] > _ADDED:
         return ns.matmul(c, rows)
     total = c[..., 0:1] * rows[0, ...]
     for j in range(1, rows.shape[0]):

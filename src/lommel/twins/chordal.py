@@ -21,12 +21,14 @@ from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 from lommel.twins import phases
 from lommel.twins.certificate import FieldError, exponential
+from lommel.twins.means import CURVES, Mean, best
 from lommel.twins.namespaces import Namespace
 from lommel.twins.phases import UNIT, PhaseRule
 from lommel.twins.radial import columns
 
 _B = np.geomspace(4e-3, 4.0, 64)
 _MOST = 512
+_SAMPLED, _MEMBERS = 12, 64  # degrees and pupils that means are sampled for
 
 
 class Chordal(NamedTuple):
@@ -38,6 +40,7 @@ class Chordal(NamedTuple):
     nodes: int
     rows: int
     columns: int
+    means: tuple[Mean, Mean] | None
 
     def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
         """Return I, shape ``(n, rows * columns)``, and a bound on the error of the field, ``(n,)``."""
@@ -53,9 +56,12 @@ class Chordal(NamedTuple):
     def _field_error(self, ns: Namespace, tables: dict[str, Any], c: Any) -> Any:
         xp = ns.xp
         still = ns.stop(xp.astype(c, tables["along"].dtype))
-        amplitudes = xp.sqrt(ns.matmul(still * still, tables["pairs"]))
         total = 0.0
-        for name in ("chords", "nodes"):
+        for name, mean in zip(("chords", "nodes"), self.means or (None, None), strict=True):
+            if mean is not None:
+                total = total + exponential(ns, mean.logarithm(ns, tables, name, still))
+                continue
+            amplitudes = xp.sqrt(ns.matmul(still * still, tables["pairs"]))
             size = ns.matmul(amplitudes, tables["growth"]) * (
                 1.0 + 64.0 * (self.error.unit + ns.coarseness(self.error.unit))
             )
@@ -72,14 +78,12 @@ def pairs(terms: tuple[Any, ...]) -> tuple[Array, Array]:
     return matrix, np.array([n for n, _ in kinds], dtype=np.float64)
 
 
-def _constants(light: Apodization, reach: tuple[float, float]) -> tuple[Array, Array]:
-    """Return what is added to the size of the phase on each curve, of both sums, but for ``-2 N b``."""
-    grown = light.growth(np.cosh(2.0 * _B)) if not light.uniform else 0.0
-    sinh = np.sinh(_B)
-    # 1 - exp(-2 (N + 1) b) is more than 1 - exp(-4 b).
-    chords = np.log1p(np.exp(-4.0 * _B)) - np.log(-np.expm1(-4.0 * _B)) + reach[0] * sinh + grown
-    nodes = math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * _B)) + reach[1] * sinh + grown
-    return chords, nodes
+def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
+    """Return what is added to the logarithm of the integrand on curves, of both sums, but for ``-2 N b``."""
+    grown = light.growth(np.cosh(2.0 * b)) if not light.uniform else 0.0
+    # With four chords or more, 1 - exp(-2 (N + 1) b) is more than 1 - exp(-10 b).
+    chords = np.log1p(np.exp(-4.0 * b)) - np.log(-np.expm1(-10.0 * b)) + grown
+    return chords, math.log(32.0 / 15.0) - np.log(-np.expm1(-2.0 * b)) + grown
 
 
 def make(
@@ -107,22 +111,17 @@ def make(
     y, x = window
     terms, c = columns(pupil)
     low, light = pupil.obscuration, pupil.illumination
-    matrix, degrees = pairs(terms)
-    growth = stretch * np.sinh(np.minimum(degrees[:, None] * _B, 300.0))
-    size = (np.sqrt(c**2 @ matrix) @ growth).max(axis=0)
     reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
-    # That of the inner disk is as large at most, but for its amplitude, and counts by its area.
-    parts = [np.maximum.reduce([_constants(one, reach)[k] for _, one in disks]) + math.log1p(low**2) for k in (0, 1)]
-    needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
-    chords, nodes = (max(4, math.ceil(float(each.min()))) for each in needed)
+    chords, nodes, means, bounds = _sampled(pupil, stretch, window, error, UNIT[precision]) or _largest(
+        pupil, stretch, disks, reach, error
+    )
     if max(chords, nodes) > _MOST:
         raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, more than {_MOST}")
-    chosen = np.unique([np.clip(int(each.argmin()) + k, 0, 63) for each in needed for k in (-6, -3, 0, 3, 6)])
     px, py, weights = _rule(chords, nodes, disks, light)
     rho, theta = np.hypot(px, py), np.arctan2(py, px)
     basis = stretch * np.stack([zernike.polynomial(n, m, rho, theta).ravel() for n, m in terms])
-    degree = int(degrees.max())
+    degree = max(n for n, _ in terms)
     largest = 1.5 * float((np.abs(c) @ np.abs(basis).max(axis=1)).max(initial=0.0))
     phase, tables = phases.make(basis, degree**2, largest, precision)
     unit, sums = UNIT[precision], float(np.abs(weights).sum())
@@ -135,13 +134,48 @@ def make(
     tables |= {
         "along": _turned(py[:, :, None] * y, weights[:, :, None]),
         "across": _turned(px[:, 0, None] * x, np.ones(1)),
+    }
+    tables |= bounds
+    left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums)
+    return Chordal(phase, left, len(px), nodes, len(y), len(x), means), tables
+
+
+def _sampled(pupil: Pupil, stretch: float, window: tuple[Array, Array], error: float, unit: float) -> Any:
+    """Return chords, nodes and their bounds by means, of few terms on a whole disk; None of others."""
+    terms, c = columns(pupil)
+    if pupil.obscuration or max(n for n, _ in terms) > _SAMPLED:
+        return None
+    members = c[np.argsort(-np.abs(c) @ [n for n, _ in terms], kind="stable")[:_MEMBERS]]
+    constants, where = _constants(pupil.illumination, CURVES), (terms, stretch, window)
+    chords = best("chords", where, members, (constants[0], math.log(0.5 * error)), 0, unit)
+    if chords is None:
+        return None
+    nodes = best("nodes", where, members, (constants[1], math.log(0.5 * error)), chords[0], unit)
+    return None if nodes is None else (chords[0], nodes[0], (chords[1], nodes[1]), chords[2] | nodes[2])
+
+
+def _largest(
+    pupil: Pupil, stretch: float, disks: list[tuple[float, Apodization]], reach: tuple[float, float], error: float
+) -> Any:
+    """Return chords, nodes and their bounds by the largest values."""
+    terms, c = columns(pupil)
+    matrix, degrees = pairs(terms)
+    growth = stretch * np.sinh(np.minimum(degrees[:, None] * _B, 300.0))
+    size = (np.sqrt(c**2 @ matrix) @ growth).max(axis=0)
+    # That of the inner disk is as large at most, but for its amplitude, and counts by its area.
+    of_disks = [_constants(one, _B) for _, one in disks]
+    added = math.log1p(pupil.obscuration**2)
+    parts = [np.max([one[k] for one in of_disks], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
+    needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
+    chords, nodes = (max(4, math.ceil(float(each.min()))) for each in needed)
+    chosen = np.unique([np.clip(int(each.argmin()) + k, 0, 63) for each in needed for k in (-6, -3, 0, 3, 6)])
+    bounds = {
         "pairs": matrix,
         "growth": growth[:, chosen],
         "chords": parts[0][chosen] - 2.0 * chords * _B[chosen],
         "nodes": parts[1][chosen] - 2.0 * nodes * _B[chosen],
     }
-    left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums)
-    return Chordal(phase, left, len(px), nodes, len(y), len(x)), tables
+    return chords, nodes, None, bounds
 
 
 def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light: Apodization) -> tuple[Array, ...]:

@@ -103,7 +103,7 @@ class Twin:
         Parameters
         ----------
         c : array, shape (..., k)
-            Radians, a column for each of :attr:`terms`; on the device of the twin.
+            Radians, a column for each of ``terms``; on the device of the twin.
         check : bool, default True
             False: do not look at the bounds, which waits for a device; where they exceed the tolerance, images are
             NaN.

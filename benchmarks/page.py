@@ -23,8 +23,8 @@ for every pixel of 33 rows of 512², those about the peak among them, and for 16
 _AGAIN = """## Inside other frameworks
 
 [Twins](twins.md) in JAX and PyTorch are measured by `python -m benchmarks.twins` on processors, and by
-`python -m benchmarks.gpu` on graphics processors. None of the latter has been measured: what that page says of them are
-estimates, from the bytes that a PSF takes over the bandwidth of the memory.
+`python -m benchmarks.gpu` on graphics processors. None of the latter has been measured: what that page says of them
+are estimates, from the bytes that a PSF takes over the bandwidth of the memory.
 
 ## How to run it again
 

@@ -72,3 +72,8 @@ def test_products_of_less_precision_widen_the_bound():
         assert (f.error(torch.tensor(C)) > before + 1e-4).all()
     finally:
         torch.set_float32_matmul_precision("highest")
+
+
+def test_a_graph_of_it_is_whole(f):
+    c = torch.tensor(C)
+    assert torch.equal(torch.compile(f.__call__, fullgraph=True, backend="eager")(c), f(c))

@@ -16,6 +16,9 @@ from lommel.twins.namespaces import Namespace
 from lommel.twins.radial import Radial
 
 
+_OF_NUMPY = (np.ndarray, np.generic)
+
+
 class Distances(NamedTuple):
     """What C_d is made of: ``waves (vergence + 1 / distance)``; metres."""
 
@@ -180,7 +183,7 @@ class Twin:
         """Return values as a floating array of the framework, on the device that they are on."""
         ns, like = self._static.namespace, self._tables[0]["size"]
         xp = ns.xp
-        if not hasattr(values, "dtype") or (isinstance(values, np.ndarray | np.generic) and ns.name != "numpy"):
+        if not hasattr(values, "dtype") or (isinstance(values, _OF_NUMPY) and ns.name != "numpy"):
             device = getattr(like, "device", None)
             kind = None if ns.has_double(device) else like.dtype
             values = ns.put(np.asarray(values, dtype=np.float64), device, kind)

@@ -15,7 +15,6 @@ from lommel.twins.images import Pixels
 from lommel.twins.namespaces import Namespace
 from lommel.twins.radial import Radial
 
-
 _OF_NUMPY = (np.ndarray, np.generic)
 
 

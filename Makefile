@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf photo test fuzz lowest mutants sanitize bench peers docs page lint types format lock wheel sdist clean FORCE
+.PHONY: help env build psf photo test test-torch fuzz lowest mutants sanitize bench peers docs page lint types format lock wheel sdist clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -146,6 +146,17 @@ photo: build ## blur a photograph by its depth, near, far and from one to the ot
 
 test: build lint types ## build, lint, check the types and run the tests
 	@.venv/bin/pytest --numprocesses auto --maxprocesses 4 --dist worksteal
+
+# Beside .venv, for the package index has PyTorch with all that graphics processors need: 5 GB, of which none is used here.
+test-torch: build ## run the tests of twins in PyTorch, in .tools/torch
+	@$(find_uv)
+	$(find_python)
+	rm -rf .tools/torch
+	"$$uv" venv --quiet --python "$$py" .tools/torch
+	"$$uv" pip install --quiet --python .tools/torch/bin/python --requirement pyproject.toml --extra torch --extra all --group dev
+	PATH="$(CURDIR)/.tools/torch/bin:$$PATH" "$$uv" pip install --quiet --python .tools/torch/bin/python \
+		--no-build-isolation --no-deps --config-settings=build-dir=build/torch --editable .
+	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/twins
 
 # 100 000 bad arguments, 2 000 bad command lines, 1 000 mutations of each kind of file; `make test` has a sample.
 fuzz: build ## try what no user should: bad arguments, command lines and files

@@ -20,7 +20,13 @@ the row through the axis in windows beyond 1024²). For any other it is one over
 for every pixel of 33 rows of 512², those about the peak among them, and for 16 images of a stack.
 """
 
-_AGAIN = """## How to run it again
+_AGAIN = """## Inside other frameworks
+
+[Twins](twins.md) in JAX and PyTorch are measured by `python -m benchmarks.twins` on processors, and by
+`python -m benchmarks.gpu` on graphics processors. None of the latter has been measured: what that page says of them
+are estimates, from the bytes that a PSF takes over the bandwidth of the memory.
+
+## How to run it again
 
 ```sh
 make bench                                        # everything: a few minutes; writes this page

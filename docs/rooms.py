@@ -25,6 +25,7 @@ ORDER = [
     {"measures"},
     {"io"},
     {"show"},
+    {"twins"},
     {"psf"},
     {"channel_psf"},
     {"estimation", "field", "stacks"},

@@ -186,7 +186,7 @@ def test_what_cannot_be_is_refused_with_the_way_out():
 def test_pixels_of_two_sides_and_what_spreads_the_light_are_those_of_each_channel():
     lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
     channels = lm.Channels.rgb()
-    how = {"fill": 0.8, "blur": lm.Seeing(0.02), "tol": 1e-5}
+    how = {"fill": 0.8, "blur": lm.Jitter(2e-6), "tol": 1e-5}
     made = lm.colour_psf(lens.pupil(1.99), 9, (3e-6, 4e-6), channels, **how)
     for one, (name, pairs) in zip(made, channels, strict=True):
         assert name in channels.names

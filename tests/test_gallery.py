@@ -20,6 +20,11 @@ GALLERY = sorted((ROOT / "examples" / "gallery").rglob("*.py"))
 LESS = {
     "colour_fringes": [("2.05, 41)", "2.05, 3)"), ("width=70e-9)", "width=70e-9, count=2)")],
     "depth_from_defocus": [("np.s_[60:380, 180:620]", "np.s_[60:220, 180:400]")],
+    "differentiable_psf": [
+        ("steps = 80", "steps = 2"),
+        ("(2.8, 4.0, 5.6, 8.0)", "(8.0,)"),
+        ("count = 1000", "count = 9"),
+    ],
     "depth_precision": [("2.6, 41)", "2.6, 5)"), ("16.0, 13)", "16.0, 4)"), ("2.5, 161)", "2.5, 9)")],
     "field_blur": [("iter_lim=30", "iter_lim=3")],
     "methods_compared": [('"shape": 129', '"shape": 33'), ("(96, 128, 256, 512, 1024)", "(96, 128)")],

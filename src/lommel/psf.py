@@ -21,6 +21,7 @@ from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
 from lommel.sensor.blurs import Blur, blurs
 from lommel.show.pictured import Pictured
+from lommel.twins.door import Traceable
 
 if TYPE_CHECKING:
     from lommel.methods.derivatives import Name
@@ -138,7 +139,7 @@ def psf(
     return prepared(pupil, derivatives=derivatives, out=out)
 
 
-class Plan:
+class Plan(Traceable):
     """A question asked of many pupils, one after the other: everything but the pupil is checked once.
 
     Called with a pupil, it answers as :func:`psf` would. After the first call with `out` nothing large is allocated

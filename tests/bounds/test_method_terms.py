@@ -58,16 +58,28 @@ def test_the_growth_of_the_integrand(phase, spread, low, v, light):
     stack = np.array([[c - spread for c in phase], [c + spread for c in phase]])
     found = bounds.growth(stack, low, v, light)
     low, half = mp.mpf(low), (1 - mp.mpf(low)) / 2
+    # Of an annulus abs(Im sqrt t) is largest at this angle; of a disc at pi, the last of the points.
+    root = mp.sqrt(low)
     for i in (0, 40, 95):
-        eta, largest = ETAS[i], mp.mpf(0)
-        for j in range(129):
-            t = low + half * (1 + mp.cos(mp.mpc(mp.pi * j / 128, eta)))
+        eta, sizes, kernel = ETAS[i], [], []
+        top = mp.acos(max(mp.mpf(-1), -mp.cosh(eta) * (1 - root) / (1 + root)))
+        for angle in [*(mp.pi * j / 128 for j in range(129)), top]:
+            t = low + half * (1 + mp.cos(mp.mpc(angle, eta)))
             x = 2 * t - 1
             p = [x, (3 * x**2 - 1) / 2, (5 * x**3 - 3 * x) / 2]
             phase_part = sum(mp.mpf(c) * p[k].imag for k, c in enumerate(stack.mean(axis=0)))
             sides = sum(mp.mpf(s) * abs(p[k].imag) for k, s in enumerate(np.ptp(stack, axis=0) / 2))
-            largest = max(largest, abs(phase_part) + sides + mp.mpf(v) * abs(mp.sqrt(t).imag))
-        largest /= mp.cos(mp.pi * len(phase) / 256)
+            sizes.append(abs(phase_part) + sides)
+            kernel.append(mp.mpf(v) * abs(mp.sqrt(t).imag))
+        most, widening = kernel.pop(), 1 / mp.cos(mp.pi * len(phase) / 256)
+        phase_alone = max(sizes[:129])
+        if low == 0:
+            largest = max(map(sum, zip(sizes[:129], kernel, strict=True))) * widening
+        else:
+            here = min(int(top * 128 / mp.pi), 127)
+            parts = [most if j == here else max(kernel[j : j + 2]) for j in range(128)]
+            largest = max(max(sizes[j : j + 2]) + part for j, part in enumerate(parts))
+            largest += (len(phase) * mp.pi / 128) ** 2 / 8 * widening * phase_alone
         assert same(float(found[i]), largest + log_amplitude(light, low, mp.cosh(eta)))
 
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from lommel.imaging.cuts import cut, find_cuts, ring_shares, shares_used, sums_of_quarters
-from lommel.imaging.pixel_rule import octant, sums_of_windows
+from lommel.methods.pixel_rule import octant, sums_of_windows
 
 
 def octants(seed: int, count: int = 9, half: int = 8) -> np.ndarray:

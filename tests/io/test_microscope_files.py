@@ -81,7 +81,7 @@ def test_a_kind_of_pupil_that_is_not_known_is_told(tmp_path):
     psf.save(tmp_path / "a.npy")
     data = (tmp_path / "a.npy").read_bytes()
     (tmp_path / "a.npy").write_bytes(data.replace(b'"kind": "ObjectivePupil"', b'"kind": "Junk"'))
-    with pytest.raises(ValueError, match="kind must be one of 'Pupil', 'ObjectivePupil', got 'Junk'"):
+    with pytest.raises(ValueError, match="kind must be one of 'Pupil', 'ObjectivePupil', 'FieldPupil', got 'Junk'"):
         lm.PSF.load(tmp_path / "a.npy")
 
 

@@ -54,6 +54,41 @@ def test_growth_bounds_the_integrand_on_every_ellipse(
         assert np.all(-_phase(coefficients, t).imag + log_j0 <= exponent + 1e-9 * (1 + exponent))
 
 
+@given(st.floats(1e-6, 0.95), st.sampled_from([7, 16, 65]))
+def test_between_points_of_an_annulus_the_kernel_is_below_what_is_said_of_each_interval(
+    low: float, steps: int
+) -> None:
+    fine = np.abs(np.sqrt(bounds.ellipses(ETA, low, 40 * steps)).imag)
+    inside = np.stack([fine[:, k : k + 40 * steps : 40] for k in range(41)])
+    told = bounds.rise(ETA, low, steps)
+    assert np.all(inside <= told * (1 + 1e-12) + 1e-15)
+    assert np.allclose(told.max(axis=1), fine.max(axis=1), rtol=1e-2)
+
+
+def test_the_kernel_of_an_annulus_is_largest_between_points_and_the_bound_says_so() -> None:
+    low, steps = 0.05, 7
+    at = np.abs(np.sqrt(bounds.ellipses(ETA, low, steps)).imag).max(axis=1)
+    fine = np.abs(np.sqrt(bounds.ellipses(ETA, low, 7000)).imag).max(axis=1)
+    assert np.any(at < 0.999 * fine)
+    assert np.all(bounds.rise(ETA, low, steps).max(axis=1) >= fine * (1 - 1e-12))
+
+
+@given(st.lists(st.floats(-1, 1), min_size=1, max_size=4), st.floats(0, 1))
+def test_between_points_a_phase_and_a_kernel_together_are_below_their_bound(parts: list[float], turn: float) -> None:
+    degree, steps = len(parts), 3 * len(parts)
+    fine = np.linspace(0.0, math.pi, 50 * steps + 1)
+    phase = np.abs(sum(a * np.sin(k * fine) for k, a in enumerate(parts, 1)))
+    kernel = turn * np.arange(1.0, steps + 1)
+    largest = max((phase[50 * k : 50 * k + 51].max() + kernel[k]) for k in range(steps))
+    told = bounds.between(phase[None, ::50], kernel[None], degree, 0.1)
+    assert largest <= told[0] * (1 + 1e-12) + 1e-15
+
+
+def test_a_phase_that_is_largest_between_two_points_is_not_missed() -> None:
+    phase = np.sin(np.linspace(0.0, math.pi, 4))[None]
+    assert bounds.between(phase, np.zeros((1, 3)), 1, 0.1)[0] >= 1.0 > phase.max()
+
+
 @given(st.lists(st.tuples(*[st.floats(-200, 200, allow_subnormal=False)] * 2), min_size=2, max_size=5), lows, radii)
 def test_growth_of_a_stack_bounds_that_of_each_pupil(rows: list[tuple[float, float]], low: float, v: float) -> None:
     stack = np.array(rows)

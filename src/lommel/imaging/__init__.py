@@ -16,6 +16,7 @@ from lommel.imaging.restoration.total_variation import TotalVariation
 from lommel.imaging.scene import Photograph
 from lommel.imaging.slopes import BlurSlopes
 from lommel.imaging.tiles import depth_of_field_by_tiles
+from lommel.imaging.traced_blur import traced_blur
 from lommel.io.depthmaps import read_depth, write_depth
 from lommel.io.photos import Exif, PhotoError, Picture, read_photo, write_photo
 from lommel.optics.channels import RED_GREEN_BLUE
@@ -45,6 +46,7 @@ __all__ = [
     "restore",
     "restore_by_tiles",
     "restore_with",
+    "traced_blur",
     "write_depth",
     "write_photo",
 ]

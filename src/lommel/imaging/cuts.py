@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.imaging.pixel_rule import quarters, sums_of_windows
+from lommel.methods.pixel_rule import quarters, sums_of_windows
 
 
 def find_cuts(octants: NDArray[np.float64], half: int, energy: float) -> NDArray[np.float64]:

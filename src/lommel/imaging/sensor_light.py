@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.imaging.defocus_nodes import Parabola
-from lommel.imaging.pixel_rule import pixel_rule, sums_of_windows
 from lommel.methods.choice import of_profiles
+from lommel.methods.pixel_rule import pixel_rule, sums_of_windows
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront

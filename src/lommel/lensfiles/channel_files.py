@@ -11,7 +11,7 @@ import numpy as np
 from lommel.base import reading, validation
 from lommel.base.arrays import Array
 from lommel.base.units import LENGTHS
-from lommel.lensfiles import cells
+from lommel.io import cells
 from lommel.lensfiles.messages import TOLD
 from lommel.optics.channels import Channels
 

@@ -21,8 +21,6 @@ from lommel.optics.apodization import Apodization
 
 _ETA = np.geomspace(1e-3, 4.0, 96)
 _STEPS = 128
-_THETA = np.linspace(0.0, math.pi, _STEPS + 1)
-_COSH, _SINH = np.cosh(_ETA)[:, None], np.sinh(_ETA)[:, None]
 
 UNIT_ROUNDOFF = 2.0**-53
 _EVEN = Apodization()
@@ -32,14 +30,14 @@ def growth(terms: NDArray[np.float64], low: float, v: float, light: Apodization 
     """Bound ``log|A exp(i Phi) J0(v sqrt t)|`` on each ellipse around ``[low, 1]``, for a whole stack.
 
     `terms` are the coefficients of R_2^0, R_4^0, ..., that is of P_1(2t - 1), P_2, ..., shape ``(n, terms)``; the box
-    around them bounds the stack. The maximum over theta is taken on a grid, times ``1 / cos(degree step / 2)``,
-    which bounds a trigonometric polynomial between grid points (Ehlich and Zeller, 1964).
+    around them bounds the stack. The maximum over theta is taken on a grid. If `low` is 0, Im sqrt t is a
+    trigonometric polynomial too, of theta / 2, and ``1 / cos(degree step / 2)`` bounds the sum between points of the
+    grid (Ehlich and Zeller, 1964). Else it is not, and each interval has its own bounds: see :func:`rise`.
     """
-    half = 0.5 * (1.0 - low)
-    t = 0.5 * (1.0 + low) + half * (np.cos(_THETA) * _COSH - 1j * np.sin(_THETA) * _SINH)
     degree = terms.shape[1]
     middle = 0.5 * (terms.max(axis=0) + terms.min(axis=0))
     spread = 0.5 * (terms.max(axis=0) - terms.min(axis=0))
+    t = ellipses(_ETA, low, _STEPS)
     # Im Phi is linear in the coefficients: its largest over a box is that in the middle and what the sides add.
     x = 2.0 * t - 1.0
     phase, sides, before, here = np.zeros(t.shape), np.zeros(t.shape), np.zeros_like(t), np.ones_like(t)
@@ -47,10 +45,51 @@ def growth(terms: NDArray[np.float64], low: float, v: float, light: Apodization 
         before, here = here, ((2 * j - 1) * x * here - (j - 1) * before) / j
         phase += c * here.imag
         sides += s * np.abs(here.imag)
-    exponent = np.abs(phase) + sides
-    exponent += v * np.abs(np.sqrt(t).imag)
-    phase_and_kernel = np.asarray(exponent.max(axis=1) / math.cos(0.5 * degree * math.pi / _STEPS))
-    return phase_and_kernel + light.growth(_COSH[:, 0], low)
+    largest = between(np.abs(phase) + sides, v * rise(_ETA, low, _STEPS), degree, low)
+    return np.asarray(largest + light.growth(np.cosh(_ETA), low))
+
+
+def ellipses(eta: NDArray[np.float64], low: float, steps: int) -> NDArray[np.complex128]:
+    """Return points of halves of the ellipses `eta` around ``[low, 1]``, shape ``(ellipses, steps + 1)``."""
+    theta = np.linspace(0.0, math.pi, steps + 1)
+    half = 0.5 * (1.0 - low)
+    around = np.cos(theta) * np.cosh(eta)[:, None] - 1j * np.sin(theta) * np.sinh(eta)[:, None]
+    return np.asarray(0.5 * (1.0 + low) + half * around)
+
+
+def rise(eta: NDArray[np.float64], low: float, steps: int) -> NDArray[np.float64]:
+    r"""Return abs(Im sqrt t): at the points of :func:`ellipses` if `low` is 0, else its largest between neighbours.
+
+    With ``x = cos(theta)`` and ``z = h x + c cosh(eta)``, c and h the middle and half of ``[low, 1]``, abs(t) is
+    ``sqrt(z^2 - low sinh(eta)^2)``, so that ``(Im sqrt t)^2 = (abs(t) - Re t) / 2`` is a concave function of x. It
+    therefore lies below the larger of two neighbours, but between those around its one maximum, at
+    ``x = -cosh(eta) (1 - sqrt(low)) / (1 + sqrt(low))``.
+    """
+    at = np.asarray(np.abs(np.sqrt(ellipses(eta, low, steps)).imag))
+    if low == 0.0:
+        return at
+    cosh, root, step = np.cosh(eta), math.sqrt(low), math.pi / steps
+    top = np.arccos(np.maximum(-1.0, -cosh * (1.0 - root) / (1.0 + root)))
+    half = 0.5 * (1.0 - low)
+    t = 0.5 * (1.0 + low) + half * (np.cos(top) * cosh - 1j * np.sin(top) * np.sinh(eta))
+    between_two = np.maximum(at[:, :-1], at[:, 1:])
+    around = np.abs((np.arange(steps) + 0.5) * step - top[:, None]) <= step * (0.5 + 1e-9)
+    return np.asarray(np.where(around, np.abs(np.sqrt(t).imag)[:, None], between_two))
+
+
+def between(phase: NDArray[np.float64], kernel: NDArray[np.float64], degree: int, low: float) -> NDArray[np.float64]:
+    """Bound the largest sum over theta of a phase at the points of the grid and of a kernel as of :func:`rise`.
+
+    Where the kernel is known by intervals: between two points a trigonometric polynomial of a `degree` is off what
+    is linear by at most ``(degree step)^2 / 8`` of its largest value, its second derivative being at most
+    ``degree^2`` of that (Bernstein).
+    """
+    steps = phase.shape[1] - 1
+    widening = 1.0 / math.cos(0.5 * degree * math.pi / steps)
+    if low == 0.0:
+        return np.asarray((phase + kernel).max(axis=1) * widening)
+    curved = (degree * math.pi / steps) ** 2 / 8.0 * widening
+    return np.asarray((np.maximum(phase[:, :-1], phase[:, 1:]) + kernel).max(axis=1) + curved * phase.max(axis=1))
 
 
 def quadrature_error(g: NDArray[np.float64], n: int, low: float = 0.0) -> float:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from lommel.base import validation, views
 from lommel.base.arrays import Array
+from lommel.optics.coefficients import coefficients
 from lommel.optics.terms import Terms
 from lommel.special import zernike
 
@@ -86,7 +87,7 @@ class Descriptions(views.Shown, Terms):
             if (n, m) in found:
                 raise ValueError(f"the Zernike term {index!r}, (n, m) = ({n}, {m}), comes twice")
             factor = scale * (zernike.rms_factor(n, m) if normalization == "rms" else 1.0)
-            found[n, m] = factor * validation.real_array(f"the Zernike coefficient {index!r}", value)
+            found[n, m] = factor * coefficients(f"the Zernike coefficient {index!r}", value)
         return cls.from_edge(found, validation.real("error", error, least=0.0))
 
     def to_zernike(
@@ -186,7 +187,7 @@ class Descriptions(views.Shown, Terms):
         waves |= {"W131": W131, "W222": W222, "W220": W220, "W311": W311}
         # A coefficient that is beyond the range in radians becomes infinite, which is told.
         with np.errstate(over="ignore"):
-            radians = {name: 2 * math.pi * validation.real_array(name, value) for name, value in waves.items()}
+            radians = {name: 2 * math.pi * coefficients(name, value) for name, value in waves.items()}
         w = {name: validation.real_array(name, value) for name, value in radians.items()}
         if not isinstance(field, tuple | list) or len(field) != 2:
             raise TypeError(f"field must be a pair (x, y), got {validation.shown(field)}")

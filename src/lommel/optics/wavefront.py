@@ -15,6 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.cached import cached_property
 from lommel.base.trusted import made
+from lommel.optics.coefficients import coefficients
 from lommel.optics.descriptions import Descriptions
 from lommel.optics.terms import symmetric_terms
 from lommel.special import zernike
@@ -89,9 +90,9 @@ class Wavefront(Descriptions):
         if len(higher) > MAX_HIGHER:
             raise ValueError(f"higher must hold at most {MAX_HIGHER} coefficients, got {len(higher)}")
         with np.errstate(over="ignore"):
-            double = 2.0 * validation.real_array("defocus", defocus)
-        columns = [validation.real_array("twice the defocus", double), validation.real_array("spherical", spherical)]
-        columns += [validation.real_array(f"higher[{i}]", c) for i, c in enumerate(higher)]
+            double = 2.0 * coefficients("defocus", defocus)
+        columns = [validation.real_array("twice the defocus", double), coefficients("spherical", spherical)]
+        columns += [coefficients(f"higher[{i}]", c) for i, c in enumerate(higher)]
         others = {} if nonradial is None else _nonradial(nonradial)
         shapes = [c.shape for c in (*columns, *others.values())]
         try:
@@ -358,7 +359,7 @@ def _nonradial(terms: Mapping[Any, ArrayLike]) -> Mapping[tuple[int, int], Array
         n, m = zernike.term(key, "nm")
         if m == 0:
             raise ValueError(f"nonradial must hold terms with m != 0, got {(n, m)}; Wavefront.zernike takes all")
-        found[n, m] = validation.real_array(f"nonradial[{n}, {m}]", terms[key])
+        found[n, m] = coefficients(f"nonradial[{n}, {m}]", terms[key])
     return dict(sorted(found.items()))
 
 

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.estimation.pixel_transfer import transfer_of_windows
-from lommel.imaging.pixel_rule import quarters
 from lommel.imaging.sensor_light import SensorLight
+from lommel.methods.pixel_rule import quarters
 from lommel.optics.lens import Lens
 
 

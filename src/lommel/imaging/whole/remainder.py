@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base.arrays import Array
 from lommel.imaging.cuts import ring_shares
 from lommel.imaging.defocus_nodes import DefocusNodes
-from lommel.imaging.pixel_rule import cells_alike, octant, quarters
+from lommel.methods.pixel_rule import cells_alike, octant, quarters
 
 _GAP = 3.0  # pixels between the shadow of the aperture and the edges of windows, about
 _MOST = 16  # products

@@ -1,0 +1,104 @@
+"""Twins on a processor, beside the compiled core and an FFT in the same framework: ``python -m benchmarks.twins``.
+
+Times are those of the processor, the least of several, so that what else runs counts little; one thread where the
+shell says so, as by ``taskset -c 0``.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+import lommel as lm
+from benchmarks.chordal import random_zernikes
+
+COUNT, SIDE, PIXEL, REACH = 1000, 33, 0.5, 10.0
+
+
+def milliseconds(run: Callable[[], Any], rounds: int = 7) -> float:
+    """Return the least time of the processor that a call took, after a first one."""
+    run()
+    times = []
+    for _ in range(rounds):
+        begin = time.process_time()
+        run()
+        times.append(time.process_time() - begin)
+    return 1e3 * min(times)
+
+
+def coefficients() -> np.ndarray:
+    """Return defocus and spherical aberration of as many pupils."""
+    return np.random.default_rng(0).uniform(-1.0, 1.0, (COUNT, 2)) * [REACH, 1.0]
+
+
+def by_fft(jnp: Any, c: Any) -> Any:
+    """Return images by the FFT of 128 by 128 that users write, the pupil in 64, its edge grey."""
+    y, x = jnp.meshgrid(*[(jnp.arange(64) - 31.5) / 32] * 2, indexing="ij")
+    rho2 = x**2 + y**2
+    amplitude = jnp.clip(0.5 + (1.0 - jnp.sqrt(rho2)) * 32, 0.0, 1.0)
+    field = amplitude * jnp.exp(1j * (2 * c[..., 0, None, None] * rho2 + c[..., 1, None, None] * rho2**2))
+    image = jnp.abs(jnp.fft.fftshift(jnp.fft.fft2(field, s=(128, 128)), axes=(-2, -1))) ** 2
+    return image[..., 48:81, 48:81] / (128.0**2 * jnp.sum(amplitude**2))
+
+
+def rows() -> list[tuple[str, float, float, float]]:
+    """Return what was measured: its name, images, gradient, and the largest error over the peak."""
+    import jax
+    import jax.numpy as jnp
+
+    c = coefficients()
+    pupils = lm.Pupil(lm.Wavefront(c[:, 0], c[:, 1]))
+    exact = lm.psf(pupils, SIDE, PIXEL, tol=1e-10).values
+    core = lm.Plan(SIDE, PIXEL, threads=1)
+    found = [("compiled core", milliseconds(lambda: core(pupils)), np.nan, _error(core(pupils).values, exact))]
+    reach = lm.Pupil(lm.Wavefront([-REACH, REACH], [-1.0, 1.0]))
+    makers: list[tuple[str, bool, Callable[[], Callable[..., Any]]]] = [
+        ("twin, float64 inside", True, lambda: lm.Plan(SIDE, PIXEL).traced(reach, jnp)),
+        ("twin, float32", False, lambda: lm.Plan(SIDE, PIXEL, tol=1e-3).traced(reach, jnp)),
+        ("FFT of 128 by 128, complex64", False, lambda: lambda c: by_fft(jnp, c)),
+    ]
+    for name, double, make in makers:
+        with jax.enable_x64(double):
+            function, given = make(), jnp.asarray(c)
+            weight = jnp.asarray(exact, dtype=jnp.float32)
+            images = jax.jit(function)
+            gradient = jax.jit(jax.grad(lambda c, w, of=function: jnp.sum(of(c) * w)))
+            found.append(
+                (
+                    name,
+                    milliseconds(lambda run=images, c=given: run(c).block_until_ready()),
+                    milliseconds(lambda run=gradient, c=given, w=weight: run(c, w).block_until_ready()),
+                    _error(np.asarray(images(given)), exact),
+                )
+            )
+    pupils = random_zernikes(False)(1)[0]
+    exact = lm.psf(pupils, SIDE, PIXEL, tol=1e-8).values
+    core = lm.Plan(SIDE, PIXEL, method=lm.ChordalGauss(1e-4), threads=1)
+    found.append(
+        (
+            "fifteen terms: compiled core",
+            milliseconds(lambda: core(pupils)),
+            np.nan,
+            _error(core(pupils).values, exact),
+        )
+    )
+    with jax.enable_x64(False):
+        images = jax.jit(lm.Plan(SIDE, PIXEL, tol=1e-3).traced(pupils, jnp))
+        gradient = jax.jit(jax.grad(lambda c, w: jnp.sum(images(c) * w)))
+        given, weight = jnp.asarray(pupils.wavefront.edge), jnp.asarray(exact, dtype=jnp.float32)
+        times = [milliseconds(lambda: images(given).block_until_ready(), 3)]
+        times.append(milliseconds(lambda: gradient(given, weight).block_until_ready(), 3))
+        found.append(("fifteen terms: twin, float32", *times, _error(np.asarray(images(given)), exact)))
+    return found
+
+
+def _error(images: Any, exact: Any) -> float:
+    return float((np.abs(images - exact).max(axis=(1, 2)) / exact.max(axis=(1, 2))).max())
+
+
+if __name__ == "__main__":
+    for name, images, gradient, error in rows():
+        print(f"{name:30} {images:8.2f} ms  gradient {gradient:8.2f} ms  off by {error:.0e} of the peak")

@@ -1,0 +1,136 @@
+"""The framework that arrays belong to, and the few things that frameworks do each in a way of their own."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from lommel.base import validation
+from lommel.base.optional import library
+
+_EXTRAS = ("jax", "torch", "cupy")
+_NEEDED = ("matmul", "take", "where", "isfinite", "concat", "flip")
+
+
+@dataclass(frozen=True)
+class Namespace:
+    """A framework with the functions of the Python array API standard.
+
+    Attributes
+    ----------
+    name : str
+        "numpy", "jax", "torch", "cupy", or of another module.
+    xp : module
+        The functions themselves, looked up once.
+    """
+
+    name: str
+    xp: Any = field(compare=False, repr=False)
+
+    @classmethod
+    def of(cls, given: Any) -> Namespace:
+        """Return that of a module, or of its name; None is NumPy.
+
+        Raises
+        ------
+        TypeError
+            If it is neither, or has not the functions of the standard.
+        ImportError
+            If what is named is not installed; the message says how to get it.
+        """
+        module = "numpy" if given is None else given
+        name = module if isinstance(module, str) else str(getattr(module, "__name__", ""))
+        name = name.removeprefix("array_api_compat.")
+        top = name.partition(".")[0]
+        if top in _EXTRAS:
+            library(top, f"a twin in {top} needs", top)
+            home = "jax.numpy" if top == "jax" else f"array_api_compat.{top}"
+            return cls(top, library(home, f"a twin in {top} needs", top))
+        try:
+            found = import_module(name) if isinstance(module, str) else module
+        except (ImportError, ValueError):
+            found = None
+        if found is None or not all(hasattr(found, each) for each in _NEEDED):
+            raise TypeError(
+                "xp must be a module of the array API such as numpy, jax.numpy, torch or cupy, or its name, got "
+                f"{validation.shown(given)}"
+            )
+        return cls(name, found)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Namespace.of, (self.name,)
+
+    def put(self, values: Any, device: Any, dtype: Any = None) -> Any:
+        """Return an array of the framework made of one of NumPy, on a device, and at once even while it traces."""
+        if self.name == "torch":
+            values = np.array(values)  # it warns of arrays that are not to be written to
+        if self.name != "jax":
+            return self.xp.asarray(values, dtype=dtype, device=device)
+        import jax
+
+        with jax.ensure_compile_time_eval():
+            return self.xp.asarray(values, dtype=dtype, device=device)
+
+    def has_double(self, device: Any) -> bool:
+        """Whether arrays there may be float64: JAX has them if it was told so, some devices have none."""
+        try:
+            return bool(self.put(np.zeros(1), device).dtype == self.xp.float64)
+        except (TypeError, ValueError, RuntimeError):  # torch on a device without them
+            return False
+
+    def matmul(self, a: Any, b: Any) -> Any:
+        """Return a matrix product in the full precision of its type."""
+        if self.name == "jax":
+            return self.xp.matmul(a, b, precision="highest")
+        return self.xp.matmul(a, b)
+
+    def coarseness(self, unit: float) -> float:
+        """Return what products round operands to where a user allowed it for float32, told by its `unit`."""
+        if unit < 1e-10:
+            return 0.0
+        if self.name == "torch":
+            import torch
+
+            return {"highest": 0.0, "high": 2.0**-11}.get(torch.get_float32_matmul_precision(), 2.0**-8)
+        if self.name == "cupy":
+            return 2.0**-11 if os.environ.get("CUPY_TF32", "0") != "0" else 0.0
+        return 0.0
+
+    def stop(self, x: Any) -> Any:
+        """Return `x`, through which no gradient passes."""
+        if self.name == "jax":
+            import jax
+
+            return jax.lax.stop_gradient(x)
+        return x.detach() if self.name == "torch" else x
+
+    def concrete(self, x: Any) -> bool:
+        """Whether `x` has values now, rather than when what is being traced is run."""
+        if self.name == "jax":
+            import jax
+
+            return not isinstance(x, jax.core.Tracer)
+        if self.name == "torch":
+            import torch
+
+            if torch.compiler.is_compiling():
+                return False
+            try:
+                x.sum().item()
+            except RuntimeError:  # within torch.func.vmap
+                return False
+        return True
+
+    def to_numpy(self, x: Any) -> Any:
+        """Return values as an array of NumPy."""
+        if self.name == "cupy":
+            return x.get()
+        if self.name == "torch":
+            return x.detach().cpu().numpy()
+        if hasattr(x, "to_device") and self.name == "array_api_strict":
+            x = x.to_device(self.xp.Device("CPU_DEVICE"))
+        return np.asarray(x)

@@ -1,0 +1,99 @@
+r"""Sums of terms over the pupil, in float64, or in float32 without losing whole turns.
+
+In float32 a phase of 100 rad would be off by 6e-6 before anything is done with it. So coefficients are split,
+``c = n / s + r`` with a whole number n, and terms in turns, ``B / (2 pi s) = B_1 + B_2`` with B_1 a multiple of
+``2^-q``: as ``n B_1`` are multiples of it too, and their sum is less than ``2^(23 - q)``, products, sums and what is
+left without whole turns are exact. ``n B_2 + r B / 2 pi`` is a small part of a turn, and only it is rounded. With u
+the unit roundoff, d terms, and the small part at most ``delta``, the phase is off by at most
+
+``u (2 pi (2 d + 4) delta + 6 pi (1/2 + delta)) .``
+
+Rounding n to whole numbers has the derivative 0, and that of r by c is 1: derivatives are those of the phase.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.twins.namespaces import Namespace
+
+UNIT = {"float64": 2.0**-53, "float32": 2.0**-24}
+_ADDED = 4  # terms up to which products of columns and rows are added, which compilers make one pass of
+
+
+class PhaseRule(NamedTuple):
+    """How sums of terms are made, and what is proven of them.
+
+    Attributes
+    ----------
+    scale : float
+        s; 0 in float64.
+    each, fixed : float
+        The phase is off by at most `each` times ``sum abs(c_j) max abs(B_j)`` and `fixed`.
+    limit : float
+        What that sum may be at most.
+    """
+
+    scale: float
+    each: float
+    fixed: float
+    limit: float
+
+
+def make(basis: Array, degree: int, largest: float, precision: str) -> tuple[PhaseRule, dict[str, Array]]:
+    """Return the rule and the tables for terms at the nodes.
+
+    Parameters
+    ----------
+    basis : ndarray, shape (terms, nodes)
+    degree : int
+        Highest, of polynomials in the coordinate that nodes are given in: nodes are rounded, too.
+    largest : float
+        Of ``sum abs(c_j) max abs(B_j)`` within reach.
+    precision : str
+    """
+    count, size = len(basis), np.abs(basis).max(axis=1)
+    each = UNIT["float64"] * (count + 2.0 * degree + 6.0)
+    tables = {"size": size}
+    if precision == "float64":
+        return PhaseRule(0.0, each, 0.0, math.inf), tables | {"basis": basis}
+    limit = 1.25 * largest + 1.0
+    q = 23 - math.ceil(math.log2(limit / math.tau))
+    least = float(size[size > 0.0].min()) if size.any() else 1.0
+    scale = 2.0 ** max(0, round(0.5 * (q - math.log2(limit / least))))
+    turns = basis / (math.tau * scale)
+    coarse = np.round(turns * 2.0**q) * 2.0**-q
+    small = scale * (limit / least) * 2.0 ** (-q - 1) + float(size.sum()) / (2.0 * math.tau * scale)
+    unit = UNIT["float32"]
+    fixed = unit * (math.tau * (2.0 * count + 4.0) * small + 3.0 * math.tau * (0.5 + small))
+    tables |= {"coarse": coarse, "fine": turns - coarse, "basis": basis / math.tau}
+    return PhaseRule(scale, each, fixed, limit), tables
+
+
+def phases(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> Any:
+    """Return phases but for whole turns, radians, from coefficients ``(n, terms)``: ``(n, nodes)``, line by line.
+
+    Tables of several lines of nodes have these first, and so do the phases.
+    """
+    xp, dtype = ns.xp, tables["basis"].dtype
+    if not rule.scale:
+        return _sum(ns, xp.astype(c, dtype), tables["basis"])
+    whole = xp.round(ns.stop(c) * rule.scale)
+    rest = xp.astype(c - whole * (1.0 / rule.scale), dtype)
+    whole = xp.astype(whole, dtype)
+    turns = _sum(ns, whole, tables["coarse"])
+    turns = turns - xp.round(turns)
+    return (turns + (_sum(ns, whole, tables["fine"]) + _sum(ns, rest, tables["basis"]))) * math.tau
+
+
+def _sum(ns: Namespace, c: Any, rows: Any) -> Any:
+    if len(rows.shape) > 2 or rows.shape[0] > _ADDED:
+        return ns.matmul(c, rows)
+    total = c[..., 0:1] * rows[0, ...]
+    for j in range(1, rows.shape[0]):
+        total = total + c[..., j : j + 1] * rows[j, ...]
+    return total

@@ -1,0 +1,61 @@
+"""Frameworks that twins are tested in: what is installed, each on the devices that a processor can stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+
+class Framework(NamedTuple):
+    """One to test, by the module that a user names."""
+
+    module: str
+    device: str | None = None
+    double: bool = True
+
+    @contextmanager
+    def used(self) -> Iterator[Any]:
+        """Yield the module, as users find it who asked for float64 or did not."""
+        xp = import_module(self.module)
+        with import_module("jax").enable_x64(self.double) if self.module == "jax.numpy" else nullcontext():
+            yield xp
+
+    def place(self, xp: Any) -> Any:
+        """Return the device as the framework calls it."""
+        return xp.Device(self.device) if self.module == "array_api_strict" and self.device else self.device
+
+    def array(self, xp: Any, values: Any) -> Any:
+        """Return an array there."""
+        return xp.asarray(np.array(values, dtype=np.float64), device=self.place(xp))
+
+    def to_numpy(self, values: Any) -> np.ndarray:
+        """Return the values as float64."""
+        if self.module == "array_api_strict":
+            values = values.to_device(import_module(self.module).Device("CPU_DEVICE"))
+        elif self.module == "torch":
+            values = values.detach().cpu().numpy()
+        return np.asarray(values, dtype=np.float64)
+
+
+ALL = [
+    Framework("numpy"),
+    Framework("array_api_strict"),
+    Framework("array_api_strict", "device1"),
+    Framework("jax.numpy"),
+    Framework("jax.numpy", double=False),
+    Framework("torch"),
+]
+THERE = [
+    pytest.param(
+        one,
+        id="-".join(filter(None, [one.module, one.device, "" if one.double else "float32"])),
+        marks=[] if find_spec(one.module.partition(".")[0]) else pytest.mark.skip(f"{one.module} is not installed"),
+    )
+    for one in ALL
+]

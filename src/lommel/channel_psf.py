@@ -108,8 +108,8 @@ def colour_psf(
     **options
         ``method`` (of one wavelength), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill``,
         ``blur``, ``derivatives`` and ``threads`` as of :func:`lommel.psf`. The tolerance is that of each channel,
-        over its own peak, and each is normalised on its own. With derivatives, blur, and pixels that are not square or not
-        whole, wavelengths that channels share are computed for each of them.
+        over its own peak, and each is normalised on its own. With derivatives, blur, and pixels that are not square
+        or not whole, wavelengths that channels share are computed for each of them.
 
     Returns
     -------

@@ -149,3 +149,9 @@ def test_wavefronts_refuse_tensors_and_name_what_takes_them():
     ):
         with pytest.raises(TypeError, match=r"of JAX, whose gradients would end here: .*traced"):
             bad()
+
+
+@pytest.mark.parametrize("given", [{"pixel": (0.5, 0.6)}, {"fill": 0.5, "integrate": True}, {"blur": lm.Jitter(0.5)}])
+def test_what_no_twin_has_is_refused(given):
+    with pytest.raises(ValueError, match="one number for a twin, and fill and blur left out"):
+        lm.Plan(**{"shape": 9, "pixel": 0.5} | given).traced(lm.Pupil(lm.Wavefront([0.0, 1.0])))

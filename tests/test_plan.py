@@ -245,7 +245,7 @@ def test_derivatives_travel_with_an_npz_file_and_no_other_drops_them_silently(tm
     for name, values in answer.derivatives.items():
         assert np.array_equal(loaded.derivatives[name], values)
         assert np.array_equal(loaded[1].derivatives[name], values[1])
-    with pytest.raises(ValueError, match=r"must end in \.npz for a PSF with derivatives"):
+    with pytest.raises(ValueError, match=r"must end in \.npz, \.h5, \.hdf5 for a PSF with derivatives"):
         answer.save(tmp_path / "a.tif")
 
 

@@ -47,7 +47,7 @@ def test_nothing_is_written_over_nor_invented(call_lommel, tmp_path):
     assert (tmp_path / "phone.toml").read_text() == "mine"
     result = call_lommel("examples", "camera", folder=tmp_path)
     assert result.returncode == 2
-    assert result.stderr.startswith("Error: NAMES must be among camera-field, hubble-1990, ")
+    assert result.stderr.startswith("Error: NAMES must be among camera-field, fast-portrait, hubble-1990, ")
 
 
 def test_a_wheel_has_them_within_the_package(tmp_path, monkeypatch):

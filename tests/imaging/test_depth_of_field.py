@@ -195,8 +195,6 @@ def test_arguments_in_the_wrong_order_are_told_in_one_line(way):
             way(*order, encoding="linear")
     with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is depth, lens, pixel$"):
         DepthBlur(8e-6, image, LENS)
-    with pytest.raises(TypeError, match=r"lens must be a Lens, got ndarray; the order is lens, depth, pixel$"):
-        DepthBlur(image, LENS, 8e-6)
 
 
 def test_a_photograph_has_the_focus_of_each_colour():

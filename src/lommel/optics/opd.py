@@ -103,7 +103,7 @@ def plain(opd: ArrayLike | OPDMap, unit: str | None, wavelength: float | None) -
     """Return a map as an array, masked where there is no measurement, its unit and its wavelength."""
     if not isinstance(opd, OPDMap):
         if unit is None:
-            raise TypeError("unit must be given, 'radians', 'waves' or 'metres', but for an OPDMap")
+            raise TypeError("unit must be given, 'radians', 'waves' or 'metres', where opd is no OPDMap")
         return opd, unit, wavelength
     if unit not in (None, "metres"):
         raise ValueError(f"unit must be left out for an OPDMap, which is in metres, got {validation.shown(unit)}")

@@ -69,6 +69,11 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
         pupil, pitch = thing.pupil, thing.grid.side if thing.grid.integrate and _of_all_light(thing) else None
     else:
         pupil = checked(thing)
+        if not pupil.circular:
+            raise ValueError(
+                "pupil must be a disc or an annulus, since a curve of others takes minutes; draw that of an image, "
+                "psf.plot_mtf(), or ask for few frequencies, lommel.mtf"
+            )
         pitch = None if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
     places = few(range(math.prod(pupil.shape)), _MOST)
     indices = [tuple(int(i) for i in np.unravel_index(k, pupil.shape)) if pupil.shape else () for k in places]

@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 _AT_ONCE = 2**22  # values of a channel that are computed at once
 
 
-class Keywords(TypedDict, total=False):
-    """What :func:`colour_psf` takes beside, as :func:`lommel.psf` does."""
+class PSFKeywords(TypedDict, total=False):
+    """What :func:`lommel.psf` takes of what is asked of all pupils."""
 
     method: Method | None
     tol: float | None
@@ -46,6 +46,11 @@ class Keywords(TypedDict, total=False):
     fill: float | tuple[float, float]
     blur: Blur | Sequence[Blur]
     threads: int | None
+
+
+class Keywords(PSFKeywords, total=False):
+    """What :func:`colour_psf` takes beside, as :func:`lommel.psf` does."""
+
     derivatives: Sequence[Any]
 
 

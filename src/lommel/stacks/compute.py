@@ -17,16 +17,17 @@ from numpy.typing import NDArray
 from lommel.base import options as shared
 from lommel.base import validation
 from lommel.base.options import shares
+from lommel.channel_psf import PSFKeywords
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
 from lommel.stacks.layout import Index
-from lommel.stacks.request import Keywords, Options, Question, Request, requested
+from lommel.stacks.request import Options, Question, Request, requested
 from lommel.stacks.stack import PSFStack
 from lommel.stacks.store import Store
 from lommel.stacks.stores import kind
 
 
-@shares(Keywords, Options)
+@shares(PSFKeywords, Options)
 def psf_to(
     store: str | os.PathLike[str],
     pupils: BasePupil | Sequence[BasePupil],
@@ -37,7 +38,7 @@ def psf_to(
     chunk: int | None = None,
     progress: Callable[[int, int], object] | None = None,
     client: Any = None,
-    **options: Unpack[Keywords],
+    **options: Unpack[PSFKeywords],
 ) -> PSFStack:
     """Compute the PSFs of a stack that need not fit into memory, chunk by chunk into a store.
 
@@ -94,7 +95,7 @@ def psf_to(
     >>> lens = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
     >>> stack = lm.psf_to("depths.zarr", lens.pupil(np.linspace(1.0, 3.0, 5000)), 33, 3e-6)  # doctest: +SKIP
     """
-    shared.require_known(psf_to, options, Keywords)
+    shared.require_known(psf_to, options, PSFKeywords)
     given = Options(**options)
     place, path = kind(validation.path("store", store)), Path(os.path.realpath(store))
     if progress is not None and not callable(progress):

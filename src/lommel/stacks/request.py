@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, TypedDict
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -29,20 +29,6 @@ from lommel.stacks.layout import DEFAULT, FORMAT, Index, Layout, cut, layouts
 _METRES = ("object_distance", "depth", "z", "wavelength")
 _TAKEN = ("y", "x", "values", "error_bound", "scale", "method", "pupil", "chunks", "term")
 _MOST_AXES = 8
-
-
-class Keywords(TypedDict, total=False):
-    """What :func:`lommel.psf` takes of what is asked of all pupils."""
-
-    method: Method | None
-    tol: float | None
-    normalize: str
-    dtype: DTypeLike | None
-    center: tuple[ArrayLike, ArrayLike] | None
-    integrate: bool | None
-    fill: float | tuple[float, float]
-    blur: Blur | Sequence[Blur]
-    threads: int | None
 
 
 @dataclass(frozen=True)

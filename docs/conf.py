@@ -15,7 +15,6 @@ from lommel.page import module
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
-import check  # noqa: E402
 import command_options  # noqa: E402
 import drawn  # noqa: E402
 import rooms  # noqa: E402
@@ -68,7 +67,7 @@ sphinx_gallery_conf = {
     "within_subsection_order": "FileNameSortKey",
     "backreferences_dir": "gallery/uses",
     "doc_module": ("lommel",),
-    "image_scrapers": (check.scrape,),
+    "image_scrapers": ("check.scrape",),
     "image_srcset": ["2x"],
     "capture_repr": (),
     "abort_on_example_error": True,

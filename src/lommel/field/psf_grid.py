@@ -71,7 +71,7 @@ class PSFGrid(AnswerGrid):
         Parameters
         ----------
         index : int
-            Which of :attr:`depths`.
+            Which of `depths`.
 
         Returns
         -------

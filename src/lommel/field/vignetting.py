@@ -109,7 +109,7 @@ class Shading:
         Parameters
         ----------
         distance : float
-            From the exit pupil to the sensor, in the unit of heights; :attr:`lommel.Lens.sensor_distance` of a thin
+            From the exit pupil to the sensor, in the unit of heights; `sensor_distance` of :class:`lommel.Lens` of a thin
             lens that is its own stop.
 
         Returns

@@ -130,7 +130,7 @@ class Descriptions(views.Shown, Terms):
         """Write the Zernike coefficients of a single wavefront to a `path` ending in .csv, .json or .toml.
 
         :func:`lommel.load_zernike` reads them. `how` may name the order ("noll" by default), the unit ("waves"), the
-        normalization ("rms") and the wavelength; see :func:`lommel.io.zernike_tables.save_wavefront`.
+        normalization ("rms") and the wavelength; see :func:`lommel.save_zernike`.
         """
         views.view(type(self), "save")(self, path, **how)
 

@@ -109,8 +109,8 @@ class Shading:
         Parameters
         ----------
         distance : float
-            From the exit pupil to the sensor, in the unit of heights; `sensor_distance` of :class:`lommel.Lens` of a thin
-            lens that is its own stop.
+            From the exit pupil to the sensor, in the unit of heights; `sensor_distance` of :class:`lommel.Lens` of a
+            thin lens that is its own stop.
 
         Returns
         -------

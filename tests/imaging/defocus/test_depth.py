@@ -197,7 +197,7 @@ def test_lenses_that_breathe_are_brought_to_one_scale():
 
     ratio = PAIR[0].sensor_distance / PAIR[1].sensor_distance
     middle = 0.5 * (images[1].shape[0] - 1)
-    images[1] = affine_transform(images[1], [ratio] * 2, middle * (1.0 - ratio), order=5, mode="mirror")
+    images[1] = affine_transform(images[1], ratio * np.eye(2), middle * (1.0 - ratio), order=5, mode="mirror")
     found = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, magnification="lens", **CAMERA)
     plain = lm.imaging.depth_from_defocus(images, PAIR, PIXEL, **CAMERA)
     error, deviation = errors(found, 1.5)

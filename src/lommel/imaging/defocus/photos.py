@@ -154,9 +154,9 @@ def _rescaled(
     middle = 0.5 * (np.array(valid.shape) - 1.0)
     for k, lens in enumerate(lenses[1:], 1):
         scale = lens.sensor_distance / lenses[0].sensor_distance
-        offset = middle * (1.0 - scale)
+        offset, zoom = middle * (1.0 - scale), scale * np.eye(2)
         for channel in range(len(images)):
-            out[channel, k] = affine_transform(images[channel, k], [scale] * 2, offset, order=5, mode="mirror")
-        whole = affine_transform(valid.astype(np.float64), [scale] * 2, offset, order=1, mode="constant", cval=0.0)
+            out[channel, k] = affine_transform(images[channel, k], zoom, offset, order=5, mode="mirror")
+        whole = affine_transform(valid.astype(np.float64), zoom, offset, order=1, mode="constant", cval=0.0)
         known &= whole > 1.0 - 1e-6
     return out, known

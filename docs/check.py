@@ -91,6 +91,17 @@ def broken_links(folder: Path) -> list[str]:
     return found
 
 
+def browser() -> str | None:
+    """Return the path of a Chromium of the system, or None."""
+    return os.environ.get("LOMMEL_BROWSER") or next((at for name in BROWSERS if (at := shutil.which(name))), None)
+
+
+def launched(play: Any) -> Any:
+    """Return that Chromium, started by Playwright."""
+    # Root has no sandbox, as in containers.
+    return play.chromium.launch(executable_path=browser(), args=["--no-sandbox"] if os.geteuid() == 0 else [])
+
+
 def wide_pages(folder: Path, width: int = PHONE) -> list[str] | None:
     """Return which pages are wider than a screen, and by what; None where there is no browser to tell.
 
@@ -105,15 +116,13 @@ def wide_pages(folder: Path, width: int = PHONE) -> list[str] | None:
     -------
     list of str or None
     """
-    browser = os.environ.get("LOMMEL_BROWSER") or next((at for name in BROWSERS if (at := shutil.which(name))), None)
-    if not browser:
+    if not browser():
         return None
     from playwright.sync_api import sync_playwright
 
     found = []
     with sync_playwright() as play:
-        # Root has no sandbox, as in containers.
-        made = play.chromium.launch(executable_path=browser, args=["--no-sandbox"] if os.geteuid() == 0 else [])
+        made = launched(play)
         view = made.new_page(viewport={"width": width, "height": 844})
         for path in _made(folder):
             view.goto(path.resolve().as_uri())

@@ -41,7 +41,7 @@ def test_pictures_that_are_missing_are_told(folder):
 
 def test_pages_wider_than_a_phone_are_told_where_there_is_a_browser(folder, monkeypatch):
     pytest.importorskip("playwright", reason="playwright is not installed, which drives the browser")
-    if not any(map(shutil.which, check.BROWSERS)):
+    if not check.browser():
         pytest.skip("there is no Chromium to open pages with")
     assert check.wide_pages(folder) == []
     (folder / "b.html").write_text('<body style="margin:0"><div style="width:600px">x</div>', encoding="utf-8")

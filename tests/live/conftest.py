@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import threading
 from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -12,8 +10,9 @@ from typing import Any
 
 import pytest
 
+import check
+
 MODULE = Path(__file__).resolve().parents[2] / "src" / "lommel" / "page" / "lommel-live.js"
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>test</title><link rel="icon" href="data:,">
 <meta name="viewport" content="width=device-width, initial-scale=1"><body style="margin:0">"""
 PAGES = {
@@ -43,14 +42,10 @@ def module() -> Path:
 def browser() -> Iterator[Any]:
     """A Chromium of the system."""
     api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed, which drives the browser")
-    found = os.environ.get("LOMMEL_BROWSER") or next(
-        (path for name in BROWSERS if (path := shutil.which(name))), None
-    )
-    if not found:
+    if not check.browser():
         pytest.skip("there is no Chromium to open the live page with")
     with api.sync_playwright() as play:
-        # Root has no sandbox, as in containers.
-        made = play.chromium.launch(executable_path=found, args=["--no-sandbox"] if os.geteuid() == 0 else [])
+        made = check.launched(play)
         yield made
         made.close()
 

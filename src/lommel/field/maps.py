@@ -355,9 +355,9 @@ class FieldMap(Shaded):
         height_width = sides(sensor, self.unit)
         # Exactly symmetric, so that the middle one of an odd number is on the axis.
         y, x = (np.asarray(s / n * (np.arange(n) - 0.5 * (n - 1))) for s, n in zip(height_width, counts, strict=True))
-        pupil_of = {"channels": channels, "depths": depths}
-        if named := [name for name, value in pupil_of.items() if value is not None]:
-            if self.vignetting is not None or validation.truth("illuminated", illuminated):
+        lit = validation.truth("illuminated", illuminated)
+        if named := [name for name, value in (("channels", channels), ("depths", depths)) if value is not None]:
+            if self.vignetting is not None or lit:
                 raise ValueError(
                     f"{' and '.join(named)} must be left out where vignetting changes the aperture or values are "
                     "weighted by the illumination; ask channel by channel, or multiply by illumination(x, y)"
@@ -373,6 +373,6 @@ class FieldMap(Shaded):
                 made = colour_psf(pupil, shape, pixel, channels, **options)
             return PSFGrid(made, x, y, height_width, distances)
         alone = self.psf(x, y[:, None], shape, pixel, **options)
-        if validation.truth("illuminated", illuminated):
+        if lit:
             alone = weighted(alone, np.asarray(self.illumination(x, y[:, None])))
         return PSFGrid(alone, x, y, height_width)

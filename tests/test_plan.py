@@ -39,11 +39,27 @@ def test_a_plan_forgets_the_pupil_it_was_asked_about_before():
     for normalize in ("energy", "strehl", "peak"):
         plan = lm.Plan(9, 1e-3, normalize=normalize)
         for pupil in (*pupils, *pupils[::-1]):
-            answer, expected = plan(pupil), lm.psf(pupil, 9, 1e-3, normalize=normalize)
+            answer, expected = plan(pupil), lm.Plan(9, 1e-3, normalize=normalize)(pupil)
             assert np.array_equal(answer.values, expected.values)
             assert (answer.grid, answer.method) == (expected.grid, expected.method)
             assert answer.error_bound == expected.error_bound
             assert np.array_equal(answer.scale, expected.scale)
+
+
+def test_calls_with_what_another_had_answer_as_if_it_had_not_been():
+    pupil, other = lm.Pupil(lm.Wavefront(3.0)), lm.Pupil(lm.Wavefront(4.0), obscuration=0.2)
+    first = lm.psf(pupil, 1, 0.5)
+    kept = first.values.copy()
+    assert not np.array_equal(lm.psf(other, 1, 0.5).values, kept)
+    assert np.array_equal(first.values, kept)
+    assert lm.psf(pupil, 1, 0.5, dtype="float64").values.dtype == np.float64
+    assert lm.psf(pupil, 1, 0.5, method=lm.Hankel()).method == lm.Hankel()
+    # What is equal to an argument that was taken, and is none.
+    for given, name in (({"shape": True}, "shape"), ({"pixel": True}, "pixel"), ({"method": []}, "method")):
+        with pytest.raises(TypeError, match=f"{name} must be"):
+            lm.psf(**{"pupil": pupil, "shape": 1, "pixel": 1} | given)
+    with pytest.raises(TypeError, match="threads must be"):
+        lm.psf(pupil, 1, 1.0, threads=True)
 
 
 def test_a_plan_refuses_a_pupil_whatever_it_took_before():

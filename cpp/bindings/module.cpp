@@ -25,6 +25,13 @@ struct MainThread final : lommel::ForkAware {
 };
 MainThread& main_thread = *new MainThread;
 
+// Who imports this where nobody imported `threading`, which takes as long as loading this module, is the only thread.
+unsigned long this_or_main_thread() {
+    const nb::object threads = nb::steal(PyImport_GetModule(nb::str("threading").ptr()));
+    return threads.is_valid() ? nb::cast<unsigned long>(threads.attr("main_thread")().attr("ident"))
+                              : PyThread_get_thread_ident();
+}
+
 bool signalled() {
     const nb::gil_scoped_acquire gil;
     return PyErr_CheckSignals() != 0;
@@ -47,7 +54,7 @@ lommel::Watch::Ask bindings::ask_python() { return PyThread_get_thread_ident() =
 NB_MODULE(_core, m) {
     // Python keeps what its users hold to the end of the process, plans among it, and that is no fault here.
     nb::set_leak_warnings(false);
-    main_thread.id = nb::cast<unsigned long>(nb::module_::import_("threading").attr("main_thread")().attr("ident"));
+    main_thread.id = this_or_main_thread();
     // The exception is set, by the handler that raised it.
     nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
         try {

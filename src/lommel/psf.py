@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
+from functools import lru_cache
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -19,12 +21,12 @@ from lommel.methods.asked import Asked, asked_about
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil, imaged
 from lommel.optics.grid import Grid
-from lommel.sensor.blurs import Blur, blurs
 from lommel.show.pictured import Pictured
 from lommel.twins.door import Traceable
 
 if TYPE_CHECKING:
     from lommel.methods.derivatives import Name
+    from lommel.sensor.blurs import Blur
 
 
 def psf(
@@ -123,19 +125,14 @@ def psf(
     if out is not None and dtype is None:
         dtype = wanted.array("out", out).dtype
     imaged(pupil)  # first, for whoever mixes up the order
-    prepared = Plan(
-        shape,
-        pixel,
-        method=method,
-        tol=tol,
-        normalize=normalize,
-        dtype=dtype,
-        center=center,
-        integrate=integrate,
-        fill=fill,
-        blur=blur,
-        threads=threads,
-    )
+    options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
+    options |= {"integrate": integrate, "threads": threads}
+    prepared = None
+    if type(shape) is int and type(fill) is float and fill == 1.0 and center is None and isinstance(blur, tuple):
+        with suppress(TypeError):  # what cannot be a key, or is refused: by the line below, with its own words
+            prepared = None if blur else _kept(shape, pixel, **options)
+    if prepared is None:
+        prepared = Plan(shape, pixel, center=center, fill=fill, blur=blur, **options)
     return prepared(pupil, derivatives=derivatives, out=out)
 
 
@@ -182,12 +179,17 @@ class Plan(Traceable):
     ) -> None:
         method, tol = wanted.way(method, tol, integrate)
         self.integrate = integrate
-        self.blur = blurs(blur) if blur != () else ()
+        self.blur: tuple[Blur, ...] = ()
+        if not isinstance(blur, tuple) or blur:
+            from lommel.sensor.blurs import blurs  # few images have any
+
+            self.blur = blurs(blur)
         # Which of the two a pupil is recorded on, its unit decides.
         self._averaged = Grid(shape, pixel, center=center, integrate=True, fill=fill)
         self._sampled = self._averaged if self._averaged.partly else Grid(shape, pixel, center=center)
         if integrate is False and self._averaged.partly:
             raise ValueError(f"integrate must not be False with fill={validation.shown(fill)}: samples have no area")
+        self._places = self._sampled.stack
         # Whether methods take pixels and light as they are.
         self.plain = self._averaged.square and not self.blur
         self.method, self.tol = method, tol
@@ -198,8 +200,8 @@ class Plan(Traceable):
 
     def __call__(self, pupil: BasePupil, *, derivatives: Sequence[Name] = (), out: NDArray[Any] | None = None) -> PSF:
         """Compute the PSF of `pupil`; see :func:`psf`."""
-        if places := self._sampled.stack:
-            pupil = wanted.for_axes(imaged(pupil), places)
+        if self._places:
+            pupil = wanted.for_axes(imaged(pupil), self._places)
         if not self.plain:
             return self._spread(imaged(pupil), derivatives, out)
         light = imaged(pupil).aperture, pupil.radial, pupil.shape, pupil.wavelength, pupil.f_number
@@ -261,6 +263,10 @@ class Plan(Traceable):
             metric = pupil.wavelength is not None
             averages = metric or (self.method is not None and self.method.sampling == "pixel")
         return self._averaged if averages else self._sampled
+
+
+# Calls like the last ones take the plans of these, types and all: 1 and True are equal, and only one is a number.
+_kept = lru_cache(maxsize=16, typed=True)(Plan)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -12,6 +12,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.deprecation import reordered
 from lommel.base.options import shares
+from lommel.base.together import side_by_side
 from lommel.core import engine
 from lommel.imaging.bank import Bank, build_bank
 from lommel.imaging.borders import folded, gathered
@@ -111,17 +112,19 @@ class DepthBlur(LinearBlur):
         self.place(depth)
         reach = (float(self.defocus.min()), float(self.defocus.max()))
         self.spectra = spectra("channels", [lens.wavelength] if channels is None else channels)
-        known: dict[tuple[tuple[float, float], ...], Bank] = {}
-        for spectrum in self.spectra:
-            if spectrum not in known:
-                known[spectrum] = build_bank(
-                    SensorLight.of(lens, spectrum, self.pixel, self.threads),
-                    reach,
-                    tol=settings.tol,
-                    energy=settings.energy,
-                    largest=settings.largest or max(1, min(self.shape) // 2),
-                    dtype=self.dtype,
-                )
+
+        def bank(spectrum: tuple[tuple[float, float], ...]) -> Bank:
+            return build_bank(
+                SensorLight.of(lens, spectrum, self.pixel, self.threads),
+                reach,
+                tol=settings.tol,
+                energy=settings.energy,
+                largest=settings.largest or max(1, min(self.shape) // 2),
+                dtype=self.dtype,
+            )
+
+        distinct = tuple(dict.fromkeys(self.spectra))
+        known = dict(zip(distinct, side_by_side(bank, distinct, self.threads), strict=True))
         self.banks = tuple(known[spectrum] for spectrum in self.spectra)
         self.beyond = Beyond(self.banks, settings.tol) if settings.energy == 1.0 else None
 

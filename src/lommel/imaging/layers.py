@@ -39,7 +39,7 @@ class _Edges(NamedTuple):
     def behind(self, plane: NDArray[Any]) -> NDArray[Any]:
         """Return what is behind each point that hides something; elsewhere zeros."""
         behind = np.zeros(plane.shape, dtype=plane.dtype)
-        behind.reshape(-1)[self.points] = plane[np.unravel_index(self.sources, plane.shape)]
+        behind.reshape(-1)[self.points] = plane.take(self.sources)
         return behind
 
 
@@ -158,7 +158,9 @@ class Occlusion(LinearBlur):
             edges, shares = self._looked()
             seen, total, groups = shares[channel]
             spread = spread_groups(self.blur, channel, (plane, edges.behind(plane)), seen, groups)
-            return np.asarray((spread + _TRACE * plane) / (total + _TRACE))
+            spread += _TRACE * plane
+            spread /= total + _TRACE
+            return spread
 
         return self.by_channel(image, make)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -13,7 +13,9 @@ from lommel.base.arrays import Array
 from lommel.methods.method import Method, RadialMethod
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.sensor.blurs import Blur
+
+if TYPE_CHECKING:
+    from lommel.sensor.blurs import Blur
 
 
 @dataclass(frozen=True, eq=False)

@@ -64,8 +64,10 @@ struct ChordCurves {
             cosh[k] = std::cosh(2.0 * b[k]);
             constant[k] = std::log1p(std::exp(-2.0 * b[k]));
             closed[k] = -std::log(-std::expm1(-b[k]));
-            for (std::size_t n = 0; n <= max_degree; ++n) {
-                growth[n][k] = std::sinh(std::min(600.0, static_cast<double>(n) * b[k]));
+            const double most = std::sinh(600.0), grown = std::exp(b[k]);
+            double up = 1.0, down = 1.0;  // e^(n b), e^(-n b)
+            for (std::size_t n = 0; n <= max_degree; ++n, up *= grown, down *= decay[k]) {
+                growth[n][k] = std::min(most, 0.5 * (up - down));
             }
         }
     }

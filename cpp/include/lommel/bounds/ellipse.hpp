@@ -10,9 +10,12 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "lommel/base/cache.hpp"
+#include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/bounds/settle.hpp"
 
@@ -44,12 +47,16 @@ struct EllipseGrid {
     static double pi() { return 3.14159265358979323846; }
 };
 
-// Im P_1, Im P_2, ... at those angles of each ellipse.
+// Made when the program is loaded: a fork must not find it half done.
+inline const EllipseGrid ellipse_grid;
+
+// Im P_1, Im P_2, ... at those angles of each ellipse: a MiB, which few wavefronts need.
 struct EllipsePolynomials {
     static constexpr std::size_t most = 30;
     std::vector<std::array<std::array<double, EllipseGrid::steps + 1>, EllipseGrid::count>> imaginary;
 
-    explicit EllipsePolynomials(const EllipseGrid& grid) : imaginary(most) {
+    EllipsePolynomials() : imaginary(most) {
+        const EllipseGrid& grid = ellipse_grid;
         for (std::size_t i = 0; i < EllipseGrid::count; ++i) {
             for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
                 const std::complex<double> x(grid.cos[j] * grid.cosh[i], -grid.sin[j] * grid.sinh[i]);
@@ -65,6 +72,11 @@ struct EllipsePolynomials {
             }
         }
     }
+
+    std::size_t bytes() const { return sizeof(imaginary[0]) * imaginary.size(); }
+    bool is() const { return true; }
+    static constexpr std::size_t most_bytes = std::size_t{1} << 21;
+    static std::shared_ptr<const EllipsePolynomials> get() { return cache<EllipsePolynomials>.get(); }
 };
 
 class Ellipses {
@@ -175,17 +187,18 @@ class Ellipses {
         if (terms <= 2) {
             // |Im Phi| = |sin| sinh |a1 + 3 a2 cos cosh| = |A sin + B sin cos|, whose maxima are known.
             const double a1 = terms > 0 ? phase[0] : 0.0, a2 = terms > 1 ? phase[1] : 0.0;
-            for (std::size_t i = 0; i < count; ++i) {
-                const double a = grid.sinh[i] * std::abs(a1);
-                const double b = 3.0 * grid.sinh[i] * grid.cosh[i] * std::abs(a2);
-                g_[i] = largest(a, b);
-            }
+            dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+                for (std::size_t i = 0; i < count; ++i) {
+                    g_[i] = largest(grid.sinh[i] * std::abs(a1), 3.0 * grid.sinh[i] * grid.cosh[i] * std::abs(a2));
+                }
+            });
             return;
         }
+        const auto polynomials = EllipsePolynomials::get();
         for (std::size_t i = 0; i < count; ++i) {
             std::array<double, EllipseGrid::steps + 1> sums{};
             for (std::size_t k = 0; k < terms; ++k) {
-                const auto& imaginary = the_polynomials.imaginary[k][i];
+                const auto& imaginary = polynomials->imaginary[k][i];
                 for (std::size_t j = 0; j <= EllipseGrid::steps; ++j) {
                     sums[j] += phase[k] * imaginary[j];
                 }
@@ -201,17 +214,12 @@ class Ellipses {
     }
 
     // max over c = cos of sqrt(1 - c^2) (a + b c), a, b >= 0: at 2 b c^2 + a c - b = 0.
-    static double largest(double a, double b) {
-        if (b == 0.0) {
-            return a;
-        }
-        const double c = 2.0 * b / (a + std::hypot(a, 2.8284271247461903 * b));
-        return std::sqrt(std::max(0.0, 1.0 - c * c)) * (a + b * c);
+    static LOMMEL_INLINE double largest(double a, double b) {
+        const double ratio = a / std::max(b, 1e-300), c = 2.0 / (ratio + std::sqrt(ratio * ratio + 8.0));
+        return std::sqrt(1.0 - c * c) * (a + b * c);
     }
 
-    // Made when the program is loaded: a fork must not find it half done.
-    static inline const EllipseGrid grid;
-    static inline const EllipsePolynomials the_polynomials{grid};
+    static inline const EllipseGrid& grid = ellipse_grid;
 
     std::array<double, count> g_;
 };

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from lommel.base.together import side_by_side
 from lommel.imaging.bank import Bank
 from lommel.imaging.whole.mirrored import MirroredKernels
 
@@ -89,7 +89,7 @@ class Beyond:
             return kernels[index].transformed(r, factors[index][r] * light[index])
 
         asked = [(index, r) for index, each in enumerate(factors) for r in range(len(each))]
-        sums = _summed(asked, _side_by_side(part, asked, blur))
+        sums = _summed(asked, side_by_side(part, asked, _threads(blur)))
         return [each.image(total, _threads(blur)) for each, total in zip(kernels, sums, strict=True)]
 
     def collect(
@@ -120,7 +120,7 @@ class Beyond:
             taken *= factors[index][r]
             return taken
 
-        return _summed(asked, _side_by_side(part, asked, blur))
+        return _summed(asked, side_by_side(part, asked, _threads(blur)))
 
     def _kernels_of(self, blur: Blur, channel: int) -> MirroredKernels:
         """Return the kernels of a channel for images of this shape and border; kept."""
@@ -155,14 +155,6 @@ def _summed(asked: Sequence[tuple[int, int]], parts: Sequence[NDArray[Any]]) -> 
         else:
             sums[-1] += found
     return sums
-
-
-def _side_by_side(task: Callable[[Any], Any], each: Sequence[Any], blur: Blur) -> list[Any]:
-    """Return what a task makes of each, on as many threads as the blur has; the result does not depend on these."""
-    if _threads(blur) == 1:
-        return [task(one) for one in each]
-    with ThreadPoolExecutor(_threads(blur)) as pool:
-        return list(pool.map(task, each))
 
 
 def _threads(blur: Blur) -> int:

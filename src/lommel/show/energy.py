@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +15,7 @@ from lommel.measures.energy import encircled_energy as within
 from lommel.measures.energy import radial_energy
 from lommel.optics.pupil import Pupil
 from lommel.show.drawing import lengths, new_axes
-from lommel.show.labels import few, of_pupils
+from lommel.show.labels import few_of, of_pupils
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -64,9 +63,8 @@ def encircled_energy(psf: Answer, ax: Axes | None = None, *, radius: float | Non
     axes = new_axes(ax)
     if pupil.shape:
         titles = of_pupils(pupil)
-        for k in few(range(math.prod(pupil.shape)), _MOST):
-            one = psf[tuple(int(i) for i in np.unravel_index(k, pupil.shape))]
-            axes.plot(factor * at, within(one, at), label=titles[k])
+        for place, index in few_of(pupil.shape, _MOST).items():
+            axes.plot(factor * at, within(psf[index], at), label=titles[place])
     else:
         curve = np.asarray(within(psf, at))
         axes.plot(factor * at, curve, label="PSF")

@@ -72,3 +72,9 @@ def few(items: Sequence[Any], most: int) -> list[Any]:
     if len(items) <= most:
         return list(items)
     return [items[round(k * (len(items) - 1) / (most - 1))] for k in range(most)]
+
+
+def few_of(shape: tuple[int, ...], most: int) -> dict[int, tuple[int, ...]]:
+    """Return a :func:`few` of a stack, at most so many: their places in it flattened, and their indices."""
+    chosen = few(range(math.prod(shape)), most)
+    return {place: tuple(int(i) for i in np.unravel_index(place, shape)) for place in chosen}

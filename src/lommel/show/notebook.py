@@ -27,7 +27,7 @@ from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
 from lommel.show import png
 from lommel.show.drawing import HOW, MEANING
-from lommel.show.labels import few, of_pupils
+from lommel.show.labels import few, few_of, of_pupils
 from lommel.show.pupils import across
 from lommel.special import zernike
 
@@ -44,7 +44,7 @@ Row = tuple[str, str | Callable[[], str]]
 def psf(answer: Answer) -> str:
     """Return the values of a PSF, or of some of a stack, and how they were made."""
     stack, all_of = answer.pupil.shape, math.prod(answer.pupil.shape)
-    seen = [_window(answer, index) for index in _chosen(stack)]
+    seen = [_window(answer, index) for index in few_of(stack, _TILES).values()]
     whole = answer.values.size <= _MANY
     values = answer.values if whole else np.stack(seen)
     of = "" if whole else ", where looked at"
@@ -159,7 +159,7 @@ _PHASE = "phase, blue to red"
 
 
 def _phase(pupil: Any) -> str:
-    chosen = _chosen(pupil.shape)
+    chosen = list(few_of(pupil.shape, _TILES).values())
     # A wavefront of very many terms takes as long for each point as one of few for all.
     terms = len(pupil.wavefront.terms) if isinstance(pupil, Pupil) else 1
     side = min(_RASTER, max(16, math.isqrt(_SUMS // (terms * len(chosen)))))
@@ -188,12 +188,6 @@ def _cell(work: str | Callable[[], str], *, markup: bool = False) -> str:
     except Exception as error:  # whatever it is: the rest is still to be seen
         return f"<i>{escape(brief(' '.join(str(error).split()) or type(error).__name__))}</i>"
     return text if markup else escape(brief(text, 160))
-
-
-def _chosen(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
-    """Return the indices of a few of a stack."""
-    places = few(range(math.prod(shape)), _TILES)
-    return [tuple(int(k) for k in np.unravel_index(place, shape)) if shape else () for place in places]
 
 
 def _window(answer: Answer, index: tuple[int, ...]) -> Array:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -17,7 +16,7 @@ from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.pupil import Pupil, checked
 from lommel.show.drawing import frequencies, new_axes
-from lommel.show.labels import few, of_pupils
+from lommel.show.labels import few_of, of_pupils
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -75,9 +74,8 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
                 "psf.plot_mtf(), or ask for few frequencies, lommel.mtf"
             )
         pitch = None if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
-    places = few(range(math.prod(pupil.shape)), _MOST)
-    indices = [tuple(int(i) for i in np.unravel_index(k, pupil.shape)) if pupil.shape else () for k in places]
-    known = [_known(thing[index] if index else thing, pitch) for index in indices]
+    places = few_of(pupil.shape, _MOST)
+    known = [_known(thing[index] if index else thing, pitch) for index in places.values()]
     words = of_pupils(pupil)
     axes = new_axes(ax)
     factor, unit = frequencies(pupil.unit)

@@ -46,6 +46,18 @@ def test_a_plan_forgets_the_pupil_it_was_asked_about_before():
             assert np.array_equal(answer.scale, expected.scale)
 
 
+def test_a_plan_forgets_whether_a_microscope_had_aberrations():
+    water = {"immersion": 1.33, "sample": 1.33, "working_distance": 0.2e-3, "coverslip": None}
+    objective = lm.Objective(NA=1.2, magnification=60, **water)
+    coma = lm.Wavefront.zernike({(3, 1): 0.1}, unit="waves")
+    for emitter in (lm.Beam("x"), "isotropic"):
+        plain = objective.pupil(depth=0.0, z=0.0, wavelength=520e-9, emitter=emitter)
+        on_top = objective.pupil(depth=0.0, z=0.0, wavelength=520e-9, emitter=emitter, aberrations=coma)
+        plan = lm.Plan(5, 6e-6)
+        for pupil in (plain, on_top, plain):
+            assert np.array_equal(plan(pupil).values, lm.Plan(5, 6e-6)(pupil).values)
+
+
 def test_calls_with_what_another_had_answer_as_if_it_had_not_been():
     pupil, other = lm.Pupil(lm.Wavefront(3.0)), lm.Pupil(lm.Wavefront(4.0), obscuration=0.2)
     first = lm.psf(pupil, 1, 0.5)

@@ -88,8 +88,8 @@ class ObjectivePupil(BasePupil):
 
     @cached_property
     def aperture(self) -> tuple[Any, ...]:
-        """All that decides how much light passes."""
-        return self.layers, self.magnification, self.emitter, self.depth.tobytes()
+        """All that decides how much light passes; and whether wavefronts are on top, which other methods take."""
+        return self.layers, self.magnification, self.emitter, self.depth.tobytes(), self.aberrated
 
     @cached_property
     def power(self) -> Array:

@@ -71,7 +71,8 @@ NB_MODULE(_core, m) {
     define_paper(m);
     define_imaging(m);
     define_stratified(m);
-    define_bounds(m);
+    define_radial_bounds(m);
+    define_disk_bounds(m);
     m.def("instructions", &instructions, "The widest instructions in use: portable, avx2 or avx512.");
     m.def("limit_instructions", &limit_instructions, "level"_a, "Use no wider instructions than these.");
 }

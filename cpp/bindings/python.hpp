@@ -34,7 +34,8 @@ void define_chordal(nb::module_& m);
 void define_paper(nb::module_& m);
 void define_imaging(nb::module_& m);
 void define_stratified(nb::module_& m);
-void define_bounds(nb::module_& m);
+void define_radial_bounds(nb::module_& m);
+void define_disk_bounds(nb::module_& m);
 
 template <class T, std::size_t N>
 using In = nb::ndarray<const T, nb::numpy, nb::ndim<N>, nb::c_contig, nb::device::cpu>;

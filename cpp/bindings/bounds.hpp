@@ -1,0 +1,34 @@
+// What the compiled core takes its error for, term by term: no answer is made from these, tests hold them against the
+// formulas of docs/certificate.md. A bound that cannot be read cannot be tested.
+#pragma once
+
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "lommel/base/aligned.hpp"
+
+#include "pupils.hpp"
+
+namespace bindings {
+
+using Doubles1 = In<double, 1>;
+using Terms = In<std::int64_t, 2>;
+using Named = nb::typed<nb::dict, nb::str, nb::object>;
+
+template <class... Values>
+Named named(const Values&... values) {
+    nb::dict made;
+    ((made[values.name_] = values.value), ...);
+    return nb::cast<Named>(made);
+}
+inline std::vector<double> listed(const lommel::Doubles& values) { return {values.begin(), values.end()}; }
+template <class F>
+std::vector<double> each(const Doubles1& at, const F& f) {
+    std::vector<double> values(at.size());
+    std::transform(at.data(), at.data() + at.size(), values.begin(), f);
+    return values;
+}
+
+}  // namespace bindings

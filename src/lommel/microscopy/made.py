@@ -38,7 +38,9 @@ def confocal(
     Parameters
     ----------
     excitation, emission : ObjectivePupil
-        The light that excites, whose emitter is a :class:`lommel.Beam`, and that of the emitter, in the same planes.
+        The light that excites, whose emitter is a :class:`lommel.Beam`, and that of the emitter, in the same planes,
+        both without aberrations. A :class:`lommel.Dipole` absorbs the part of the field along it; where it wobbles,
+        as if it had turned in the meantime.
         Colours have their foci apart: with ``z=emission.focus, origin="coverslip"`` the excitation is in the planes
         of the emission, whatever the origin of these.
     shape : int or (int, int)
@@ -64,7 +66,7 @@ def confocal(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the planes differ, or if either light depends on the direction.
+        If an argument is out of range, if the planes differ, or if either light has aberrations.
     ToleranceError
         If the tolerance cannot be met.
 
@@ -119,7 +121,7 @@ def two_photon(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if the light depends on the direction.
+        If an argument is out of range, or if the light has aberrations.
     ToleranceError
         If the tolerance cannot be met.
     """
@@ -158,7 +160,7 @@ def bead(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the bead reaches into the glass, or if the light depends on the direction.
+        If an argument is out of range, if the bead reaches into the glass, or if the light has aberrations.
     ToleranceError
         If the tolerance cannot be met.
 

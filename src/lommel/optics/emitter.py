@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.optics.pupil_pieces import Model
 
 Form = NDArray[np.complex128]
@@ -161,11 +162,16 @@ class Dipole:
         object.__setattr__(self, "wobble", wobble)
 
     @property
-    def light(self) -> Light:
-        """What its intensity is made of."""
+    def moments(self) -> Array:
+        """Three times the mean of ``p p^T`` over its directions: the unit matrix where it turns freely."""
         flat, azimuth = math.sin(self.polar), self.azimuth
         p = np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.cos(self.polar)])
-        M = 3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3)
+        return np.asarray(3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3))
+
+    @property
+    def light(self) -> Light:
+        """What its intensity is made of."""
+        M = self.moments
         level = 0.5 * (M[0, 0] + M[1, 1])
         return _vectorial(
             0.5 * np.einsum("caj,jl,cbl->ab", _CAMERA, M, _CAMERA.conj()),
@@ -208,20 +214,79 @@ class Beam:
     @property
     def light(self) -> Light:
         """What its intensity is made of."""
-        if isinstance(self.polarization, str) and self.polarization in _AROUND:
-            model = Model(self.polarization)
-            along = float(self.polarization == "radial")  # what is along the axis, only of the one
+        waves = self._waves(np.eye(3))
+        if self._around is not None:
+            along = float(self._around == "radial")  # what is along the axis, only of the one
             steady = Harmonic(0, np.diag([along, 1.0]).astype(np.complex128), 1.0, 0.0)
-            waves = Waves((1, -1, 0), (1, 1, 0), np.diag([0.5, 0.5, along]).astype(np.complex128))
-            return Light(model, (steady,), waves)
-        a, b = _JONES[self.polarization] if isinstance(self.polarization, str) else self.polarization
+            return Light(Model(self._around), (steady,), waves)
+        a, b = self._jones
         power = abs(a) ** 2 + abs(b) ** 2
         turned = _form(3, {(0, 2): 1.0, (1, 1): 2.0})
         across, along = (abs(a) ** 2 - abs(b) ** 2) / power, 2.0 * (a * np.conj(b)).real / power
         steady = Harmonic(0, np.diag([1.0, 2.0, 1.0]).astype(np.complex128), 1.0, 0.0)
-        field = np.stack([*(each[:, :2] @ (a, b) for each in _CAMERA), _CAMERA[:, :, 2].T @ (a, b)])
-        form = np.einsum("ca,cb->ab", field, field.conj()) / power
-        return _vectorial(form, steady, Harmonic(2, turned, across, along))
+        return _vectorial(waves.form, steady, Harmonic(2, turned, across, along))
+
+    @property
+    def _around(self) -> str | None:
+        """The polarization, where it is one towards the axis or around it."""
+        named = isinstance(self.polarization, str) and self.polarization in _AROUND
+        return str(self.polarization) if named else None
+
+    @property
+    def _jones(self) -> tuple[complex, complex]:
+        return _JONES[self.polarization] if isinstance(self.polarization, str) else self.polarization
+
+    def _waves(self, moments: Array) -> Waves:
+        """Return ``sum_jl moments[j, l] E_j conj(E_l)``, E the field along x, y and z in the sample."""
+        orders: tuple[int, ...] = (0, 1, -1, 2, -2)
+        if self._around is None:
+            field = np.einsum("c,cul->lu", self._jones, _CAMERA) / np.linalg.norm(self._jones)
+        else:
+            orders = (1, -1, 0)
+            # The part along the axis has a factor i.
+            towards, across, along = [0.5, 0.5, 0.0], [-0.5j, 0.5j, 0.0], [0.0, 0.0, -1.0j]
+            radial = self._around == "radial"
+            field = np.array([towards, across, along] if radial else [np.negative(across), towards, np.zeros(3)])
+        return Waves(orders, tuple(map(abs, orders)), np.einsum("la,lm,mb->ab", field, moments, field.conj()))
+
+
+@dataclass(frozen=True)
+class Absorbed(Beam):
+    """Light of a beam as a dipole absorbs it: the intensity of the field along it, three times.
+
+    Its mean over all directions of the dipole is the intensity of the beam. The axis may be anywhere beside the
+    dipole: light is that of an image of it, at the place of the axis.
+
+    Parameters
+    ----------
+    polarization
+        As of :class:`Beam`.
+    dipole : Dipole
+    """
+
+    dipole: Dipole = Dipole(0.0, 0.0)
+
+    @property
+    def light(self) -> Light:
+        """What that is made of."""
+        waves = self._waves(self.dipole.moments)
+        model = Model(self._around or "vectorial")
+        return Light(model, _harmonics(waves, len(model.orders)), waves)
+
+
+def _harmonics(waves: Waves, parts: int) -> tuple[Harmonic, ...]:
+    """Return the orders of the azimuth without aberrations: ``U_q`` is ``(-i)^abs(q) exp(i q phi)`` times its K."""
+    orders = np.array(waves.orders)
+    turns = (-1j) ** np.abs(orders)
+    form = waves.form * np.multiply.outer(turns, turns.conj())
+    found = []
+    for m in range(2 * int(orders.max()) + 1):
+        F = np.zeros((parts, parts), np.complex128)
+        for a, b in np.argwhere(np.subtract.outer(orders, orders) == m):
+            F[waves.parts[a], waves.parts[b]] += form[a, b]
+        each = ((F + F.conj().T, 1.0, 0.0), (1j * (F - F.conj().T), 0.0, 1.0)) if m else ((F, 1.0, 0.0),)
+        found += [Harmonic(m, *one) for one in each if not m or np.abs(one[0]).max() > 1e-15]
+    return tuple(found)
 
 
 @dataclass(frozen=True)

@@ -101,7 +101,7 @@ def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMea
         around = np.cos(m * np.arctan2(y, along))[..., None] * np.where(row < 0, (-1.0) ** m, 1.0) if m else 1.0
         made.append(coo_array(((data * around).ravel(), (place.ravel(), column)), shape=shape).tocsr())
     gain = float((w * np.abs(shares).sum(axis=-1)).sum(axis=-1).max(initial=1.0))
-    return DiscMeans(step * known, tuple(made), gain, error + _ROUNDING)
+    return DiscMeans(np.asarray(step * known), tuple(made), gain, error + _ROUNDING)
 
 
 def table_step(error: float) -> float:

@@ -103,6 +103,15 @@ def test_a_stack_of_wavefronts_is_each_of_them():
     assert "Wavefront" in repr(pupil)
 
 
+def test_each_plane_is_over_the_light_of_its_own_depth():
+    pupil = OIL.pupil(depth=[0.0, 1e-6], wavelength=WAVE, aberrations=FIVE)
+    assert pupil.collected[0] > 1.1 * pupil.collected[1]
+    made = lm.psf(pupil, 5, PIXEL, integrate=False, normalize="emitted")
+    for k in range(2):
+        alone = lm.psf(pupil[k], 5, PIXEL, integrate=False, normalize="emitted")
+        assert made.values[k] == pytest.approx(alone.values, abs=3e-6 * alone.values.max())
+
+
 def test_a_stack_in_parts_is_the_stack(monkeypatch):
     wave = lm.Wavefront.zernike({(2, 2): np.linspace(-0.4, 0.3, 19), (3, 1): 0.3})
     pupil = OIL.pupil(depth=np.linspace(0.0, 1e-6, 19), wavelength=WAVE, aberrations=wave)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.special import j0, j1
+from scipy.special import j0, j1, jv
 
 from lommel.methods.disc_means import disc_means, ellipses, gauss_error
 from lommel.special.legendre import gauss_legendre
@@ -23,6 +23,17 @@ def test_means_of_a_wave_are_within_the_bound(radius, error, frequency):
     found = 0.5 * (1.0 + j0(frequency * means.places)) @ means.weights[0]
     assert np.abs(found - known).max() <= means.error
     assert means.error <= 1.01 * error
+
+
+@pytest.mark.parametrize("radius", [0.4, 3.8])
+@pytest.mark.parametrize("error", [1e-3, 1e-10])
+def test_means_of_orders_of_the_azimuth_are_within_the_bound(radius, error):
+    # J_m(q r) cos(m phi), too, is a sum of waves of the frequency q, whose means over discs are alike.
+    means = disc_means(V, radius, error, 4)
+    orders = np.abs(np.arange(-4, 5))
+    found = means.of(0.1 * jv(orders[:, None], 2.0 * means.places)[None])[0]
+    known = 0.1 * jv(orders[:, None], 2.0 * V) * j1(2.0 * radius) / radius
+    assert np.abs(found - known).max() <= means.error
 
 
 def test_the_bound_is_met_within_three_orders():

@@ -67,7 +67,11 @@ def test_values_over_the_largest_in_a_window_beside_the_peak_are_exact_to_that()
     # Where they relate to the peak, which is beside the window, much less is needed.
     bright = lm.psf(pupil, 5, PIXEL, normalize="strehl", **way)
     assert np.abs(bright.values - exact).max() <= 1e-5 * squared(pupil, np.zeros(1), np.zeros(1))[0, 0]
-    assert made.method == bright.method == TwoPhoton(1e-5)
+    # Beside nothing but faint light no tolerance near rounding can be met, unless it is over the peak.
+    far = {"method": TwoPhoton(1e-9), "center": (2.0, -20.0), "integrate": False, "dtype": np.float64}
+    with pytest.raises(lm.ToleranceError, match="tol=1e-09 cannot be met"):
+        lm.psf(pupil, 5, PIXEL, normalize="peak", **far)
+    assert lm.psf(pupil, 5, PIXEL, normalize="strehl", **far).error_bound <= 1e-9
 
 
 def test_a_profile_is_the_mean_around_the_axis():

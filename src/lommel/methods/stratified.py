@@ -31,6 +31,7 @@ from lommel.optics.stratified import Layers
 # Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.
 _FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0
 _LEAST = 2.0**-52
+_TURNS = 2  # the highest order of the azimuth that the core makes images of
 
 T = TypeVar("T")
 _Question = tuple[Layers, Model, tuple[float, float], tuple[float, float], float, float]
@@ -126,6 +127,8 @@ def differentiated(
     None where the engine has no such windows, or none that is exact enough; see
     :func:`lommel.core.engine.layered_images`.
     """
+    if any(h.order > _TURNS for h in pupil.light.harmonics):
+        return None
     step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
     window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
 

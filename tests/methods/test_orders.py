@@ -120,3 +120,11 @@ def test_errors_of_pixels_are_those_of_light_times_what_they_may_grow():
     found, error = table.painted(Orders(0.5 + 0.1 * signs[None, None], np.full(1, 0.1)), middle, np.ones(3))
     off = np.abs(found - 0.5).max()
     assert 0.15 < off <= error[0] <= 1.001 * off
+
+
+def test_images_of_more_orders_than_the_engine_has_are_those_of_the_reference():
+    pupil = replace(TIRF.pupil(depth=0.2e-6, wavelength=520e-9), emitter=Absorbed("x", lm.Dipole(0.7, 0.4)))
+    y, x = np.mgrid[-2:3, -2:3] * 6.5e-6
+    exact = (intensity(TIRF, pupil, x.ravel(), y.ravel(), 50, 80) / pupil.power[:, None]).reshape(5, 5)
+    made = lm.psf(pupil, 5, 6.5e-6, integrate=False)
+    assert made.values / made.scale == pytest.approx(exact, abs=1e-6 * exact.max())

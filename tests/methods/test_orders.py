@@ -45,6 +45,8 @@ def at(orders: Orders, phi=PHI):
         Absorbed((1.0, 0.4j), lm.Dipole(2.2, -1.4, wobble=0.3)),
         Absorbed("radial", lm.Dipole(0.9, 1.4)),
         Absorbed("azimuthal", lm.Dipole(0.9, 1.4)),
+        lm.Beam("vortex"),
+        Absorbed("vortex", lm.Dipole(0.9, 1.4)),
     ],
     ids=repr,
 )
@@ -128,3 +130,10 @@ def test_images_of_more_orders_than_the_engine_has_are_those_of_the_reference():
     exact = (intensity(TIRF, pupil, x.ravel(), y.ravel(), 50, 80) / pupil.power[:, None]).reshape(5, 5)
     made = lm.psf(pupil, 5, 6.5e-6, integrate=False)
     assert made.values / made.scale == pytest.approx(exact, abs=1e-6 * exact.max())
+
+
+def test_vortices_have_no_derivatives():
+    pupil = TIRF.pupil(depth=0.2e-6, wavelength=520e-9, emitter=lm.Beam("vortex"))
+    for name in ("z", "row"):
+        with pytest.raises(ValueError, match=r"not available of the light of Beam\(polarization='vortex'\)"):
+            lm.psf(pupil, 5, 6.5e-6, derivatives=(name,))

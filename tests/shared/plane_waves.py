@@ -75,10 +75,11 @@ def _fields(emitter, p_pupil, s_wave, p_wave, transmitted, seen):
         if emitter.polarization in ("radial", "azimuthal"):
             share = float(emitter.polarization == "radial")
             return transmitted(share, 1.0 - share, p_wave, s_wave)
-        names = {"x": (1, 0), "y": (0, 1), "circular": (1, 1j)}
+        names = {"x": (1, 0), "y": (0, 1), "circular": (1, 1j), "vortex": (1, 1j)}
         jones = names[emitter.polarization] if isinstance(emitter.polarization, str) else emitter.polarization
         a, b = np.array(jones) / np.linalg.norm(jones)
-        entering = [a * part[0] + b * part[1] for part in (p_pupil, s_wave)]
+        turned = p_pupil[0] + 1j * p_pupil[1] if emitter.polarization == "vortex" else 1.0
+        entering = [turned * (a * part[0] + b * part[1]) for part in (p_pupil, s_wave)]
         return transmitted(*entering, p_wave, s_wave)
     fields = []
     for p in moments(emitter):

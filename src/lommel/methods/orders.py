@@ -86,7 +86,9 @@ def light(pupil: ObjectivePupil, v: Array, asked: float, tol: float) -> Orders:
         relative = np.divide(off, top, out=np.full(top.shape, np.inf), where=top > 0.0)
         return (values, off), float(relative.max())
 
-    made = _settled(attempt, pupil, max(asked, _FINEST * tol, Stratified.least_tol))
+    made = None
+    if pupil.light.model.orders[0] == 0:
+        made = _settled(attempt, pupil, max(asked, _FINEST * tol, Stratified.least_tol))
     if made is None:
         found = harmonics(pupil, v, LEAST)
         made = np.moveaxis(found.values, 0, 1), found.error

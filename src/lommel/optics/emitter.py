@@ -27,7 +27,7 @@ Form = NDArray[np.complex128]
 
 
 _JONES: dict[str, tuple[complex, complex]] = {"circular": (1.0, 1.0j), "x": (1.0, 0.0), "y": (0.0, 1.0)}
-_AROUND = ("radial", "azimuthal")
+_AROUND = ("radial", "azimuthal", "vortex")
 
 
 class Harmonic(NamedTuple):
@@ -187,10 +187,11 @@ class Beam:
 
     Parameters
     ----------
-    polarization : {"circular", "x", "y", "radial", "azimuthal"} or (complex, complex), default "circular"
+    polarization : {"circular", "x", "y", "radial", "azimuthal", "vortex"} or (complex, complex), default "circular"
         Jones vectors ``(a, b)`` are along the columns and the rows of the camera; their length does not matter.
         "circular", (1, i), is unpolarised light, too, where there are no aberrations. "radial" is polarised towards
-        the axis everywhere in the pupil, and "azimuthal" around it: a beam that is dark on the axis.
+        the axis everywhere in the pupil, and "azimuthal" around it: a beam that is dark on the axis. So is "vortex",
+        circular light behind a plate that adds the azimuth to its phase, as (1, i) turns: the doughnut of STED.
 
     Raises
     ------
@@ -216,9 +217,8 @@ class Beam:
         """What its intensity is made of."""
         waves = self._waves(np.eye(3))
         if self._around is not None:
-            along = float(self._around == "radial")  # what is along the axis, only of the one
-            steady = Harmonic(0, np.diag([along, 1.0]).astype(np.complex128), 1.0, 0.0)
-            return Light(Model(self._around), (steady,), waves)
+            model = Model(self._around)
+            return Light(model, _harmonics(waves, len(model.orders)), waves)
         a, b = self._jones
         power = abs(a) ** 2 + abs(b) ** 2
         turned = _form(3, {(0, 2): 1.0, (1, 1): 2.0})
@@ -228,7 +228,7 @@ class Beam:
 
     @property
     def _around(self) -> str | None:
-        """The polarization, where it is one towards the axis or around it."""
+        """The polarization, where it turns with the azimuth, or its phase does."""
         named = isinstance(self.polarization, str) and self.polarization in _AROUND
         return str(self.polarization) if named else None
 
@@ -239,15 +239,20 @@ class Beam:
     def _waves(self, moments: Array) -> Waves:
         """Return ``sum_jl moments[j, l] E_j conj(E_l)``, E the field along x, y and z in the sample."""
         orders: tuple[int, ...] = (0, 1, -1, 2, -2)
-        if self._around is None:
-            field = np.einsum("c,cul->lu", self._jones, _CAMERA) / np.linalg.norm(self._jones)
+        parts: tuple[int, ...] = (0, 1, 1, 2, 2)
+        if self._around in (None, "vortex"):
+            jones = self._jones if self._around is None else _JONES["circular"]
+            field = np.einsum("c,cul->lu", jones, _CAMERA) / np.linalg.norm(jones)
+            if self._around:
+                # Of circular light there is one sense of each order, and its phase turns once more.
+                field, orders, parts = field[:, [0, 1, 3]], (1, 2, 3), (0, 1, 2)
         else:
-            orders = (1, -1, 0)
             # The part along the axis has a factor i.
             towards, across, along = [0.5, 0.5, 0.0], [-0.5j, 0.5j, 0.0], [0.0, 0.0, -1.0j]
             radial = self._around == "radial"
             field = np.array([towards, across, along] if radial else [np.negative(across), towards, np.zeros(3)])
-        return Waves(orders, tuple(map(abs, orders)), np.einsum("la,lm,mb->ab", field, moments, field.conj()))
+            orders, parts = (1, -1, 0), (1, 1, 0)
+        return Waves(orders, parts, np.einsum("la,lm,mb->ab", field, moments, field.conj()))
 
 
 @dataclass(frozen=True)

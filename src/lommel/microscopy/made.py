@@ -88,7 +88,7 @@ def confocal(
     219.5 nm
     """
     lit, seen = _pupil("excitation", excitation), _pupil("emission", emission)
-    _same_planes(lit, seen)
+    _same_planes("excitation", lit, seen)
     _relative(normalize)
     way = Confocal(lit, pinhole, tol)
     return psf(seen, shape, pixel, method=way, normalize=normalize, integrate=integrate)
@@ -242,15 +242,13 @@ def _relative(normalize: str) -> None:
     validation.choice("normalize", normalize, ("strehl", "peak"))
 
 
-def _same_planes(excitation: ObjectivePupil, emission: ObjectivePupil) -> None:
-    if excitation.shape != emission.shape:
-        raise ValueError(
-            f"excitation must have the planes of the emission, of shape {emission.shape}, got {excitation.shape}"
-        )
+def _same_planes(what: str, beam: ObjectivePupil, emission: ObjectivePupil) -> None:
+    if beam.shape != emission.shape:
+        raise ValueError(f"{what} must have the planes of the emission, of shape {emission.shape}, got {beam.shape}")
     for name in ("depth", "focus"):
-        apart = float(np.abs(getattr(excitation, name) - getattr(emission, name)).max(initial=0.0))
+        apart = float(np.abs(getattr(beam, name) - getattr(emission, name)).max(initial=0.0))
         if apart > _CLOSE:
             raise ValueError(
-                f"excitation must have the planes of the emission, got a {name} up to {apart:.3g} metres off; "
+                f"{what} must have the planes of the emission, got a {name} up to {apart:.3g} metres off; "
                 'objective.pupil(depth=..., z=emission.focus, origin="coverslip", ...) has the same'
             )

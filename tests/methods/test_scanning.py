@@ -202,6 +202,9 @@ def test_pupils_of_others_are_refused():
         lm.psf(emission, 9, 6.5e-6, method=Confocal(colours(TIRF, 1e-6)[0]))
     with pytest.raises(ValueError, match="pupils of an Objective only"):
         lm.psf(lm.Pupil(lm.Wavefront()), 9, 0.3, method=TwoPhoton())
+    scalar = replace(excitation, emitter=lm.Scalar())
+    with pytest.raises(ValueError, match=r"needs an excitation by a Beam for Dipole\(polar=0.7"):
+        lm.psf(colours(emitter=lm.Dipole(0.7, 0.0))[1], 9, 6.5e-6, method=Confocal(scalar))
     around = replace(excitation, emitter=lm.Beam("azimuthal"))
     with pytest.raises(ValueError, match=r"without a field along Dipole\(polar=0.0"):
         lm.psf(colours(emitter=lm.Dipole(0.0, 0.0))[1], 9, 6.5e-6, method=Confocal(around))

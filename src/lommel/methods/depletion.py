@@ -12,9 +12,8 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
 from lommel.methods.orders import Orders, light
-from lommel.methods.scanning import Confocal
+from lommel.methods.scanning import Confocal, _fixed
 from lommel.optics import debye
-from lommel.optics.emitter import Dipole
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
 
@@ -81,7 +80,7 @@ class Sted(Confocal):
 
     def unsupported(self, pupil: Any) -> str | None:
         """Return the reason where emitters do not turn freely, or a confocal microscope has one."""
-        if isinstance(pupil, ObjectivePupil) and isinstance(pupil.emitter, Dipole) and pupil.emitter.wobble < 1.0:
+        if isinstance(pupil, ObjectivePupil) and _fixed(pupil):
             return f"supports emitters that turn freely only, got {pupil.emitter!r}"
         return super().unsupported(pupil)
 

@@ -57,6 +57,11 @@ class Confocal(_Scanning):
     Notes
     -----
     E P has the spatial frequencies of both, ``1 + lambda_emission / lambda_excitation`` times those of a field.
+
+    References
+    ----------
+    T. Ha, T. A. Laurence, D. S. Chemla and S. Weiss, J. Phys. Chem. B 103, 6839 (1999), doi:10.1021/jp990948j: dipoles
+    in polarised light.
     """
 
     excitation: ObjectivePupil
@@ -88,7 +93,11 @@ class Confocal(_Scanning):
             )
         if reason := super().unsupported(pupil):
             return reason
-        if isinstance(pupil, ObjectivePupil) and not self._lit(pupil).power.min() > 0.0:
+        if not isinstance(pupil, ObjectivePupil):
+            return None
+        if _fixed(pupil) and not isinstance(self.excitation.emitter, Beam):
+            return f"needs an excitation by a Beam for {pupil.emitter!r}, got {self.excitation.emitter!r}"
+        if not self._lit(pupil).power.min() > 0.0:
             return f"has an excitation without a field along {pupil.emitter!r}"
         return None
 
@@ -107,9 +116,9 @@ class Confocal(_Scanning):
 
     def _lit(self, pupil: ObjectivePupil) -> ObjectivePupil:
         """Return what excites in the planes of the emission, as its emitter absorbs it."""
-        emitter, beam = pupil.emitter, self.excitation.emitter
-        if isinstance(emitter, Dipole) and emitter.wobble < 1.0 and isinstance(beam, Beam):
-            beam = Absorbed(beam.polarization, emitter)
+        beam = self.excitation.emitter
+        if isinstance(beam, Beam) and (dipole := _fixed(pupil)):
+            beam = Absorbed(beam.polarization, dipole)
         return replace(pupil, layers=self.excitation.layers, emitter=beam, aberrations=None)
 
     def _absorbed(self, pupil: ObjectivePupil) -> Array:
@@ -137,6 +146,12 @@ class Confocal(_Scanning):
         """Return the method's name and options in plain types."""
         options = {item.name: getattr(self, item.name) for item in fields(self)}
         return {"name": type(self).__name__} | options | {"excitation": self.excitation.to_dict()}
+
+
+def _fixed(pupil: ObjectivePupil) -> Dipole | None:
+    """Return the dipole of a pupil, unless it turns freely."""
+    emitter = pupil.emitter
+    return emitter if isinstance(emitter, Dipole) and emitter.wobble < 1.0 else None
 
 
 @dataclass(frozen=True)

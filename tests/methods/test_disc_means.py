@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.special import j0, j1, jv
 
-from lommel.methods.disc_means import disc_means, ellipses, gauss_error
+from lommel.methods.disc_means import between, disc_means, ellipses, gauss_error, growth
 from lommel.special.legendre import gauss_legendre
 
 V = np.array([0.0, 0.3, 1.7, 5.0, 17.3, 120.0])
@@ -52,6 +52,12 @@ def test_errors_of_values_grow_as_told():
     assert np.abs(signs @ means.weights[0]).max() <= means.gain
     assert 1.0 <= means.gain < 4.0
     assert np.ones(means.places.size) @ means.weights[0] == pytest.approx(1.0, abs=1e-14)
+
+
+def test_errors_between_even_places_grow_most_midway():
+    sums = np.abs(between(np.linspace(3.0, 4.0, 2001))[1]).sum(axis=1)
+    assert sums.max() <= growth() * (1.0 + 1e-14)
+    assert sums.argmax() == 1000
 
 
 def test_far_discs_take_no_values_elsewhere():

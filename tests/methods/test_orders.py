@@ -106,7 +106,8 @@ def test_pixels_are_between_even_radii_within_their_bound(error, faster):
         return np.concatenate([upper[:0:-1].conj(), upper])[None]
 
     table = Table.around(radius, error, faster)
-    found, added = table.painted(Orders(known(table.radii), np.zeros(1)), radius, np.exp(1j * phi))
+    given = Orders(known(table.radii), np.zeros(1))
+    found, added = table.painted(given, radius, np.exp(1j * phi)), table.error(given)
     exact = np.einsum("mp,mp->p", known(radius)[0], np.exp(1j * np.multiply.outer(np.arange(-2, 3), phi))).real
     assert np.abs(found - exact).max() <= error + added[0]
     assert np.abs(found - exact).max() >= 1e-3 * error or error < 1e-8
@@ -119,7 +120,8 @@ def test_errors_of_pixels_are_those_of_light_times_what_they_may_grow():
     away = np.arange(table.radii.size) - table.radii.size // 2 + 0.5
     signs = (-1.0) ** np.floor(np.abs(away))
     middle = np.array([table.radii[np.abs(away) < 1.0].mean(), 3.0, 9.0])
-    found, error = table.painted(Orders(0.5 + 0.1 * signs[None, None], np.full(1, 0.1)), middle, np.ones(3))
+    given = Orders(0.5 + 0.1 * signs[None, None], np.full(1, 0.1))
+    found, error = table.painted(given, middle, np.ones(3)), table.error(given)
     off = np.abs(found - 0.5).max()
     assert 0.15 < off <= error[0] <= 1.001 * off
 

@@ -40,6 +40,9 @@ _ETA = np.geomspace(0.02, 12.0, 96)
 _ROUNDING = 2.0**-46  # of sums of at most some thousand products, whose weights sum to a few
 
 
+_HALFWAY = np.array([0.5])
+
+
 class DiscMeans(NamedTuple):
     """Where to know an intensity, and what to make of it.
 
@@ -107,6 +110,11 @@ def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMea
 def table_step(error: float) -> float:
     """Return how far apart even places may be for :func:`between` to err by `error`."""
     return float(min(_STEP_MOST, 0.5 * (2.0 * error / _OMEGA) ** (0.5 / HALF)))
+
+
+def growth() -> float:
+    """Return how much errors of even values may grow between them: it is most midway."""
+    return float(np.abs(between(_HALFWAY)[1]).sum())
 
 
 def between(at: Array) -> tuple[NDArray[np.int64], Array]:

@@ -14,14 +14,15 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.engine import layered_profiles
 from lommel.methods.debye_wolf import harmonics
-from lommel.methods.disc_means import HALF, between, table_step
+from lommel.methods.disc_means import HALF, between, growth, table_step
 from lommel.methods.layered import LEAST
 from lommel.methods.stratified import Stratified, _Accuracy, _settled, layered
 from lommel.optics.objective_pupil import ObjectivePupil
 
 _FINEST = 0.05
 _ROUNDING = 2.0**-50
-_AROUND = np.linspace(0.0, 2.0 * np.pi, 16, endpoint=False)
+_AROUND = np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False)
+_SOME = 512  # radii
 _PIXELS = 2**21  # of all planes and orders, at once
 
 
@@ -51,8 +52,9 @@ class Orders(NamedTuple):
 
     @property
     def samples(self) -> Array:
-        """The sum at some azimuths, shape (n, radii, azimuths)."""
-        return _summed(self._upper[..., None], np.exp(1j * _AROUND))
+        """The sum at some azimuths and radii, shape (n, places)."""
+        some = self._upper[..., :: max(1, self.values.shape[2] // _SOME), None]
+        return _summed(some, np.exp(1j * _AROUND)).reshape(len(self.values), -1)
 
     @property
     def _upper(self) -> NDArray[Any]:
@@ -152,26 +154,26 @@ class Table(NamedTuple):
         """Where light is to be known: rising."""
         return self.step * np.unique(np.abs(self.places))
 
-    def painted(self, found: Orders, radius: Array, turn: NDArray[np.complex128]) -> tuple[Array, Array]:
-        """Return light known at :attr:`radii` on pixels, ``(n, pixels)``, and what it is off by at most, ``(n,)``.
+    def error(self, found: Orders) -> Array:
+        """Return what pixels are off by at most, ``(n,)``, beside the error of :meth:`around`."""
+        return growth() * (found.error + 8.0 * _ROUNDING * found.most)
 
-        `turn` is ``exp(i phi)`` of the pixels; the error is without that of :meth:`around`.
-        """
+    def painted(self, found: Orders, radius: Array, turn: NDArray[np.complex128]) -> Array:
+        """Return light known at :attr:`radii` on pixels, ``(n, pixels)``; `turn` is ``exp(i phi)`` of these."""
         from scipy.sparse import csr_array
 
         values = found._upper
         beyond = np.where(self.places < 0, -1.0, 1.0)
         row = np.searchsorted(np.unique(np.abs(self.places)), np.abs(self.places))
         known = np.stack([values[:, m][:, row] * beyond**m for m in range(values.shape[1])], axis=1)
-        out, gain = np.empty((len(values), radius.size)), 1.0
+        out = np.empty((len(values), radius.size))
         each = max(1, _PIXELS // (known.shape[0] * known.shape[1]))
         for part in (slice(k, k + each) for k in range(0, radius.size, each)):
             at, where = np.unique(radius[part], return_inverse=True)
             first, weights = between(at / self.step)
-            gain = max(gain, float(np.abs(weights).sum(axis=1).max()))
             columns = (first - self.places[0])[:, None] + np.arange(2 * HALF)
             ends = np.arange(0, columns.size + 1, 2 * HALF)
             matrix = csr_array((weights.ravel(), columns.ravel(), ends), shape=(at.size, self.places.size))
             lines = (matrix @ known.reshape(-1, self.places.size).T).T.reshape(*known.shape[:2], at.size)
             out[:, part] = _summed(lines[..., where], turn[part])
-        return np.maximum(out, 0.0), gain * found.error + 8.0 * _ROUNDING * gain * found.most
+        return np.maximum(out, 0.0, out=out)

@@ -78,18 +78,22 @@ class ProvenMethod(RadialMethod):
         radius, turn = np.hypot(x, y).ravel(), np.exp(1j * np.arctan2(y, x)).ravel()
         faster, ceiling = self.stretch(pupil), self._ceiling(pupil)
         # What is divided by its own largest value is off by twice as much, and by nothing over the peak elsewhere.
-        aim = (1.0 if wanted.scale is not None else 0.48) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
-        bright = _BRIGHT if wanted.scale is not None else _BRIGHT[:0]
+        alone = wanted.scale is None
+        aim = (0.48 if alone else 1.0) * (max(tol, LEAST) - 1.1 * storing(wanted.dtype))
+        bright = _BRIGHT[:0] if alone else _BRIGHT
+        latest: list[tuple[Table, Orders]] = []
 
         def made_of(asked: float) -> tuple[Array, Array]:
             table = Table.around(radius, 0.25 * asked / ceiling, faster)
             at, where = np.unique(np.append(table.radii, bright), return_inverse=True)
-            found = self._orders(pupil, at, asked)
-            known, elsewhere = where[: where.size - bright.size], where[where.size - bright.size :]
-            values, error = table.painted(found.at(known), radius, turn)
-            beside = found.at(elsewhere).samples.reshape(len(values), -1)
-            return np.concatenate([values, beside], axis=1), error + 0.25 * asked
+            found, count = self._orders(pupil, at, asked), where.size - bright.size
+            known, beside = found.at(where[:count]), found.at(where[count:])
+            latest[:] = [(table, known)]
+            values = table.painted(known, radius, turn) if alone else np.append(known.samples, beside.samples, axis=1)
+            return values, table.error(found) + 0.25 * asked
 
-        made = settled(made_of, aim, first=0.1 * aim, least=_LEAST * ceiling, named=self.tol)
-        pixels = made.values[:, : radius.size].reshape(-1, *grid.shape)
-        return painted(made._replace(values=pixels), grid, wanted)._replace(peak=made.peak)
+        made = settled(made_of, aim, first=0.03 * aim, least=_LEAST * ceiling, named=self.tol)
+        table, known = latest[0]
+        pixels = made.values if alone else table.painted(known, radius, turn)
+        values = pixels.reshape(-1, *grid.shape)
+        return painted(made._replace(values=values), grid, wanted)._replace(peak=made.peak)

@@ -60,8 +60,8 @@ class Confocal(_Scanning):
 
     References
     ----------
-    T. Ha, T. A. Laurence, D. S. Chemla and S. Weiss, J. Phys. Chem. B 103, 6839 (1999), doi:10.1021/jp990948j: dipoles
-    in polarised light.
+    T. Ha, T. A. Laurence, D. S. Chemla and S. Weiss, J. Phys. Chem. B 103, 6839 (1999), doi:10.1021/jp990948j:
+    dipoles in polarised light.
     """
 
     excitation: ObjectivePupil

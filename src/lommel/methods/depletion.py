@@ -11,7 +11,8 @@ import numpy as np
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Wanted
-from lommel.methods.orders import Orders, light
+from lommel.methods.disc_means import disc_means
+from lommel.methods.orders import Orders, highest, light
 from lommel.methods.scanning import Confocal, _fixed
 from lommel.optics import debye
 from lommel.optics.grid import Grid
@@ -19,7 +20,7 @@ from lommel.optics.objective_pupil import ObjectivePupil
 
 _MOST = 1e4
 _SHARE = 0.02  # of the tolerance: what a polynomial may differ from the exponential by
-_CREST = np.linspace(0.0, 8.0, 3201)
+_COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # v, where the crest is looked for
 
 
 @dataclass(frozen=True)
@@ -96,12 +97,17 @@ class Sted(Confocal):
 
     def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
         """Return what is left of the product at rising v, of the emission."""
-        excited = super()._orders(pupil, v, asked)
-        beam = self.depletion
+        beam, slower = self.depletion, super().stretch(pupil)
         planes = replace(pupil, layers=beam.layers, emitter=beam.emitter)
-        rate = math.log(2.0) * self.saturation
-        finer = max(1.0, rate)
-        depleting = light(planes, pupil.scale / beam.scale * v, asked / finer, self.tol / finer)
+        rate, faster = math.log(2.0) * self.saturation, pupil.scale / beam.scale
+        finer, ceiling = max(1.0, rate), self._ceiling(pupil)
+        # Both are band-limited, and what is left of them is wanted at many more radii.
+        means = disc_means(slower * v, 0.0, 0.1 * asked / ceiling, highest(self._lit(pupil)))
+        known = super()._orders(pupil, means.places / slower, asked)
+        excited = Orders(means.of(known.values), known.error * means.gain + ceiling * means.error)
+        means = disc_means(faster * v, 0.0, 0.1 * asked / finer)
+        known = light(planes, means.places, asked / finer, self.tol / finer)
+        depleting = Orders(means.of(known.values), known.error * means.gain + means.error)
         left = np.exp(-rate * depleting.mean)
         # Twice the last: what is known is that far from the polynomial, and what is wanted as far.
         off = rate * depleting.error + 2.0 * _SHARE * self.tol
@@ -131,8 +137,15 @@ def crest(pupil: ObjectivePupil) -> float:
     from scipy.special import jv
 
     model, depth, focus = pupil.light.model, pupil.depth.ravel(), pupil.focus.ravel()
-    rule = debye.rule(pupil.layers, model, depth, focus, float(_CREST[-1]), 1e-10)
-    waves, arguments = np.abs(rule.waves(depth, focus)), np.multiply.outer(rule.rho, _CREST)
-    each = zip(pupil.light.shares, model.orders, rule.parts, strict=True)
-    total = sum(share * np.abs((waves * part) @ jv(order, arguments)) ** 2 for share, order, part in each)
-    return float((total / pupil.power[:, None]).max())
+    rule = debye.rule(pupil.layers, model, depth, focus, float(_COARSE[-1] + _FINE[-1]), 1e-10)
+    waves = np.abs(rule.waves(depth, focus))
+
+    def bright(v: Array) -> Array:
+        arguments, each = (
+            np.multiply.outer(rule.rho, v),
+            zip(pupil.light.shares, model.orders, rule.parts, strict=True),
+        )
+        total = sum(share * np.abs((waves * part) @ jv(order, arguments)) ** 2 for share, order, part in each)
+        return np.asarray((total / pupil.power[:, None]).max(axis=0))
+
+    return float(bright(_COARSE[bright(_COARSE).argmax()] + _FINE).max())

@@ -141,10 +141,8 @@ def crest(pupil: ObjectivePupil) -> float:
     waves = np.abs(rule.waves(depth, focus))
 
     def bright(v: Array) -> Array:
-        arguments, each = (
-            np.multiply.outer(rule.rho, v),
-            zip(pupil.light.shares, model.orders, rule.parts, strict=True),
-        )
+        arguments = np.multiply.outer(rule.rho, v)
+        each = zip(pupil.light.shares, model.orders, rule.parts, strict=True)
         total = sum(share * np.abs((waves * part) @ jv(order, arguments)) ** 2 for share, order, part in each)
         return np.asarray((total / pupil.power[:, None]).max(axis=0))
 

@@ -202,6 +202,7 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 		sanitized $$kind calls
 		sanitized $$kind exercise
 		sanitized $$kind slopes
+		sanitized $$kind layers
 	done
 	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
 	sanitized address,undefined tables -DLOMMEL_WIDE=double

@@ -12,12 +12,13 @@ import numpy as np
 import lommel as lm
 from benchmarks.report import Table
 from benchmarks.settings import Settings
-from benchmarks.timing import Contender, Spread, race
+from benchmarks.timing import Contender, race
 from benchmarks.truth import intensity
 from lommel.optics.objective_pupil import ObjectivePupil
 
 _WAVE, _NM = 520e-9, 1e-7  # the latter the pixel in the sample
 _LENS, _COPY = "a lens's stack, samples", "psfmodels, vectorial, sf=1"
+_SAMPLED = 'pyotf, vec_corr="none"'
 _OBJECTIVE = lm.Objective(
     NA=1.4,
     magnification=63,
@@ -30,23 +31,30 @@ _PIXEL = 63 * _NM
 
 
 def microscopes(settings: Settings) -> Table:
-    """Each beside the lens's stack of the same window, and beside psfmodels where it is there."""
+    """Each beside the lens's stack of the same window, and beside psfmodels and pyotf where these are there."""
     table = Table(
         "microscopes",
         "Microscopes",
         "NA 1.4, oil, 2 um deep in water or at random depths up to 3 um, 520 nm, pixels of 0.1 um in the sample; "
         "float32, tol 1e-6, one thread, each time a new stack of an objective that was seen before, unless said. "
         "Beside a stack of the same size of a lens, defocused by 20 rad at most, sampled; and beside psfmodels, "
-        "whose values are interpolated linearly. True errors are over the peak of each plane, against the reference.",
-        {"what": "text", "over a lens's": "spread", "psfmodels over it": "spread", "true error": "error"},
+        "whose values are interpolated linearly, or pyotf, of which scalar light in one medium is asked, a transform "
+        "a plane: the least that it computes. True errors are over the peak of each plane, against the reference.",
+        {
+            "what": "text",
+            "over a lens's": "spread",
+            "psfmodels over it": "spread",
+            "pyotf over it": "spread",
+            "true error": "error",
+        },
     )
-    for side in (257, 65):
+    for side in (257, 64):
         planes = 64
         mine = _contender(f"{planes} planes of {side}²", side, lambda k: _focal(k, 64), integrate=False)
         one = _contender("averages over pixels", side, lambda k: _focal(k, 64), integrate=True)
         others = [mine, _lens(side, planes), *_psfmodels(side, planes)]
-        _add(settings, table, mine, others, _checked(mine, side, integrate=False))
-        if side == 65:
+        _add(settings, table, mine, [*others, *_pyotf(side, planes)], _checked(mine, side, integrate=False))
+        if side == 64:
             _add(settings, table, one, [one, *others[1:]], _checked(one, side, integrate=True))
     fresh = _contender("64 planes of 257², a new objective", 257, _new, integrate=False)
     _add(settings, table, fresh, [fresh, _lens(257, 64)], None)
@@ -74,8 +82,8 @@ _SLOPES = ("z", "row", "column")
 def _add(settings: Settings, table: Table, mine: Contender, all_of: list[Contender], error: float | None) -> None:
     settings.tick(mine.name)
     result = race(all_of, settings.rounds)
-    peer: Spread | None = result.ratio(_COPY, mine.name) if _COPY in result.seconds else None
-    table.add(mine.name, result.ratio(mine.name, _LENS), peer, error)
+    peers = [result.ratio(peer, mine.name) if peer in result.seconds else None for peer in (_COPY, _SAMPLED)]
+    table.add(mine.name, result.ratio(mine.name, _LENS), *peers, error)
 
 
 def _focal(k: int, planes: int) -> ObjectivePupil:
@@ -148,6 +156,22 @@ def _psfmodels(side: int, planes: int) -> list[Contender]:
         return make_psf(z, side, dxy=0.1, normalize=False, **options)
 
     return [Contender(_COPY, call)]
+
+
+def _pyotf(side: int, planes: int) -> list[Contender]:
+    """Return pyotf where transforms suit it, as it is run again and again: of one object whose planes are set."""
+    if side % 2 or find_spec("pyotf") is None:
+        return []
+    from pyotf.otf import HanserPSF
+
+    made = HanserPSF(wl=520.0, na=1.4, ni=1.518, res=100.0, size=side, zres=200.0, zsize=planes, vec_corr="none")
+    z = made.zrange
+
+    def call(k: Any) -> Any:
+        made.zrange = z + 1e-4 * k
+        return made.PSFi
+
+    return [Contender(_SAMPLED, call, fresh=range)]
 
 
 def _checked(one: Contender, side: int, **options: Any) -> float:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import lommel as lm
 from lommel.methods import Bead, DebyeWolf, method_from_dict
 from lommel.special.legendre import gauss_legendre
+from plane_waves import intensity
 
 OIL = lm.Objective(
     NA=1.4,
@@ -49,6 +52,30 @@ def test_the_image_of_a_bead_is_the_mean_over_it_within_its_bound(diameter, dept
         made = Bead(diameter, tol).profile(pupil, v)
         assert np.all(np.abs(made.values - known) <= (made.error * made.peak)[:, None] + 1e-11)
         assert np.all(made.error <= tol)
+
+
+@pytest.mark.parametrize("emitter", [lm.Dipole(0.7, 0.4), lm.Dipole(1.3, -2.0, wobble=0.4)], ids=repr)
+def test_a_bead_of_dipoles_is_the_sum_of_their_plane_waves(emitter):
+    pupil = OIL.pupil(depth=0.1e-6, z=np.array([-0.3e-6, 0.1e-6]), wavelength=520e-9, emitter=emitter)
+    radius, pixel = 0.1e-6, 7.1e-6
+    y, x = np.mgrid[-1:1, -1:2] * pixel
+    u, share = gauss_legendre(7, -1.0, 1.0)
+    t, w = gauss_legendre(6)
+    theta = 2.0 * np.pi * (np.arange(14) + 0.3) / 14
+    known, power = 0.0, 0.0
+    for height, part in zip(u, share * (1.0 - u * u) * 0.75, strict=True):
+        s = radius * OIL.magnification * np.sqrt((1.0 - height**2) * t)[:, None]
+        across = x[..., None, None] + s * np.cos(theta), y[..., None, None] + s * np.sin(theta)
+        deep = replace(pupil, depth=pupil.depth + radius * height)
+        values = intensity(OIL, deep, *(axis.ravel() for axis in across), 36, 60).reshape(2, *across[0].shape)
+        known = known + part * (values.mean(axis=-1) @ w)
+        power = power + part * deep.power
+    known = known / power[:, None, None]
+    for tol in (1e-3, 1e-6, 1e-8):
+        made = lm.microscopy.bead(pupil, 2.0 * radius, (2, 3), pixel, tol=tol, integrate=False)
+        off = np.abs(made.values / made.scale[:, None, None] - known).max(axis=(1, 2))
+        assert np.all(off <= made.error_bound * known.max(axis=(1, 2)) + 1e-9)
+        assert made.error_bound <= tol
 
 
 def test_a_small_bead_is_a_point_and_a_large_one_is_not():

@@ -34,6 +34,7 @@ EMITTERS = [
     lm.Beam((0.3, 0.8 - 0.2j)),
     lm.Beam("radial"),
     lm.Beam("azimuthal"),
+    lm.Beam("vortex"),
 ]
 
 
@@ -101,6 +102,15 @@ def test_a_stack_of_wavefronts_is_each_of_them():
     assert flat == pupil
     assert type(pupil).from_dict(pupil.to_dict()) == pupil
     assert "Wavefront" in repr(pupil)
+
+
+def test_each_plane_is_over_the_light_of_its_own_depth():
+    pupil = OIL.pupil(depth=[0.0, 1e-6], wavelength=WAVE, aberrations=FIVE)
+    assert pupil.collected[0] > 1.1 * pupil.collected[1]
+    made = lm.psf(pupil, 5, PIXEL, integrate=False, normalize="emitted")
+    for k in range(2):
+        alone = lm.psf(pupil[k], 5, PIXEL, integrate=False, normalize="emitted")
+        assert made.values[k] == pytest.approx(alone.values, abs=3e-6 * float(alone.values.max()))
 
 
 def test_a_stack_in_parts_is_the_stack(monkeypatch):

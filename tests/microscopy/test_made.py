@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import lommel as lm
 from lommel import microscopy as room
+from lommel.optics.emitter import Absorbed
 
 WATER = lm.Objective(
     NA=1.2,
@@ -76,6 +79,94 @@ def test_bounds_are_below_the_tolerance_and_hold_against_a_finer_one():
             error = np.abs(made.values - fine).max(axis=(1, 2)) / fine.max(axis=(1, 2))
             assert error.max() <= made.error_bound + 1e-8
             assert made.error_bound <= tol
+
+
+def polarised(polarization, emitter="isotropic", z=0.0):
+    emission = WATER.pupil(depth=DEPTH, z=z, wavelength=525e-9, emitter=emitter)
+    laser = {"wavelength": 488e-9, "emitter": lm.Beam(polarization), "origin": "coverslip"}
+    return WATER.pupil(depth=DEPTH, z=emission.focus, **laser), emission
+
+
+@pytest.mark.parametrize("emitter", ["isotropic", lm.Dipole(0.8, 0.5)], ids=repr)
+def test_two_crossed_lasers_are_twice_one_that_is_not_polarised(emitter):
+    # Its part along a dipole, too, is the sum of both: (1, i) has a quarter of a wave between them.
+    made = {
+        name: lm.microscopy.confocal(*polarised(name, emitter, Z[2:4]), 9, PIXEL, tol=1e-8).values
+        for name in ("x", "y", "circular")
+    }
+    if emitter == "isotropic":
+        assert made["x"] + made["y"] == pytest.approx(2.0 * made["circular"], abs=1e-7)
+        assert made["y"] == pytest.approx(made["x"].swapaxes(1, 2), abs=1e-8)
+        return
+    left = lm.microscopy.confocal(*polarised((1.0, -1.0j), emitter, Z[2:4]), 9, PIXEL, tol=1e-8).values
+    assert made["x"] + made["y"] == pytest.approx(made["circular"] + left, abs=1e-7)
+    assert np.abs(left - made["circular"]).max() > 0.01 * left.max()
+
+
+def test_a_polarised_laser_makes_a_longer_spot_and_around_the_axis_the_same():
+    excitation, emission = polarised("x")
+    long = lm.microscopy.confocal(excitation, emission, 17, 3e-6)
+    assert float(long.fwhm("x")) > 1.04 * float(long.fwhm("y"))
+    even = lm.microscopy.confocal(*polarised("circular"), 17, 3e-6)
+    assert float(even.fwhm()) == pytest.approx(float(long.fwhm("mean")), rel=0.02)
+    # The mean over all azimuths is that of light that is not polarised; its square is not.
+    v = np.linspace(0.0, 8.0, 20)
+    assert long.method.profile(emission, v).values == pytest.approx(even.method.profile(emission, v).values, abs=1e-6)
+    infrared = [WATER.pupil(depth=DEPTH, wavelength=8e-7, emitter=lm.Beam(name)) for name in ("x", "circular")]
+    twice = [lm.microscopy.two_photon(pupil, 9, PIXEL).method.profile(pupil, v).values for pupil in infrared]
+    assert np.all(twice[0] >= twice[1] - 1e-6)
+    assert twice[0].max() == pytest.approx(twice[1].max(), rel=1e-5)
+    assert (twice[0] - twice[1]).max() > 1e-3
+
+
+def test_all_turns_with_the_laser_and_the_dipole():
+    quarter = np.pi / 2
+    first = lm.microscopy.confocal(*polarised("x", lm.Dipole(0.8, 0.3)), 9, PIXEL, tol=1e-8).values
+    turned = lm.microscopy.confocal(*polarised("y", lm.Dipole(0.8, 0.3 + quarter)), 9, PIXEL, tol=1e-8).values
+    # From columns towards rows.
+    assert turned == pytest.approx(np.rot90(first, -1), abs=1e-8)
+    assert np.abs(first - np.rot90(first, 2)).max() > 1e-3 * first.max()
+
+
+def test_a_dipole_that_turns_freely_is_no_dipole():
+    free = lm.microscopy.confocal(*polarised("x", lm.Dipole(0.8, 0.3, wobble=1.0)), 9, PIXEL).values
+    assert np.array_equal(free, lm.microscopy.confocal(*polarised("x"), 9, PIXEL).values)
+    nearly = lm.microscopy.confocal(*polarised("x", lm.Dipole(0.8, 0.3, wobble=1.0 - 1e-9)), 9, PIXEL).values
+    assert nearly == pytest.approx(free, abs=2e-6)
+
+
+def test_a_wide_pinhole_leaves_what_a_dipole_absorbs():
+    dipole = lm.Dipole(1.2, 0.7)
+    excitation, emission = polarised("x", dipole)
+    wide = lm.microscopy.confocal(excitation, emission, 9, PIXEL, pinhole=8.0)
+    felt = replace(excitation, emitter=Absorbed("x", dipole))
+    lit = lm.psf(felt, 9, PIXEL, integrate=False, normalize="strehl")
+    share = float(felt.power[0] / excitation.power[0])
+    assert wide.values == pytest.approx(share * lit.values, abs=0.06 * share * float(lit.values.max()))
+    small = lm.microscopy.confocal(excitation, emission, 9, PIXEL, pinhole=1e-3, normalize="peak")
+    product = lit.values * lm.psf(emission, 9, PIXEL, integrate=False, normalize="strehl").values
+    assert small.values == pytest.approx(product / product.max(), abs=1e-5)
+
+
+def test_a_bead_of_dipoles_is_a_point_where_it_is_small():
+    emission = WATER.pupil(depth=DEPTH, z=Z[2:4], wavelength=525e-9, emitter=lm.Dipole(0.8, 0.5))
+    for integrate in (False, True):
+        point = lm.psf(emission, 7, PIXEL, integrate=integrate).values
+        small = lm.microscopy.bead(emission, 1e-9, 7, PIXEL, integrate=integrate)
+        assert small.values == pytest.approx(point, abs=1e-5 * float(point.max()))
+        assert small.error_bound <= 1e-6
+
+
+def test_stacks_of_polarised_light_are_measured_and_kept(tmp_path):
+    made = lm.microscopy.confocal(*polarised("x", z=Z), 9, PIXEL)
+    assert 0.4e-6 < float(made.axial_fwhm()) < 0.8e-6
+    made.save(tmp_path / "spot.npz")
+    again = lm.PSF.load(tmp_path / "spot.npz")
+    assert np.array_equal(again.values, made.values)
+    assert again.method == made.method
+    assert lm.psf(again.pupil[3], 9, PIXEL, method=again.method, normalize="strehl", integrate=False).values == (
+        pytest.approx(made.values[3], abs=2e-6)
+    )
 
 
 def test_a_sheet_lights_what_is_in_it():

@@ -37,6 +37,7 @@ EMITTERS = [
     lm.Beam((0.3, 0.8 - 0.2j)),
     lm.Beam("radial"),
     lm.Beam("azimuthal"),
+    lm.Beam("vortex"),
 ]
 
 

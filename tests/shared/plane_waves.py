@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 import lommel as lm
+from lommel.optics.emitter import Absorbed
 
 
 def nodes(objective: lm.Objective, rings: int) -> tuple[np.ndarray, np.ndarray]:
@@ -68,20 +69,28 @@ def _fields(emitter, p_pupil, s_wave, p_wave, transmitted, seen):
     if isinstance(emitter, lm.Scalar):
         return [seen(np.ones(p_wave.shape[1:]))]
     if isinstance(emitter, lm.Beam):
+        if isinstance(emitter, Absorbed):
+            beam = _fields(lm.Beam(emitter.polarization), p_pupil, s_wave, p_wave, transmitted, seen)
+            return [math.sqrt(2.0) * np.tensordot(p, beam, 1) for p in moments(emitter.dipole)]
         if emitter.polarization in ("radial", "azimuthal"):
             share = float(emitter.polarization == "radial")
             return transmitted(share, 1.0 - share, p_wave, s_wave)
-        names = {"x": (1, 0), "y": (0, 1), "circular": (1, 1j)}
+        names = {"x": (1, 0), "y": (0, 1), "circular": (1, 1j), "vortex": (1, 1j)}
         jones = names[emitter.polarization] if isinstance(emitter.polarization, str) else emitter.polarization
         a, b = np.array(jones) / np.linalg.norm(jones)
-        entering = [a * part[0] + b * part[1] for part in (p_pupil, s_wave)]
+        turned = p_pupil[0] + 1j * p_pupil[1] if emitter.polarization == "vortex" else 1.0
+        entering = [turned * (a * part[0] + b * part[1]) for part in (p_pupil, s_wave)]
         return transmitted(*entering, p_wave, s_wave)
-    flat = math.sin(emitter.polar)
-    moment = np.array([flat * math.cos(emitter.azimuth), flat * math.sin(emitter.azimuth), math.cos(emitter.polar)])
-    dipoles = [math.sqrt(1.5 * (1.0 - emitter.wobble)) * moment]
-    dipoles += [math.sqrt(0.5 * emitter.wobble) * axis for axis in np.eye(3)]
     fields = []
-    for p in dipoles:
+    for p in moments(emitter):
         sent = [np.tensordot(p, part, 1) for part in (p_wave, s_wave)]
         fields += transmitted(*sent, p_pupil, s_wave)
     return fields
+
+
+def moments(emitter):
+    """Return dipoles whose light adds up to that of one that may wobble."""
+    flat = math.sin(emitter.polar)
+    moment = np.array([flat * math.cos(emitter.azimuth), flat * math.sin(emitter.azimuth), math.cos(emitter.polar)])
+    dipoles = [math.sqrt(1.5 * (1.0 - emitter.wobble)) * moment]
+    return dipoles + [math.sqrt(0.5 * emitter.wobble) * axis for axis in np.eye(3)]

@@ -32,6 +32,8 @@ _SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
 Sample = Callable[[Any, Grid, float, Wanted], Images]
 """From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted."""
 
+Band = tuple[float, float]
+
 
 class Averages(NamedTuple):
     """Averages over pixels of the flattened stack.
@@ -50,27 +52,35 @@ class Averages(NamedTuple):
     peak: NDArray[np.float64]
 
 
-def averaged(sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted) -> Averages:
+def averaged(
+    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
+) -> Averages:
     """Return the intensity averaged over each pixel, with bounds on its error below `tol` once stored as is wanted.
 
     The error is over the largest average that a pixel has anywhere, or, where `wanted` has no scale, that of values
     divided by the largest average in the window. Derivatives by Zernike terms follow: their transfer function is at
-    most twice what that of the aperture is without aberration, for terms are at most 1.
+    most twice what that of the aperture is without aberration, for terms are at most 1. Of light that is made of
+    others `band` tells how much faster than the intensity it varies, and the integral of the modulus of its transfer
+    function.
 
     Raises
     ------
     ToleranceError
         If the bound stays above `tol`.
     """
+    band = band or (1.0, pupil.amplitude**2)
     try:
-        return _averaged(sample, pupil, grid, tol, wanted, _WIDEST)
+        return _averaged(sample, pupil, grid, tol, wanted, band, _WIDEST)
     except ToleranceError:
         # Filters of fewer samples are longer, and may reach light that errors relate to where all pixels are dark.
-        return _averaged(sample, pupil, grid, tol, wanted, _CLOSER)
+        return _averaged(sample, pupil, grid, tol, wanted, band, _CLOSER)
 
 
-def _averaged(sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, widest: float) -> Averages:
-    step, ceiling, dtype, normalize = grid.step(pupil), pupil.amplitude**2, wanted.dtype, wanted.scale is None
+def _averaged(
+    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band, widest: float
+) -> Averages:
+    # What varies faster than I is I of larger pixels.
+    step, ceiling, dtype, normalize = band[0] * grid.step(pupil), band[1], wanted.dtype, wanted.scale is None
     lowest = least_average(step)
     # Values divided by their own largest one are off by twice as much.
     aim = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
@@ -112,9 +122,11 @@ def _first_errors(aim: float, step: float) -> tuple[float, float]:
     return 0.5 * aim * min(4.0 * lowest, 1.0), 2e-3 * aim * lowest
 
 
-def averaged_images(sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
+def averaged_images(
+    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, wanted: Wanted, band: Band | None = None
+) -> Images:
     """Return finished images of :func:`averaged` pixels, as :meth:`lommel.methods.method.Method.images` does."""
-    made = averaged(sample, pupil, grid, tol, wanted)
+    made = averaged(sample, pupil, grid, tol, wanted, band)
     tops = made.values[0].max(axis=(1, 2))
     scales = 1.0 / tops if wanted.scale is None else np.broadcast_to(wanted.scale, tops.shape)
     values = np.empty(made.values[0].shape, wanted.dtype) if wanted.out is None else wanted.out

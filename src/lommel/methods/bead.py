@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Intensities
 from lommel.methods.disc_means import disc_means, ellipses, gauss_error
-from lommel.methods.method import RadialMethod
-from lommel.methods.proven import light, proven
+from lommel.methods.orders import Orders, highest, light
+from lommel.methods.proven import ProvenMethod
 from lommel.optics.objective_pupil import ObjectivePupil
 
 _NODES_MOST = 200
@@ -20,7 +19,7 @@ _DIAMETER_MOST = 1e-5
 
 
 @dataclass(frozen=True)
-class Bead(RadialMethod):
+class Bead(ProvenMethod):
     r"""The light of a ball that is evenly filled with emitters, around the place of that of a pupil.
 
     A ball is made of discs: ``3/4 int (1 - u^2) D(u) du`` over -1 to 1, D the mean over a disc of the radius
@@ -46,8 +45,6 @@ class Bead(RadialMethod):
     as if in the sample alone: that the bead itself refracts does not count.
     """
 
-    layered: ClassVar[bool | None] = True
-    apodized: ClassVar[bool] = True
     diameter: float
     tol: float = 1e-6
 
@@ -56,44 +53,40 @@ class Bead(RadialMethod):
         if size > _DIAMETER_MOST:
             raise ValueError(f"diameter is in metres and must be at most {_DIAMETER_MOST:g}, got {size:g}")
         object.__setattr__(self, "diameter", size)
-        object.__setattr__(self, "tol", validation.real("tol", self.tol, least=self.least_tol, below=1e-1))
+        super().__post_init__()
 
     def unsupported(self, pupil: Any) -> str | None:
-        """Return the reason where the bead would be in the glass."""
+        """Return the reason where there are aberrations, or the bead would be in the glass."""
         radius = 0.5 * self.diameter
         near = float(pupil.depth.min()) if isinstance(pupil, ObjectivePupil) else radius
         if near < radius * (1.0 - 1e-9):
             return f"needs a depth of at least the radius of the bead, {radius:g} metres, got {near:g}"
-        return None
+        return super().unsupported(pupil)
 
-    def profile(self, pupil: ObjectivePupil, v: Array) -> Intensities:
-        """Return I at rising v."""
-        radius, layers = 0.5 * self.diameter, pupil.layers
-        growth = self._growth(pupil)
+    def _orders(self, pupil: ObjectivePupil, v: Array, asked: float) -> Orders:
+        """Return the light at rising v."""
+        radius, layers, highest_order = 0.5 * self.diameter, pupil.layers, highest(pupil)
         size = layers.wavenumber * layers.NA * radius
-
-        def made_of(at: Array, tol: float) -> tuple[Array, Array]:
-            heights, weights, off = _rule(growth, tol)
-            depths = np.maximum(pupil.depth.ravel() + radius * heights[:, None], 0.0)
-            stack = _at_depths(pupil, depths)
-            power = stack.power.reshape(depths.shape)
-            half = heights.size // 2
-            discs = [disc_means(at, size * float(np.sqrt(1.0 - u * u)), tol) for u in heights[half:]]
-            discs = discs[: -half - 1 : -1] + discs  # the same below the middle
-            places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
-            found, off_each = light(stack, places, tol, self.tol)
-            values_at, errors = found.reshape(*depths.shape, places.size), off_each.reshape(depths.shape)
-            share = weights[:, None] * power
-            share /= share.sum(axis=0)
-            values, error, first = np.zeros((depths.shape[1], at.size)), np.full(depths.shape[1], off), 0
-            for k, means in enumerate(discs):
-                here = rows[first : first + means.places.size]
-                first += means.places.size
-                values += share[k, :, None] * (values_at[k][:, here] @ means.weights)
-                error += share[k] * (errors[k] * means.gain + means.error)
-            return np.maximum(values, 0.0), error
-
-        return proven(v, made_of, self.tol)
+        heights, weights, off = _rule(self._growth(pupil), asked)
+        depths = np.maximum(pupil.depth.ravel() + radius * heights[:, None], 0.0)
+        stack = _at_depths(pupil, depths)
+        power = stack.power.reshape(depths.shape)
+        half = heights.size // 2
+        discs = [disc_means(v, size * float(np.sqrt(1.0 - u * u)), asked, highest_order) for u in heights[half:]]
+        discs = discs[: -half - 1 : -1] + discs  # the same below the middle
+        places, rows = np.unique(np.concatenate([d.places for d in discs]), return_inverse=True)
+        found = light(stack, places, asked, self.tol)
+        values_at, errors = found.values.reshape(*depths.shape, -1, places.size), found.error.reshape(depths.shape)
+        share = weights[:, None] * power
+        share /= share.sum(axis=0)
+        values: Any = 0.0
+        error, first = np.full(depths.shape[1], off), 0
+        for k, means in enumerate(discs):
+            here = rows[first : first + means.places.size]
+            first += means.places.size
+            values = values + share[k, :, None, None] * means.of(values_at[k][..., here])
+            error += share[k] * (errors[k] * means.gain + means.error)
+        return Orders(values, error)
 
     def _growth(self, pupil: ObjectivePupil) -> Array:
         """Return the logarithm of how much intensities grow on ellipses of complex heights."""

@@ -1,6 +1,6 @@
 r"""Means over discs of light that is known along the radius, from few of its values, with a proven error.
 
-A radial intensity between 0 and 1 whose spatial frequencies end at 2 (in v) is within 1/2 of a constant, and its
+An intensity between 0 and 1 whose spatial frequencies end at 2 (in v) is within 1/2 of a constant, and its
 continuation to complex places ``x + i y`` within ``exp(2 abs(y)) / 2`` of it (Plancherel and Polya). That bounds:
 
 - the mean over a circle by m points, ``exp(2 s sinh eta) / (exp(m eta) - 1)`` for every eta > 0;
@@ -9,6 +9,11 @@ continuation to complex places ``x + i y`` within ``exp(2 abs(y)) / 2`` of it (P
   ``sinh(eta / 2)``;
 - values between those of an even table of step h, by polynomials of degree 11:
   ``(2 h)^12 max(abs(omega)) / (2 * 12!)`` (Bernstein's inequality).
+
+Of light ``sum_m F_m(r) exp(i m phi)`` all three can be done to each order apart: a disc is its own mirror image at
+the line from the axis to its middle, so the mean of an order has that order, and along a line through the axis F_m at
+negative r is ``(-1)^m`` times that at positive r. What is done to the orders sums to the same rule done to the light
+itself, which the bounds are of.
 
 References
 ----------
@@ -21,16 +26,21 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.special.legendre import gauss_legendre
 
-_HALF = 6
+HALF = 6
 """Half of the points that an interpolation takes."""
-_OMEGA = math.prod(k + 0.5 for k in range(_HALF)) ** 2 / math.factorial(2 * _HALF)
+_OMEGA = math.prod(k + 0.5 for k in range(HALF)) ** 2 / math.factorial(2 * HALF)
+_APART = np.array([math.prod(k - j for j in range(2 * HALF) if j != k) for k in range(2 * HALF)], np.float64)
 _STEP_MOST = 0.5
 _ETA = np.geomspace(0.02, 12.0, 96)
 _ROUNDING = 2.0**-46  # of sums of at most some thousand products, whose weights sum to a few
+
+
+_HALFWAY = np.array([0.5])
 
 
 class DiscMeans(NamedTuple):
@@ -40,8 +50,8 @@ class DiscMeans(NamedTuple):
     ----------
     places : ndarray, shape (places,)
         Rising v.
-    weights : scipy.sparse array, shape (places, radii)
-        ``values @ weights`` are the means, for values of shape ``(n, places)``.
+    weights : tuple of scipy.sparse array, each of shape (places, radii)
+        ``values @ weights[m]`` are the means of the orders m and -m, for values of shape ``(n, places)``.
     gain : float
         How much errors of the values may grow.
     error : float
@@ -49,12 +59,18 @@ class DiscMeans(NamedTuple):
     """
 
     places: Array
-    weights: Any
+    weights: tuple[Any, ...]
     gain: float
     error: float
 
+    def of(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Return the means of the orders -M to M, ``(n, 2 M + 1, radii)``, of ``(n, 2 M + 1, places)``."""
+        middle = values.shape[1] // 2
+        made = [values[:, middle + m] @ self.weights[abs(m)] for m in range(-middle, middle + 1)]
+        return np.stack(made, axis=1)
 
-def disc_means(v: Array, radius: float, error: float) -> DiscMeans:
+
+def disc_means(v: Array, radius: float, error: float, order: int = 0) -> DiscMeans:
     """Return how to average an intensity over discs around points at radii `v`.
 
     Parameters
@@ -64,6 +80,8 @@ def disc_means(v: Array, radius: float, error: float) -> DiscMeans:
         Of the discs, in v.
     error : float
         At most so much.
+    order : int, default 0
+        The highest order of the azimuth.
 
     Returns
     -------
@@ -71,27 +89,42 @@ def disc_means(v: Array, radius: float, error: float) -> DiscMeans:
     """
     from scipy.sparse import coo_array
 
-    step = min(_STEP_MOST, 0.5 * (error / (1.5 * _OMEGA)) ** (0.5 / _HALF))  # a third of the error
+    step = table_step(error / 3.0)
     (x, y), w = _points(radius, error / 1.5)
-    away = np.hypot(v[:, None] + x, y) / step
-    first = np.floor(away).astype(np.int64)
-    offsets = np.arange(1 - _HALF, _HALF + 1)
-    known, row = np.unique(np.abs(first[..., None] + offsets), return_inverse=True)
-    column = np.broadcast_to(np.arange(v.size)[:, None, None], (*away.shape, offsets.size))
-    data = w[:, None] * _lagrange(away - first)
-    made = coo_array((data.ravel(), (row.ravel(), column.ravel())), shape=(known.size, v.size)).tocsr()
-    gain = float(np.abs(made).sum(axis=0).max(initial=1.0))
-    return DiscMeans(step * known, made, gain, error + _ROUNDING)
+    along = v[:, None] + x
+    first, shares = between(np.hypot(along, y) / step)
+    row = first[..., None] + np.arange(2 * HALF)
+    away = np.abs(row)
+    is_known = np.zeros(away.max(initial=0) + 1, np.bool_)
+    is_known[away] = True
+    known, place = np.flatnonzero(is_known), np.cumsum(is_known)[away] - 1
+    column = np.broadcast_to(np.arange(v.size)[:, None, None], row.shape).ravel()
+    data, shape, made = w[:, None] * shares, (known.size, v.size), []
+    for m in range(order + 1):
+        around = np.cos(m * np.arctan2(y, along))[..., None] * np.where(row < 0, (-1.0) ** m, 1.0) if m else 1.0
+        made.append(coo_array(((data * around).ravel(), (place.ravel(), column)), shape=shape).tocsr())
+    gain = float((w * np.abs(shares).sum(axis=-1)).sum(axis=-1).max(initial=1.0))
+    return DiscMeans(np.asarray(step * known), tuple(made), gain, error + _ROUNDING)
 
 
-def _lagrange(offset: Array) -> Array:
-    """Return the weights of twelve even places for a value `offset` beyond the sixth."""
-    away = offset[..., None] - np.arange(1 - _HALF, _HALF + 1)
-    out = np.empty(away.shape)
-    for k in range(2 * _HALF):
-        out[..., k] = np.delete(away, k, axis=-1).prod(axis=-1)
-        out[..., k] /= math.prod(k - j for j in range(2 * _HALF) if j != k)
-    return out
+def table_step(error: float) -> float:
+    """Return how far apart even places may be for :func:`between` to err by `error`."""
+    return float(min(_STEP_MOST, 0.5 * (2.0 * error / _OMEGA) ** (0.5 / HALF)))
+
+
+def growth() -> float:
+    """Return how much errors of even values may grow between them: it is most midway."""
+    return float(np.abs(between(_HALFWAY)[1]).sum())
+
+
+def between(at: Array) -> tuple[NDArray[np.int64], Array]:
+    """Return how values `at` any places are made of those at whole ones: the first of twelve, and their weights."""
+    below = np.floor(at).astype(np.int64)
+    away = (at - below)[..., None] - np.arange(1 - HALF, HALF + 1)
+    weights = np.ones(away.shape)
+    weights[..., 1:] = np.cumprod(away[..., :-1], axis=-1)
+    weights[..., :-1] *= np.cumprod(away[..., :0:-1], axis=-1)[..., ::-1]
+    return below + (1 - HALF), weights / _APART
 
 
 def _points(radius: float, error: float) -> tuple[Array, Array]:

@@ -18,7 +18,7 @@ from lommel.core.answers import Images, Wanted
 from lommel.methods.growth import TILTS, tilted
 from lommel.methods.method import Method, storing
 from lommel.methods.slopes import Slope
-from lommel.methods.stratified import Stratified, differentiated
+from lommel.methods.stratified import Stratified, differentiated, known
 from lommel.optics import debye
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
@@ -57,6 +57,8 @@ def layered_slopes(
     ToleranceError
         If the tolerance cannot be met.
     """
+    if not known(pupil.light):
+        raise ValueError(f"derivatives are not available of the light of {pupil.emitter!r}")
     if not isinstance(method, Stratified):
         raise ValueError(
             f"derivatives are not available from {type(method).__name__} of an Objective; use Stratified"

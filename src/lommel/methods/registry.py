@@ -10,6 +10,7 @@ from lommel.methods.chordal_gauss import ChordalGauss
 from lommel.methods.closed_form import ClosedForm
 from lommel.methods.debye_rings import DebyeRings
 from lommel.methods.debye_wolf import DebyeWolf
+from lommel.methods.depletion import Sted
 from lommel.methods.fraunhofer import Fraunhofer
 from lommel.methods.geometric import Geometric
 from lommel.methods.hankel import Hankel
@@ -43,7 +44,7 @@ METHODS: dict[str, type[Method]] = {
 LAYERED: dict[str, type[Method]] = {"stratified": Stratified, "debye-rings": DebyeRings, "debye-wolf": DebyeWolf}
 """Those for the pupils of objectives."""
 
-_MADE: tuple[type[Method], ...] = (Polychromatic, Bead, Confocal, TwoPhoton)
+_MADE: tuple[type[Method], ...] = (Polychromatic, Bead, Confocal, TwoPhoton, Sted)
 """Those that are made of the answers of others."""
 
 ERFS: dict[str, type[Any]] = {"abramowitz": AbramowitzErf, "table": TableErf, "fresnel": FresnelErf}
@@ -105,6 +106,7 @@ __all__ = [
     "NonuniformFFT",
     "Polychromatic",
     "RadialMethod",
+    "Sted",
     "Stratified",
     "ToleranceError",
     "TunedClosedForm",

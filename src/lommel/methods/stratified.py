@@ -31,6 +31,7 @@ from lommel.optics.stratified import Layers
 # Of the tolerance: what fields, over the root of the peak, and interpolation between radii, over the peak, may take.
 _FIELD, _BETWEEN = 1.0 / 32.0, 1.0 / 8.0
 _LEAST = 2.0**-52
+_TURNS = 2  # the highest order of the azimuth that the core makes images of
 
 T = TypeVar("T")
 _Question = tuple[Layers, Model, tuple[float, float], tuple[float, float], float, float]
@@ -76,7 +77,7 @@ class Stratified(DebyeWolf):
             relative = np.divide(off, top - off, out=np.full(top.shape, np.inf), where=top > off)
             return Intensities(values[:, 0], relative, top - off), float(relative.max())
 
-        made = _settled(attempt, pupil, self.tol) if v.size else None
+        made = _settled(attempt, pupil, self.tol) if v.size and pupil.light.model.orders[0] == 0 else None
         return super().profile(pupil, v) if made is None else made
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
@@ -126,6 +127,8 @@ def differentiated(
     None where the engine has no such windows, or none that is exact enough; see
     :func:`lommel.core.engine.layered_images`.
     """
+    if not known(pupil.light):
+        return None
     step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
     window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
 
@@ -137,6 +140,11 @@ def differentiated(
         return made, 0.0 if made is None or made[0].error is None else float(made[0].error.max())
 
     return _settled(attempt, pupil, tol)
+
+
+def known(light: Light) -> bool:
+    """Return whether the core makes images of such light: vortices and high orders of the azimuth it has none of."""
+    return light.model.orders[0] == 0 and max(h.order for h in light.harmonics) <= _TURNS
 
 
 def layered(pupil: ObjectivePupil, reach: float, tol: float) -> Layered:

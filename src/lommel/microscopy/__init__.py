@@ -1,6 +1,7 @@
-"""What microscopes make of PSFs: with pinholes, two photons, sheets of light, of beads and of whole specimens."""
+"""What microscopes make of PSFs: by pinholes, two photons, depletion, sheets, of beads and of whole specimens."""
 
+from lommel.microscopy.depleted import sted
 from lommel.microscopy.made import bead, confocal, light_sheet, two_photon
 from lommel.microscopy.stack_blur import StackBlur, deconvolve
 
-__all__ = ["StackBlur", "bead", "confocal", "deconvolve", "light_sheet", "two_photon"]
+__all__ = ["StackBlur", "bead", "confocal", "deconvolve", "light_sheet", "sted", "two_photon"]

@@ -38,7 +38,9 @@ def confocal(
     Parameters
     ----------
     excitation, emission : ObjectivePupil
-        The light that excites, whose emitter is a :class:`lommel.Beam`, and that of the emitter, in the same planes.
+        The light that excites, whose emitter is a :class:`lommel.Beam`, and that of the emitter, in the same planes,
+        both without aberrations. A :class:`lommel.Dipole` absorbs the part of the field along it; where it wobbles,
+        as if it had turned in the meantime.
         Colours have their foci apart: with ``z=emission.focus, origin="coverslip"`` the excitation is in the planes
         of the emission, whatever the origin of these.
     shape : int or (int, int)
@@ -64,7 +66,7 @@ def confocal(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the planes differ, or if either light depends on the direction.
+        If an argument is out of range, if the planes differ, or if either light has aberrations.
     ToleranceError
         If the tolerance cannot be met.
 
@@ -86,7 +88,7 @@ def confocal(
     219.5 nm
     """
     lit, seen = _pupil("excitation", excitation), _pupil("emission", emission)
-    _same_planes(lit, seen)
+    _same_planes("excitation", lit, seen)
     _relative(normalize)
     way = Confocal(lit, pinhole, tol)
     return psf(seen, shape, pixel, method=way, normalize=normalize, integrate=integrate)
@@ -119,7 +121,7 @@ def two_photon(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, or if the light depends on the direction.
+        If an argument is out of range, or if the light has aberrations.
     ToleranceError
         If the tolerance cannot be met.
     """
@@ -158,7 +160,7 @@ def bead(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range, if the bead reaches into the glass, or if the light depends on the direction.
+        If an argument is out of range, if the bead reaches into the glass, or if the light has aberrations.
     ToleranceError
         If the tolerance cannot be met.
 
@@ -240,15 +242,13 @@ def _relative(normalize: str) -> None:
     validation.choice("normalize", normalize, ("strehl", "peak"))
 
 
-def _same_planes(excitation: ObjectivePupil, emission: ObjectivePupil) -> None:
-    if excitation.shape != emission.shape:
-        raise ValueError(
-            f"excitation must have the planes of the emission, of shape {emission.shape}, got {excitation.shape}"
-        )
+def _same_planes(what: str, beam: ObjectivePupil, emission: ObjectivePupil) -> None:
+    if beam.shape != emission.shape:
+        raise ValueError(f"{what} must have the planes of the emission, of shape {emission.shape}, got {beam.shape}")
     for name in ("depth", "focus"):
-        apart = float(np.abs(getattr(excitation, name) - getattr(emission, name)).max(initial=0.0))
+        apart = float(np.abs(getattr(beam, name) - getattr(emission, name)).max(initial=0.0))
         if apart > _CLOSE:
             raise ValueError(
-                f"excitation must have the planes of the emission, got a {name} up to {apart:.3g} metres off; "
+                f"{what} must have the planes of the emission, got a {name} up to {apart:.3g} metres off; "
                 'objective.pupil(depth=..., z=emission.focus, origin="coverslip", ...) has the same'
             )

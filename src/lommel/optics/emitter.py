@@ -20,13 +20,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
+from lommel.base.arrays import Array
 from lommel.optics.pupil_pieces import Model
 
 Form = NDArray[np.complex128]
 
 
 _JONES: dict[str, tuple[complex, complex]] = {"circular": (1.0, 1.0j), "x": (1.0, 0.0), "y": (0.0, 1.0)}
-_AROUND = ("radial", "azimuthal")
+_AROUND = ("radial", "azimuthal", "vortex")
 
 
 class Harmonic(NamedTuple):
@@ -161,11 +162,16 @@ class Dipole:
         object.__setattr__(self, "wobble", wobble)
 
     @property
-    def light(self) -> Light:
-        """What its intensity is made of."""
+    def moments(self) -> Array:
+        """Three times the mean of ``p p^T`` over its directions: the unit matrix where it turns freely."""
         flat, azimuth = math.sin(self.polar), self.azimuth
         p = np.array([flat * math.cos(azimuth), flat * math.sin(azimuth), math.cos(self.polar)])
-        M = 3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3)
+        return np.asarray(3.0 * (1.0 - self.wobble) * np.outer(p, p) + self.wobble * np.eye(3))
+
+    @property
+    def light(self) -> Light:
+        """What its intensity is made of."""
+        M = self.moments
         level = 0.5 * (M[0, 0] + M[1, 1])
         return _vectorial(
             0.5 * np.einsum("caj,jl,cbl->ab", _CAMERA, M, _CAMERA.conj()),
@@ -181,10 +187,11 @@ class Beam:
 
     Parameters
     ----------
-    polarization : {"circular", "x", "y", "radial", "azimuthal"} or (complex, complex), default "circular"
+    polarization : {"circular", "x", "y", "radial", "azimuthal", "vortex"} or (complex, complex), default "circular"
         Jones vectors ``(a, b)`` are along the columns and the rows of the camera; their length does not matter.
         "circular", (1, i), is unpolarised light, too, where there are no aberrations. "radial" is polarised towards
-        the axis everywhere in the pupil, and "azimuthal" around it: a beam that is dark on the axis.
+        the axis everywhere in the pupil, and "azimuthal" around it: a beam that is dark on the axis. So is "vortex",
+        circular light behind a plate that adds the azimuth to its phase, as (1, i) turns: the doughnut of STED.
 
     Raises
     ------
@@ -208,20 +215,83 @@ class Beam:
     @property
     def light(self) -> Light:
         """What its intensity is made of."""
-        if isinstance(self.polarization, str) and self.polarization in _AROUND:
-            model = Model(self.polarization)
-            along = float(self.polarization == "radial")  # what is along the axis, only of the one
-            steady = Harmonic(0, np.diag([along, 1.0]).astype(np.complex128), 1.0, 0.0)
-            waves = Waves((1, -1, 0), (1, 1, 0), np.diag([0.5, 0.5, along]).astype(np.complex128))
-            return Light(model, (steady,), waves)
-        a, b = _JONES[self.polarization] if isinstance(self.polarization, str) else self.polarization
+        waves = self._waves(np.eye(3))
+        if self._around is not None:
+            model = Model(self._around)
+            return Light(model, _harmonics(waves, len(model.orders)), waves)
+        a, b = self._jones
         power = abs(a) ** 2 + abs(b) ** 2
         turned = _form(3, {(0, 2): 1.0, (1, 1): 2.0})
         across, along = (abs(a) ** 2 - abs(b) ** 2) / power, 2.0 * (a * np.conj(b)).real / power
         steady = Harmonic(0, np.diag([1.0, 2.0, 1.0]).astype(np.complex128), 1.0, 0.0)
-        field = np.stack([*(each[:, :2] @ (a, b) for each in _CAMERA), _CAMERA[:, :, 2].T @ (a, b)])
-        form = np.einsum("ca,cb->ab", field, field.conj()) / power
-        return _vectorial(form, steady, Harmonic(2, turned, across, along))
+        return _vectorial(waves.form, steady, Harmonic(2, turned, across, along))
+
+    @property
+    def _around(self) -> str | None:
+        """The polarization, where it turns with the azimuth, or its phase does."""
+        named = isinstance(self.polarization, str) and self.polarization in _AROUND
+        return str(self.polarization) if named else None
+
+    @property
+    def _jones(self) -> tuple[complex, complex]:
+        return _JONES[self.polarization] if isinstance(self.polarization, str) else self.polarization
+
+    def _waves(self, moments: Array) -> Waves:
+        """Return ``sum_jl moments[j, l] E_j conj(E_l)``, E the field along x, y and z in the sample."""
+        orders: tuple[int, ...] = (0, 1, -1, 2, -2)
+        parts: tuple[int, ...] = (0, 1, 1, 2, 2)
+        if self._around in (None, "vortex"):
+            jones = self._jones if self._around is None else _JONES["circular"]
+            field = np.einsum("c,cul->lu", jones, _CAMERA) / np.linalg.norm(jones)
+            if self._around:
+                # Of circular light there is one sense of each order, and its phase turns once more.
+                field, orders, parts = field[:, [0, 1, 3]], (1, 2, 3), (0, 1, 2)
+        else:
+            # The part along the axis has a factor i.
+            towards, across, along = [0.5, 0.5, 0.0], [-0.5j, 0.5j, 0.0], [0.0, 0.0, -1.0j]
+            radial = self._around == "radial"
+            field = np.array([towards, across, along] if radial else [np.negative(across), towards, np.zeros(3)])
+            orders, parts = (1, -1, 0), (1, 1, 0)
+        return Waves(orders, parts, np.einsum("la,lm,mb->ab", field, moments, field.conj()))
+
+
+@dataclass(frozen=True)
+class Absorbed(Beam):
+    """Light of a beam as a dipole absorbs it: the intensity of the field along it, three times.
+
+    Its mean over all directions of the dipole is the intensity of the beam. The axis may be anywhere beside the
+    dipole: light is that of an image of it, at the place of the axis.
+
+    Parameters
+    ----------
+    polarization
+        As of :class:`Beam`.
+    dipole : Dipole
+    """
+
+    dipole: Dipole = Dipole(0.0, 0.0)
+
+    @property
+    def light(self) -> Light:
+        """What that is made of."""
+        waves = self._waves(self.dipole.moments)
+        model = Model(self._around or "vectorial")
+        return Light(model, _harmonics(waves, len(model.orders)), waves)
+
+
+def _harmonics(waves: Waves, parts: int) -> tuple[Harmonic, ...]:
+    """Return the orders of the azimuth without aberrations: ``U_q`` is ``(-i)^abs(q) exp(i q phi)`` times its K."""
+    orders = np.array(waves.orders)
+    turns = (-1j) ** np.abs(orders)
+    form = waves.form * np.multiply.outer(turns, turns.conj())
+    found = []
+    for m in range(2 * int(orders.max()) + 1):
+        F = np.zeros((parts, parts), np.complex128)
+        for a, b in np.argwhere(np.subtract.outer(orders, orders) == m):
+            F[waves.parts[a], waves.parts[b]] += form[a, b]
+        each = ((F + F.conj().T, 1.0, 0.0), (1j * (F - F.conj().T), 0.0, 1.0)) if m else ((F, 1.0, 0.0),)
+        found += [Harmonic(m, *one) for one in each if not m or np.abs(one[0]).max() > 1e-15]
+    return tuple(found)
 
 
 @dataclass(frozen=True)

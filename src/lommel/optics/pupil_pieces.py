@@ -4,8 +4,8 @@ r"""The pupil of a microscope in pieces on which the integrands are analytic, an
 in the layer of the lowest index, with ``rho d rho = -(n / NA)^2 c dc``; above, ``kappa = abs(c_s)``. In these what is
 even in rho is analytic on both sides, and the rule of Gauss converges like ``exp(-2 n eta)`` for each ellipse that
 holds no branch point of another cosine and no zero of a denominator. What is odd in rho, of radial and azimuthal
-polarisation, is integrated over the centre in the variable rho itself. Discs that cover the ellipse bound the
-integrand: see docs/certificate.md.
+polarisation and of vortices, is integrated over the centre in the variable rho itself. Discs that cover the ellipse
+bound the integrand: see docs/certificate.md.
 
 References
 ----------
@@ -30,8 +30,8 @@ from lommel.special.discs import Disc, disc, windings
 _ETA = np.geomspace(4e-3, 2.5, 28)
 _ARCS = 1024
 _GLANCE = 24  # points of an ellipse
-_ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1)}
-_ODD = ("radial", "azimuthal")
+_ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1), "vortex": (1, 2, 3)}
+_ODD = ("radial", "azimuthal", "vortex")
 # Where the centre ends, in 1 - c and in rho over n / NA: as far from rho = n / NA as the rest is from rho = 0.
 _CENTRE = 0.3
 _CENTRE_RHO = math.sqrt(_CENTRE * (2.0 - _CENTRE))
@@ -44,9 +44,9 @@ class Model:
 
     Attributes
     ----------
-    kind : {"vectorial", "scalar", "radial", "azimuthal"}
+    kind : {"vectorial", "scalar", "radial", "azimuthal", "vortex"}
         K0, K1 and K2; U; the fields along z and r of a radially polarised beam; nothing, and the field around the
-        axis, of one polarised so.
+        axis, of one polarised so; what is vectorial, with Bessel functions of an order more.
     aplanatic : bool
         Whether the amplitude is ``c_i^(-1/2)``, of the sine condition, or 1.
     supercritical : bool
@@ -59,7 +59,7 @@ class Model:
 
     @property
     def orders(self) -> tuple[int, ...]:
-        """The orders of the Bessel functions, one for each part: 0, 1, ..."""
+        """The orders of the Bessel functions, one for each part: 0, 1, ..., or of a vortex 1, 2, 3."""
         return _ORDERS[self.kind]
 
 

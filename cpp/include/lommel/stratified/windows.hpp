@@ -1,0 +1,94 @@
+// Windows of pixels from the orders of the azimuth at the radii of a table, each with what it errs by, and stored.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lommel/base/simd.hpp"
+#include "lommel/pixels/anywhere.hpp"
+#include "lommel/pixels/table.hpp"
+#include "lommel/radial/average_values.hpp"
+#include "lommel/stratified/judged.hpp"
+#include "lommel/stratified/planes.hpp"
+
+namespace lommel {
+
+// What depends on the radius alone: the bound on the error, where values at the radii are at most `size`.
+template <class Table>
+double window_of(const Table& table, const PixelWindow& window, const double* at_radii, const Judged& of, double size,
+                 WindowValues& made) {
+    made.make(table, window, at_radii, 1);
+    return window_error(table, made.penalty, size, of.given, 2.0 * of.swing, of.swing);
+}
+
+// One order of the azimuth at the radii.
+struct Order {
+    const double* values;
+    Judged judged;
+};
+
+// Adds h / v^m, times what the azimuth and the distance make of it.
+inline void add_order(const Harmonic& h, const PixelWindow& here, const double* values, double* total) {
+    const double cosine = h.cosine / h.size(), sine = h.sine / h.size();
+    for (std::size_t row = 0, i = 0; row < here.height; ++row) {
+        const double y = here.step * (static_cast<double>(row) - here.center_y);
+        for (std::size_t column = 0; column < here.width; ++column, ++i) {
+            const double x = here.step * (static_cast<double>(column) - here.center_x);
+            total[i] += values[i] * (h.order == 0   ? 1.0
+                                     : h.order == 1 ? cosine * x + sine * y
+                                                    : cosine * (x * x - y * y) + sine * 2.0 * x * y);
+        }
+    }
+}
+
+// Samples of light that depends on the azimuth, and the bound on their error. h_m / v^m is even and of type 2: h_1 and h_2 begin with
+// v and v^2, so that it is at most the largest |h_1'| or half of |h_2''|, both twice that of h_m. With places in v it makes the image.
+template <class Of>
+double turned_window(const AnywhereTable& table, const Planes& planes, const PixelWindow& here, const Of& order,
+                     WindowValues& made, double* total) {
+    thread_local Doubles divided;
+    divided.resize(table.count + widest_step);
+    double off = 0.0;
+    std::fill_n(total, here.height * here.width, 0.0);
+    for (std::size_t k = 0; k < planes.harmonics.size(); ++k) {
+        const Harmonic& h = planes.harmonics[k];
+        Order given = order(k);
+        const double power = static_cast<double>(h.order), reach = std::pow(table.reach(), power);
+        for (std::size_t i = 0; i < table.count; ++i) {
+            divided[i] = h.size() * given.values[i] / std::pow(table.radii[i], power);
+        }
+        Judged& of = given.judged;
+        of.most *= h.order == 0 ? 1.0 : 2.0;
+        of.swing *= h.order == 0 ? 1.0 : 2.0;
+        of.given = of.given / std::pow(table.radii[0], power) + 8.0 * unit_roundoff * of.most;
+        off += reach * (window_of(table, here, divided.data(), of, of.most, made) + 16.0 * unit_roundoff * of.most);
+        add_order(h, here, made.values.data(), total);
+    }
+    return off;
+}
+
+// No intensity is negative, and none less exact for being `least`.
+template <class Real>
+LOMMEL_INLINE void store_least(const double* values, double scale, std::size_t count, Real least, Real* out) {
+    store_scaled(values, scale, count, out);
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = std::max(out[i], least);
+    }
+}
+
+template <class Real>
+void store_window(const AnywhereTable&, const WindowValues& made, double scale, Real least, Real* image) {
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(made.values.data(), scale, made.count, least, image); });
+}
+
+template <class Real>
+void store_window(const PixelTable& table, const WindowValues& made, double scale, Real least, Real* image) {
+    thread_local std::vector<Real> kept;
+    kept.resize(made.count);
+    dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_least(made.values.data(), scale, made.count, least, kept.data()); });
+    table.groups.paint(kept.data(), 0, table.groups.rows.distances.size(), image);
+}
+
+}  // namespace lommel

@@ -22,7 +22,6 @@ from lommel.methods.derivatives import SHIFTS
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
 
 TILTS = SHIFTS["column"], SHIFTS["row"]
 """Zernike terms that the growth is made of."""
@@ -31,7 +30,7 @@ _FINER = 0.1  # of the tolerance, which samples are asked for: their errors are 
 
 
 def growth(
-    engine: Method, pupil: Pupil, grid: Grid, tilts: Sequence[tuple[Array, Array]], threads: int = 0
+    engine: Method, pupil: BasePupil, grid: Grid, tilts: Sequence[tuple[Array, Array]], threads: int = 0
 ) -> tuple[Array, Array]:
     """Return ``v . grad I``, or its averages, from the derivatives of I by the :data:`TILTS`.
 
@@ -64,7 +63,7 @@ def growth(
     return total, error
 
 
-def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Array, Array]:
+def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int) -> tuple[Array, Array]:
     """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
     step = grid.step(pupil)
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
@@ -72,7 +71,8 @@ def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Arr
     # Neither response is larger than 2.
     missed = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
     # A phase or an amplitude off by e changes U and its gradient by e int A at most, and u is half a diagonal.
-    left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
+    of_phase, of_light = pupil.left_out
+    left = of_phase + 2.0 * of_light
     missed += math.sqrt(8.0) * step * left * (2.0 + left) * pupil.amplitude**2
     count = math.prod(pupil.shape)
     total, error = np.empty((count, *grid.shape)), np.empty(count)

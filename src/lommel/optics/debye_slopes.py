@@ -13,7 +13,7 @@ import numpy as np
 
 from lommel.base.arrays import Array
 from lommel.optics.debye import Rule, films
-from lommel.optics.pupil_pieces import ETA, At, Complex, Model, Piece, enclosed, extremes, pieces
+from lommel.optics.pupil_pieces import ETA, At, Complex, Covered, Model, Piece, enclosed, extremes, pieces
 from lommel.optics.stratified import Layers
 from lommel.special.legendre import gauss_legendre
 
@@ -68,6 +68,23 @@ def slope_errors(
     return sums[0], sums[1], sums[2], sums[3]
 
 
+def steepest(layers: Layers, model: Model, depth: Array, focus: Array) -> tuple[float, float, float]:
+    """Return what the factors of derivatives by depth, focus and ln k are at most in the pupil, less a real constant.
+
+    An analytic function is largest on the border of an ellipse around a piece of the pupil; discs cover that.
+    """
+    found = np.zeros(3)
+    middle = layers.middle_rates()
+    for piece in pieces(layers, model):
+        row = next(row for row in range(ETA.size) if enclosed(piece, model, (row,))[0].fit[0])
+        covered, _ = enclosed(piece, model, (row,))
+        rates = [(rate - least).largest for rate, least in zip(covered.rates[1:], middle[1:], strict=True)]
+        found = np.maximum(
+            found, [*(each.max() for each in rates), _phases(piece, model, covered, depth, focus).max()]
+        )
+    return float(found[0]), float(found[1]), float(found[2])
+
+
 def _of_piece(
     piece: Piece, model: Model, depth: Array, focus: Array, v: float, error: float, n: int
 ) -> tuple[float, ...]:
@@ -75,18 +92,24 @@ def _of_piece(
     growth = piece.serving(model, depth, focus, v, error)
     rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
     covered, _ = enclosed(piece, model, rows)
-    fixed, by_depth, by_focus = covered.rates
+    _, by_depth, by_focus = covered.rates
     # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
     rho = np.sqrt(covered.at.square.largest) / piece.layers.NA
-    psi, middle = np.zeros(rho.shape), piece.layers.middle_rates()
-    for d, f in extremes(depth, focus):
-        centre = sum(
-            by * (rate.centre - least) for by, rate, least in zip((1.0, d, f), covered.rates, middle, strict=True)
-        )
-        radius = fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius
-        psi = np.maximum(psi, (np.abs(centre) + radius) * (1.0 + 1e-12))
-    if films(piece.layers, model):
-        psi = psi + np.maximum(*(of.largest for of in piece.layers.log_slopes(covered.at, covered.at.square)))
-    factors = by_depth.largest, by_focus.largest, rho, psi
+    factors = by_depth.largest, by_focus.largest, rho, _phases(piece, model, covered, depth, focus)
     proven = (piece.constant() - 2.0 * n * ETA + growth)[list(rows)]
     return tuple(float(np.exp((proven + np.log(each.max(axis=-1))).min())) for each in factors)
+
+
+def _phases(piece: Piece, model: Model, covered: Covered, depth: Array, focus: Array) -> Array:
+    """Return what bounds the derivatives by ln k over the integrands on each disc."""
+    psi, middle = np.zeros(covered.at.square.radius.shape), piece.layers.middle_rates()
+    for d, f in extremes(depth, focus):
+        centre, radius = np.zeros(psi.shape, np.complex128), np.zeros(psi.shape)
+        for by, rate, least in zip((1.0, d, f), covered.rates, middle, strict=True):
+            centre = centre + by * (rate.centre - least)
+            radius = radius + abs(by) * rate.radius
+        psi = np.maximum(psi, (np.abs(centre) + radius) * (1.0 + 1e-12))
+    if films(piece.layers, model):
+        of_s, of_p = piece.layers.log_slopes(covered.at, covered.at.square)
+        psi = psi + np.maximum(of_s.largest, of_p.largest)
+    return psi

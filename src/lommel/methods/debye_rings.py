@@ -100,7 +100,7 @@ class DebyeRings(LayeredMethod):
         return self.settled(pupil, grid, tol, wanted)[0]
 
     def settled(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> tuple[Images, Accuracy]:
-        """Return I at the centres of pixels, around one axis or one for each plane, and what that took.
+        """Return I of a `pupil` at the centres of the pixels of `grid`, as `wanted`, and what that took.
 
         ToleranceError where rounding keeps `tol` from being met.
         """

@@ -76,6 +76,9 @@ def test_intensities_change_with_the_wavenumber_as_differences_say(model, films)
 
     found = debye.rule(of, model, DEPTH, FOCUS, float(V[-1]), 1e-13)
     assert (debye_slopes.turning(found, of, model).changes is not None) == (bool(films) and model.kind != "scalar")
+    # About as far below 0 as above, which no intensity shows, and bounds do.
+    by_focus = debye_slopes.turning(found, of, model).rates[2].real
+    assert np.abs(by_focus).max() <= 0.51 * np.ptp(found.rates[2].real)
     F = np.stack(debye.fields(found, model, DEPTH, FOCUS, V))
     made = 2.0 * (np.stack(turned(found, of, model)) * F.conj()).real
     expected = difference(at, 2e-3)

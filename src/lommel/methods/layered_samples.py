@@ -87,19 +87,19 @@ def engine_slopes(
     by: Sequence[By],
     tol: float,
     wanted: Wanted,
-    otherwise: Callable[[], Images],
+    otherwise: Callable[[], Images] | None,
 ) -> Sampled | None:
     """Return images and derivatives by the engine, or None where it has no such windows.
 
     Derivatives have bounds and no tolerance: where rounding keeps the engine from that of the images, they come with
-    a looser one, and images are those that `otherwise` returns.
+    a looser one, and images are those that `otherwise` returns, or of a looser one too.
     """
     for looser in (1.0, 10.0, 100.0, 1000.0):
         if (found := differentiated(pupil, grid, by, looser * tol, wanted)) is not None:
             images, values, wrong = found
             assert images.peak is not None
             error = wrong / images.peak
-            return Sampled(images if looser == 1.0 else otherwise(), values, error)
+            return Sampled(images if looser == 1.0 or otherwise is None else otherwise(), values, error)
     return None
 
 

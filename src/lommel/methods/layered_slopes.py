@@ -91,11 +91,11 @@ def layered_slopes(
     if (axis and "row" not in each) or grows:
         # What is left out of the phase moves fields and their gradients by as much.
         left = 4.0 * pupil.left_out[0]
-        tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads)]
+        tilts = [(values, off + left) for values, off in tilted(method, pupil, grid, wanted.threads, _samples)]
         for name, (values, off) in zip(("column", "row"), tilts, strict=True):
             each[name] = _stored(grid.step(pupil) * values, grid.step(pupil) * off, made, wanted)
         if grows:
-            values, off = growth(method, pupil, grid, tilts, wanted.threads)
+            values, off = growth(method, pupil, grid, tilts, wanted.threads, _samples)
             of_place = _stored(values / -pupil.wavelength, off / pupil.wavelength, made, wanted)
             each["wavelength"] = _sum(each["wavelength"], of_place, made, wanted)
     return method, made, [each[name] for name in names]
@@ -137,6 +137,15 @@ def _any(
         return widened(method.images(pupil, grid, wanted), pupil, method, normalized=False), {}
     found = sampled_slopes(method, pupil, grid, rates, wanted)
     return found.images, dict(zip(kinds, map(Slope, found.values, found.error), strict=True))
+
+
+def _samples(method: Method, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
+    """Return samples with bounds, which need not be the tolerance that only the reference reaches."""
+    if isinstance(method, Stratified):
+        found = engine_slopes(pupil, grid, (), method.tol, wanted, None)
+        if found is not None:
+            return found.images
+    return method.images(pupil, grid, wanted)
 
 
 def _by(name: str, pupil: ObjectivePupil, *, far: bool, energy: bool) -> By:

@@ -29,22 +29,23 @@ struct Order {
     Judged judged;
 };
 
-// Adds h / v^m, times what the azimuth and the distance make of it.
+// Adds h_0, h_1 / v or h_2, times what the azimuth and the distance make of it.
 inline void add_order(const Harmonic& h, const PixelWindow& here, const double* values, double* total) {
     const double cosine = h.cosine / h.size(), sine = h.sine / h.size();
     for (std::size_t row = 0, i = 0; row < here.height; ++row) {
         const double y = here.step * (static_cast<double>(row) - here.center_y);
         for (std::size_t column = 0; column < here.width; ++column, ++i) {
             const double x = here.step * (static_cast<double>(column) - here.center_x);
+            const double turned = cosine * (x - y) * (x + y) + sine * 2.0 * x * y;
             total[i] += values[i] * (h.order == 0   ? 1.0
                                      : h.order == 1 ? cosine * x + sine * y
-                                                    : cosine * (x * x - y * y) + sine * 2.0 * x * y);
+                                                    : turned / std::max(x * x + y * y, 1e-300));
         }
     }
 }
 
-// Samples of light that depends on the azimuth, and the bound on their error. h_m / v^m is even and of type 2: h_1 and h_2 begin with
-// v and v^2, so that it is at most the largest |h_1'| or half of |h_2''|, both twice that of h_m. With places in v it makes the image.
+// Samples of light that depends on the azimuth, and the bound on their error. Orders 0 and 2 are even in v and of type 2, and so is
+// h_1 / v, at most the largest |h_1'|, twice that of h_1.
 template <class Of>
 double turned_window(const AnywhereTable& table, const Planes& planes, const PixelWindow& here, const Of& order,
                      WindowValues& made, double* total) {
@@ -55,15 +56,16 @@ double turned_window(const AnywhereTable& table, const Planes& planes, const Pix
     for (std::size_t k = 0; k < planes.harmonics.size(); ++k) {
         const Harmonic& h = planes.harmonics[k];
         Order given = order(k);
-        const double power = static_cast<double>(h.order), reach = std::pow(table.reach(), power);
+        const bool odd = h.order == 1;
         for (std::size_t i = 0; i < table.count; ++i) {
-            divided[i] = h.size() * given.values[i] / std::pow(table.radii[i], power);
+            divided[i] = h.size() * given.values[i] / (odd ? table.radii[i] : 1.0);
         }
         Judged& of = given.judged;
-        of.most *= h.order == 0 ? 1.0 : 2.0;
-        of.swing *= h.order == 0 ? 1.0 : 2.0;
-        of.given = of.given / std::pow(table.radii[0], power) + 8.0 * unit_roundoff * of.most;
-        off += reach * (window_of(table, here, divided.data(), of, of.most, made) + 16.0 * unit_roundoff * of.most);
+        of.most *= odd ? 2.0 : 1.0;
+        of.swing *= odd ? 2.0 : 1.0;
+        of.given = of.given / (odd ? table.radii[0] : 1.0) + 8.0 * unit_roundoff * of.most;
+        off += (odd ? table.reach() : 1.0) *
+               (window_of(table, here, divided.data(), of, of.most, made) + 16.0 * unit_roundoff * of.most);
         add_order(h, here, made.values.data(), total);
     }
     return off;

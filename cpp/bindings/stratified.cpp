@@ -43,50 +43,101 @@ lommel::Planes planes_of(const In<double, 1>& rho, const In<complex, 2>& parts, 
     return made;
 }
 
+// Derivatives as arrays: by (k, 2), each a LayeredSlope and its factor; own (k, n), what I counts in it; of_fields (4,), what fields
+// by the depth, the stage, v and the wavenumber are proven to err by; turning (3, q) and change (m, q), as of lommel::Angles.
+template <class T>
+struct AskedSlopes {
+    In<double, 2> by, own;
+    In<double, 1> of_fields;
+    In<complex, 2> turning;
+    In<complex, 2> change;  // or none
+    Out<T, 4> images;
+    Out<double, 2> errors;
+};
+
+template <class T>
+lommel::LayeredSlopes<T> slopes_of(const AskedSlopes<T>& given, lommel::Planes& asked, const Out<T, 3>& images,
+                                   bool integrate) {
+    using What = lommel::LayeredSlope::What;
+    require(given.own.is_valid() && given.of_fields.is_valid() && given.turning.is_valid() && given.images.is_valid() &&
+                given.errors.is_valid(),
+            "derivatives are given whole");
+    const std::size_t count = given.by.shape(0), n = asked.count, q = asked.angles.count;
+    require(given.by.shape(1) == 2 && count > 0 && given.own.shape(0) == count && given.own.shape(1) == n,
+            "derivatives are a number and a factor each, with a number for each plane");
+    require(given.of_fields.shape(0) == 4 && given.turning.shape(0) == 3 && given.turning.shape(1) == q, "one value an angle");
+    asked.angles.turning = given.turning.data();
+    if (given.change.is_valid()) {
+        require(given.change.shape(0) == asked.angles.parts && given.change.shape(1) == q, "one value an angle");
+        asked.angles.change = given.change.data();
+    }
+    const auto need = [&](lommel::By by) {
+        const auto same = [&](const lommel::Derivative& each) { return each.by == by; };
+        if (std::none_of(asked.derivatives.begin(), asked.derivatives.end(), same)) {
+            asked.derivatives.push_back({by, given.of_fields.data()[static_cast<std::size_t>(by)]});
+        }
+    };
+    lommel::LayeredSlopes<T> made;
+    std::size_t pictures = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double which = given.by.data()[2 * k];
+        require(which == 0.0 || which == 1.0 || which == 2.0 || which == 3.0, "derivatives are 0, 1, 2 or 3");
+        const What what = static_cast<What>(static_cast<int>(which));
+        require(what != What::axis || asked.radial(), "only light that is radially symmetric is moved here");
+        if (what == What::depth || what == What::focus) {
+            need(what == What::depth ? lommel::By::depth : lommel::By::focus);
+        }
+        if (what == What::wavenumber) {
+            need(lommel::By::wavenumber);
+        }
+        if (asked.radial() && (what == What::wavenumber || (what == What::axis && !integrate))) {
+            need(lommel::By::radius);
+        }
+        pictures += what == What::axis ? 2 : 1;
+        made.asked.push_back({what, given.by.data()[2 * k + 1], given.own.data() + k * n});
+    }
+    require(given.images.shape(0) == pictures && given.images.shape(1) == n && given.images.shape(2) == images.shape(1) &&
+                given.images.shape(3) == images.shape(2) && given.errors.shape(0) == pictures && given.errors.shape(1) == n,
+            "derivatives must match the images");
+    made.images = given.images.data();
+    made.errors = given.errors.data();
+    return made;
+}
+
 // Windows around the axis that all planes share, or around one each: centers (1, 2) or (n, 2).
 template <class T>
 bool layered_images(In<double, 1> rho, In<complex, 2> parts, In<complex, 2> rates, double error, In<double, 2> planes,
                     In<complex, 3> forms, In<double, 2> turns, In<double, 2> centers, double step, bool integrate,
-                    double allowed, int threads, Out<T, 3> images, Out<double, 2> numbers, In<double, 2> by,
-                    Out<double, 4> slopes, Out<double, 2> slope_errors) {
+                    double allowed, int threads, Out<T, 3> images, Out<double, 2> numbers, In<double, 2> by, In<double, 2> own,
+                    In<double, 1> of_fields, In<complex, 2> turning, In<complex, 2> change, Out<T, 4> slopes,
+                    Out<double, 2> slope_errors) {
     lommel::Planes asked = planes_of(rho, parts, rates, error, planes, forms, turns);
     const std::size_t n = asked.count;
     require(images.shape(0) == n && numbers.shape(0) == 3 && numbers.shape(1) == n, "one image, scale, bound and peak a plane");
     require(allowed > 0.0 && threads >= 0, "allowed must be positive, threads at least 0");
     require_centers(centers, centers.shape(0) == 1 ? 1 : n);
-    lommel::LayeredSlopes derivatives{};
+    lommel::LayeredSlopes<T> derivatives;
     if (by.is_valid()) {
-        const std::size_t count = by.shape(0);
-        require(by.shape(1) == 2 && count > 0, "derivatives are a number and an error each");
-        bool axis = false;
-        for (std::size_t d = 0; d < count; ++d) {
-            const double which = by.data()[2 * d];
-            require(!axis && (which == 0.0 || which == 1.0 || which == 2.0), "derivatives are 0, 1 or, the last, 2");
-            axis = which == 2.0;
-            asked.derivatives.push_back({static_cast<lommel::By>(static_cast<int>(which)), by.data()[2 * d + 1]});
-        }
-        const std::size_t made = count + (axis ? 1 : 0);
-        require(!axis || !integrate, "averages have no derivatives by the axis here");
-        require(slopes.is_valid() && slope_errors.is_valid() && slopes.shape(0) == made && slopes.shape(1) == n &&
-                    slopes.shape(2) == images.shape(1) && slopes.shape(3) == images.shape(2) && slope_errors.shape(0) == made &&
-                    slope_errors.shape(1) == n,
-                "derivatives must match the images");
-        derivatives = {slopes.data(), slope_errors.data()};
+        derivatives = slopes_of<T>({by, own, of_fields, turning, change, slopes, slope_errors}, asked, images, integrate);
     }
     const double* at = centers.data();
     const lommel::PixelWindow first = window_of(images.shape(1), images.shape(2), at[0], at[1], step, integrate);
-    // One axis off the middle is one of each plane: the same table serves windows around any; derivatives are of such.
-    std::vector<double> own;
+    // One axis off the middle is one of each plane: the same table serves windows around any. Samples are differentiated around
+    // such, and what moves averages is known around such.
+    const bool moved = std::any_of(derivatives.asked.begin(), derivatives.asked.end(), [](const lommel::LayeredSlope& slope) {
+        return slope.what == lommel::LayeredSlope::What::axis;
+    });
+    std::vector<double> own_axes;
     lommel::PixelWindows windows(first);
     if (centers.shape(0) == n && n > 1) {
         windows = {first, at, n};
-    } else if (!first.centered() || (!integrate && !asked.derivatives.empty())) {
+    } else if (!first.centered() || (integrate ? moved : !derivatives.asked.empty())) {
         for (std::size_t p = 0; p < n; ++p) {
-            own.insert(own.end(), at, at + 2);
+            own_axes.insert(own_axes.end(), at, at + 2);
         }
-        windows = {first, own.data(), n};
+        windows = {first, own_axes.data(), n};
     }
-    if (!lommel::LayeredImages<T>::fits(asked, windows)) {
+    if (!lommel::LayeredImages<T>::fits(asked, windows, by.is_valid())) {
         return false;
     }
     double* const scales = numbers.data();
@@ -175,7 +226,8 @@ void bindings::define_stratified(nb::module_& m) {
         m.def(
             "layered_images", &layered_images<decltype(pixel)>, "rho"_a, "parts"_a, "rates"_a, "error"_a, "planes"_a, "forms"_a,
             "turns"_a, "centers"_a, "step"_a, "integrate"_a, "allowed"_a, "threads"_a, "images"_a.noconvert(),
-            "numbers"_a.noconvert(), "by"_a.none() = nb::none(), "slopes"_a.noconvert().none() = nb::none(),
+            "numbers"_a.noconvert(), "by"_a.none() = nb::none(), "own"_a.none() = nb::none(), "of_fields"_a.none() = nb::none(),
+            "turning"_a.none() = nb::none(), "change"_a.none() = nb::none(), "slopes"_a.noconvert().none() = nb::none(),
             "slope_errors"_a.noconvert().none() = nb::none(),
             "Images of planes through layers, and of each in `numbers` what it is multiplied by (0 on entry: over its largest "
             "value), the bound on its error over the peak, and that peak; False, with nothing written, for windows that this "

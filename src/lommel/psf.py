@@ -93,8 +93,9 @@ def psf(
         "object_distance", and "focus_distance", for which the sensor moves, of a pupil by :meth:`Lens.pupil`. Per 1:
         "f_number" of the pupil, its phases kept; "obscuration". Of round apertures, by `ChordalGauss`, of radially
         symmetric pupils all but other terms and the obscuration by `NijboerZernike`, or by a `Polychromatic` of
-        these; and not of "peak". Of an Objective, by `Stratified`: per metre "z" (of the stage) and "depth" (the
-        stage at rest), and "row", "column".
+        these; and not of "peak". Of an Objective, by `Stratified` or, with aberrations, `DebyeRings`: per metre "z"
+        (of the stage), "depth" (the stage at rest) and, without aberrations, "wavelength" (the stage, all indices and
+        the pixel in metres as they are); "row", "column".
     out : ndarray, shape ``pupil.shape + (height, width)``, optional
         A C-contiguous, writable array to put the values in.
     threads : int, optional

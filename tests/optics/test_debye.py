@@ -165,7 +165,7 @@ def test_the_growth_is_above_every_sample_on_its_ellipse_and_not_far_above(of, m
         assert fit.size >= 5
         for row in fit[:: max(1, fit.size // 5)]:
             half = 0.5 * (piece.high - piece.low)
-            x = piece.low + half * (1 + np.cos(theta + 1j * pupil_pieces._ETA[row]))
+            x = piece.low + half * (1 + np.cos(theta + 1j * pupil_pieces.ETA[row]))
             at = pupil_pieces.At(piece, x)
             fixed, by_depth, by_focus = piece.rates(at)
             rho = np.sqrt(at.square) / of.NA
@@ -184,7 +184,7 @@ def test_the_discs_cover_each_ellipse(of, model):
         # The ends and the middles of the arcs, and near them.
         arc = 2 * np.pi * (np.arange(1024) + 0.5) / 1024
         for offset in np.array([-1.0, -0.999, -0.5, 0.0, 0.7, 1.0]) * np.pi / 1024:
-            x = piece.low + half * (1 + np.cos(arc + offset + 1j * pupil_pieces._ETA[:, None]))
+            x = piece.low + half * (1 + np.cos(arc + offset + 1j * pupil_pieces.ETA[:, None]))
             assert (np.abs(x - discs.centre) <= discs.radius).all()
             height = np.abs(np.sqrt(piece.square(x)).imag) / of.NA
             assert (height <= piece.covered.height * (1 + 1e-12) + 1e-15).all()
@@ -198,8 +198,8 @@ def test_an_ellipse_round_the_branch_point_of_another_cosine_is_none():
     scaled = (branch - piece.low) / (0.5 * (piece.high - piece.low)) - 1
     largest = math.log(max(abs(scaled + s * np.sqrt(scaled**2 - 1)) for s in (1, -1)))
     growth = piece.growth(VECTOR, np.zeros(1), np.zeros(1), 0.0)
-    assert np.isinf(growth[largest < pupil_pieces._ETA]).all()
-    assert np.isfinite(growth[0.5 * largest > pupil_pieces._ETA]).all()
+    assert np.isinf(growth[largest < pupil_pieces.ETA]).all()
+    assert np.isfinite(growth[0.5 * largest > pupil_pieces.ETA]).all()
 
 
 @pytest.mark.parametrize("of", [TIRF, DRY, *(Layers(NA, 1.518, 1.518, 1.0, (), (), 500e-9) for NA in (0.5, 1.3))])
@@ -216,8 +216,8 @@ def test_ellipses_of_what_is_odd_do_not_hold_the_centre_but_round_the_centre(of)
         scaled = ((1j if piece.above else 0.0) - piece.low) / (0.5 * (piece.high - piece.low)) - 1.0 + 0.0j
         largest = math.log(max(abs(scaled + s * np.sqrt(scaled**2 - 1.0)) for s in (1, -1)))
         growth = piece.growth(model, np.zeros(1), np.zeros(1), 0.0)
-        assert np.isinf(growth[largest < pupil_pieces._ETA]).all()
-        assert np.isfinite(growth[0.8 * largest > pupil_pieces._ETA]).any()
+        assert np.isinf(growth[largest < pupil_pieces.ETA]).all()
+        assert np.isfinite(growth[0.8 * largest > pupil_pieces.ETA]).any()
 
 
 def test_an_ellipse_round_a_zero_of_a_denominator_is_none(monkeypatch):
@@ -327,12 +327,12 @@ def test_the_extremes_of_planes_hold_all_of_them():
 
 def test_nodes_are_the_fewest_that_the_bound_allows():
     piece = pupil_pieces.Piece(OIL, 0.0, 0.8)
-    growth = 3.0 + 50.0 * pupil_pieces._ETA**2
+    growth = 3.0 + 50.0 * pupil_pieces.ETA**2
     for error in (1e-3, 1e-9):
         n = piece.nodes(growth, error)
 
         def bound(nodes):
-            eta = pupil_pieces._ETA
+            eta = pupil_pieces.ETA
             return (64 / 15 * 0.4 * np.exp(growth - 2 * nodes * eta) / (1 - np.exp(-2 * eta))).min()
 
         assert bound(n) <= error < bound(n - 1)

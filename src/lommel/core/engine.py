@@ -6,7 +6,7 @@ or "met", and a negative bound for "not met", these say None, and raise a Tolera
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from lommel import _core
 from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Images, Intensities, Slopes, Wanted, not_met
-from lommel.core.layers import Layered, Ringed, Rings
+from lommel.core.layers import Layered, LayeredSlopes, Ringed, Rings
 
 # As the core has them.
 average_samples = _core.average_samples
@@ -257,7 +257,7 @@ def radial_profiles(stack: RadialStack, v: Array, tol: float, threads: int = 1) 
     return Intensities(values, bounds, peaks)
 
 
-BY_DEPTH, BY_FOCUS, BY_AXIS = 0, 1, 2
+BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)
 """By what :func:`layered_images` differentiates."""
 
 
@@ -268,8 +268,8 @@ def layered_images(
     wanted: Wanted,
     *,
     integrate: bool = False,
-    by: Sequence[tuple[int, float]] = (),
-) -> tuple[Images, Array, Array] | None:
+    slopes: LayeredSlopes | None = None,
+) -> tuple[Images, NDArray[Any], Array] | None:
     """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance.
 
     Parameters
@@ -281,28 +281,26 @@ def layered_images(
         Without `powers` and `terms`.
     integrate : bool, default False
         Whether pixels average.
-    by : sequence of (int, float)
-        Derivatives of I: BY_DEPTH, BY_FOCUS, BY_AXIS (two, by row and column; the last, of samples), and what each
-        part of the field's derivative is proven to err by.
+    slopes : LayeredSlopes, optional
 
     Returns
     -------
-    (Images, slopes, errors) or None
-        With derivatives, shape ``(k, n, height, width)``, and absolute bounds, shape ``(k, n)``. None for windows
-        that the core has no way for: wide ones of which pixels average, whose axis is not in the middle, or that
-        are differentiated; and, of light that depends on the azimuth, any such.
+    (Images, derivatives, errors) or None
+        Derivatives as the images are stored, shape ``(k, n, height, width)``, and bounds on their errors over the
+        scale, shape ``(k, n)``. None for windows that the core has no way for: wide ones whose axis is not in the
+        middle, or whose samples are differentiated; and averages of light that depends on the azimuth.
     """
     count = asked.planes.shape[1]
     values = np.empty((count, *window.shape), wanted.dtype) if wanted.out is None else wanted.out
     numbers, centers = np.empty((3, count)), np.asarray(window.center, dtype=np.float64).reshape(-1, 2)
     numbers[0] = 0.0 if wanted.scale is None else wanted.scale
-    kinds = len(by) + sum(which == BY_AXIS for which, _ in by)
-    slopes, errors = np.empty((kinds, *values.shape)), np.empty((kinds, count))
+    kinds = 0 if slopes is None else len(slopes.by) + int((slopes.by[:, 0] == BY_AXIS).sum())
+    found, errors = np.empty((kinds, *values.shape), wanted.dtype), np.empty((kinds, count))
     given: tuple[Any, ...] = (centers, window.step, integrate, allowed, wanted.threads, values, numbers)
-    if by:
-        given += np.array(by, dtype=np.float64), slopes, errors
+    if slopes is not None:
+        given += *slopes, found, errors
     made = _core.layered_images(*asked, *given)
-    return (Images(values, numbers[0], numbers[1], None, numbers[2]), slopes, errors) if made else None
+    return (Images(values, numbers[0], numbers[1], None, numbers[2]), found, errors) if made else None
 
 
 def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:

@@ -39,6 +39,32 @@ class Layered(NamedTuple):
     turns: Array
 
 
+class LayeredSlopes(NamedTuple):
+    """By what images of such planes are differentiated.
+
+    Attributes
+    ----------
+    by : ndarray, shape (k, 2)
+        BY_DEPTH, BY_FOCUS, BY_AXIS (two derivatives, by row and by column, of light that is radially symmetric) or
+        BY_WAVENUMBER (by ln k, where light is radially symmetric at the same place in metres, else at the same v);
+        and a factor of that derivative of I.
+    own : ndarray, shape (k, n)
+        What I itself counts in each, and plane.
+    of_fields : ndarray, shape (4,)
+        What each part of the field is proven to err by in its derivatives by depth, focus, v and ln k.
+    turning : ndarray of complex, shape (3, q)
+        As `rates` of :class:`Layered`, less a real number each.
+    changes : ndarray of complex, shape (m, q), or None
+        The derivatives of `parts` by ln k.
+    """
+
+    by: Array
+    own: Array
+    of_fields: Array
+    turning: NDArray[np.complex128]
+    changes: NDArray[np.complex128] | None
+
+
 class Rings(NamedTuple):
     """Planes with any wavefront: what fields on circles are summed from, and how these become pixels.
 

@@ -70,7 +70,8 @@ class Asked(NamedTuple):
         if names and pupil.layered:
             from lommel.methods.layered_slopes import layered_slopes
 
-            return layered_slopes(self.ways[0], cast("ObjectivePupil", pupil), self.grid, names, question)
+            layers = cast("ObjectivePupil", pupil)
+            return layered_slopes(self.ways[0], layers, self.grid, names, question, energy=self.energy)
         if names:
             from lommel.methods.slopes import differentiated
 

@@ -21,6 +21,7 @@ from lommel.optics import azimuths, debye
 from lommel.optics.emitter import Waves
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
+from lommel.optics.pupil_pieces import Piece
 from lommel.special import equal_steps
 from lommel.special.bessel import bessel_sequence
 
@@ -33,7 +34,7 @@ _PARTS = 2**22  # of pupils with a wavefront each, at once
 _ROUNDING = 2.0**-53
 
 
-class _Accuracy(NamedTuple):
+class Accuracy(NamedTuple):
     """What fields may err by, what interpolation between circles may add to I, and around them relative to it."""
 
     field: float
@@ -90,26 +91,29 @@ class DebyeRings(LayeredMethod):
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
         """Return the images of the flattened stack; see :meth:`Method.images`."""
         if wanted.powers or wanted.terms:
-            raise ValueError(
-                "derivatives are not available of the pupils of an Objective with aberrations; take differences of "
-                "PSFs with a small tol"
-            )
+            raise ValueError("derivatives by phases are not available of the pupils of an Objective")
         if grid.integrate:
             return averaged_images(self._samples, pupil, grid, self.tol, wanted)
         return self._samples(pupil, grid, self.tol, wanted)
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
-        """Return I at the centres of pixels, around one axis or one for each plane."""
+        return self.settled(pupil, grid, tol, wanted)[0]
+
+    def settled(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> tuple[Images, Accuracy]:
+        """Return I of a `pupil` at the centres of the pixels of `grid`, as `wanted`, and what that took.
+
+        ToleranceError where rounding keeps `tol` from being met.
+        """
         peak = likely_peak(pupil) / 4.0
         # What is divided by its own largest value is off by twice as much, and stored twice.
         twice = 2.0 if wanted.scale is None else 1.0
         aim = max(tol, LEAST) / twice - 2.0 * storing(wanted.dtype)
         while True:
-            accuracy = _Accuracy(*(_power_of_two(x) for x in (aim * math.sqrt(peak) / 8.0, aim * peak, aim / 100.0)))
-            made = _made(pupil, grid, accuracy, wanted)
+            accuracy = Accuracy(*(_power_of_two(x) for x in (aim * math.sqrt(peak) / 8.0, aim * peak, aim / 100.0)))
+            made = ringed(pupil, grid, accuracy, wanted)
             assert made.error is not None
             if (worst := float(made.error.max())) <= tol:
-                return made
+                return made, accuracy
             if accuracy.field <= LEAST:
                 raise not_met(self.tol, worst, "the peak")
             peak, aim = peak * 0.25, aim * max(1e-6, min(0.5, 0.5 * tol / worst))
@@ -120,8 +124,36 @@ def _power_of_two(x: float) -> float:
     return float(2.0 ** math.floor(math.log2(x)))
 
 
-def _made(pupil: ObjectivePupil, grid: Grid, accuracy: _Accuracy, wanted: Wanted) -> Images:
-    """Return images of fields and intensities so exact, with bounds that are to be compared with a tolerance."""
+class Turn(NamedTuple):
+    """A factor of waves, ``(1 + amount (rate - middle)) / 2``, at most 1 for real rho.
+
+    Attributes
+    ----------
+    which : int
+        1 for the rate of the phase by depth, 2 for that by focus.
+    amount : complex
+    middle : float
+    """
+
+    which: int
+    amount: complex
+    middle: float
+
+    def of(self, rates: tuple[NDArray[np.complex128], ...]) -> NDArray[np.complex128]:
+        """Return the factor at each angle."""
+        return np.asarray(0.5 * (1.0 + self.amount * (rates[self.which] - self.middle)))
+
+    def growth(self, piece: Piece) -> Array:
+        """Return the logarithm of a bound on it, on each disc around a piece."""
+        away = (piece.covered.rates[self.which] - self.middle).largest
+        return np.asarray(np.log(0.5 * (1.0 + abs(self.amount) * away)))
+
+
+def ringed(pupil: ObjectivePupil, grid: Grid, accuracy: Accuracy, wanted: Wanted, turn: Turn | None = None) -> Images:
+    """Return images of fields and intensities so exact, with bounds that are to be compared with a tolerance.
+
+    Waves have a further factor where there is a `turn`.
+    """
     step, light = grid.step(pupil), pupil.light
     band, along = _along(accuracy.between)
     circles = math.ceil(grid._farthest * step / (0.5 * band)) + along.taps.size // 2 + along.filter.size + 2
@@ -130,7 +162,11 @@ def _made(pupil: ObjectivePupil, grid: Grid, accuracy: _Accuracy, wanted: Wanted
     wavefront = pupil.aberrations.flattened()
     terms = azimuths.sizes(wavefront)
     asked = pupil.layers, light.model, depth, focus, 0.5 * band * (circles - 1), accuracy.field
-    rule = debye.rule(*asked, lambda piece: azimuths.growth(piece, terms))
+    if turn is None:
+        rule = debye.rule(*asked, lambda piece: azimuths.growth(piece, terms))
+    else:
+        rule = debye.rule(*asked, lambda piece: azimuths.growth(piece, terms) + turn.growth(piece))
+    turned: Any = 1.0 if turn is None else turn.of(rule.rates)
     rows = _mixed(light.waves.form)
     values = np.empty((depth.size, *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     scales = np.ones(depth.size) if wanted.scale is None else np.broadcast_to(wanted.scale, depth.size)
@@ -148,7 +184,7 @@ def _made(pupil: ObjectivePupil, grid: Grid, accuracy: _Accuracy, wanted: Wanted
         sums = Rings(
             _bessel(rule.rho.tobytes(), 0.5 * band, circles, most + 1),
             _parts(light.waves, rows, rule.parts, across, shift),
-            rule.waves(depth[part], focus[part]),
+            np.ascontiguousarray(rule.waves(depth[part], focus[part]) * turned),
             pupil.power[part],
             angles,
             along.filter,

@@ -87,7 +87,7 @@ class DebyeWolf(LayeredMethod, RadialMethod):
 
     def _samples(self, pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Images:
         made = self._centres(pupil, grid, max(tol, LEAST))
-        return painted(made, grid, wanted)._replace(peak=made.peak)
+        return painted(made, grid, wanted)
 
     def _centres(self, pupil: ObjectivePupil, grid: Grid, tol: float) -> Intensities:
         """Return I at the centres of pixels, around one axis or one for each plane."""

@@ -9,8 +9,8 @@ the sinc by ln a, and along y by the sinc; there are two such terms.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from functools import partial
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -22,7 +22,6 @@ from lommel.methods.derivatives import SHIFTS
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
 
 TILTS = SHIFTS["column"], SHIFTS["row"]
 """Zernike terms that the growth is made of."""
@@ -30,8 +29,21 @@ TILTS = SHIFTS["column"], SHIFTS["row"]
 _FINER = 0.1  # of the tolerance, which samples are asked for: their errors are multiplied by some 4
 
 
+Ask = Callable[[Method, Any, Grid, Wanted], Images]
+"""From a method, pupils, pixels and how they are wanted to samples with bounds."""
+
+
+def _images(method: Method, pupil: Any, grid: Grid, wanted: Wanted) -> Images:
+    return method.images(pupil, grid, wanted)
+
+
 def growth(
-    engine: Method, pupil: Pupil, grid: Grid, tilts: Sequence[tuple[Array, Array]], threads: int = 0
+    engine: Method,
+    pupil: BasePupil,
+    grid: Grid,
+    tilts: Sequence[tuple[Array, Array]],
+    threads: int = 0,
+    ask: Ask = _images,
 ) -> tuple[Array, Array]:
     """Return ``v . grad I``, or its averages, from the derivatives of I by the :data:`TILTS`.
 
@@ -43,6 +55,8 @@ def growth(
     tilts : sequence of (ndarray, ndarray)
         With bounds on their errors, absolute, shape (n,).
     threads : int
+    ask : callable
+        How samples are asked for.
 
     Returns
     -------
@@ -58,13 +72,13 @@ def growth(
         far = np.abs(v).max(axis=(1, 2))
         error += far * (off + 8.0 * 2.0**-53 * np.abs(slope).max(axis=(1, 2)))
     if grid.integrate:
-        values, off = _strain(engine, pupil, grid, threads)
+        values, off = _strain(engine, pupil, grid, threads, ask)
         total += values
         error += off
     return total, error
 
 
-def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Array, Array]:
+def _strain(engine: Method, pupil: BasePupil, grid: Grid, threads: int, ask: Ask) -> tuple[Array, Array]:
     """Return averages of ``u . grad I``, u the place in the pixel, and bounds on their errors, absolute."""
     step = grid.step(pupil)
     response = max(1e-3 * engine.tol * least_average(step), 1e-13)
@@ -72,18 +86,21 @@ def _strain(engine: Method, pupil: Pupil, grid: Grid, threads: int) -> tuple[Arr
     # Neither response is larger than 2.
     missed = 2.0 * (2.0 * plain.error + growing.error * (1.0 + plain.error)) * pupil.amplitude**2
     # A phase or an amplitude off by e changes U and its gradient by e int A at most, and u is half a diagonal.
-    left = pupil.wavefront.left_out + 2.0 * pupil.illumination.error
+    of_phase, of_light = pupil.left_out
+    left = of_phase + 2.0 * of_light
     missed += math.sqrt(8.0) * step * left * (2.0 + left) * pupil.amplitude**2
     count = math.prod(pupil.shape)
     total, error = np.empty((count, *grid.shape)), np.empty(count)
-    for part, values, off in _sampled(engine, pupil, grid, plain, threads):
+    for part, values, off in _sampled(engine, pupil, grid, plain, threads, ask):
         total[part] = weighed(values, plain, growing, threads)
         total[part] += weighed(values, growing, plain, threads)
         error[part] = 2.0 * plain.gain * growing.gain * off + missed
     return total, error
 
 
-def tilted(engine: Method, pupil: BasePupil, grid: Grid, threads: int = 0) -> list[tuple[Array, Array]]:
+def tilted(
+    engine: Method, pupil: BasePupil, grid: Grid, threads: int = 0, ask: Ask = _images
+) -> list[tuple[Array, Array]]:
     """Return the derivatives of I by the :data:`TILTS`, ``-grad I``, from samples of I alone.
 
     Parameters
@@ -92,6 +109,8 @@ def tilted(engine: Method, pupil: BasePupil, grid: Grid, threads: int = 0) -> li
         Of samples, with a bound.
     pupil, grid
     threads : int
+    ask : callable
+        How samples are asked for.
 
     Returns
     -------
@@ -107,27 +126,26 @@ def tilted(engine: Method, pupil: BasePupil, grid: Grid, threads: int = 0) -> li
     missed = (slope.error * (1.0 + plain.error) + 2.0 * plain.error) * pupil.amplitude**2
     count = math.prod(pupil.shape)
     (across, down), error = np.empty((2, count, *grid.shape)), np.empty(count)
-    for part, values, off in _sampled(engine, pupil, grid, plain, threads):
+    for part, values, off in _sampled(engine, pupil, grid, plain, threads, ask):
         across[part], down[part] = weighed(values, plain, slope, threads), weighed(values, slope, plain, threads)
         error[part] = plain.gain * slope.gain * off + missed
     return [(-across, error), (-down, error)]
 
 
 def _sampled(
-    engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int
+    engine: Method, pupil: BasePupil, grid: Grid, taps: Taps, threads: int, ask: Ask
 ) -> Iterator[tuple[slice, Array, Array]]:
     """Yield samples of I for such filters, some pupils at once, and bounds on their errors with those of sums."""
     fine, rounded = engine.tightened(_FINER * engine.tol), (4 * taps.weights.size + 16) * 2.0**-53
     for part, one, pixels in blocks(pupil, grid, taps):
         # Double precision may hold what is asked for, and no less.
-        _, made = first_proven((fine, engine), partial(_ask, one, finer(pixels, taps), threads))
+        def samples(way: Method, one: Any = one, pixels: Grid = pixels) -> Images:
+            return ask(way, one, finer(pixels, taps), Wanted(threads=threads))
+
+        _, made = first_proven((fine, engine), samples)
         assert made.error is not None
         assert made.peak is not None
         yield part, made.values, made.peak * (made.error + rounded)
-
-
-def _ask(pupil: BasePupil, grid: Grid, threads: int, way: Method) -> Images:
-    return way.images(pupil, grid, Wanted(threads=threads))
 
 
 def _alike(one: Taps, other: Taps) -> tuple[Taps, Taps]:

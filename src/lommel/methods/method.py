@@ -327,7 +327,7 @@ def painted(made: Intensities, grid: Grid, wanted: Wanted) -> Images:
     scales = np.broadcast_to(wanted.scale, largest.shape) if wanted.scale is not None else 1.0 / largest
     values = np.empty((len(largest), *grid.shape), wanted.dtype) if wanted.out is None else wanted.out
     grid.paint(made.values, scales, values)
-    return Images(values, scales, once_stored(made, wanted))
+    return Images(values, scales, once_stored(made, wanted), None, made.peak)
 
 
 def normalized_error(relative: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -10,18 +10,20 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from lommel.base.arrays import Array
 from lommel.core.answers import Images, Intensities, Wanted
 from lommel.core.engine import Window, layered_images, layered_profiles
-from lommel.core.layers import Layered
+from lommel.core.layers import Layered, LayeredSlopes
 from lommel.methods.debye_wolf import DebyeWolf
 from lommel.methods.layered import likely_peak
-from lommel.optics import debye
+from lommel.optics import debye, debye_slopes
 from lommel.optics.debye import Rule
+from lommel.optics.debye_slopes import Turning
 from lommel.optics.emitter import Light
 from lommel.optics.grid import Grid
 from lommel.optics.objective_pupil import ObjectivePupil
@@ -92,6 +94,22 @@ class Stratified(DebyeWolf):
         return super()._samples(pupil, grid, tol, wanted) if made is None else made
 
 
+class By(NamedTuple):
+    """A derivative that the engine makes: of :class:`lommel.core.layers.LayeredSlopes`.
+
+    Attributes
+    ----------
+    which : int
+    factor : float
+    own : ndarray or float
+        What I itself counts in it, of each plane.
+    """
+
+    which: int
+    factor: float = 1.0
+    own: Array | float = 0.0
+
+
 class _Accuracy(NamedTuple):
     """What fields may err by, and what interpolation may add to I."""
 
@@ -120,9 +138,9 @@ def _made(pupil: ObjectivePupil, grid: Grid, tol: float, wanted: Wanted) -> Imag
 
 
 def differentiated(
-    pupil: ObjectivePupil, grid: Grid, by: Sequence[int], tol: float, wanted: Wanted
-) -> tuple[Images, Array, Array] | None:
-    """Return images exact to `tol`, derivatives of I by what the core knows, and absolute bounds on their errors.
+    pupil: ObjectivePupil, grid: Grid, by: Sequence[By], tol: float, wanted: Wanted
+) -> tuple[Images, NDArray[Any], Array] | None:
+    """Return images exact to `tol`, their derivatives, and bounds on the errors of these over the scale.
 
     None where the engine has no such windows, or none that is exact enough; see
     :func:`lommel.core.engine.layered_images`.
@@ -132,11 +150,17 @@ def differentiated(
     step, reach = grid.step(pupil), grid._farthest * grid.step(pupil)
     window = Window(grid.shape, np.stack(grid.center, axis=-1).reshape(-1, 2) if grid.stack else grid.center, step)
 
-    def attempt(accuracy: _Accuracy) -> tuple[tuple[Images, Array, Array] | None, float]:
-        asked = layered(pupil, reach, accuracy.field)
-        errors = _slope_errors(*_question(pupil, reach, accuracy.field)) if by else (0.0, 0.0, 0.0)
-        each = [(which, errors[which]) for which in by]
-        made = layered_images(asked, window, accuracy.between, wanted, integrate=grid.integrate, by=each)
+    def attempt(accuracy: _Accuracy) -> tuple[tuple[Images, NDArray[Any], Array] | None, float]:
+        # Averages are more sums of fields than samples are.
+        field = accuracy.field / 2.0 if grid.integrate else accuracy.field
+        slopes = None
+        if by:
+            errors, turned = _slopes(*_question(pupil, reach, field))
+            each = np.array([(one.which, one.factor) for one in by])
+            own = np.stack([np.broadcast_to(one.own, pupil.power.shape) for one in by])
+            slopes = LayeredSlopes(each, own, errors, *turned)
+        asked = layered(pupil, reach, field)
+        made = layered_images(asked, window, accuracy.between, wanted, integrate=grid.integrate, slopes=slopes)
         return made, 0.0 if made is None or made[0].error is None else float(made[0].error.max())
 
     return _settled(attempt, pupil, tol)
@@ -193,9 +217,10 @@ def _angles(
 
 
 @lru_cache(maxsize=32)
-def _slope_errors(
+def _slopes(
     layers: Layers, model: Model, depths: tuple[float, float], foci: tuple[float, float], reach: float, tol: float
-) -> tuple[float, float, float]:
-    """Return what derivatives by depth, focus and v err by, with these angles."""
+) -> tuple[Array, Turning]:
+    """Return what derivatives of fields err by with these angles, and what these change by with the wavenumber."""
     found, _, _ = _angles(layers, model, depths, foci, reach, tol)
-    return debye.slope_errors(found, layers, model, *_corners(layers, depths, foci), reach, tol)
+    errors = debye_slopes.slope_errors(found, layers, model, *_corners(layers, depths, foci), reach, tol)
+    return np.array(errors), debye_slopes.turning(found, layers, model)

@@ -108,20 +108,6 @@ def rule(
     return Rule(rho, joined, (fixed, by_depth, by_focus), float(tol + rounding), rounding, tuple(counts))
 
 
-def slope_errors(
-    found: Rule, layers: Layers, model: Model, depth: Array, focus: Array, v: float, tol: float
-) -> tuple[float, float, float]:
-    """Return what a :func:`rule` for these arguments errs by in derivatives by depth, focus and v."""
-    share = tol / len(found.counts)
-    each = [
-        piece.slope_errors(model, depth, focus, v, share, n)
-        for piece, n in zip(pieces(layers, model), found.counts, strict=True)
-    ]
-    largest = *(float(np.abs(rate).max()) for rate in found.rates[1:]), 1.0
-    sums = [sum(part) + found.rounding * size for part, size in zip(zip(*each, strict=True), largest, strict=True)]
-    return sums[0], sums[1], sums[2]
-
-
 def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tuple[Complex, ...]:
     """Return each part at each plane and each v, shape ``(planes, radii)``."""
     from scipy.special import jv
@@ -135,37 +121,67 @@ def fields(rule: Rule, model: Model, depth: Array, focus: Array, v: Array) -> tu
     return found
 
 
-def power(layers: Layers, depth: Array, model: Model | None = None, *, slope: bool = False) -> tuple[Array, Array]:
+def power(layers: Layers, depth: Array, model: Model | None = None, *, by: str | None = None) -> tuple[Array, Array]:
     """Return the light of each part of an emitter's field, and of one far from the glass, over ``4 pi / (k NA)^2``.
 
     ``int abs(a T_m)^2 exp(-2 k d n_s Im c_s) rho d rho / 2``, the same at every focus, by rules of twice as many
-    angles until two agree to 1e-13; shapes ``(planes, parts)`` and ``(parts,)``. With `slope`, the derivative of the
-    former by the depth instead.
+    angles until two agree to 1e-13; shapes ``(planes, parts)`` and ``(parts,)``. With `by` "depth" or "wavenumber",
+    their derivatives by the depth or by ln k instead.
     """
     model = model or Model()
-    before, near, far = np.full((1, 1), -1.0), np.zeros((depth.size, len(model.orders))), np.zeros(len(model.orders))
+    before = np.full((1, 1), -1.0)
     for n in (32 * 2**k for k in range(9)):
-        steady, fading, faint = _collected(layers, model, n)
-        far = steady
-        near = np.exp(np.outer(depth, fading)) @ (faint * fading[:, None] if slope else faint)
-        near += 0.0 if slope else steady
-        if (np.abs(near - before) <= 1e-13 * np.abs(near).sum(axis=1, keepdims=True)).all():
+        found = _collected(layers, model, n)
+        left = np.exp(np.outer(depth, found.fading))
+        all_light = left @ found.faint + found.steady
+        near, far = all_light, found.steady
+        if by is not None:
+            faded = left @ (found.faint * found.fading[:, None])
+            near, far = faded, 0.0 * far
+            if by == "wavenumber":
+                near = depth[:, None] * faded + left @ found.faint_change + found.steady_change
+                far = found.steady_change
+        # A derivative need not be more exact than what it is one of.
+        size = all_light if by is None else all_light + np.abs(near)
+        if (np.abs(near - before) <= 1e-13 * size.sum(axis=1, keepdims=True)).all():
             break
         before = near
     return near, far
 
 
+class _Collected(NamedTuple):
+    """The light of each part that reaches any depth; how fast other light fades, and it, at some angles; changes."""
+
+    steady: Array
+    fading: Array
+    faint: Array
+    steady_change: Array
+    faint_change: Array
+
+
 @lru_cache(maxsize=64)
-def _collected(layers: Layers, model: Model, n: int) -> tuple[Array, Array, Array]:
-    """Return the light of each part that reaches any depth and, at n angles, how fast other light fades, and it."""
-    steady, fading, faint = np.zeros(len(model.orders)), np.zeros(0), np.zeros((0, len(model.orders)))
+def _collected(layers: Layers, model: Model, n: int) -> _Collected:
+    """Return what n angles make of it, with derivatives by ln k."""
+    parts = len(model.orders)
+    steady, steady_change = np.zeros(parts), np.zeros(parts)
+    fading, faint, faint_change = np.zeros(0), np.zeros((0, parts)), np.zeros((0, parts))
     for piece in pieces(layers, model):
         x, w = gauss_legendre(n, piece.low, piece.high)
         at = At(piece, x)
-        light = np.stack([w * np.abs(part) ** 2 for part in piece.parts(at, model)], axis=1)
-        light /= 2.0 * piece.jacobian(x)[:, None]
+        measure = (w / (2.0 * piece.jacobian(x)))[:, None]
+        of = np.stack(piece.parts(at, model), axis=1)
+        light: Array = measure * np.abs(of) ** 2
+        change: Array = np.zeros(of.shape)
+        if films(layers, model):
+            change = measure * 2.0 * (of.conj() * np.stack(piece.changes(at, model), axis=1)).real
         if piece.above:
-            fading, faint = -2.0 * piece.rates(at)[1].imag, light
+            fading, faint, faint_change = -2.0 * piece.rates(at)[1].imag, light, change
         else:
             steady += light.sum(axis=0)
-    return steady, fading, faint
+            steady_change += change.sum(axis=0)
+    return _Collected(steady, fading, faint, steady_change, faint_change)
+
+
+def films(layers: Layers, model: Model) -> bool:
+    """Return whether amplitudes depend on the wavelength."""
+    return bool(layers.films) and model.transmits

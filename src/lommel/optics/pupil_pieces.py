@@ -27,7 +27,7 @@ from lommel.base.cached import cached_property
 from lommel.optics.stratified import Amplitudes, Layers, Values
 from lommel.special.discs import Disc, disc, windings
 
-_ETA = np.geomspace(4e-3, 2.5, 28)
+ETA = np.geomspace(4e-3, 2.5, 28)
 _ARCS = 1024
 _GLANCE = 24  # points of an ellipse
 _ORDERS = {"vectorial": (0, 1, 2), "scalar": (0,), "radial": (0, 1), "azimuthal": (0, 1), "vortex": (1, 2, 3)}
@@ -61,6 +61,11 @@ class Model:
     def orders(self) -> tuple[int, ...]:
         """The orders of the Bessel functions, one for each part: 0, 1, ..., or of a vortex 1, 2, 3."""
         return _ORDERS[self.kind]
+
+    @property
+    def transmits(self) -> bool:
+        """Whether surfaces and films count."""
+        return self.kind != "scalar"
 
 
 class Covered(NamedTuple):
@@ -145,11 +150,19 @@ class Piece:
 
     def parts(self, at: At, model: Model) -> tuple[Complex, ...]:
         """Return what multiplies ``exp(i psi) J_m``, in the order of `model`, with the Jacobian."""
+        return self._composed(at, model, *(at.amplitudes[:2] if model.transmits else (1.0, 1.0)))
+
+    def changes(self, at: At, model: Model) -> tuple[Complex, ...]:
+        """Return the derivatives of :meth:`parts` by ln k, which films have."""
+        of_s, of_p = self.layers.log_slopes(at, at.square)
+        t_s, t_p, _ = at.amplitudes
+        return self._composed(at, model, t_s * of_s, t_p * of_p)
+
+    def _composed(self, at: At, model: Model, t_s: Values, t_p: Values) -> tuple[Complex, ...]:
         c_i, c_s = at(self.layers.immersion), at(self.layers.sample)
         light = self.jacobian(at.x) * (c_i**-0.5 if model.aplanatic else 1.0 + 0.0j)
         if model.kind == "scalar":
             return (2.0 * light,)
-        t_s, t_p, _ = at.amplitudes
         sine = np.sqrt(at.square) / self.layers.sample
         if model.kind == "azimuthal":
             return 0.0 * light, 2.0 * light * t_s
@@ -165,7 +178,7 @@ class Piece:
     @cached_property
     def covered(self) -> Covered:
         """What is known of all ellipses."""
-        return self._cover(_ETA)
+        return self._cover(ETA)
 
     def _cover(self, eta: Array) -> Covered:
         step = 2.0 * math.pi / _ARCS
@@ -223,7 +236,7 @@ class Piece:
         Where `rows` are given, of these ellipses alone; the others count as singular. `factor` is that of a bound on
         what the integrands are multiplied by, on each disc of all ellipses.
         """
-        covered, amplitude = _enclosed(self, model, rows)
+        covered, amplitude = enclosed(self, model, rows)
         fixed, by_depth, by_focus = covered.rates
         worst = np.full(covered.height.shape, -np.inf)
         with np.errstate(all="ignore"):
@@ -231,13 +244,13 @@ class Piece:
                 phase = fixed.centre.imag + d * by_depth.centre.imag + f * by_focus.centre.imag
                 worst = np.maximum(worst, fixed.radius + d * by_depth.radius + abs(f) * by_focus.radius - phase)
             grown = (amplitude + worst + v * covered.height + factor).max(axis=-1)
-        found = np.full(_ETA.shape, np.inf)
-        found[list(rows or range(_ETA.size))] = np.where(covered.fit & np.isfinite(grown), grown + 1e-9, np.inf)
+        found = np.full(ETA.shape, np.inf)
+        found[list(rows or range(ETA.size))] = np.where(covered.fit & np.isfinite(grown), grown + 1e-9, np.inf)
         return found
 
     def _glance(self, model: Model, depth: Array, focus: Array, v: float) -> Array:
         """Return what :meth:`growth` may be, from some points of each ellipse: no bound, at a tenth of the cost."""
-        at = At(self, self._ellipses(_ETA, (np.arange(_GLANCE) + 0.5) * (2.0 * math.pi / _GLANCE)))
+        at = At(self, self._ellipses(ETA, (np.arange(_GLANCE) + 0.5) * (2.0 * math.pi / _GLANCE)))
         fixed, by_depth, by_focus = self.rates(at)
         fit = self._in_sheet(at)
         for around in (*at.amplitudes.denominators, *([at.square] if self.odd else [])):
@@ -250,38 +263,26 @@ class Piece:
 
     def enough(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> int:
         """Return as few nodes as are proven to err by at most `error`, by ellipses that serve best at a glance."""
-        return self.nodes(self._serving(model, depth, focus, v, error), error)
+        return self.nodes(self.serving(model, depth, focus, v, error), error)
 
-    def slope_errors(
-        self, model: Model, depth: Array, focus: Array, v: float, error: float, n: int
-    ) -> tuple[float, float, float]:
-        """Return what n nodes, which serve to `error`, err by at most in derivatives by depth, focus and v."""
-        growth = self._serving(model, depth, focus, v, error)
-        rows = tuple(int(row) for row in np.flatnonzero(np.isfinite(growth)))
-        covered, _ = _enclosed(self, model, rows)
-        # abs(dJ_m(v rho)/dv) <= abs(rho) exp(v abs(Im rho)), and other factors are those of the phase.
-        rho = np.sqrt(covered.at.square.largest) / self.layers.NA
-        factors = covered.rates[1].largest, covered.rates[2].largest, rho
-        proven = (self._constant() - 2.0 * n * _ETA + growth)[list(rows)]
-        by_depth, by_focus, by_v = (float(np.exp((proven + np.log(each.max(axis=-1))).min())) for each in factors)
-        return by_depth, by_focus, by_v
-
-    def _serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
+    def serving(self, model: Model, depth: Array, focus: Array, v: float, error: float) -> Array:
+        """Return the :meth:`growth` on few ellipses, one of which serves best at a glance."""
         glance = self._needed(self._glance(model, depth, focus, v), error)
         best = int(glance.argmin())
         # One is nearly always enough: the next cost as much each.
-        for rows in ((best,), tuple(row for row in (best - 1, best + 1) if 0 <= row < _ETA.size)):
+        for rows in ((best,), tuple(row for row in (best - 1, best + 1) if 0 <= row < ETA.size)):
             growth = self.growth(model, depth, focus, v, rows)
             if np.isfinite(growth).any():
                 return growth
         return self.growth(model, depth, focus, v)
 
-    def _constant(self) -> Array:
-        return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * _ETA)))
+    def constant(self) -> Array:
+        """Return the logarithm of what the growth counts, but for the nodes."""
+        return np.asarray(math.log(64.0 / 15.0 * 0.5 * (self.high - self.low)) - np.log(-np.expm1(-2.0 * ETA)))
 
     def _needed(self, growth: Array, error: float) -> Array:
         with np.errstate(over="ignore"):
-            return np.asarray((growth + self._constant() - math.log(error)) / (2.0 * _ETA))
+            return np.asarray((growth + self.constant() - math.log(error)) / (2.0 * ETA))
 
     def nodes(self, growth: Array, error: float) -> int:
         """Return the fewest nodes whose rule is proven to err by at most `error`."""
@@ -322,12 +323,12 @@ def _root(of: Values) -> Values:
 
 
 @lru_cache(maxsize=32)
-def _enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None) -> tuple[Covered, Array]:
+def enclosed(piece: Piece, model: Model, rows: tuple[int, ...] | None) -> tuple[Covered, Array]:
     """Return what is known of some ellipses, or all, and the logarithm of a bound on every part on each arc of these.
 
     Without its exponential and its Bessel function.
     """
-    covered = piece.covered if rows is None else piece._cover(_ETA[list(rows)])
+    covered = piece.covered if rows is None else piece._cover(ETA[list(rows)])
     return covered, _largest(piece, model, covered)
 
 

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from lommel.special import discs
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
 # An array of complex numbers, or a Disc.
 Values = Any
@@ -85,6 +85,12 @@ class Layers:
             fixed = fixed + cosine(index) * (k * index * thickness)
         return fixed, cosine(self.sample) * (k * self.sample), by_focus
 
+    def middle_rates(self) -> tuple[float, float, float]:
+        """Return real numbers amid what :meth:`rates` are over the pupil: no intensity shows what these turn."""
+        of = self.rates(self.cosine(np.array([0.0, 1.0])))
+        fixed, by_depth, by_focus = (0.5 * float(each.real.sum()) for each in of)
+        return fixed, by_depth, by_focus
+
     def amplitudes(self, cosine: Callable[[float], Values], square: Values) -> Amplitudes:
         """Return the transmission from immersion to sample.
 
@@ -105,19 +111,58 @@ class Layers:
         # The matrices of p are those of H; the field E is H over the index.
         return Amplitudes(t_s * entering / at_s, t_p * entering / (at_p * (n_g * n_s)), (*below, at_s, at_p))
 
+    def log_slopes(self, cosine: Callable[[float], Values], square: Values) -> tuple[Values, Values]:
+        """Return what films make of the transmission: its derivatives by ln k over itself, along s and p."""
+        n_g, n_s = self.glass, self.sample
+        c_g, c_s = cosine(n_g), cosine(n_s)
+        found = []
+        for polarisation, first, last in (("s", c_g * n_g, c_s * n_s), ("p", c_g / n_g, c_s / n_s)):
+            of, slope = (last * 0.0 + 1.0, last), (last * 0.0, last * 0.0)
+            for matrix, by_k in self._matrices(square, polarisation):
+                slope = _sum(_applied(by_k, of), _applied(matrix, slope))
+                of = _applied(matrix, of)
+            found.append((slope[0] * first + slope[1]) * -1.0 / (of[0] * first + of[1]))
+        return found[0], found[1]
+
     def _denominator(self, square: Values, first: Values, last: Values, polarisation: str) -> Values:
         """Return ``(m11 + m12 p_l) p_1 + m21 + m22 p_l``, M being the product of the matrices of the films."""
         # B and C of (B, C) = M (1, p_l): from the sample outwards.
-        top, bottom = last * 0.0 + 1.0, last
+        of = (last * 0.0 + 1.0, last)
+        for matrix, _ in self._matrices(square, polarisation):
+            of = _applied(matrix, of)
+        return of[0] * first + of[1]
+
+    def _matrices(self, square: Values, polarisation: str) -> Iterator[tuple[_Matrix, _Matrix]]:
+        """Yield the matrix of each film and its derivative by ln k, the one at the sample first."""
         k = self.wavenumber
         for index, thickness in reversed(self.films):
             within = 1.0 - square * index**-2
-            cosine, sinc = cosine_and_sinc(within * (k * index * thickness) ** 2)
+            turned = within * (k * index * thickness) ** 2
+            cosine, sinc = cosine_and_sinc(turned)
             weight = 1.0 if polarisation == "s" else index**2
-            along = sinc * (-1j * k * thickness * weight)
-            back = sinc * within * (-1j * k * thickness * (index**2 / weight))
-            top, bottom = cosine * top + along * bottom, back * top + cosine * bottom
-        return top * first + bottom
+            along, back = -1j * k * thickness * weight, -1j * k * thickness * (index**2 / weight)
+            # The derivatives of cos(z) and k sinc(z) by ln k are -z^2 sinc(z) and k cos(z).
+            yield (
+                _Matrix(cosine, sinc * along, sinc * within * back),
+                _Matrix(turned * sinc * -1.0, cosine * along, cosine * within * back),
+            )
+
+
+class _Matrix(NamedTuple):
+    """``((same, along), (back, same))``."""
+
+    same: Values
+    along: Values
+    back: Values
+
+
+def _applied(matrix: _Matrix, to: tuple[Values, Values]) -> tuple[Values, Values]:
+    top, bottom = to
+    return matrix.same * top + matrix.along * bottom, matrix.back * top + matrix.same * bottom
+
+
+def _sum(one: tuple[Values, Values], other: tuple[Values, Values]) -> tuple[Values, Values]:
+    return one[0] + other[0], one[1] + other[1]
 
 
 def cosine_and_sinc(square: Values) -> tuple[Values, Values]:

@@ -54,19 +54,25 @@ inline double gauss_error(double side, std::size_t points) {
     return std::exp(std::min(logarithm, 700.0));
 }
 
-// Interpolation of the average over a square of this side at so many angles, as a polynomial in the cosine of four times
-// the angle.
-inline double harmonics_error(double side, std::size_t angles) {
-    if (side <= 0.0) {
-        return 0.0;
-    }
-    const double reach = 1.4142135623730951 * side, order = 4.0 * static_cast<double>(angles);
+// Interpolation along the angle of what is at most e^(reach sinh b) where the angle is complex, b its imaginary part: with all
+// orders below `order`, of which one in `apart` is there.
+inline double turning_error(double reach, double order, double apart) {
     if (order <= reach) {
         return 1e300;
     }
     const double b = std::acosh(order / reach);
-    const double logarithm = std::log(4.0) + reach * std::sinh(b) - order * b - std::log1p(-std::exp(-4.0 * b));
+    const double logarithm = std::log(4.0) + reach * std::sinh(b) - order * b - std::log1p(-std::exp(-apart * b));
     return std::exp(std::min(logarithm, 700.0));
+}
+
+// Of the average over a square of this side at so many angles, as a polynomial in the cosine of four times the angle.
+inline double harmonics_error(double side, std::size_t angles) {
+    return side <= 0.0 ? 0.0 : turning_error(1.4142135623730951 * side, 4.0 * static_cast<double>(angles), 4.0);
+}
+
+// Of the difference of averages along two of its sides, as odd orders at so many angles.
+inline double shift_harmonics_error(double side, std::size_t angles) {
+    return 2.0 * turning_error(1.4142135623730951 * side, 2.0 * static_cast<double>(angles) + 1.0, 2.0);
 }
 
 }  // namespace lommel

@@ -50,11 +50,15 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
         count = nodes.count;
         radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
         outputs = degree * harmonics;
-        weigh(places.of(degree), nodes, Square(side, gauss));
+        weigh(places.of(degree), nodes, Points::square(side, gauss));
         judge(reach, side, nodes.error);
     }
 
     double magnification() const { return of_grid * of_nodes; }
+    // Corners of pixels from the axis, in v.
+    double outermost() const { return step * (farthest + (integrate ? 0.70710678118654752 : 0.0)); }
+    // What errs by `error` for I does so by this much more for v I', the rate at which an image grows.
+    double growth() const { return 2.0 * (outermost() + static_cast<double>(std::max({count, degree, gauss, 4 * harmonics}))); }
     std::size_t bytes() const { return sizeof(double) * (weights.size() + penalty.size() + radii.size()); }
     bool is(double pitch, bool averages, double pixels, int digits) const {
         return step == pitch && integrate == averages && farthest == pixels && level == digits;
@@ -98,13 +102,13 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
     }
 
    private:
-    void weigh(const RingNodes& places, const RingNodes& nodes, const Square& square) {
+    void weigh(const RingNodes& places, const RingNodes& nodes, const Points& square) {
         Doubles rows(outputs * count, 0.0);
         if (integrate) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
                 average_rows(
                     isa, nodes, square, outputs, [&](std::size_t o) { return places.radius(degree - 1 - o % degree); },
-                    [&](std::size_t o) { return chebyshev_point(o / degree, harmonics); }, rows.data());
+                    [&](std::size_t o) { return quarter_angle(chebyshev_point(o / degree, harmonics)); }, rows.data());
             });
         } else {
             for (std::size_t o = 0; o < degree; ++o) {

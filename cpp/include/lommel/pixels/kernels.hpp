@@ -126,8 +126,9 @@ LOMMEL_INLINE double weighted_size(I, const double* coefficients, const double* 
     return lane_sum(sum);
 }
 
-// Clenshaw's recurrence along the radius for `Orders` harmonics of some vectors of pixels, of `degree` coefficients each.
-template <std::size_t Orders, std::size_t Vectors, class Degree, class V>
+// Clenshaw's recurrence along the radius for `Orders` harmonics of some vectors of pixels, of `degree` coefficients each: of
+// T_k(x), or of the odd ones, T_(2k+1)(r) / r with x = 2 r^2 - 1.
+template <std::size_t Orders, std::size_t Vectors, bool Odd = false, class Degree, class V>
 LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const V (&x)[Vectors], V (&out)[Orders][Vectors]) {
     V now[Orders][Vectors], before[Orders][Vectors] = {}, twice[Vectors];
     for (std::size_t u = 0; u < Vectors; ++u) {
@@ -159,7 +160,7 @@ LOMMEL_INLINE void along_radius(Degree degree, const double* coefficients, const
     for (std::size_t j = 0; j < Orders; ++j) {
         const V c = splat<V>(coefficients[j * degree]);
         for (std::size_t u = 0; u < Vectors; ++u) {
-            out[j][u] = x[u] * now[j][u] + (c - before[j][u]);
+            out[j][u] = (Odd ? twice[u] - splat<V>(1.0) : x[u]) * now[j][u] + (c - before[j][u]);
         }
     }
 }
@@ -181,10 +182,40 @@ LOMMEL_INLINE void sum_profile(I, std::size_t degree, const double* coefficients
     }
 }
 
+// Each harmonic of two vectors of pixels, in turn, to take(values).
+template <bool Odd, class I, class Degree, class V, class Take>
+LOMMEL_INLINE void each_harmonic(I, Degree degree, const double* coefficients, std::size_t harmonics, const V (&at)[2],
+                                 const Take& take) {
+    std::size_t j = 0;
+    const auto some = [&](auto orders) LOMMEL_INLINE_LAMBDA {
+        V values[orders][2];
+        along_radius<orders, 2, Odd>(degree, coefficients + j * degree, at, values);
+        for (const auto& value : values) {
+            take(value);
+        }
+        j += orders;
+    };
+    // Chains of one alone would wait for themselves; four at once need more registers than sixteen.
+    if constexpr (I::lanes == 8) {
+        while (harmonics - j == 4 || harmonics - j > 6) {
+            some(std::integral_constant<std::size_t, 4>{});
+        }
+    }
+    while (harmonics - j == 3 || harmonics - j > 4) {
+        some(std::integral_constant<std::size_t, 3>{});
+    }
+    while (j + 1 < harmonics) {
+        some(std::integral_constant<std::size_t, 2>{});
+    }
+    if (j < harmonics) {
+        some(std::integral_constant<std::size_t, 1>{});
+    }
+}
+
 // Values of `count` pixels of a ring from coefficients [harmonic][degree]: x from -1 to 1 across the ring, the cosine of four
 // times the angle. Bound by arithmetic.
 template <class I, class Degree>
-LOMMEL_INLINE void sum_harmonics(I, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
+LOMMEL_INLINE void sum_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
                                  const double* cosine, std::size_t count, double* out) {
     using V = typename I::pack;
     for (std::size_t i = 0; i < count; i += 2 * I::lanes) {
@@ -197,40 +228,51 @@ LOMMEL_INLINE void sum_harmonics(I, Degree degree, const double* coefficients, s
             before[u] = angle[u];
             sum[u] = splat<V>(0.0);
         }
-        const auto add = [&](const V(&value)[2]) LOMMEL_INLINE_LAMBDA {
+        each_harmonic<false>(isa, degree, coefficients, harmonics, at, [&](const V(&value)[2]) LOMMEL_INLINE_LAMBDA {
             for (std::size_t u = 0; u < 2; ++u) {
                 sum[u] = sum[u] + value[u] * now[u];
                 const V next = (angle[u] + angle[u]) * now[u] - before[u];
                 before[u] = now[u];
                 now[u] = next;
             }
-        };
-        std::size_t j = 0;
-        const auto take = [&](auto orders) LOMMEL_INLINE_LAMBDA {
-            V values[orders][2];
-            along_radius<orders>(degree, coefficients + j * degree, at, values);
-            for (const auto& value : values) {
-                add(value);
-            }
-            j += orders;
-        };
-        // Chains of one alone would wait for themselves; four at once need more registers than sixteen.
-        if constexpr (I::lanes == 8) {
-            while (harmonics - j == 4 || harmonics - j > 6) {
-                take(std::integral_constant<std::size_t, 4>{});
-            }
-        }
-        while (harmonics - j == 3 || harmonics - j > 4) {
-            take(std::integral_constant<std::size_t, 3>{});
-        }
-        while (j + 1 < harmonics) {
-            take(std::integral_constant<std::size_t, 2>{});
-        }
-        if (j < harmonics) {
-            take(std::integral_constant<std::size_t, 1>{});
-        }
+        });
         store(out + i, sum[0]);
         store(out + i + I::lanes, sum[1]);
+    }
+}
+
+// The sums over odd orders of coefficients times T_(2k+1)(r) / r and cos((2j+1) angle) / cos(angle), to `across`, and the same for
+// the angle from the other axis, to `down`; `cosine` is that of twice the angle. Bound by arithmetic.
+template <class I, class Degree>
+LOMMEL_INLINE void sum_odd_harmonics(I isa, Degree degree, const double* coefficients, std::size_t harmonics, const double* x,
+                                     const double* cosine, std::size_t count, double* across, double* down) {
+    using V = typename I::pack;
+    for (std::size_t i = 0; i < count; i += 2 * I::lanes) {
+        const V at[2] = {load<V>(x + i), load<V>(x + i + I::lanes)};
+        V twice[2], now[2][2], before[2][2], sum[2][2];
+        for (std::size_t u = 0; u < 2; ++u) {
+            const V angle = load<V>(cosine + i + u * I::lanes);
+            twice[u] = angle + angle;
+            for (std::size_t way = 0; way < 2; ++way) {
+                now[way][u] = before[way][u] = splat<V>(1.0);
+                sum[way][u] = splat<V>(0.0);
+            }
+        }
+        each_harmonic<true>(isa, degree, coefficients, harmonics, at, [&](const V(&value)[2]) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t u = 0; u < 2; ++u) {
+                for (std::size_t way = 0; way < 2; ++way) {
+                    sum[way][u] = sum[way][u] + value[u] * now[way][u];
+                    const V turned = twice[u] * now[way][u];
+                    const V next = (way == 0 ? turned : splat<V>(0.0) - turned) - before[way][u];
+                    before[way][u] = now[way][u];
+                    now[way][u] = next;
+                }
+            }
+        });
+        for (std::size_t u = 0; u < 2; ++u) {
+            store(across + i + u * I::lanes, sum[0][u]);
+            store(down + i + u * I::lanes, sum[1][u]);
+        }
     }
 }
 

@@ -60,21 +60,49 @@ struct RingNodes {
     }
 };
 
-// Gauss's nodes in a square, and their weights, which sum to 1; padded to vectors.
-struct Square {
+// Gauss's nodes and what each counts, padded to vectors: in a square, whose weights sum to 1, or on two of its sides, the average
+// along that before its middle less the average along that behind it.
+struct Points {
     std::size_t padded;
     Doubles across, down, share;
 
-    Square(double side, std::size_t q)
-        : padded((q * q + position_step - 1) / position_step * position_step), across(padded), down(padded), share(padded) {
-        std::vector<double> nodes(q), weight(q);
-        gauss_legendre(q, nodes.data(), weight.data());
+    static Points square(double side, std::size_t q) {
+        const Rule rule(side, q);
+        Points made(q * q);
         for (std::size_t i = 0; i < q * q; ++i) {
-            down[i] = 0.5 * side * nodes[i / q];
-            across[i] = 0.5 * side * nodes[i % q];
-            share[i] = 0.25 * weight[i / q] * weight[i % q];
+            made.down[i] = rule.nodes[i / q];
+            made.across[i] = rule.nodes[i % q];
+            made.share[i] = rule.weights[i / q] * rule.weights[i % q];
         }
+        return made;
     }
+
+    static Points sides(double side, std::size_t q) {
+        const Rule rule(side, q);
+        Points made(2 * q);
+        for (std::size_t i = 0; i < 2 * q; ++i) {
+            const double sign = i < q ? 1.0 : -1.0;
+            made.down[i] = rule.nodes[i % q];
+            made.across[i] = -0.5 * sign * side;
+            made.share[i] = sign * rule.weights[i % q];
+        }
+        return made;
+    }
+
+   private:
+    struct Rule {
+        std::vector<double> nodes, weights;
+        Rule(double side, std::size_t q) : nodes(q), weights(q) {
+            gauss_legendre(q, nodes.data(), weights.data());
+            for (std::size_t i = 0; i < q; ++i) {
+                nodes[i] *= 0.5 * side;
+                weights[i] *= 0.5;
+            }
+        }
+    };
+
+    explicit Points(std::size_t count)
+        : padded((count + position_step - 1) / position_step * position_step), across(padded), down(padded), share(padded) {}
 };
 
 }  // namespace lommel

@@ -102,7 +102,7 @@ struct PixelTable : Radii {  // where I is wanted, in v
                 "; take smaller pixels, and average blocks of them");
         }
         weights.resize(entries);
-        const Square square(w.side(), gauss);
+        const Points square = Points::square(w.side(), gauss);
         const Doubles radial = cosine_transform(radial_degree), angular = cosine_transform(harmonics);
         parallel_for(rings.size(), threads, [&](std::size_t, std::size_t r) {
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { weigh(isa, rings[r], square, radial, angular); });
@@ -112,6 +112,15 @@ struct PixelTable : Radii {  // where I is wanted, in v
 
     // What an error of I at the radii may become in a value.
     double magnification() const { return of_grid * of_nodes; }
+    // As of an AnywhereTable.
+    double outermost() const { return rings.empty() ? reach() : rings.back().nodes.high; }
+    double growth() const {
+        std::size_t most = std::max({radial_degree, gauss, 4 * harmonics});
+        for (const Ring& ring : rings) {
+            most = std::max(most, ring.nodes.count);
+        }
+        return 2.0 * (outermost() + static_cast<double>(most));
+    }
 
     std::size_t bytes() const {
         return sizeof(double) * (weights.size() + x.size() + cosine.size() + radii.size()) +
@@ -223,7 +232,7 @@ struct PixelTable : Radii {  // where I is wanted, in v
     }
 
     template <class I>
-    LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Square& square, const Doubles& radial, const Doubles& angular) {
+    LOMMEL_INLINE void weigh(I isa, const Ring& ring, const Points& square, const Doubles& radial, const Doubles& angular) {
         Doubles rows(ring.outputs * ring.nodes.count);
         average_rows(
             isa, ring.nodes, square, ring.outputs,
@@ -233,7 +242,8 @@ struct PixelTable : Radii {  // where I is wanted, in v
                 return ring.middle + ring.half * at;
             },
             [&](std::size_t o) {
-                return ring.direct ? cosine[ring.first_value + o] : chebyshev_point(o / radial_degree, harmonics);
+                return quarter_angle(ring.direct ? cosine[ring.first_value + o]
+                                                 : chebyshev_point(o / radial_degree, harmonics));
             },
             rows.data());
         if (!ring.direct) {

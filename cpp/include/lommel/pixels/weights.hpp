@@ -12,12 +12,11 @@
 
 namespace lommel {
 
-// rows[output][node]: the weights of the average over the square at radius(output), along a direction of which
-// fourfold(output) is the cosine of four times its angle: all such directions are alike.
-template <class I, class Radius, class Fourfold>
-LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Square& square, std::size_t outputs, const Radius& radius,
-                                const Fourfold& fourfold, double* rows) {
-    Doubles points(nodes.count), scale(nodes.count), scratch(square.padded + 3 * nodes.count * I::lanes);
+// rows[output][node]: the weights of the sum over points around the place at radius(output) and angle(output).
+template <class I, class Radius, class Angle>
+LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Points& around, std::size_t outputs, const Radius& radius,
+                                const Angle& angle, double* rows) {
+    Doubles points(nodes.count), scale(nodes.count), scratch(around.padded + 3 * nodes.count * I::lanes);
     for (std::size_t i = 0; i < nodes.count; ++i) {
         points[i] = nodes.point(i);
     }
@@ -30,17 +29,19 @@ LOMMEL_INLINE void average_rows(I isa, const RingNodes& nodes, const Square& squ
     }
     for (std::size_t o = 0; o < outputs; ++o) {
         look();
-        const double angle = 0.25 * std::acos(std::max(-1.0, std::min(1.0, fourfold(o))));
-        const double at_x = radius(o) * std::cos(angle), at_y = radius(o) * std::sin(angle);
-        for (std::size_t i = 0; i < square.padded; ++i) {
-            const double dx = at_x + square.across[i], dy = at_y + square.down[i];
+        const double turn = angle(o), at_x = radius(o) * std::cos(turn), at_y = radius(o) * std::sin(turn);
+        for (std::size_t i = 0; i < around.padded; ++i) {
+            const double dx = at_x + around.across[i], dy = at_y + around.down[i];
             scratch[i] = dx * dx + dy * dy;
         }
-        nodes.squeeze(scratch.data(), square.padded);
-        lagrange_row(isa, scratch.data(), square.share.data(), square.padded, points.data(), scale.data(), nodes.count,
-                     scratch.data() + square.padded, rows + o * nodes.count);
+        nodes.squeeze(scratch.data(), around.padded);
+        lagrange_row(isa, scratch.data(), around.share.data(), around.padded, points.data(), scale.data(), nodes.count,
+                     scratch.data() + around.padded, rows + o * nodes.count);
     }
 }
+
+// The least angle of which this is the cosine of four times.
+inline double quarter_angle(double cosine) { return 0.25 * std::acos(std::max(-1.0, std::min(1.0, cosine))); }
 
 // From values at Chebyshev points to the coefficients of their polynomial: [degree][point].
 inline Doubles cosine_transform(std::size_t points) {
@@ -50,6 +51,18 @@ inline Doubles cosine_transform(std::size_t points) {
             const double angle = 3.14159265358979323846 * static_cast<double>(k) * (static_cast<double>(i) + 0.5);
             matrix[k * points + i] =
                 (k == 0 ? 1.0 : 2.0) / static_cast<double>(points) * std::cos(angle / static_cast<double>(points));
+        }
+    }
+    return matrix;
+}
+
+// From values of an odd function at the positive ones of twice as many Chebyshev points to the coefficients of T_1, T_3, ...
+inline Doubles odd_transform(std::size_t points) {
+    Doubles matrix(points * points);
+    for (std::size_t k = 0; k < points; ++k) {
+        for (std::size_t i = 0; i < points; ++i) {
+            const double angle = 3.14159265358979323846 * (static_cast<double>(k) + 0.5) * (static_cast<double>(i) + 0.5);
+            matrix[k * points + i] = 2.0 / static_cast<double>(points) * std::cos(angle / static_cast<double>(points));
         }
     }
     return matrix;

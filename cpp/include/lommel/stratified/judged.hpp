@@ -39,17 +39,26 @@ struct Judged {
     }
 
     // The same of a derivative, where `of` is what was found of the field: 2 Re sum form G conj(F).
-    Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error) {
+    Judged(const Planes& planes, std::size_t plane, const PartSizes& of, const PartSizes& sizes, double error,
+           std::size_t first, std::size_t last) {
         const Parts F(planes, planes.angles.error, of), G(planes, error, sizes);
-        const std::size_t all = planes.harmonics.size();
         given = 2.0 * planes.bilinear(
                           plane,
                           [&](std::size_t j, std::size_t l) {
                               return G.off * (F.found[l] + F.off) + (F.off + rounding * F.found[l]) * G.found[j];
                           },
-                          0, all);
+                          first, last);
         most = swing =
-            2.0 * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return G.most[j] * F.most[l]; }, 0, all);
+            2.0 * planes.bilinear(plane, [&](std::size_t j, std::size_t l) { return G.most[j] * F.most[l]; }, first, last);
+    }
+
+    // Of this times a factor, and another times one.
+    Judged sum(double factor, const Judged& other, double share) const {
+        Judged made = *this;
+        made.given = std::abs(factor) * given + std::abs(share) * other.given;
+        made.most = std::abs(factor) * most + std::abs(share) * other.most;
+        made.swing = std::abs(factor) * swing + std::abs(share) * other.swing;
+        return made;
     }
 
    private:

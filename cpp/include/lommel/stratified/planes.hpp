@@ -21,6 +21,8 @@ struct Angles {
     std::size_t count, parts;
     const std::complex<double>*part, *fixed, *by_depth, *by_focus;  // [part][angle], then [angle]
     double error;                                                   // of each part of the field, proven
+    // Of derivatives by the wavenumber: the same three rates, less a constant each, and what parts themselves change by, or nothing.
+    const std::complex<double>*turning = nullptr, *change = nullptr;
 
     // What rounding adds: the sum over angles, the Bessel functions, and products; over the sum of magnitudes.
     double rounding(double of_bessel) const { return (static_cast<double>(count) + of_bessel + 16.0) * unit_roundoff; }
@@ -34,8 +36,8 @@ struct Harmonic {
     double size() const { return std::hypot(cosine, sine); }
 };
 
-// What derivatives are by: the emitter's depth, the stage, and v, the latter divided by v.
-enum class By { depth, focus, radius };
+// What fields are differentiated by: the emitter's depth, the stage, v, and the logarithm of the wavenumber at the same v.
+enum class By { depth, focus, radius, wavenumber };
 struct Derivative {
     By by;
     double error;  // of each part of the field's, proven
@@ -54,9 +56,11 @@ struct Planes {
 
     bool radial() const { return harmonics.size() == 1; }
 
-    // exp(i psi) times each part, to re and im [part * stride + angle]; the sums of their magnitudes to `sizes`. Fading waves are few.
+    // exp(i psi) times each of these parts, to re and im [part * stride + angle]; the sums of their magnitudes to `sizes`. Fading waves
+    // are few.
     template <class I>
-    LOMMEL_INLINE void waves(I isa, std::size_t plane, std::size_t stride, double* re, double* im, double* sizes) const {
+    LOMMEL_INLINE void waves(I isa, std::size_t plane, const std::complex<double>* parts, std::size_t stride, double* re,
+                             double* im, double* sizes) const {
         using V = typename I::pack;
         const double d = depth[plane], f = focus[plane];
         thread_local Doubles phase, sine, cosine;
@@ -82,7 +86,7 @@ struct Planes {
             }
         }
         for (std::size_t m = 0; m < angles.parts; ++m) {
-            const std::complex<double>* part = angles.part + m * angles.count;
+            const std::complex<double>* part = parts + m * angles.count;
             double size = 0.0;
             for (std::size_t q = 0; q < angles.count; ++q) {
                 const double a = part[q].real(), b = part[q].imag(), x = a * cosine[q] - b * sine[q],
@@ -95,18 +99,27 @@ struct Planes {
         }
     }
 
-    // Those times i d psi / dx.
-    void turn(By by, std::size_t stride, const double* re, const double* im, double* to_re, double* to_im,
+    // What is there, `re` and `im` times i d psi / dx added.
+    void turn(By by, std::size_t plane, std::size_t stride, const double* re, const double* im, double* to_re, double* to_im,
               double* sizes) const {
         const std::complex<double>* rate = by == By::depth ? angles.by_depth : angles.by_focus;
+        thread_local std::vector<std::complex<double>> phase;
+        if (by == By::wavenumber) {
+            phase.resize(angles.count);
+            const std::complex<double>* fixed = angles.turning;
+            for (std::size_t q = 0; q < angles.count; ++q) {
+                phase[q] = fixed[q] + depth[plane] * fixed[angles.count + q] + focus[plane] * fixed[2 * angles.count + q];
+            }
+            rate = phase.data();
+        }
         for (std::size_t m = 0; m < angles.parts; ++m) {
             double size = 0.0;
             for (std::size_t q = 0; q < angles.count; ++q) {
                 const std::size_t at = m * stride + q;
-                const double a = rate[q].real(), b = rate[q].imag(), x = -b * re[at] - a * im[at], y = a * re[at] - b * im[at];
-                to_re[at] = x;
-                to_im[at] = y;
-                size += std::abs(x) + std::abs(y);
+                const double a = rate[q].real(), b = rate[q].imag();
+                to_re[at] -= b * re[at] + a * im[at];
+                to_im[at] += a * re[at] - b * im[at];
+                size += std::abs(to_re[at]) + std::abs(to_im[at]);
             }
             sizes[m] = size;
         }

@@ -80,15 +80,19 @@ class Profiles {
     template <class I>
     LOMMEL_INLINE void coefficients(I isa, std::size_t plane, double* re, double* im, PartSizes* sizes) const {
         const std::size_t block = planes_.angles.parts * padded();
-        planes_.waves(isa, plane, padded(), re, im, sizes->most);
+        const Angles& angles = planes_.angles;
+        planes_.waves(isa, plane, angles.part, padded(), re, im, sizes->most);
         for (std::size_t d = 1; d < kinds(); ++d) {
             const By by = planes_.derivatives[d - 1].by;
             if (by == By::radius) {
                 // Of the same waves, and by Bessel functions whose derivatives are at most 1.
                 std::copy_n(sizes->most, most_parts, sizes[d].most);
-            } else {
-                planes_.turn(by, padded(), re, im, re + d * block, im + d * block, sizes[d].most);
+                continue;
             }
+            if (by == By::wavenumber && angles.change != nullptr) {
+                planes_.waves(isa, plane, angles.change, padded(), re + d * block, im + d * block, sizes[d].most);
+            }
+            planes_.turn(by, plane, padded(), re, im, re + d * block, im + d * block, sizes[d].most);
         }
     }
 

@@ -1,0 +1,218 @@
+// Derivatives of windows of a microscope's planes, as they are stored, each with what it errs by: docs/certificate.md, section 15.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+#include "lommel/base/simd.hpp"
+#include "lommel/pixels/anywhere.hpp"
+#include "lommel/pixels/shift.hpp"
+#include "lommel/question.hpp"
+#include "lommel/stratified/judged.hpp"
+#include "lommel/stratified/planes.hpp"
+#include "lommel/stratified/windows.hpp"
+
+namespace lommel {
+
+// A derivative of values: `factor` times that of I by the depth, the stage, or the logarithm of the wavenumber, and own[plane] times
+// I itself; or two, by the row and the column of the axis. By the wavenumber the place stays in metres, and images shrink with v,
+// where light is radially symmetric; else v stays.
+struct LayeredSlope {
+    enum class What { depth, focus, axis, wavenumber } what;
+    double factor;
+    const double* own;  // [plane]
+};
+
+// Derivatives times the scale of the values, and absolute bounds on their errors before: [image][plane][pixel], [image][plane].
+template <class T>
+struct LayeredSlopes {
+    std::vector<LayeredSlope> asked;
+    T* images = nullptr;
+    double* errors = nullptr;
+};
+
+// What is known of a plane at the radii: I and its derivatives, [kind][order][radius], the sizes of their fields; I judged.
+struct PlaneProfiles {
+    const double* values;
+    std::size_t stride;
+    const PartSizes* sizes;
+    const Judged& judged;
+};
+
+template <class T>
+class WindowSlopes {
+   public:
+    template <class Table>
+    WindowSlopes(const Planes& planes, const PixelWindows& windows, const LayeredSlopes<T>& slopes,
+           const std::shared_ptr<const Table>& table)
+        : planes_(planes), windows_(windows), slopes_(slopes), table_(*table) {
+        if constexpr (std::is_same_v<Table, AnywhereTable>) {
+            const bool moved = std::any_of(slopes.asked.begin(), slopes.asked.end(),
+                                           [](const LayeredSlope& slope) { return slope.what == LayeredSlope::What::axis; });
+            shift_ = moved && table->integrate ? ShiftTable::get(table) : nullptr;
+        }
+    }
+
+    // Of light that is radially symmetric.
+    void radial(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
+        table_.visit([&](const auto& table) {
+            std::size_t image = 0;
+            for (const LayeredSlope& slope : slopes_.asked) {
+                if (slope.what == LayeredSlope::What::axis) {
+                    axis(image, plane, of, scale, made);
+                    image += 2;
+                } else {
+                    const Order mixed = mix(table, slope, plane, of, 0);
+                    const double wrong = window_of(table, windows_[plane], mixed.values, mixed.judged, mixed.judged.most, made);
+                    store_window(table, made, scale, std::numeric_limits<T>::lowest(), at(image, plane));
+                    note(image++, plane, wrong, made.values.data(), made.count);
+                }
+            }
+        });
+    }
+
+    // Of samples of any other.
+    void turned(std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made, double* total) const {
+        for (std::size_t image = 0; image < slopes_.asked.size(); ++image) {
+            const double wrong = turned_window(
+                *table_.anywhere, planes_, windows_[plane],
+                [&](std::size_t k) { return mix(*table_.anywhere, slopes_.asked[image], plane, of, k); }, made, total);
+            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_scaled(total, scale, pixels(), at(image, plane)); });
+            note(image, plane, wrong, total, pixels());
+        }
+    }
+
+   private:
+    // One of the two.
+    struct AnyTable {
+        const AnywhereTable* anywhere = nullptr;
+        const PixelTable* centered = nullptr;
+        AnyTable(const AnywhereTable& table) : anywhere(&table) {}
+        AnyTable(const PixelTable& table) : centered(&table) {}
+        template <class Take>
+        void visit(const Take& take) const {
+            anywhere != nullptr ? take(*anywhere) : take(*centered);
+        }
+    };
+
+    std::size_t pixels() const { return windows_.first.height * windows_.first.width; }
+    T* at(std::size_t image, std::size_t plane) const { return slopes_.images + (image * planes_.count + plane) * pixels(); }
+
+    std::size_t kind(By by) const {
+        std::size_t d = 0;
+        while (planes_.derivatives[d].by != by) {
+            ++d;
+        }
+        return d + 1;
+    }
+    const double* profile(const PlaneProfiles& of, std::size_t kind, std::size_t order) const {
+        return of.values + (kind * planes_.harmonics.size() + order) * of.stride;
+    }
+    Judged judged(std::size_t plane, const PlaneProfiles& of, std::size_t kind, std::size_t order) const {
+        return {planes_, plane, *of.sizes, of.sizes[kind], planes_.derivatives[kind - 1].error, order, order + 1};
+    }
+
+    // What a derivative is at the radii. Fields at the same place grow as v I' does, whose error grows with the radius.
+    template <class Table>
+    Order mix(const Table& table, const LayeredSlope& slope, std::size_t plane, const PlaneProfiles& of,
+              std::size_t order) const {
+        using What = LayeredSlope::What;
+        thread_local Doubles mixed;
+        mixed.resize(table.count + widest_step);
+        const std::size_t by = kind(slope.what == What::depth   ? By::depth
+                                    : slope.what == What::focus ? By::focus
+                                                                : By::wavenumber);
+        const double own = slope.own[plane], size = std::abs(slope.factor);
+        const double *value = profile(of, 0, order), *rate = profile(of, by, order);
+        const Judged self = planes_.radial() ? of.judged : Judged(planes_, plane, *of.sizes, order, order + 1);
+        Judged all = judged(plane, of, by, order).sum(slope.factor, self, own);
+        for (std::size_t i = 0; i < table.count; ++i) {
+            mixed[i] = slope.factor * rate[i] + own * value[i];
+        }
+        if (slope.what == What::wavenumber && planes_.radial()) {
+            const std::size_t by_radius = kind(By::radius);
+            const double *radial = profile(of, by_radius, 0), far = table.outermost();
+            for (std::size_t i = 0; i < table.count; ++i) {
+                mixed[i] += slope.factor * table.radii[i] * radial[i];
+            }
+            all.given += size * far * judged(plane, of, by_radius, 0).given;
+            all.most += size * far * 2.0 * self.swing;
+            all.swing += size * table.growth() * self.swing;
+        }
+        // What I is over is known to 1e-13, and so are rates of it.
+        all.given += 1e-12 * std::abs(own) * self.most + 8.0 * unit_roundoff * all.most;
+        return {mixed.data(), all};
+    }
+
+    // Averages change by what is on two sides of each pixel. Samples by I' / v, even and of type 2, at most the largest |I''|.
+    void axis(std::size_t image, std::size_t plane, const PlaneProfiles& of, double scale, WindowValues& made) const {
+        thread_local Doubles down, across, scratch;
+        const std::size_t room = pixels() + widest_step;
+        down.resize(room);
+        across.resize(room);
+        const PixelWindow here = windows_[plane];
+        double wrong = 0.0;
+        if (shift_ != nullptr) {
+            double penalty = 0.0;
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                penalty = shift_->apply(isa, here, of.values, scratch, down.data(), across.data());
+            });
+            wrong = window_error(*shift_, penalty, of.judged.most, of.judged.given, 4.0 * of.judged.swing, of.judged.swing);
+        } else {
+            const AnywhereTable& table = *table_.anywhere;
+            const std::size_t by = kind(By::radius);
+            const double *rate = profile(of, by, 0), pitch = here.step * here.step;
+            scratch.resize(table.count + widest_step);
+            for (std::size_t i = 0; i < table.count; ++i) {
+                scratch[i] = rate[i] / table.radii[i];
+            }
+            Judged all = judged(plane, of, by, 0);
+            all.most = all.swing = 4.0 * of.judged.swing;
+            all.given = all.given / table.radii[0] + 2.0 * unit_roundoff * all.most;
+            wrong = window_of(table, here, scratch.data(), all, all.most, made) + 8.0 * unit_roundoff * all.most;
+            wrong *= pitch * windows_.farthest;
+            for (std::size_t y = 0, i = 0; y < here.height; ++y) {
+                for (std::size_t x = 0; x < here.width; ++x, ++i) {
+                    down[i] = pitch * made.values[i] * (here.center_y - static_cast<double>(y));
+                    across[i] = pitch * made.values[i] * (here.center_x - static_cast<double>(x));
+                }
+            }
+        }
+        for (const Doubles* way : {&down, &across}) {
+            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_scaled(way->data(), scale, pixels(), at(image, plane)); });
+            note(image++, plane, wrong, way->data(), pixels());
+        }
+    }
+
+    // With what storing adds.
+    void note(std::size_t image, std::size_t plane, double wrong, const double* values, std::size_t count) const {
+        double most = 0.0;
+        dispatch([&](auto) LOMMEL_INLINE_LAMBDA {
+            double top[8] = {};
+            std::size_t i = 0;
+            for (; i + 8 <= count; i += 8) {
+                for (std::size_t j = 0; j < 8; ++j) {
+                    top[j] = std::max(top[j], std::abs(values[i + j]));
+                }
+            }
+            for (; i < count; ++i) {
+                top[0] = std::max(top[0], std::abs(values[i]));
+            }
+            most = *std::max_element(top, top + 8);
+        });
+        slopes_.errors[image * planes_.count + plane] = wrong + (storing<T>(false) + 32.0 * unit_roundoff) * most;
+    }
+
+    const Planes& planes_;
+    PixelWindows windows_;
+    const LayeredSlopes<T>& slopes_;
+    AnyTable table_;
+    std::shared_ptr<const ShiftTable> shift_;
+};
+
+}  // namespace lommel

@@ -85,6 +85,7 @@ using Images = nb::ndarray<double, nb::numpy, nb::ndim<3>, nb::device::cpu>;
 template <class T>
 void average_samples(In<T, 3> samples, In<double, 2> weights, std::size_t stride, int threads, Images out, double lowest,
                      In<double, 2> across, double dark) {
+    require(weights.shape(0) <= 2, "weights are those of one pixel or of two");
     require(stride > 0 && weights.size() > 0 && out.size() > 0 && samples.shape(0) == out.shape(0), "empty, or not as many");
     require(out.stride(2) == 1 && out.stride(1) == static_cast<std::int64_t>(out.shape(2)), "rows must follow each other");
     const bool others = across.is_valid();
@@ -121,8 +122,8 @@ void bindings::define_pixels(nb::module_& m) {
               "Averages over pixels from finer samples, raised to `lowest`, by a filter along both axes: of each of some "
               "pixels side "
               "by side that are `stride` samples wide together, the weights of the samples from the first one on. Samples of "
-              "single precision up to `dark` are summed down "
-              "columns in it.");
+              "single precision up to `dark` are summed "
+              "in it.");
     });
     m.def("interpolation_error", &lommel::interpolation_error, "half"_a, "points"_a,
           "Bound on interpolating a function of exponential type 2 at Chebyshev points of [-half, half], over half its range.");

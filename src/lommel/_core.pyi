@@ -53,7 +53,7 @@ def average_samples(samples: Annotated[NDArray[numpy.float32], dict(shape=(None,
 @overload
 def average_samples(samples: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], stride: int, threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), device='cpu')], lowest: float = 0.0, across: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)] | None = None, dark: float = 0.0) -> None:
     """
-    Averages over pixels from finer samples, raised to `lowest`, by a filter along both axes: of each of some pixels side by side that are `stride` samples wide together, the weights of the samples from the first one on. Samples of single precision up to `dark` are summed down columns in it.
+    Averages over pixels from finer samples, raised to `lowest`, by a filter along both axes: of each of some pixels side by side that are `stride` samples wide together, the weights of the samples from the first one on. Samples of single precision up to `dark` are summed in it.
     """
 
 def interpolation_error(half: float, points: int) -> float:

@@ -238,8 +238,8 @@ def _fitted(response: Any, wave: Any, step: float, error: float, widest: float, 
 
 
 def _lost(taps: Taps) -> float:
-    """Return what sums in single precision down columns cost averages, of the largest sample."""
-    return float((taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2)
+    """Return what sums in single precision along both axes cost averages, of the largest sample."""
+    return float(2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2)
 
 
 def _filtered(

@@ -17,8 +17,8 @@ struct PixelFilter {
     std::size_t taps, stride;
     double lowest = 0.0;             // what averages are raised to
     const double* across = nullptr;  // those along rows, if others
-    std::size_t pixels = 1;
-    double dark = 0.0;  // samples of single precision as large as that at most are summed down columns in it
+    std::size_t pixels = 1;          // one or two
+    double dark = 0.0;               // samples of single precision as large as that at most are summed in it
 
     // Of so many pixels side by side, whose first ones take the first sample.
     std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }
@@ -38,7 +38,7 @@ struct PixelFilter {
     }
 
    private:
-    static constexpr std::size_t rows_together = 4;
+    static constexpr std::size_t rows_together = 4, narrow = 4 * widest_step;
 
     template <std::size_t Rows, class T>
     void average(const T* samples_of, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
@@ -50,9 +50,11 @@ struct PixelFilter {
         for (std::size_t k = 0; k < pixels; ++k) {
             std::copy_n(weights + k * taps, taps, padded.data() + k * length + beside);
         }
-        const std::vector<float> rounded(padded.begin(), padded.end());
+        const double* const weights_along = across == nullptr ? weights : across;
+        const std::vector<float> rounded(padded.begin(), padded.end()),
+            rounded_along(weights_along, weights_along + pixels * taps);
         parallel_for(count * groups, threads, [&](std::size_t, std::size_t i) {
-            thread_local Doubles line, strands;
+            thread_local Doubles line;
             thread_local Floats single;
             thread_local std::vector<std::size_t> lines;
             const std::size_t row = i % groups * Rows, rows = std::min(Rows, height - row), first = row / pixels * stride;
@@ -73,50 +75,52 @@ struct PixelFilter {
                 for (std::size_t k = 0; k < lines.size(); ++k) {
                     lines[k] = k * wide;
                 }
-                const auto finish = [&](const auto& sums) LOMMEL_INLINE_LAMBDA {
+                const auto finish = [&](const auto& lines_of, const auto* of_pixels) LOMMEL_INLINE_LAMBDA {
                     for (std::size_t r = 0; r < rows; ++r) {
-                        along(isa, wide, width, sums.data() + r * wide, strands, averages + r * width);
+                        along(isa, wide, width, lines_of.data() + r * wide, of_pixels, averages + r * width);
                     }
                 };
                 if constexpr (std::is_same_v<T, float>) {
                     single.resize(Rows * wide);
-                    if (dark > 0.0 && sums<Rows>(isa, from, lines, singly, wide, single.data()) <= dark) {
-                        return finish(single);
+                    if (dark > 0.0 && width >= narrow && sums<Rows>(isa, from, lines, singly, wide, single.data()) <= dark) {
+                        return finish(single, rounded_along.data());
                     }
                 }
                 line.resize(Rows * wide);
                 sums<Rows>(isa, from, lines, of, wide, line.data());
-                finish(line);
+                finish(line, weights_along);
             });
         });
     }
 
-    // A row of pixels from a line of samples.
+    // A row of pixels from a line of samples, in the precision of that: weights are [pixel][tap].
     template <class I, class Sum>
-    LOMMEL_INLINE void along(I isa, std::size_t wide, std::size_t width, const Sum* line, Doubles& strands, double* to) const {
-        // Samples a pixel apart stand side by side in a strand.
-        const std::size_t each = (wide + stride - 1) / stride;
-        strands.resize(stride * each);
-        thread_local Doubles apart;
+    LOMMEL_INLINE void along(I isa, std::size_t wide, std::size_t width, const Sum* line, const Sum* of, double* to) const {
+        // Samples some pixels apart stand side by side in a strand.
+        const std::size_t each = (wide + stride - 1) / stride, count = (width - 1) / pixels + 1;
+        thread_local Aligned<Sum> strands, sets;
         thread_local std::vector<std::size_t> lines;
-        apart.resize(width);
+        strands.resize(stride * each);
+        sets.resize(pixels * count);
         for (std::size_t s = 0; s < stride; ++s) {
-            double* strand = &strands[s * each];
+            Sum* strand = &strands[s * each];
             for (std::size_t x = s; x < wide; x += stride) {
-                *strand++ = static_cast<double>(line[x]);
+                *strand++ = line[x];
             }
         }
         lines.resize(taps);
         for (std::size_t k = 0; k < taps; ++k) {
             lines[k] = k % stride * each + k / stride;
         }
-        for (std::size_t pixel = 0; pixel < std::min(pixels, width); ++pixel) {
-            const double* const of[1] = {(across == nullptr ? weights : across) + pixel * taps};
-            const std::size_t count = (width - pixel - 1) / pixels + 1;
-            double* const out = pixels == 1 ? to : apart.data();
-            sums<1>(isa, strands.data(), lines, of, count, out);
-            for (std::size_t x = 0; x < count; ++x) {
-                to[pixel + x * pixels] = std::max(out[x], lowest);
+        const Sum* const both[2] = {of, of + (pixels - 1) * taps};
+        if (pixels == 2) {
+            sums<2>(isa, strands.data(), lines, both, count, sets.data());
+        } else {
+            sums<1>(isa, strands.data(), lines, both, count, sets.data());
+        }
+        for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+            for (std::size_t x = 0; pixel + x * pixels < width; ++x) {
+                to[pixel + x * pixels] = std::max(static_cast<double>(sets[pixel * count + x]), lowest);
             }
         }
     }

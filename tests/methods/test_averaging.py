@@ -105,9 +105,13 @@ def test_dark_samples_alone_are_summed_in_single_precision():
         average_samples(samples, weights, 1, 1, out, dark=limit)
         return out
 
-    exact, found = averages(bright, 0.0), averages(bright, 0.1)
-    assert np.abs(found - exact)[:, :176].max() > 0.0
-    assert np.array_equal(found[:, 188:], exact[:, 188:])
+    for samples, clear, seen in (
+        (bright, slice(0, 176), slice(188, None)),
+        (bright[:, ::-1], slice(206, None), slice(0, 196)),
+    ):
+        exact, found = (averages(np.ascontiguousarray(samples), limit) for limit in (0.0, 0.1))
+        assert np.abs(found - exact)[:, clear].max() > 0.0
+        assert np.array_equal(found[:, seen], exact[:, seen])
     assert np.array_equal(averages(bright.astype(float), 2.0), averages(bright.astype(float), 0.0))
 
 

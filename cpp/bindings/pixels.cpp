@@ -87,13 +87,16 @@ Out<double, 1> pixel_values(In<double, 2> profiles, double center_y, double cent
 using Images = nb::ndarray<double, nb::numpy, nb::ndim<3>, nb::device::cpu>;
 
 template <class T>
-void average_samples(In<T, 3> samples, In<double, 1> weights, std::size_t stride, int threads, Images out, double lowest,
-                     In<double, 1> across) {
+void average_samples(In<T, 3> samples, In<double, 2> weights, std::size_t stride, int threads, Images out, double lowest,
+                     In<double, 2> across, double dark) {
+    require(weights.shape(0) <= 2, "weights are those of one pixel or of two");
     require(stride > 0 && weights.size() > 0 && out.size() > 0 && samples.shape(0) == out.shape(0), "empty, or not as many");
     require(out.stride(2) == 1 && out.stride(1) == static_cast<std::int64_t>(out.shape(2)), "rows must follow each other");
     const bool others = across.is_valid();
-    require(!others || across.size() == weights.size(), "as many weights across as down");
-    const lommel::PixelFilter filter{weights.data(), weights.size(), stride, lowest, others ? across.data() : nullptr};
+    require(!others || (across.shape(0) == weights.shape(0) && across.shape(1) == weights.shape(1)),
+            "as many weights across as down");
+    const lommel::PixelFilter filter{
+        weights.data(), weights.shape(1), stride, lowest, others ? across.data() : nullptr, weights.shape(0), dark};
     require(samples.shape(1) == filter.samples(out.shape(1)) && samples.shape(2) == filter.samples(out.shape(2)),
             "samples must be as many as the pixels take");
     released([&] {
@@ -154,8 +157,12 @@ void bindings::define_pixels(nb::module_& m) {
           "threads"_a, "out"_a.noconvert(), "Pixels of windows from profiles at pixel_radii(); returns further roundings.");
     for_both([&](auto sample) {
         m.def("average_samples", &average_samples<decltype(sample)>, "samples"_a.noconvert(), "weights"_a, "stride"_a,
-              "threads"_a, "out"_a.noconvert(), "lowest"_a = 0.0, "across"_a.none() = nb::none(),
-              "Averages over pixels from finer samples, by a filter along both axes, raised to `lowest`.");
+              "threads"_a, "out"_a.noconvert(), "lowest"_a = 0.0, "across"_a.none() = nb::none(), "dark"_a = 0.0,
+              "Averages over pixels from finer samples, raised to `lowest`, by a filter along both axes: of each of some "
+              "pixels side "
+              "by side that are `stride` samples wide together, the weights of the samples from the first one on. Samples of "
+              "single precision up to `dark` are summed "
+              "in it.");
     });
     m.def(
         "shift_bounds", &shift_bounds, "pitch"_a, "farthest"_a, "level"_a,

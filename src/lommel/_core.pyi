@@ -48,12 +48,12 @@ def pixel_values(profiles: Annotated[NDArray[numpy.float64], dict(shape=(None, N
     """
 
 @overload
-def average_samples(samples: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], stride: int, threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), device='cpu')], lowest: float = 0.0, across: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)] | None = None) -> None: ...
+def average_samples(samples: Annotated[NDArray[numpy.float32], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], stride: int, threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), device='cpu')], lowest: float = 0.0, across: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)] | None = None, dark: float = 0.0) -> None: ...
 
 @overload
-def average_samples(samples: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], stride: int, threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), device='cpu')], lowest: float = 0.0, across: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)] | None = None) -> None:
+def average_samples(samples: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), order='C', device='cpu', writable=False)], weights: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], stride: int, threads: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, None), device='cpu')], lowest: float = 0.0, across: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)] | None = None, dark: float = 0.0) -> None:
     """
-    Averages over pixels from finer samples, by a filter along both axes, raised to `lowest`.
+    Averages over pixels from finer samples, raised to `lowest`, by a filter along both axes: of each of some pixels side by side that are `stride` samples wide together, the weights of the samples from the first one on. Samples of single precision up to `dark` are summed in it.
     """
 
 def shift_bounds(pitch: float, farthest: float, level: int) -> tuple[int, int, float, float, float, float, list[float]]:

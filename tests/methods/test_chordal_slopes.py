@@ -169,10 +169,10 @@ def test_weights_of_samples_are_the_filter_transposed():
     tall, wide = 4 * taps.stride + taps.weights.size, 2 * taps.stride + taps.weights.size
     samples, weights = rng.normal(size=(2, tall, wide)), rng.normal(size=(2, 5, 3))
     averages = np.empty((2, 5, 3))
-    _core.average_samples(samples, taps.weights, taps.stride, 1, averages, -math.inf)
+    _core.average_samples(samples, taps.weights[None], taps.stride, 1, averages, -math.inf)
     spread = spread_out(weights, taps)
     assert (samples * spread).sum(axis=(1, 2)) == pytest.approx((averages * weights).sum(axis=(1, 2)), rel=1e-12)
-    _core.average_samples(samples, taps.weights, taps.stride, 1, averages)
+    _core.average_samples(samples, taps.weights[None], taps.stride, 1, averages)
     assert averages.min() == 0.0
 
 

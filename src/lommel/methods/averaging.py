@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from lommel.core.answers import Images, Slopes, ToleranceError, Wanted, not_met
 from lommel.core.engine import average_samples
 from lommel.methods.method import normalized_error, stored, storing
+from lommel.methods.pixel_taps import fitted, paired, shared
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
 
@@ -27,6 +28,7 @@ _VALUES = 2**23  # samples at once
 _WIDEST, _CLOSER = 1.05, 0.8  # v between samples: two thirds of what the band of I allows, and half
 _MOST = 512  # samples across a pixel
 _SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
+_DARK = 0.1  # of the tolerance, what sums of dark samples in single precision may cost
 
 
 Sample = Callable[[Any, Grid, float, Wanted], Images]
@@ -86,18 +88,20 @@ def _averaged(
     aim = (0.4 if normalize else 1.0) * (tol - (1.0 + tol) * storing(dtype))
     finer, response = _first_errors(aim, step)
     for _ in range(5):
-        taps = filtered_by(step, response, widest)
+        taps = filtered_by(step, response, widest) if widest < _WIDEST else _shared_by(step, response, grid.shape)
         try:
-            total, given, peaks = _filtered(sample, pupil, grid, finer / taps.gain**2, taps, wanted)
+            asked = finer / taps.gain**2
+            lost = _DARK * aim * lowest if asked >= _SINGLE else 0.0
+            total, given, peaks = _filtered(sample, pupil, grid, asked, taps, wanted, lost / _lost(taps))
         except ToleranceError as fault:
             raise ToleranceError(
                 f"tol={tol:g} cannot be met by averages over pixels of {step / math.pi:.3g} lambda*N, for which "
                 f"samples must be exact to {finer:.2g} of the peak: {fault}"
             ) from None
         tops = total[0].max(axis=(1, 2))
-        rounding = (2 * taps.weights.size + 8) * 2.0**-53 * taps.gain**2 * peaks
+        rounding = (2 * taps.weights.shape[-1] + 8) * 2.0**-53 * taps.gain**2 * peaks
         filtering = (2.0 + taps.error) * taps.error * ceiling
-        own = filtering + rounding[0]
+        own = filtering + rounding[0] + 1.01 * lost * peaks[0]
         found = tops if normalize else np.maximum(tops, lowest * peaks[0])
         if not found.min() > 0:
             break
@@ -157,9 +161,10 @@ class Taps(NamedTuple):
     Attributes
     ----------
     stride : int
-        Samples a pixel.
-    weights : ndarray, shape (2 k + 1,)
-        Of the samples from k before to k after the middle of the pixel.
+        Samples a pixel, or of two that share an odd number of them.
+    weights : ndarray, shape (2 k + 1,), or (2, 2 k + stride // 2 + 1)
+        Of the samples from k before to k after the middle of the pixel; or of two pixels, as
+        :func:`lommel.methods.pixel_taps.paired` has them.
     error : float
         Bound on how far the response is from that which is wanted, for ``|w| <= 2``.
     gain : float
@@ -170,6 +175,16 @@ class Taps(NamedTuple):
     weights: NDArray[np.float64]
     error: float
     gain: float
+
+    @property
+    def pixels(self) -> int:
+        """How many pixels have weights of their own."""
+        return 1 if self.weights.ndim == 1 else len(self.weights)
+
+    @property
+    def margin(self) -> int:
+        """Samples before the middle of the first pixel."""
+        return int(self.weights.shape[-1] - (self.pixels - 1) * (self.stride // 2)) // 2
 
 
 def samples_across(step: float, widest: float = _WIDEST) -> int:
@@ -190,10 +205,23 @@ def filtered_by(step: float, error: float, widest: float = _WIDEST, *, growing: 
     """
 
     def response(w: NDArray[np.float64]) -> NDArray[np.float64]:
-        mean = np.sinc(0.5 * step / math.pi * w)
+        mean = _pixel(step)(w)
         return np.cos(0.5 * step * w) - mean if growing else mean
 
     return _fitted(response, np.cos, step, error, widest, 3.0 if growing else 1.5)
+
+
+def _pixel(step: float) -> Callable[[NDArray[np.float64]], NDArray[np.float64]]:
+    return lambda w: np.sinc(0.5 * step / math.pi * w)
+
+
+@lru_cache(maxsize=64)
+def _shared_by(step: float, error: float, shape: tuple[int, int]) -> Taps:
+    """Return the filter that takes fewest samples of a window, two pixels of which may share an odd number."""
+    s = shared(step, error, samples_across(step), shape)
+    if s % 2 == 0:
+        return filtered_by(step, error, 2.0 * step / s * (1.0 + 1e-12))
+    return Taps(s, *paired(_pixel(step), step, error, s))
 
 
 @lru_cache(maxsize=64)
@@ -210,58 +238,49 @@ def sloping(step: float, error: float, *, averages: bool, widest: float = _WIDES
 
 
 def _fitted(response: Any, wave: Any, step: float, error: float, widest: float, most: float) -> Taps:
-    """Return the shortest filter of such waves with a response, or about the best there is, of a gain below `most`.
-
-    Weights by least squares at Chebyshev points of the band. The error of the response is even or odd, and entire, of
-    type k h; all but 1e-17 of it is a polynomial in w of degree ``M = 2.36 k h + 48`` (its Chebyshev series falls
-    below ``e^-48`` there). As a trigonometric polynomial of the angle it falls from its largest value no faster than
-    ``cos(M s)`` (as in :func:`least_average`), and one of 2 M Chebyshev points is within ``pi / (4 M)`` of that: it
-    is at most sqrt(2) times as large as at these points.
-    """
+    """Return the shortest filter of such waves with a response, or about the best one, of a gain below `most`."""
     stride = samples_across(step, widest)
-    h = step / stride
     half, odd = stride // 2 + 2, wave is np.sin
     while True:
-        degree = math.ceil(2.36 * half * h) + 48
-        w = 2.0 * np.cos((np.arange(degree) + 0.5) * (0.5 * math.pi / degree))
-        basis = 2.0 * wave(np.outer(w, h * np.arange(half + 1)))
-        basis[:, 0] *= 0.5
-        wanted = response(w)
-        c, *_ = np.linalg.lstsq(basis, wanted, rcond=1e-13)
-        c[0] *= not odd  # which no odd response tells
-        gain = float(abs(c[0]) + 2.0 * np.abs(c[1:]).sum())
-        rounding = 2.0**-52 * (half + 4) * gain
-        reached = math.sqrt(2.0) * (float(np.abs(basis @ c - wanted).max()) + rounding) + 1e-17
+        c, reached, gain = fitted(response, wave, step / stride * np.arange(half + 1))
         # Few samples beyond the edge of a large pixel need large weights, which would magnify errors.
         if (reached <= error and gain <= most) or half > stride + 60:
             return Taps(stride, np.concatenate([-c[:0:-1] if odd else c[:0:-1], c]), reached, gain)
         half += 1
 
 
+def _lost(taps: Taps) -> float:
+    """Return what sums in single precision along both axes cost averages, of the largest sample."""
+    return float(2.0 * (taps.weights.shape[-1] + 4) * 2.0**-24 * taps.gain**2)
+
+
 def _filtered(
-    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, taps: Taps, wanted: Wanted
+    sample: Sample, pupil: BasePupil, grid: Grid, tol: float, taps: Taps, wanted: Wanted, dark: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return averages, what errors of the samples make of them, and largest samples, as :class:`Averages`."""
+    """Return averages, what errors of the samples make of them, and largest samples, as :class:`Averages`.
+
+    Where samples are at most `dark` times the peak they are summed in single precision.
+    """
     count, images = math.prod(pupil.shape), 1 + len(wanted.terms)
     dtype = np.dtype(np.float32 if tol >= _SINGLE else np.float64)
     question = Wanted(dtype=dtype, threads=wanted.threads, terms=wanted.terms)
     total, error, peaks = np.empty((images, count, *grid.shape)), np.zeros((images, count)), np.zeros((images, count))
     for part, one, pixels in blocks(pupil, grid, taps, images):
-
-        def samples(fine: Grid, part: slice = part, one: BasePupil = one) -> list[NDArray[Any]]:
+        for fine, rows in _strips_of(total[:, part], pixels, taps):
             made = sample(one, fine, tol, question)
             assert made.error is not None
             assert made.peak is not None
             error[0, part] = np.maximum(error[0, part], taps.gain**2 * made.error * made.peak)
             peaks[0, part] = np.maximum(peaks[0, part], made.peak * (1.0 - made.error))
+            limit = dark * float(made.peak.min())
+            average_samples(made.values, _sets(taps), taps.stride, wanted.threads, rows[0], dark=limit)
             if made.slopes is None:
-                return [made.values]
+                continue
             largest = np.abs(made.slopes.values).max(axis=(2, 3))
             peaks[1:, part] = np.maximum(peaks[1:, part], largest)
             error[1:, part] = np.maximum(error[1:, part], taps.gain**2 * made.slopes.error * made.peak)
-            return [made.values, *made.slopes.values]
-
-        filtered(samples, total[:, part], pixels, taps, wanted.threads)
+            for slopes, out in zip(made.slopes.values, rows[1:], strict=True):
+                average_samples(slopes, _sets(taps), taps.stride, wanted.threads, out, -math.inf)
     return total, error, peaks
 
 
@@ -276,10 +295,20 @@ def filtered(
 
     The first of the k is an intensity, the others need not be positive.
     """
-    for y, rows in _strips(out, taps):
-        for k, fine in enumerate(samples(_fine(grid, y, rows.shape[2], taps))):
-            average_samples(fine, taps.weights, taps.stride, threads, rows[k], -math.inf if k else 0.0)
+    for fine, rows in _strips_of(out, grid, taps):
+        for k, values in enumerate(samples(fine)):
+            average_samples(values, _sets(taps), taps.stride, threads, rows[k], -math.inf if k else 0.0)
     return out
+
+
+def _sets(taps: Taps) -> NDArray[np.float64]:
+    """Return the weights as the core takes them, those of each pixel that has its own."""
+    return np.atleast_2d(taps.weights)
+
+
+def _strips_of(out: NDArray[np.float64], grid: Grid, taps: Taps) -> Iterator[tuple[Grid, NDArray[np.float64]]]:
+    """Return the samples that some rows of (..., n, height, width) take at once, and these."""
+    return ((_fine(grid, y, rows.shape[-2], taps), rows) for y, rows in _strips(out, taps))
 
 
 def averaged_gradient(
@@ -291,8 +320,8 @@ def averaged_gradient(
 ) -> NDArray[np.float64]:
     """Return the gradient of the sum of `weights`, shape (n, height, width), times averages over pixels.
 
-    By the transpose of the filter: `gradient` is asked about samples, with a tolerance and weights for these. Filter
-    and tolerance are those that :func:`averaged` begins with, and mostly ends with.
+    By the transpose of the filter: `gradient` is asked about samples, with a tolerance and weights for these. The
+    tolerance is that which :func:`averaged` begins with, and mostly ends with; so is the filter, of small windows.
     """
     finer, response = _first_errors(tol - (1.0 + tol) * storing(np.float64), grid.step(pupil))
 
@@ -317,7 +346,7 @@ def averaged_gradient(
 def _strips(values: NDArray[Any], taps: Taps) -> Iterator[tuple[int, NDArray[Any]]]:
     """Return the first of some rows of (..., n, height, width) that are filtered at once, and these."""
     each = math.prod(values.shape[:-3]) * _samples(values.shape[-1], taps) * taps.stride
-    most = max(1, int(_VALUES / each))
+    most = max(1, int(_VALUES / each)) * taps.pixels
     for y in range(0, values.shape[-2], most):
         yield y, values[..., y : y + most, :]
 
@@ -339,19 +368,19 @@ def weighed(samples: NDArray[np.float64], rows: Taps, columns: Taps, threads: in
     """Return sums of finer samples, shape (n, h, w), by as many taps along each axis; of any sign."""
     sides = ((side - rows.weights.size) // rows.stride + 1 for side in samples.shape[1:])
     out = np.empty((len(samples), *sides))
-    average_samples(samples, rows.weights, rows.stride, threads, out, -math.inf, columns.weights)
+    average_samples(samples, _sets(rows), rows.stride, threads, out, -math.inf, _sets(columns))
     return out
 
 
 def _samples(pixels: int, taps: Taps) -> int:
-    return (pixels - 1) * taps.stride + taps.weights.size
+    return (pixels - 1) // taps.pixels * taps.stride + int(taps.weights.shape[-1])
 
 
 def _fine(grid: Grid, row: int, height: int, taps: Taps) -> Grid:
     """Return the samples that the averages over some rows of pixels take."""
-    margin, (y, x) = taps.weights.size // 2, grid.center
-    at = (y - row) * taps.stride + margin, x * taps.stride + margin
-    return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.side / taps.stride, center=at)
+    across, (y, x) = taps.stride / taps.pixels, grid.center
+    at = (y - row) * across + taps.margin, x * across + taps.margin
+    return Grid((_samples(height, taps), _samples(grid.width, taps)), grid.side / across, center=at)
 
 
 def finer(grid: Grid, taps: Taps) -> Grid:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
@@ -10,24 +11,26 @@
 
 namespace lommel {
 
-// Taps about the middle of a pixel that is `stride` samples wide.
+// Taps for some pixels side by side, `stride` samples wide together: [pixel][tap], all from the same sample on.
 struct PixelFilter {
     const double* weights;
     std::size_t taps, stride;
     double lowest = 0.0;             // what averages are raised to
     const double* across = nullptr;  // those along rows, if others
+    std::size_t pixels = 1;          // one or two
+    double dark = 0.0;               // samples of single precision as large as that at most are summed in it
 
-    // Of pixels side by side, whose first takes the first sample.
-    std::size_t samples(std::size_t pixels) const { return (pixels - 1) * stride + taps; }
+    // Of so many pixels side by side, whose first ones take the first sample.
+    std::size_t samples(std::size_t count) const { return (count - 1) / pixels * stride + taps; }
 
     // Images of height x width pixels, `pitch` values apart, from samples(height) x samples(width) each; no average of an intensity
-    // is negative, and none less exact for being raised to 0, but those of its derivatives are. Sums are of doubles, for single
+    // is negative, and none less exact for being raised to 0, but those of its derivatives are. Sums are of doubles where single
     // precision would cost them the tolerance.
     template <class T>
     void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const {
         // Rows that share most of their samples are summed together: these need not be loaded again.
-        if (2 * (rows_together - 1) * stride < taps) {
+        if (2 * (rows_together - 1) * stride < pixels * taps) {
             average<rows_together>(from, count, height, width, to, pitch, threads);
         } else {
             average<1>(from, count, height, width, to, pitch, threads);
@@ -35,46 +38,72 @@ struct PixelFilter {
     }
 
    private:
-    static constexpr std::size_t rows_together = 4;
+    static constexpr std::size_t rows_together = 4, narrow = 4 * widest_step;
 
     template <std::size_t Rows, class T>
-    void average(const T* from, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
+    void average(const T* samples_of, std::size_t count, std::size_t height, std::size_t width, double* to, std::size_t pitch,
                  int threads) const {
         const std::size_t tall = samples(height), wide = samples(width), groups = (height + Rows - 1) / Rows;
         // Without weight for samples that are other rows'.
-        const std::size_t beside = (Rows - 1) * stride;
-        std::vector<double> padded(taps + 2 * beside);
-        std::copy_n(weights, taps, padded.data() + beside);
+        const std::size_t beside = (Rows - 1) * stride, length = taps + 2 * beside;
+        std::vector<double> padded(pixels * length);
+        for (std::size_t k = 0; k < pixels; ++k) {
+            std::copy_n(weights + k * taps, taps, padded.data() + k * length + beside);
+        }
+        const double* const weights_along = across == nullptr ? weights : across;
+        const std::vector<float> rounded(padded.begin(), padded.end()),
+            rounded_along(weights_along, weights_along + pixels * taps);
         parallel_for(count * groups, threads, [&](std::size_t, std::size_t i) {
-            thread_local Doubles line, strands;
+            thread_local Doubles line;
+            thread_local Floats single;
             thread_local std::vector<std::size_t> lines;
-            const std::size_t row = i % groups * Rows, rows = std::min(Rows, height - row);
-            const T* samples = from + (i / groups * tall + row * stride) * wide;
-            double* pixels = to + i / groups * pitch + row * width;
+            const std::size_t row = i % groups * Rows, rows = std::min(Rows, height - row), first = row / pixels * stride;
+            const T* from = samples_of + (i / groups * tall + first) * wide;
+            double* averages = to + i / groups * pitch + row * width;
+            const double* of[Rows];
+            const float* singly[Rows];
+            std::size_t last = 0;
+            for (std::size_t r = 0; r < Rows; ++r) {
+                const std::size_t behind = (row + r) / pixels * stride - first;
+                of[r] = padded.data() + (row + r) % pixels * length + beside - behind;
+                singly[r] = rounded.data() + (of[r] - padded.data());
+                last = r < rows ? behind : last;
+            }
             look();
             dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                line.resize(Rows * wide);
-                lines.resize(taps + (rows - 1) * stride);
+                lines.resize(taps + last);
                 for (std::size_t k = 0; k < lines.size(); ++k) {
                     lines[k] = k * wide;
                 }
-                sums<Rows>(isa, samples, lines, padded.data() + beside, wide, line.data());
-                for (std::size_t r = 0; r < rows; ++r) {
-                    along(isa, wide, width, line.data() + r * wide, strands, lines, pixels + r * width);
+                const auto finish = [&](const auto& lines_of, const auto* of_pixels) LOMMEL_INLINE_LAMBDA {
+                    for (std::size_t r = 0; r < rows; ++r) {
+                        along(isa, wide, width, lines_of.data() + r * wide, of_pixels, averages + r * width);
+                    }
+                };
+                if constexpr (std::is_same_v<T, float>) {
+                    single.resize(Rows * wide);
+                    if (dark > 0.0 && width >= narrow && sums<Rows>(isa, from, lines, singly, wide, single.data()) <= dark) {
+                        return finish(single, rounded_along.data());
+                    }
                 }
+                line.resize(Rows * wide);
+                sums<Rows>(isa, from, lines, of, wide, line.data());
+                finish(line, weights_along);
             });
         });
     }
 
-    // A row of pixels from a line of samples.
-    template <class I>
-    LOMMEL_INLINE void along(I isa, std::size_t wide, std::size_t width, const double* line, Doubles& strands,
-                             std::vector<std::size_t>& lines, double* to) const {
-        // Samples a pixel apart stand side by side in a strand.
-        const std::size_t each = (wide + stride - 1) / stride;
+    // A row of pixels from a line of samples, in the precision of that: weights are [pixel][tap].
+    template <class I, class Sum>
+    LOMMEL_INLINE void along(I isa, std::size_t wide, std::size_t width, const Sum* line, const Sum* of, double* to) const {
+        // Samples some pixels apart stand side by side in a strand.
+        const std::size_t each = (wide + stride - 1) / stride, count = (width - 1) / pixels + 1;
+        thread_local Aligned<Sum> strands, sets;
+        thread_local std::vector<std::size_t> lines;
         strands.resize(stride * each);
+        sets.resize(pixels * count);
         for (std::size_t s = 0; s < stride; ++s) {
-            double* strand = &strands[s * each];
+            Sum* strand = &strands[s * each];
             for (std::size_t x = s; x < wide; x += stride) {
                 *strand++ = line[x];
             }
@@ -83,41 +112,56 @@ struct PixelFilter {
         for (std::size_t k = 0; k < taps; ++k) {
             lines[k] = k % stride * each + k / stride;
         }
-        sums<1>(isa, strands.data(), lines, across == nullptr ? weights : across, width, to);
-        for (std::size_t x = 0; x < width; ++x) {
-            to[x] = std::max(to[x], lowest);
+        const Sum* const both[2] = {of, of + (pixels - 1) * taps};
+        if (pixels == 2) {
+            sums<2>(isa, strands.data(), lines, both, count, sets.data());
+        } else {
+            sums<1>(isa, strands.data(), lines, both, count, sets.data());
+        }
+        for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+            for (std::size_t x = 0; pixel + x * pixels < width; ++x) {
+                to[pixel + x * pixels] = std::max(static_cast<double>(sets[pixel * count + x]), lowest);
+            }
         }
     }
 
-    // out[r][x] = sum_k of[k - r stride] from[lines[k] + x]; bound by loading samples or, of four rows, by products.
-    template <std::size_t Rows, class I, class T>
-    LOMMEL_INLINE void sums(I, const T* from, const std::vector<std::size_t>& lines, const double* of, std::size_t count,
-                            double* out) const {
-        using V = typename I::pack;
-        constexpr std::size_t packs = Rows == 1 ? 4 : 2, step = packs * I::lanes;
-        const auto weight = [&](std::size_t k, std::size_t r) LOMMEL_INLINE_LAMBDA {
-            return of[static_cast<std::ptrdiff_t>(k) - static_cast<std::ptrdiff_t>(r * stride)];
-        };
-        for (std::size_t x = 0; x < (count < step ? count : 0); ++x) {
-            for (std::size_t r = 0; r < Rows; ++r) {
-                double sum = 0.0;
-                for (std::size_t k = 0; k < lines.size(); ++k) {
-                    sum += weight(k, r) * static_cast<double>(from[lines[k] + x]);
+    // out[r][x] = sum_k of[r][k] from[lines[k] + x], in the precision of `out`; returns the largest sample if that is single, or more.
+    // Bound by loading samples or, of four rows, by products.
+    template <std::size_t Rows, class I, class T, class Sum>
+    LOMMEL_INLINE double sums(I, const T* from, const std::vector<std::size_t>& lines, const Sum* const* of, std::size_t count,
+                              Sum* out) const {
+        constexpr bool singly = sizeof(Sum) == 4;
+        using V = std::conditional_t<singly, typename I::floats, typename I::pack>;
+        constexpr std::size_t lanes = sizeof(V) / sizeof(Sum), packs = Rows == 1 ? 4 : 2, step = packs * lanes;
+        if (count < step) {
+            for (std::size_t x = 0; x < count && !singly; ++x) {
+                for (std::size_t r = 0; r < Rows; ++r) {
+                    Sum sum = 0;
+                    for (std::size_t k = 0; k < lines.size(); ++k) {
+                        sum += of[r][k] * static_cast<Sum>(from[lines[k] + x]);
+                    }
+                    out[r * count + x] = sum;
                 }
-                out[r * count + x] = sum;
             }
+            return 1e300;
         }
-        for (std::size_t x = 0; x < count && count >= step; x += step) {
+        V most = {};
+        for (std::size_t x = 0; x < count; x += step) {
             V sum[Rows][packs] = {};
             const std::size_t at = std::min(x, count - step);
             for (std::size_t k = 0; k < lines.size(); ++k) {
                 const T* line = from + lines[k] + at;
                 V samples[packs];
                 for (std::size_t p = 0; p < packs; ++p) {
-                    samples[p] = widened<I>(line + p * I::lanes);
+                    if constexpr (singly) {
+                        samples[p] = load<V>(line + p * lanes);
+                        most = larger(most, samples[p]);
+                    } else {
+                        samples[p] = widened<I>(line + p * lanes);
+                    }
                 }
                 for (std::size_t r = 0; r < Rows; ++r) {
-                    const V each = splat<V>(weight(k, r));
+                    const V each = splat<V>(of[r][k]);
                     for (std::size_t p = 0; p < packs; ++p) {
                         sum[r][p] = sum[r][p] + each * samples[p];
                     }
@@ -125,10 +169,15 @@ struct PixelFilter {
             }
             for (std::size_t r = 0; r < Rows; ++r) {
                 for (std::size_t p = 0; p < packs; ++p) {
-                    store(out + r * count + at + p * I::lanes, sum[r][p]);
+                    store(out + r * count + at + p * lanes, sum[r][p]);
                 }
             }
         }
+        double largest = 0.0;
+        for (std::size_t i = 0; i < lanes; ++i) {
+            largest = std::max(largest, static_cast<double>(most[i]));
+        }
+        return largest;
     }
 };
 

@@ -45,10 +45,10 @@ class Pixels(NamedTuple):
         """Return what pixels have of intensities, and the error of it, from that of the intensities."""
         xp = ns.xp
         if self.samples > 1:
-            shape = (values.shape[0], self.height, self.samples, self.width, self.samples)
-            values = xp.sum(xp.reshape(values, shape) * tables["share"], axis=(2, 4))
-            error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(1, 2))
-            return xp.reshape(values, (values.shape[0], -1)), error
+            shape = (self.width, self.samples, self.height, self.samples, values.shape[0])
+            values = xp.sum(xp.reshape(xp.permute_dims(values, (1, 0)), shape) * tables["share"], axis=(1, 3))
+            error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(0, 1))
+            return xp.permute_dims(xp.reshape(values, (-1, values.shape[-1])), (1, 0)), error
         if self.growth:
             most = xp.max(ns.stop(values), axis=-1)
             lost = (values.shape[-1] + 2) * unit + 2.0 * ns.coarseness(unit)
@@ -56,10 +56,12 @@ class Pixels(NamedTuple):
         return values, error
 
     def unfold(self, ns: Namespace, tables: dict[str, Any], values: Any) -> Any:
-        """Return images ``(n, height, width)`` of values, one for each of the distinct radii, cells or pixels."""
+        """Return images ``(n, height, width)`` of values, of each distinct radius, each cell, or pixels by columns."""
         xp = ns.xp
-        if not self.samples:
-            values = xp.take(values, tables["index"], axis=-1)
+        if self.samples:
+            by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, -1))
+            return ns.turned(by_column)
+        values = xp.take(values, tables["index"], axis=-1)
         if not self.mirrored:
             return xp.reshape(values, (values.shape[0], self.height, self.width))
         down, across = self.height // 2, self.width // 2
@@ -138,6 +140,6 @@ def of_lattice(
             f"pixel must be smaller where wavefronts depend on the direction: {stretch * step:g} in v is too large"
         )
     nodes, weights = gauss_legendre(count, -0.5 * step, 0.5 * step)
-    share = (weights[:, None, None] * weights) / step**2
+    share = (weights[:, None, None, None] * weights[:, None]) / step**2
     lattice = (rows[:, None] + nodes).ravel(), (cols[:, None] + nodes).ravel()
     return Pixels(grid.height, grid.width, False, 1.0, error, count), lattice, {"share": share}

@@ -1,0 +1,112 @@
+r"""Sums over a rule that is symmetric about both axes, for a window that mostly is: a quarter of either is enough.
+
+At the four images ``(+-x, +-y)`` of a node the waves have parts that are even and odd in either coordinate; with these the
+kernel is a product of a cosine or sine of ``v_x x`` and one of ``v_y y``, real, and at the images of a pixel the same but for
+signs. Pupils stand last throughout: all products are of small tables with long rows.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from lommel.base.arrays import Array
+from lommel.twins.namespaces import Namespace
+
+IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))  # of a node: signs of x and y
+
+
+class Axis(NamedTuple):
+    """How the places of a window along one axis follow from those on one side of its middle.
+
+    Attributes
+    ----------
+    first : int
+        Of those, the first with an image: 1 where the middle is a place itself.
+    negative, positive : int
+        How many are on either side; none is negative where places are no images of each other, and all are kept.
+    """
+
+    first: int
+    negative: int
+    positive: int
+
+    def whole(self, ns: Namespace, below: Any, above: Any, axis: int) -> Any:
+        """Return values at all places, along an axis, from those at the images and at the places that are kept."""
+        here: list[Any] = [slice(None)] * 3
+        here[axis] = slice(0, self.positive)
+        above = above[tuple(here)]
+        if not self.negative:
+            return above
+        here[axis] = slice(self.first, self.first + self.negative)
+        return ns.xp.concat([ns.xp.flip(below[tuple(here)], axis=axis), above], axis=axis)
+
+
+def axis_of(v: Array) -> tuple[Axis, Array]:
+    """Return the axis of increasing places, and the places that are kept."""
+    half = np.unique(np.abs(v))
+    first, negative = int(half[0] == 0.0), int(np.sum(v < 0.0))
+    positive = len(v) - negative
+    if np.array_equal(v, np.concatenate([-half[first : first + negative][::-1], half[:positive]])):
+        return Axis(first, negative, positive), half
+    return Axis(0, 0, len(v)), v
+
+
+def tables(x: Array, y: Array, weights: Array, columns: Array, rows: Array) -> dict[str, Array]:
+    """Return the real kernels of chords x and of nodes y on them, with their weights ``(chords, nodes)``."""
+    down, over = rows[:, None] * y[:, None, :], columns[:, None] * x
+    return {
+        "along even": np.cos(down) * weights[:, None, :],
+        "along odd": np.sin(down) * weights[:, None, :],
+        "across even": np.cos(over),
+        "across odd": np.sin(over),
+    }
+
+
+def intensity(ns: Namespace, kernels: dict[str, Any], waves: tuple[Any, Any], axes: tuple[Axis, Axis]) -> Any:
+    """Return the squared modulus of the sum, shape ``(n, columns * rows)``, columns one after another.
+
+    Parameters
+    ----------
+    ns : Namespace
+    kernels : dict
+        Those of :func:`tables`.
+    waves : (array, array)
+        Cosine and sine, of :data:`IMAGES`, chords and nodes in this order, ``(nodes, n)``.
+    axes : (Axis, Axis)
+        Of columns and rows.
+    """
+    real, imaginary = (_transformed(ns, kernels, one) for one in waves)
+
+    def quadrant(to_right: float, to_bottom: float) -> Any:
+        """Return values at images of the places that are kept, 1 or -1 times them."""
+        both = to_right * to_bottom
+        re = (real[0] - both * real[3]) + (to_bottom * imaginary[1] + to_right * imaginary[2])
+        im = (imaginary[0] - both * imaginary[3]) - (to_bottom * real[1] + to_right * real[2])
+        return re * re + im * im
+
+    def side(to_right: float) -> Any:
+        above = quadrant(to_right, -1.0) if axes[1].negative else None
+        return axes[1].whole(ns, above, quadrant(to_right, 1.0), 1)
+
+    image = axes[0].whole(ns, side(-1.0) if axes[0].negative else None, side(1.0), 0)
+    return ns.xp.permute_dims(ns.xp.reshape(image, (-1, image.shape[-1])), (1, 0))
+
+
+def _transformed(ns: Namespace, kernels: dict[str, Any], wave: Any) -> list[Any]:
+    """Return the sums of parts even in both, odd in y, odd in x and odd in both, each ``(columns, rows, n)``."""
+    xp = ns.xp
+    chords, rows, nodes = kernels["along even"].shape
+    count, columns = wave.shape[-1], kernels["across even"].shape[0]
+    images = xp.reshape(wave, (len(IMAGES), chords, nodes, count))
+    a, b, c, d = (images[k, ...] for k in range(len(IMAGES)))
+    sums, differences = (a + b, c + d), (a - b, c - d)
+    found = []
+    for across, sign in (("across even", 1.0), ("across odd", -1.0)):
+        for along, (one, other) in (("along even", sums), ("along odd", differences)):
+            part = one + other if sign > 0.0 else one - other
+            of_chords = xp.reshape(ns.matmul(kernels[along], part), (chords, rows * count))
+            found.append(xp.reshape(ns.matmul(kernels[across], of_chords), (columns, rows, count)))
+    return found
+

@@ -43,7 +43,8 @@ class Chordal(NamedTuple):
 
     def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
         """Return I, shape ``(n, columns * rows)``, columns one after another, and a bound on the error of the field, ``(n,)``."""
-        both = waves(ns, phases.turns(ns, self.phase, tables, c))
+        of_image = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(folded.IMAGES))]
+        both = [waves(ns, phases.turns(ns, self.phase, one, c)) for one in of_image]
         return folded.intensity(ns, tables, both, self.axes), self._field_error(ns, tables, c)
 
     def _field_error(self, ns: Namespace, tables: dict[str, Any], c: Any) -> Any:
@@ -122,6 +123,7 @@ def make(
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
+    tables |= {name: tables[name].reshape(len(folded.IMAGES), -1, len(terms)) for name in phase.tables}
     (across, right), (down, below) = folded.axis_of(x), folded.axis_of(y)
     tables |= folded.tables(px, py, weights, right, below) | bounds
     left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums, 8.0)

@@ -7,12 +7,14 @@ signs. Pupils stand last throughout: all products are of small tables with long 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.twins.namespaces import Namespace
+from lommel.twins.namespaces import Namespace, apart
 
 IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))  # of a node: signs of x and y
 
@@ -40,7 +42,7 @@ class Axis(NamedTuple):
         if not self.negative:
             return above
         here[axis] = slice(self.first, self.first + self.negative)
-        return ns.xp.concat([ns.xp.flip(below[tuple(here)], axis=axis), above], axis=axis)
+        return ns.xp.concat([ns.flip(below[tuple(here)], axis), above], axis=axis)
 
 
 def axis_of(v: Array) -> tuple[Axis, Array]:
@@ -72,41 +74,58 @@ def intensity(ns: Namespace, kernels: dict[str, Any], waves: tuple[Any, Any], ax
     ns : Namespace
     kernels : dict
         Those of :func:`tables`.
-    waves : (array, array)
-        Cosine and sine, of :data:`IMAGES`, chords and nodes in this order, ``(nodes, n)``.
+    waves : list of (array, array)
+        Cosine and sine at each of :data:`IMAGES`, chord by chord, ``(nodes, n)``.
     axes : (Axis, Axis)
         Of columns and rows.
     """
-    real, imaginary = (_transformed(ns, kernels, one) for one in waves)
-
-    def quadrant(to_right: float, to_bottom: float) -> Any:
-        """Return values at images of the places that are kept, 1 or -1 times them."""
-        both = to_right * to_bottom
-        re = (real[0] - both * real[3]) + (to_bottom * imaginary[1] + to_right * imaginary[2])
-        im = (imaginary[0] - both * imaginary[3]) - (to_bottom * real[1] + to_right * real[2])
-        return re * re + im * im
-
-    def side(to_right: float) -> Any:
-        above = quadrant(to_right, -1.0) if axes[1].negative else None
-        return axes[1].whole(ns, above, quadrant(to_right, 1.0), 1)
-
-    image = axes[0].whole(ns, side(-1.0) if axes[0].negative else None, side(1.0), 0)
+    parts = [part for images in zip(*waves, strict=True) for part in _transformed(ns, kernels, images)]
+    stages = (_quadrants(axes), _assembled(ns, axes))
+    squares = apart(stages[0], *parts) if ns.name == "jax" else stages[0](*parts)
+    image = apart(stages[1], *squares) if ns.name == "jax" else stages[1](*squares)
     return ns.xp.permute_dims(ns.xp.reshape(image, (-1, image.shape[-1])), (1, 0))
 
 
-def _transformed(ns: Namespace, kernels: dict[str, Any], wave: Any) -> list[Any]:
+def _transformed(ns: Namespace, kernels: dict[str, Any], images: tuple[Any, ...]) -> list[Any]:
     """Return the sums of parts even in both, odd in y, odd in x and odd in both, each ``(columns, rows, n)``."""
-    xp = ns.xp
+    xp, count = ns.xp, images[0].shape[-1]
     chords, rows, nodes = kernels["along even"].shape
-    count, columns = wave.shape[-1], kernels["across even"].shape[0]
-    images = xp.reshape(wave, (len(IMAGES), chords, nodes, count))
-    a, b, c, d = (images[k, ...] for k in range(len(IMAGES)))
+    a, b, c, d = (xp.reshape(image, (chords, nodes, count)) for image in images)
     sums, differences = (a + b, c + d), (a - b, c - d)
     found = []
     for across, sign in (("across even", 1.0), ("across odd", -1.0)):
         for along, (one, other) in (("along even", sums), ("along odd", differences)):
             part = one + other if sign > 0.0 else one - other
             of_chords = xp.reshape(ns.matmul(kernels[along], part), (chords, rows * count))
-            found.append(xp.reshape(ns.matmul(kernels[across], of_chords), (columns, rows, count)))
+            found.append(xp.reshape(ns.matmul(kernels[across], of_chords), (-1, rows, count)))
     return found
 
+
+@cache
+def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Any, ...]]:
+    """Return what makes values at images of the places that are kept, of the parts of a sum, real and imaginary."""
+    signs = [s for s in IMAGES if (s[0] > 0.0 or axes[0].negative) and (s[1] > 0.0 or axes[1].negative)]
+
+    def made(*parts: Any) -> tuple[Any, ...]:
+        real, imaginary, found = parts[:4], parts[4:], []
+        for to_right, to_bottom in signs:
+            both = to_right * to_bottom
+            re = (real[0] - both * real[3]) + (to_bottom * imaginary[1] + to_right * imaginary[2])
+            im = (imaginary[0] - both * imaginary[3]) - (to_bottom * real[1] + to_right * real[2])
+            found.append(re * re + im * im)
+        return tuple(found)
+
+    return made
+
+
+@cache
+def _assembled(ns: Namespace, axes: tuple[Axis, Axis]) -> Callable[..., Any]:
+    """Return what makes images ``(columns, rows, n)`` of the quadrants that there are."""
+
+    def made(*quadrants: Any) -> Any:
+        across, down = axes
+        each = 2 if down.negative else 1
+        sides = [down.whole(ns, quadrants[k + each - 1], quadrants[k], 1) for k in range(0, len(quadrants), each)]
+        return across.whole(ns, sides[-1], sides[0], 0)
+
+    return made

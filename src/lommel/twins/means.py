@@ -34,13 +34,12 @@ class Mean(NamedTuple):
 
     Attributes
     ----------
-    samples, corners : int
-        The first rows of the table, and how many means and square forms follow.
+    corners : int
+        How many means and square forms there are, in this order.
     unit : float
         Unit roundoff of what it is computed in.
     """
 
-    samples: int
     corners: int
     unit: float
 
@@ -48,11 +47,12 @@ class Mean(NamedTuple):
         """Bound the logarithm of the error of the sum, shape (n,)."""
         xp, terms = ns.xp, c.shape[-1]
         c = xp.permute_dims(c, (1, 0))
-        values, size = ns.matmul(tables[f"{name} forms"], c), ns.matmul(tables[f"{name} size"], xp.abs(c))
+        values, forms = ns.matmul(tables[f"{name} samples"], c), ns.matmul(tables[f"{name} forms"], c)
+        size = ns.matmul(tables[f"{name} size"], xp.abs(c))
         lost = ((terms + 10) * (self.unit + ns.coarseness(self.unit)) + 1e-6) * size[0, ...]
-        top = _WIDENED * xp.max(xp.abs(values[: self.samples, :]), axis=0) + lost
-        mean = values[self.samples : self.samples + self.corners, :] + lost
-        square = xp.reshape(values[self.samples + self.corners :, :], (self.corners, terms, c.shape[-1]))
+        top = _WIDENED * xp.max(xp.abs(values), axis=0) + lost
+        mean = forms[: self.corners, :] + lost
+        square = xp.reshape(forms[self.corners :, :], (self.corners, terms, c.shape[-1]))
         spread = xp.sqrt(xp.sum(square * square, axis=1)) + lost
         x, variance = top - mean + 2.0 * lost, spread * spread
         near = xp.where(x < _LEAST, xp.full_like(x, _LEAST), x)
@@ -145,11 +145,12 @@ def make(
         means.append(mean)
         forms.append(np.sqrt(np.maximum(size, 0.0))[:, None] * vectors.T)
     tables = {
-        f"{name} forms": np.concatenate([samples.T, np.stack(means), *forms]),
+        f"{name} samples": np.ascontiguousarray(samples.T),
+        f"{name} forms": np.concatenate([np.stack(means), *forms]),
         f"{name} size": stretch * np.sinh(degrees * b)[None, :],
         f"{name} constant": np.array(constants)[:, None],
     }
-    return Mean(samples.shape[1], len(corners), 0.0), tables
+    return Mean(len(corners), 0.0), tables
 
 
 def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tuple[NDArray[Any], NDArray[Any]]:

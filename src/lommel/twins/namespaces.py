@@ -100,6 +100,14 @@ class Namespace:
             return 2.0**-11 if os.environ.get("CUPY_TF32", "0") != "0" else 0.0
         return 0.0
 
+    def flip(self, x: Any, axis: int) -> Any:
+        """Return an array with one axis reversed: in JAX as a step, not a function which :func:`apart` keeps apart."""
+        if self.name == "jax":
+            import jax
+
+            return jax.lax.rev(x, (axis,))
+        return self.xp.flip(x, axis=axis)
+
     def turned(self, x: Any) -> Any:
         """Return an array of three axes with these in the opposite order."""
         if self.name == "jax":

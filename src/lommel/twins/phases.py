@@ -46,6 +46,11 @@ class PhaseRule(NamedTuple):
     limit: float
     pupils_last: bool
 
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """Names of the tables with a value for each term and node."""
+        return ("coarse", "fine", "basis") if self.scale else ("basis",)
+
     def multiplied(self, terms: int) -> bool:
         """Whether phases of so many terms are matrix products."""
         return self.pupils_last or terms > _ADDED

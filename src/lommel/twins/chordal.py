@@ -49,7 +49,7 @@ class Chordal(NamedTuple):
 
     def _field_error(self, ns: Namespace, tables: dict[str, Any], c: Any) -> Any:
         xp = ns.xp
-        still = ns.stop(xp.astype(c, tables["basis"].dtype))
+        still = ns.stop(xp.astype(c, tables["size"].dtype))
         total = 0.0
         for name, mean in zip(("chords", "nodes"), self.means or (None, None), strict=True):
             if mean is not None:
@@ -123,7 +123,7 @@ def make(
     rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
-    tables |= {name: tables[name].reshape(len(folded.IMAGES), -1, len(terms)) for name in phase.tables}
+    tables |= {name: tables[name].reshape(len(folded.IMAGES), py.size, -1) for name in phase.tables}
     (across, right), (down, below) = folded.axis_of(x), folded.axis_of(y)
     tables |= folded.tables(px, py, weights, right, below) | bounds
     left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums, 8.0)

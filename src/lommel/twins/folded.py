@@ -104,18 +104,22 @@ def _transformed(ns: Namespace, kernels: dict[str, Any], images: tuple[Any, ...]
 @cache
 def _quadrants(axes: tuple[Axis, Axis]) -> Callable[..., tuple[Any, ...]]:
     """Return what makes values at images of the places that are kept, of the parts of a sum, real and imaginary."""
-    signs = [s for s in IMAGES if (s[0] > 0.0 or axes[0].negative) and (s[1] > 0.0 or axes[1].negative)]
 
     def made(*parts: Any) -> tuple[Any, ...]:
-        real, imaginary, found = parts[:4], parts[4:], []
-        for to_right, to_bottom in signs:
-            both = to_right * to_bottom
-            re = (real[0] - both * real[3]) + (to_bottom * imaginary[1] + to_right * imaginary[2])
-            im = (imaginary[0] - both * imaginary[3]) - (to_bottom * real[1] + to_right * real[2])
-            found.append(re * re + im * im)
-        return tuple(found)
+        real, imaginary = parts[:4], parts[4:]
+        alike = real[0] - real[3], imaginary[1] + imaginary[2], imaginary[0] - imaginary[3], real[1] + real[2]
+        other = real[0] + real[3], imaginary[2] - imaginary[1], imaginary[0] + imaginary[3], real[2] - real[1]
+        # In the order of IMAGES: signs are alike in the first and the last.
+        there = [(alike, True), *([(other, True)] * down), *([(other, False)] * across)]
+        there += [(alike, False)] * (across and down)
+        return tuple(_square(a + b, c - d) if add else _square(a - b, c + d) for (a, b, c, d), add in there)
 
+    across, down = (axis.negative > 0 for axis in axes)
     return made
+
+
+def _square(real: Any, imaginary: Any) -> Any:
+    return real * real + imaginary * imaginary
 
 
 @cache

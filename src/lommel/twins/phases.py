@@ -49,7 +49,9 @@ class PhaseRule(NamedTuple):
     @property
     def tables(self) -> tuple[str, ...]:
         """Names of the tables with a value for each term and node."""
-        return ("coarse", "fine", "basis") if self.scale else ("basis",)
+        if not self.scale:
+            return ("basis",)
+        return ("coarse", "rest") if self.pupils_last else ("coarse", "fine", "basis")
 
     def multiplied(self, terms: int) -> bool:
         """Whether phases of so many terms are matrix products."""
@@ -75,8 +77,9 @@ def make(
     count, size = len(basis), np.abs(basis).max(axis=1)
     each = UNIT["float64"] * (count + 2.0 * degree + 9.0)
     if precision == "float64":
-        tables = {"basis": basis / math.tau}
-        return PhaseRule(0.0, each, 0.0, math.inf, pupils_last), _placed(tables, pupils_last) | {"size": size}
+        table = basis / math.tau
+        tables = {"size": size, "basis": np.ascontiguousarray(table.T) if pupils_last else table}
+        return PhaseRule(0.0, each, 0.0, math.inf, pupils_last), tables
     limit = 1.25 * largest + 1.0
     q = 23 - math.ceil(math.log2(limit / math.tau))
     least = float(size[size > 0.0].min()) if size.any() else 1.0
@@ -86,17 +89,16 @@ def make(
     small = scale * (limit / least) * 2.0 ** (-q - 1) + float(size.sum()) / (2.0 * math.tau * scale)
     unit = UNIT["float32"]
     fixed = unit * (math.tau * (2.0 * count + 4.0) * small + 3.0 * math.tau * (0.5 + small))
-    tables = {"coarse": coarse, "fine": turns - coarse, "basis": basis / math.tau}
-    return PhaseRule(scale, each, fixed, limit, pupils_last), _placed(tables, pupils_last) | {"size": size}
-
-
-def _placed(tables: dict[str, Array], pupils_last: bool) -> dict[str, Array]:
-    return {name: np.ascontiguousarray(table.T) if pupils_last else table for name, table in tables.items()}
+    rule = PhaseRule(scale, each, fixed, limit, pupils_last)
+    if pupils_last:
+        rest = np.concatenate([turns - coarse, basis / math.tau]).T
+        return rule, {"size": size, "coarse": np.ascontiguousarray(coarse.T), "rest": np.ascontiguousarray(rest)}
+    return rule, {"size": size, "coarse": coarse, "fine": turns - coarse, "basis": basis / math.tau}
 
 
 def turns(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> Any:
     """Return phases in turns, but for whole ones where they are split, from coefficients ``(n, terms)``."""
-    xp, dtype = ns.xp, tables["basis"].dtype
+    xp, dtype = ns.xp, tables[rule.tables[0]].dtype
     if not rule.scale:
         return _sum(ns, rule, xp.astype(c, dtype), tables["basis"])
     whole = xp.round(ns.stop(c) * rule.scale)
@@ -104,6 +106,8 @@ def turns(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> Any
     whole = xp.astype(whole, dtype)
     left = _sum(ns, rule, whole, tables["coarse"])
     left = left - xp.round(left)
+    if rule.pupils_last:
+        return left + _sum(ns, rule, xp.concat([whole, rest], axis=-1), tables["rest"])
     return left + (_sum(ns, rule, whole, tables["fine"]) + _sum(ns, rule, rest, tables["basis"]))
 
 

@@ -2,22 +2,22 @@ r"""Cosine and sine of phases in turns.
 
 JAX reduces the argument of its own cosine as if it were of any size, one value after another on a processor. Phases are
 known in turns here, so that what is left of a turn is exact, ``cos 2 pi t = sin 2 pi z`` with ``z = 1/4 - |t|``, and the
-sine of so little is an odd polynomial: through n Chebyshev nodes in ``z^2`` it is off by at most
-``(2 pi)^(2n+1) / ((2n+1)! 4 16^n 2^(2n-1))``, 7e-9 for n = 5. Both are off by at most 5 u, but for the rounding of
-``t - 1/4``, of which the sine is the cosine, and which is no more than that of ``2 pi t`` elsewhere.
+sine of so little is a polynomial: n terms of its series are off by less than the next, ``(pi / 2)^(2n+1) / (2n+1)!``.
+Both are off by at most 5 u, but for the rounding of ``t - 1/4``, of which the sine is the cosine, and which is no more
+than that of ``2 pi t`` elsewhere.
 """
 
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
-import numpy as np
-
 from lommel.twins.namespaces import Namespace, apart
 
-_COUNT = {"float32": 5, "float64": 9}
+_COUNT = {"float32": 7, "float64": 11}
+_TURN = Fraction("6.28318530717958647692528676655900576839433879875")
 
 
 def waves(ns: Namespace, turns: Any) -> tuple[Any, Any]:
@@ -30,13 +30,8 @@ def waves(ns: Namespace, turns: Any) -> tuple[Any, Any]:
 
 @cache
 def coefficients(kind: str) -> tuple[float, ...]:
-    """Return those of ``sin(2 pi z) / z`` in powers of ``z^2``, for abs(z) <= 1/4, of a type of numbers."""
-    count = _COUNT[kind]
-    nodes = np.cos(math.pi * (np.arange(count) + 0.5) / count)
-    square = (nodes + 1.0) / 32.0
-    values = math.tau * np.sinc(2.0 * np.sqrt(square))
-    fitted = np.polynomial.Chebyshev(np.polynomial.chebyshev.chebfit(nodes, values, count - 1), [0.0, 0.0625])
-    return tuple(fitted.convert(kind=np.polynomial.Polynomial).coef.tolist())
+    """Return those of ``sin(2 pi z) / z`` in powers of ``z^2``, for a type of numbers."""
+    return tuple(float((-1) ** k * _TURN ** (2 * k + 1) / math.factorial(2 * k + 1)) for k in range(_COUNT[kind]))
 
 
 @cache

@@ -1,4 +1,4 @@
-r"""The field of pupils with any Zernike terms, by the rule of chords: two matrix products.
+r"""The field of pupils with any Zernike terms, by the rule of chords: products of matrices.
 
 Nodes ``x_i = cos(phi_i)``, ``y = eta_k sin(phi_i)``; over each chord the kernel is that of the rows of a window, over
 the chords that of its columns. What is proven of the two sums is in docs/certificate.md, section 8: with W_p the
@@ -42,7 +42,7 @@ class Chordal(NamedTuple):
     means: tuple[Mean, Mean] | None
 
     def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
-        """Return I, shape ``(n, columns * rows)``, columns one after another, and a bound on the error of the field, ``(n,)``."""
+        """Return I, shape ``(n, columns * rows)``, column by column, and a bound on the error of the field, (n,)."""
         of_image = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(folded.IMAGES))]
         both = [waves(ns, phases.turns(ns, self.phase, one, c)) for one in of_image]
         return folded.intensity(ns, tables, both, self.axes), self._field_error(ns, tables, c)
@@ -107,13 +107,16 @@ def make(
     low, light = pupil.obscuration, pupil.illumination
     reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
-    chords, nodes, means, bounds = _sampled(pupil, stretch, window, error, UNIT[precision]) or _largest(
+    where = terms, stretch, window
+    chords, nodes, means, bounds = _sampled(pupil, where, disks, error, UNIT[precision]) or _largest(
         pupil, stretch, disks, reach, error
     )
     if max(chords, nodes) > _MOST:
         raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, more than {_MOST}")
     px, py, weights = _rule(chords, nodes, disks, light)
-    at_x, at_y = (np.stack([sign[k] * p for sign in folded.IMAGES]) for k, p in ((0, px[:, None] + 0.0 * py), (1, py)))
+    at_x, at_y = (
+        np.stack([sign[k] * p for sign in folded.IMAGES]) for k, p in ((0, px[:, None] + 0.0 * py), (1, py))
+    )
     rho, theta = np.hypot(at_x, at_y), np.arctan2(at_y, at_x)
     basis = stretch * np.stack([zernike.polynomial(n, m, rho, theta).ravel() for n, m in terms])
     degree = max(n for n, _ in terms)
@@ -130,17 +133,21 @@ def make(
     return Chordal(phase, left, (across, down), means), tables
 
 
-def _sampled(pupil: Pupil, stretch: float, window: tuple[Array, Array], error: float, unit: float) -> Any:
-    """Return chords, nodes and their bounds by means, of few terms on a whole disk; None of others."""
+def _sampled(
+    pupil: Pupil, where: tuple[Any, ...], disks: list[tuple[float, Apodization]], error: float, unit: float
+) -> Any:
+    """Return chords, nodes and their bounds by means, of few terms at `where`, terms, stretch and window; or None."""
     terms, c = columns(pupil)
-    if pupil.obscuration or max(n for n, _ in terms) > _SAMPLED:
+    if max(n for n, _ in terms) > _SAMPLED:
         return None
     members = c[np.argsort(-np.abs(c) @ [n for n, _ in terms], kind="stable")[:_MEMBERS]]
-    constants, where = _constants(pupil.illumination, CURVES), (terms, stretch, window)
-    chords = best("chords", where, members, (constants[0], math.log(0.5 * error)), 0, unit)
+    # The inner disk counts by its area.
+    of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
+    chords = best("chords", where, members, [(radius, of[0]) for radius, of in of_disks], 0.5 * error, 0, unit)
     if chords is None:
         return None
-    nodes = best("nodes", where, members, (constants[1], math.log(0.5 * error)), chords[0], unit)
+    parts = [(radius, of[1]) for radius, of in of_disks]
+    nodes = best("nodes", where, members, parts, 0.5 * error, chords[0], unit)
     return None if nodes is None else (chords[0], nodes[0], (chords[1], nodes[1]), chords[2] | nodes[2])
 
 
@@ -169,7 +176,7 @@ def _largest(
 
 
 def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light: Apodization) -> tuple[Array, ...]:
-    """Return nodes with positive x and y, and their weights with the amplitude: ``(chords,)``, ``(chords, nodes)``."""
+    """Return nodes of positive x and y, and weights with the amplitude: ``(chords,)``, ``(chords, nodes)`` twice."""
     angle = np.arange(1, chords // 2 + 1) * (math.pi / (chords + 1))
     eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))
     x, y, weights = [], [], []

@@ -56,7 +56,7 @@ class Pixels(NamedTuple):
         return values, error
 
     def unfold(self, ns: Namespace, tables: dict[str, Any], values: Any) -> Any:
-        """Return images ``(n, height, width)`` of values, of each distinct radius, each cell, or pixels by columns."""
+        """Return images ``(n, height, width)`` of values of distinct radii, of cells, or of pixels by columns."""
         xp = ns.xp
         if self.samples:
             by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, -1))

@@ -4,8 +4,8 @@ Terms do not reach their largest values at one place, so the mean of ``|F| = exp
 kernel, is far below its largest value. Over the window it is convex, and largest at a corner. There, under the weight
 of the curve and ``exp(l)``, h has a mean m and a variance s^2, a linear and a square form in the coefficients, whose
 tables are integrals. As ``(e^x - 1 - x) / x^2`` rises with x and ``h <= H``, ``<e^h> <= e^m (1 + k s^2)``, k that of
-``H - m``. On either curve h is a trigonometric polynomial in two angles, so that H is the largest of samples, a little
-widened: docs/certificate.md. Conjugate points have opposite h, so half of the angles do.
+``H - m``. On either curve h is a trigonometric polynomial in two angles, so H is the largest of samples, a little
+widened: docs/certificate.md. Conjugate points have opposite h, so that half of the angles do.
 """
 
 from __future__ import annotations
@@ -34,17 +34,26 @@ class Mean(NamedTuple):
 
     Attributes
     ----------
+    disks : int
+        How many there are, one in the other.
     corners : int
-        How many means and square forms there are, in this order.
+        How many means and square forms each has, in this order.
     unit : float
         Unit roundoff of what it is computed in.
     """
 
+    disks: int
     corners: int
     unit: float
 
     def logarithm(self, ns: Namespace, tables: dict[str, Any], name: str, c: Any) -> Any:
         """Bound the logarithm of the error of the sum, shape (n,)."""
+        total = self._of_disk(ns, tables, f"{name} 0", c)
+        for k in range(1, self.disks):
+            total = ns.xp.logaddexp(total, self._of_disk(ns, tables, f"{name} {k}", c))
+        return total
+
+    def _of_disk(self, ns: Namespace, tables: dict[str, Any], name: str, c: Any) -> Any:
         xp, terms = ns.xp, c.shape[-1]
         c = xp.permute_dims(c, (1, 0))
         values, forms = ns.matmul(tables[f"{name} samples"], c), ns.matmul(tables[f"{name} forms"], c)
@@ -66,28 +75,34 @@ def best(
     name: str,
     where: tuple[tuple[Any, ...], float, tuple[Array, Array]],
     c: Array,
-    rest: tuple[Array, float],
+    disks: list[tuple[float, Array]],
+    error: float,
     chords: int,
     unit: float,
 ) -> tuple[int, Mean, dict[str, Array]] | None:
     """Return the fewest chords, or nodes, for an error of all members, with their bound; None if there is no curve.
 
-    `where` are terms, stretch and window, `rest` what is added to logarithms on the curves, and the logarithm of the
-    error.
+    `where` are terms, stretch and window, `disks` their radii and what is added to logarithms on the curves.
     """
     found = None
-    for b, constant in zip(CURVES.tolist(), rest[0].tolist(), strict=True):
+    for j, b in enumerate(CURVES.tolist()):
         if max(np.abs(places).max() for places in where[2]) * math.sinh(b) > _FAR:
             break
-        mean, tables = make(*where, name, b, chords)
+        tables: dict[str, Array] = {}
+        for k, (radius, constants) in enumerate(disks):
+            mean, one = make(*where, name, b, chords, (k, radius))
+            one[f"{name} {k} constant"] += float(constants[j]) + _ROUNDED
+            tables |= one
+        mean = mean._replace(disks=len(disks), unit=unit)
         with np.errstate(over="ignore", invalid="ignore"):
-            size = float(mean._replace(unit=unit).logarithm(_NUMPY, tables, name, c).max()) + constant + _ROUNDED
+            size = float(mean.logarithm(_NUMPY, tables, name, c).max())
         if not size < _MOST:
             continue
-        count = even((size - rest[1]) / (2.0 * b))
+        count = even((size - math.log(error)) / (2.0 * b))
         if found is None or count < found[0]:
-            tables[f"{name} constant"] = tables[f"{name} constant"] + (constant + _ROUNDED - 2.0 * count * b)
-            found = count, mean._replace(unit=unit), tables
+            for k in range(len(disks)):
+                tables[f"{name} {k} constant"] -= 2.0 * count * b
+            found = count, mean, tables
     return found
 
 
@@ -97,7 +112,13 @@ def even(needed: float) -> int:
 
 
 def make(
-    terms: tuple[tuple[int, int], ...], stretch: float, window: tuple[Array, Array], name: str, b: float, chords: int
+    terms: tuple[tuple[int, int], ...],
+    stretch: float,
+    window: tuple[Array, Array],
+    name: str,
+    b: float,
+    chords: int,
+    disk: tuple[int, float] = (0, 1.0),
 ) -> tuple[Mean, dict[str, Array]]:
     """Return the bound of the sum `name` on a curve b, but for what is added to its logarithm, and its tables.
 
@@ -112,24 +133,28 @@ def make(
     b : float
     chords : int
         How many there are; of "nodes" only.
+    disk : (int, float)
+        The number and the radius of the disk that the curve is of.
     """
-    y, x = window
+    (y, x), radius = window, disk[1]
     degrees = np.array([n for n, _ in terms], dtype=np.float64)
     steps = _STEPS * max(2, int(degrees.max()))
     angle = np.arange(steps + 1) * (math.pi / steps)
-    samples = stretch * polynomials(terms, *_curve(name, b, angle, np.cos(angle), angle)).imag
+    at = [radius * places for places in _curve(name, b, angle, np.cos(angle), angle)]
+    samples = stretch * polynomials(terms, *at).imag
     # The kernel is an exponential of R cos a, whose Fourier coefficients fall like exp(-k^2 / 2 R).
-    reach = math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
+    reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
     count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
     half = (np.arange(count) + 0.5) * (math.pi / count)
     if name == "chords":
         eta, gauss = gauss_legendre(count, -1.0, 1.0)
-        at = _curve(name, b, half, eta, half)
+        curve = _curve(name, b, half, eta, half)
         share = ((np.sin(half) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
     else:
         phi = np.arange(1, chords + 1) * (math.pi / (chords + 1))
-        at = _curve(name, b, phi, half, half)
+        curve = _curve(name, b, phi, half, half)
         share = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
+    at = [radius * places for places in curve]
     values = stretch * polynomials(terms, *at).imag
     values, share = np.concatenate([-values, values], axis=1), 0.5 * np.concatenate([share.ravel(), share.ravel()])
     constants, means, forms = [], [], []
@@ -144,17 +169,17 @@ def make(
         constants.append(math.log(total))
         means.append(mean)
         forms.append(np.sqrt(np.maximum(size, 0.0))[:, None] * vectors.T)
-    tables = {
-        f"{name} samples": np.ascontiguousarray(samples.T),
-        f"{name} forms": np.concatenate([np.stack(means), *forms]),
-        f"{name} size": stretch * np.sinh(degrees * b)[None, :],
-        f"{name} constant": np.array(constants)[:, None],
+    of_disk = {
+        "samples": np.ascontiguousarray(samples.T),
+        "forms": np.concatenate([np.stack(means), *forms]),
+        "size": stretch * np.sinh(degrees * b)[None, :],
+        "constant": np.array(constants)[:, None],
     }
-    return Mean(len(corners), 0.0), tables
+    return Mean(1, len(corners), 0.0), {f"{name} {disk[0]} {part}": table for part, table in of_disk.items()}
 
 
-def _curve(name: str, b: float, first: Array, eta: Array, second: Array) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return x and y on a curve, flat: of chords at angles `first` and eta on them, or of nodes at angles `second`."""
+def _curve(name: str, b: float, first: Any, eta: Any, second: Any) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return x and y on a curve, flat: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
     if name == "chords":
         px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
     else:

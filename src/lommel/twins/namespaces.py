@@ -101,7 +101,7 @@ class Namespace:
         return 0.0
 
     def flip(self, x: Any, axis: int) -> Any:
-        """Return an array with one axis reversed: in JAX as a step, not a function which :func:`apart` keeps apart."""
+        """Return an array with one axis reversed, in JAX by no function that :func:`apart` would keep apart."""
         if self.name == "jax":
             import jax
 
@@ -151,15 +151,15 @@ class Namespace:
 
 
 def apart(function: Any, *given: Any) -> Any:
-    """Return what a function of JAX makes, which XLA is not to join with what is around where it is for a processor.
+    """Return what a function makes in JAX, which XLA for processors is not to join with what is around it.
 
-    There it would compute what is used in several places in each of them, and change the order of axes value by value.
+    There it would compute what is used in several places in each of them, and turn axes value by value.
     """
     import jax
     from jax.experimental.xla_metadata import set_xla_metadata
 
     def alone(*given: Any) -> Any:
-        with set_xla_metadata(inlineable="false"):
+        with set_xla_metadata(inlineable="false"):  # type: ignore[no-untyped-call]
             return jax.jit(function)(*given)
 
     return jax.lax.platform_dependent(*given, cpu=alone, default=function)

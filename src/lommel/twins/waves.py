@@ -1,10 +1,10 @@
 r"""Cosine and sine of phases in turns.
 
-JAX reduces the argument of its own cosine as if it were of any size, one value after another on a processor. Phases are
-known in turns here, so that what is left of a turn is exact, ``cos 2 pi t = sin 2 pi z`` with ``z = 1/4 - |t|``, and the
-sine of so little is a polynomial: n terms of its series are off by less than the next, ``(pi / 2)^(2n+1) / (2n+1)!``.
-Both are off by at most 5 u, but for the rounding of ``t - 1/4``, of which the sine is the cosine, and which is no more
-than that of ``2 pi t`` elsewhere.
+JAX reduces the argument of its own cosine as if it were of any size, one value after another on a processor. Phases
+are known in turns here, so that what is left of a turn is exact, ``cos 2 pi t = sin 2 pi z``, ``z = 1/4 - |t|``, and
+the sine of so little is a polynomial: n terms of its series are off by less than the next one,
+``(pi / 2)^(2n+1) / (2n+1)!``. Both are off by at most 5 u, but for the rounding of ``t - 1/4``, of which the sine is
+the cosine: no more than that of ``2 pi t`` elsewhere.
 """
 
 from __future__ import annotations
@@ -41,7 +41,9 @@ def _of_jax() -> Any:
 
     def cosine(turns: Any) -> Any:
         z = 0.25 - lax.abs(turns - lax.round(turns, lax.RoundingMethod.TO_NEAREST_EVEN))
-        square, (*rest, total) = z * z, coefficients(str(turns.dtype))
+        square = z * z
+        total: Any
+        *rest, total = coefficients(str(turns.dtype))
         for coefficient in reversed(rest):
             total = total * square + coefficient
         return z * total

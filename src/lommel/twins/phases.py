@@ -96,19 +96,21 @@ def make(
     return rule, {"size": size, "coarse": coarse, "fine": turns - coarse, "basis": basis / math.tau}
 
 
-def turns(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> Any:
-    """Return phases in turns, but for whole ones where they are split, from coefficients ``(n, terms)``."""
+def turns(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> tuple[Any, ...]:
+    """Return phases in turns from coefficients ``(n, terms)``: one array, or two where they are split.
+
+    Of the first of two, which is exact, whole turns are to be dropped before the second is added.
+    """
     xp, dtype = ns.xp, tables[rule.tables[0]].dtype
     if not rule.scale:
-        return _sum(ns, rule, xp.astype(c, dtype), tables["basis"])
+        return (_sum(ns, rule, xp.astype(c, dtype), tables["basis"]),)
     whole = xp.round(ns.stop(c) * rule.scale)
     rest = xp.astype(c - whole * (1.0 / rule.scale), dtype)
     whole = xp.astype(whole, dtype)
-    left = _sum(ns, rule, whole, tables["coarse"])
-    left = left - xp.round(left)
+    exact = _sum(ns, rule, whole, tables["coarse"])
     if rule.pupils_last:
-        return left + _sum(ns, rule, xp.concat([whole, rest], axis=-1), tables["rest"])
-    return left + (_sum(ns, rule, whole, tables["fine"]) + _sum(ns, rule, rest, tables["basis"]))
+        return exact, _sum(ns, rule, xp.concat([whole, rest], axis=-1), tables["rest"])
+    return exact, _sum(ns, rule, whole, tables["fine"]) + _sum(ns, rule, rest, tables["basis"])
 
 
 def _sum(ns: Namespace, rule: PhaseRule, c: Any, table: Any) -> Any:

@@ -20,11 +20,14 @@ _COUNT = {"float32": 7, "float64": 11}
 _TURN = Fraction("6.28318530717958647692528676655900576839433879875")
 
 
-def waves(ns: Namespace, turns: Any) -> tuple[Any, Any]:
-    """Return cosine and sine of as many turns, each of its kind."""
+def waves(ns: Namespace, turns: tuple[Any, ...]) -> tuple[Any, Any]:
+    """Return cosine and sine of what :func:`lommel.twins.phases.turns` made."""
     if ns.name == "jax":
-        return apart(_of_jax(), turns)  # type: ignore[no-any-return]
-    angle = turns * math.tau
+        return apart(_of_jax(), *turns)  # type: ignore[no-any-return]
+    total = turns[0]
+    if len(turns) > 1:
+        total = (total - ns.xp.round(total)) + turns[1]
+    angle = total * math.tau
     return ns.xp.cos(angle), ns.xp.sin(angle)
 
 
@@ -39,8 +42,11 @@ def _of_jax() -> Any:
     import jax
     from jax import lax
 
+    def without_whole(turns: Any) -> Any:
+        return turns - lax.round(turns, lax.RoundingMethod.TO_NEAREST_EVEN)
+
     def cosine(turns: Any) -> Any:
-        z = 0.25 - lax.abs(turns - lax.round(turns, lax.RoundingMethod.TO_NEAREST_EVEN))
+        z = 0.25 - lax.abs(without_whole(turns))
         square = z * z
         total: Any
         *rest, total = coefficients(str(turns.dtype))
@@ -58,4 +64,7 @@ def _of_jax() -> Any:
         turned = tangents[0] * math.tau
         return (cos, sin), (-sin * turned, cos * turned)
 
-    return both
+    def of_parts(exact: Any, *rest: Any) -> tuple[Any, Any]:
+        return both(without_whole(exact) + rest[0] if rest else exact)
+
+    return of_parts

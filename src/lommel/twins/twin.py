@@ -244,7 +244,7 @@ class Twin:
             intensity, of_field = light.intensity(ns, tables, c)
             unit = light.error.unit
             slack = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
-            part = weight * intensity
+            part = intensity if weight == 1.0 else weight * intensity
             values, error = (part, slack) if values is None else (values + part, error + slack)
         values, error = static.pixels.means(ns, self._tables[0], values, error, unit)
         return values, error, unit

@@ -1,8 +1,8 @@
 r"""Sums over a rule that is symmetric about both axes, for a window that mostly is: a quarter of either is enough.
 
 At the four images ``(+-x, +-y)`` of a node the waves have parts that are even and odd in either coordinate. With
-these the kernel is a product of a cosine or sine of ``v_x x`` and one of ``v_y y``, real, and the same at the images of
-a pixel but for signs. Pupils stand last throughout: all products are of small tables with long rows.
+these the kernel is a product of a cosine or sine of ``v_x x`` and one of ``v_y y``, real, and the same at the images
+of a pixel but for signs. Pupils stand last throughout: all products are of small tables with long rows.
 """
 
 from __future__ import annotations

@@ -22,6 +22,7 @@ RADIAL = {
     "strehl": (7, {"normalize": "strehl"}, {"obscuration": 0.2, "apodization": 0.5}),
     "peak": (7, {"normalize": "peak"}, {}),
     "averages": ((7, 6), {"integrate": True}, {"obscuration": 0.3}),
+    "averages off the axis": ((3, 4), {"integrate": True, "center": (1.3, 5.0)}, {"obscuration": 0.3}),
     "metres": (9, {"pixel": 3.45e-6}, SENSOR),
     "white": ((7, 8), {"pixel": 2e-6, "method": WHITE}, SENSOR),
     "white samples": (7, {"pixel": 2e-6, "method": WHITE, "integrate": False, "normalize": "strehl"}, SENSOR),

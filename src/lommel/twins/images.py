@@ -31,7 +31,7 @@ class Pixels(NamedTuple):
     added : float
         Error of the averages: over the largest intensity of a radial pupil, absolute of any other.
     samples : int
-        A side of each pixel, of pupils that are not radial; 0 of those that are.
+        A side of each pixel, of pupils that are not radial, and of averages off the axis; else 0.
     """
 
     height: int
@@ -45,6 +45,8 @@ class Pixels(NamedTuple):
         """Return what pixels have of intensities, and the error of it, from that of the intensities."""
         xp = ns.xp
         if self.samples > 1:
+            if "index" in tables:
+                values = xp.take(values, tables["index"], axis=-1)
             shape = (self.width, self.samples, self.height, self.samples, values.shape[0])
             values = xp.sum(xp.reshape(xp.permute_dims(values, (1, 0)), shape) * tables["share"], axis=(1, 3))
             error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(0, 1))
@@ -72,7 +74,9 @@ class Pixels(NamedTuple):
         return xp.concat([xp.flip(half[..., 1:, :], axis=-2), lower], axis=-2) if down else lower
 
 
-def of_radii(grid: Grid, step: float, stretch: float) -> tuple[Pixels, Array, dict[str, NDArray[Any]]]:
+def of_radii(
+    grid: Grid, step: float, stretch: float, allowed: float
+) -> tuple[Pixels, Array, dict[str, NDArray[Any]]]:
     """Return how images of a radial pupil are made, the radii in v that they take, and tables.
 
     Parameters
@@ -82,19 +86,20 @@ def of_radii(grid: Grid, step: float, stretch: float) -> tuple[Pixels, Array, di
         Pixel pitch in v.
     stretch : float
         By how much v is larger at the shortest wavelength.
+    allowed : float
+        Error of averages around another place than the default, for which there is no rule of few radii.
 
     Raises
     ------
     ValueError
-        If pixels average around an axis that is not in the default place, or around several axes.
+        If there are several axes, or pixels are too large.
     """
     height, width = grid.shape
+    if grid.integrate and not grid.centered:
+        pixels, (rows, cols), shared = of_lattice(grid, step, stretch, allowed)
+        radii, index = np.unique(np.hypot(cols[:, None], rows), return_inverse=True)
+        return pixels, radii, shared | {"index": _places(index)}
     if grid.integrate:
-        if not grid.centered:
-            raise ValueError(
-                f"center must be {(height // 2, width // 2)} where pixels average in a twin, got {grid.center}; "
-                "sample them with integrate=False, or give the plan a window of other sides"
-            )
         half = max(1, height // 2, width // 2)
         rule = pixel_rule(half, step * stretch)
         column, row = octant(half)

@@ -148,12 +148,14 @@ test: build lint types ## build, lint, check the types and run the tests
 	@.venv/bin/pytest --numprocesses auto --maxprocesses 4 --dist worksteal
 
 # Beside .venv, for the package index has PyTorch with all that graphics processors need: 5 GB, of which none is used here.
+# UV_TORCH_BACKEND=cpu make test-torch takes it from its own index, which has one without; TORCH=... a wheel that is there.
+TORCH ?= torch
 test-torch: build ## run the tests of twins in PyTorch, in .tools/torch
 	@$(find_uv)
 	$(find_python)
 	rm -rf .tools/torch
 	"$$uv" venv --quiet --python "$$py" .tools/torch
-	"$$uv" pip install --quiet --python .tools/torch/bin/python --requirement pyproject.toml --extra torch --extra all --group dev
+	"$$uv" pip install --quiet --python .tools/torch/bin/python --requirement pyproject.toml --extra torch --extra all --group dev "$(TORCH)"
 	PATH="$(CURDIR)/.tools/torch/bin:$$PATH" "$$uv" pip install --quiet --python .tools/torch/bin/python \
 		--no-build-isolation --no-deps --config-settings=build-dir=build/torch --editable .
 	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/twins

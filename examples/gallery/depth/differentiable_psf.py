@@ -92,7 +92,7 @@ for color, f_number in zip(("C0", "C1", "C2", "C3"), designs, strict=False):
     left.semilogy(1 / distance, before[f_number], "--", color=color, linewidth=1)
 left.set_xlabel("1 / distance (dioptres)")
 left.set_ylabel("least standard deviation (dioptres)")
-left.legend()
+left.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False)
 best = min(designs, key=lambda n: float(jnp.mean(curves[n] ** 2)))
 f, shown = traced(best), distance[::8]
 c = jnp.stack([f.defocus(shown) + designs[best][0], jnp.full(len(shown), designs[best][1])], axis=-1)

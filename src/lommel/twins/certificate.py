@@ -72,20 +72,23 @@ class FieldError(NamedTuple):
         Of sums, waves and tables.
     left_out : float
         What terms and amplitude do not hold of the pupil that is meant.
+    products : float
+        What `sums` is multiplied by where products round operands by a unit.
     """
 
     unit: float
     sums: float
     rounding: float
     left_out: float
+    products: float
 
     def total(self, ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any, quadrature_error: Any) -> Any:
         """Bound the error of the field; infinite where a phase is larger than sums of terms were made for."""
         xp = ns.xp
         coarse = ns.coarseness(self.unit)
         size = xp.sum(xp.abs(c) * tables["size"], axis=-1) * (1.0 + 1e-5)
-        each = rule.each + (2.5 * coarse if c.shape[-1] > 4 else 0.0)
-        error = quadrature_error + self.sums * (each * size + rule.fixed + 4.0 * coarse)
+        each = rule.each + (2.5 * coarse if rule.multiplied(c.shape[-1]) else 0.0)
+        error = quadrature_error + self.sums * (each * size + rule.fixed + self.products * coarse)
         error = error + (self.rounding + self.left_out)
         return xp.where(size <= rule.limit, error, _infinite(xp, error))
 

@@ -1,4 +1,4 @@
-r"""The field of pupils with any Zernike terms, by the rule of chords: two matrix products.
+r"""The field of pupils with any Zernike terms, by the rule of chords: products of matrices.
 
 Nodes ``x_i = cos(phi_i)``, ``y = eta_k sin(phi_i)``; over each chord the kernel is that of the rows of a window, over
 the chords that of its columns. What is proven of the two sums is in docs/certificate.md, section 8: with W_p the
@@ -19,12 +19,14 @@ from lommel.optics.apodization import Apodization
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
-from lommel.twins import phases
+from lommel.twins import folded, phases
 from lommel.twins.certificate import FieldError, exponential
-from lommel.twins.means import CURVES, Mean, best
+from lommel.twins.folded import Axis
+from lommel.twins.means import CURVES, Mean, best, even
 from lommel.twins.namespaces import Namespace
 from lommel.twins.phases import UNIT, PhaseRule
 from lommel.twins.radial import columns
+from lommel.twins.waves import waves
 
 _B = np.geomspace(4e-3, 4.0, 64)
 _MOST = 512
@@ -36,26 +38,18 @@ class Chordal(NamedTuple):
 
     phase: PhaseRule
     error: FieldError
-    chords: int
-    nodes: int
-    rows: int
-    columns: int
+    axes: tuple[Axis, Axis]
     means: tuple[Mean, Mean] | None
 
     def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
-        """Return I, shape ``(n, rows * columns)``, and a bound on the error of the field, ``(n,)``."""
-        xp, count = ns.xp, c.shape[0]
-        phase = phases.phases(ns, self.phase, tables, c)
-        along = ns.matmul(xp.concat([xp.cos(phase), xp.sin(phase)], axis=-1), tables["along"])
-        along = xp.permute_dims(xp.reshape(along, (self.chords, count, 2, self.rows)), (1, 3, 2, 0))
-        across = ns.matmul(xp.reshape(along, (count * self.rows, 2 * self.chords)), tables["across"])
-        square = across * across
-        intensity = square[..., : self.columns] + square[..., self.columns :]
-        return xp.reshape(intensity, (count, self.rows * self.columns)), self._field_error(ns, tables, c)
+        """Return I, shape ``(n, columns * rows)``, column by column, and a bound on the error of the field, (n,)."""
+        of_image = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(folded.IMAGES))]
+        both = [waves(ns, phases.turns(ns, self.phase, one, c)) for one in of_image]
+        return folded.intensity(ns, tables, both, self.axes), self._field_error(ns, tables, c)
 
     def _field_error(self, ns: Namespace, tables: dict[str, Any], c: Any) -> Any:
         xp = ns.xp
-        still = ns.stop(xp.astype(c, tables["along"].dtype))
+        still = ns.stop(xp.astype(c, tables["size"].dtype))
         total = 0.0
         for name, mean in zip(("chords", "nodes"), self.means or (None, None), strict=True):
             if mean is not None:
@@ -113,44 +107,47 @@ def make(
     low, light = pupil.obscuration, pupil.illumination
     reach = math.hypot(np.abs(x).max(), np.abs(y).max()), float(np.abs(y).max())
     disks = [(1.0, light)] + ([(low, light.scaled(low))] if low else [])
-    chords, nodes, means, bounds = _sampled(pupil, stretch, window, error, UNIT[precision]) or _largest(
+    where = terms, stretch, window
+    chords, nodes, means, bounds = _sampled(pupil, where, disks, error, UNIT[precision]) or _largest(
         pupil, stretch, disks, reach, error
     )
     if max(chords, nodes) > _MOST:
         raise ToleranceError(f"phases and windows this large take {max(chords, nodes)} chords, more than {_MOST}")
     px, py, weights = _rule(chords, nodes, disks, light)
-    rho, theta = np.hypot(px, py), np.arctan2(py, px)
+    at_x, at_y = (
+        np.stack([sign[k] * p for sign in folded.IMAGES]) for k, p in ((0, px[:, None] + 0.0 * py), (1, py))
+    )
+    rho, theta = np.hypot(at_x, at_y), np.arctan2(at_y, at_x)
     basis = stretch * np.stack([zernike.polynomial(n, m, rho, theta).ravel() for n, m in terms])
     degree = max(n for n, _ in terms)
     largest = 1.5 * float((np.abs(c) @ np.abs(basis).max(axis=1)).max(initial=0.0))
-    phase, tables = phases.make(basis, degree**2, largest, precision)
-    unit, sums = UNIT[precision], float(np.abs(weights).sum())
-    rounding = unit * sums * (2.0 * nodes + 2.0 * len(px) + 24.0)
+    phase, tables = phases.make(basis, degree**2, largest, precision, pupils_last=True)
+    unit, sums = UNIT[precision], 4.0 * float(np.abs(weights).sum())
+    rounding = unit * sums * (2.0 * py.shape[1] + 2.0 * len(px) + 32.0)
     rounding += UNIT["float64"] * sums * (40.0 + 4.0 * sum(reach) + 3.0 * light.slope)
     phase_left, light_left = pupil.left_out
-    # Chord by chord, as the phases are to stand.
-    by_chord = (len(terms), len(px), nodes)
-    tables = {k: v if k == "size" else v.reshape(by_chord).transpose(1, 0, 2).copy() for k, v in tables.items()}
-    tables |= {
-        "along": _turned(py[:, :, None] * y, weights[:, :, None]),
-        "across": _turned(px[:, 0, None] * x, np.ones(1)),
-    }
-    tables |= bounds
-    left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums)
-    return Chordal(phase, left, len(px), nodes, len(y), len(x), means), tables
+    tables |= {name: tables[name].reshape(len(folded.IMAGES), py.size, -1) for name in phase.tables}
+    (across, right), (down, below) = folded.axis_of(x), folded.axis_of(y)
+    tables |= folded.tables(px, py, weights, right, below) | bounds
+    left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums, 8.0)
+    return Chordal(phase, left, (across, down), means), tables
 
 
-def _sampled(pupil: Pupil, stretch: float, window: tuple[Array, Array], error: float, unit: float) -> Any:
-    """Return chords, nodes and their bounds by means, of few terms on a whole disk; None of others."""
+def _sampled(
+    pupil: Pupil, where: tuple[Any, ...], disks: list[tuple[float, Apodization]], error: float, unit: float
+) -> Any:
+    """Return chords, nodes and their bounds by means, of few terms at `where`, terms, stretch and window; or None."""
     terms, c = columns(pupil)
-    if pupil.obscuration or max(n for n, _ in terms) > _SAMPLED:
+    if max(n for n, _ in terms) > _SAMPLED:
         return None
     members = c[np.argsort(-np.abs(c) @ [n for n, _ in terms], kind="stable")[:_MEMBERS]]
-    constants, where = _constants(pupil.illumination, CURVES), (terms, stretch, window)
-    chords = best("chords", where, members, (constants[0], math.log(0.5 * error)), 0, unit)
+    # The inner disk counts by its area.
+    of_disks = [(radius, np.stack(_constants(one, CURVES)) + 2.0 * math.log(radius)) for radius, one in disks]
+    chords = best("chords", where, members, [(radius, of[0]) for radius, of in of_disks], 0.5 * error, 0, unit)
     if chords is None:
         return None
-    nodes = best("nodes", where, members, (constants[1], math.log(0.5 * error)), chords[0], unit)
+    parts = [(radius, of[1]) for radius, of in of_disks]
+    nodes = best("nodes", where, members, parts, 0.5 * error, chords[0], unit)
     return None if nodes is None else (chords[0], nodes[0], (chords[1], nodes[1]), chords[2] | nodes[2])
 
 
@@ -167,7 +164,7 @@ def _largest(
     added = math.log1p(pupil.obscuration**2)
     parts = [np.max([one[k] for one in of_disks], axis=0) + added + reach[k] * np.sinh(_B) for k in (0, 1)]
     needed = [(part + size - math.log(0.5 * error)) / (2.0 * _B) for part in parts]
-    chords, nodes = (max(4, math.ceil(float(each.min()))) for each in needed)
+    chords, nodes = (even(float(each.min())) for each in needed)
     chosen = np.unique([np.clip(int(each.argmin()) + k, 0, 63) for each in needed for k in (-6, -3, 0, 3, 6)])
     bounds = {
         "pairs": matrix,
@@ -179,23 +176,14 @@ def _largest(
 
 
 def _rule(chords: int, nodes: int, disks: list[tuple[float, Apodization]], light: Apodization) -> tuple[Array, ...]:
-    """Return x and y of the nodes and their weights, with the amplitude, shape ``(chords, nodes)``."""
-    angle = np.arange(1, chords + 1) * (math.pi / (chords + 1))
-    eta, gauss = gauss_legendre(nodes, -1.0, 1.0)
+    """Return nodes of positive x and y, and weights with the amplitude: ``(chords,)``, ``(chords, nodes)`` twice."""
+    angle = np.arange(1, chords // 2 + 1) * (math.pi / (chords + 1))
+    eta, gauss = (part[nodes // 2 :] for part in gauss_legendre(nodes, -1.0, 1.0))
     x, y, weights = [], [], []
     for radius, _ in disks:
-        x.append(np.broadcast_to(radius * np.cos(angle)[:, None], (chords, nodes)))
+        x.append(radius * np.cos(angle))
         y.append(radius * np.sin(angle)[:, None] * eta)
         sign = 1.0 if radius == 1.0 else -(radius**2)
         weights.append(sign * np.sin(angle)[:, None] ** 2 * gauss / (chords + 1))
     px, py, w = (np.concatenate(part) for part in (x, y, weights))
-    return px, py, w * light.at(np.minimum(1.0, px * px + py * py))
-
-
-def _turned(angle: Array, weight: Array) -> Array:
-    """Return what turns sums of cosine and sine into real and imaginary part, by ``exp(-i angle)``.
-
-    Shape ``(..., 2 nodes, 2 places)`` from angles ``(..., nodes, places)``.
-    """
-    cos, sin = weight * np.cos(angle), weight * np.sin(angle)
-    return np.concatenate([np.concatenate([cos, -sin], axis=-1), np.concatenate([sin, cos], axis=-1)], axis=-2)
+    return px, py, w * light.at(np.minimum(1.0, px[:, None] ** 2 + py * py))

@@ -31,7 +31,7 @@ class Pixels(NamedTuple):
     added : float
         Error of the averages: over the largest intensity of a radial pupil, absolute of any other.
     samples : int
-        A side of each pixel, of pupils that are not radial; 0 of those that are.
+        A side of each pixel, of pupils that are not radial, and of averages off the axis; else 0.
     """
 
     height: int
@@ -45,10 +45,12 @@ class Pixels(NamedTuple):
         """Return what pixels have of intensities, and the error of it, from that of the intensities."""
         xp = ns.xp
         if self.samples > 1:
-            shape = (values.shape[0], self.height, self.samples, self.width, self.samples)
-            values = xp.sum(xp.reshape(values, shape) * tables["share"], axis=(2, 4))
-            error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(1, 2))
-            return xp.reshape(values, (values.shape[0], -1)), error
+            if "index" in tables:
+                values = xp.take(values, tables["index"], axis=-1)
+            shape = (self.width, self.samples, self.height, self.samples, values.shape[0])
+            values = xp.sum(xp.reshape(xp.permute_dims(values, (1, 0)), shape) * tables["share"], axis=(1, 3))
+            error = error + self.added + 2.0 * self.samples**2 * unit * xp.max(ns.stop(values), axis=(0, 1))
+            return xp.permute_dims(xp.reshape(values, (-1, values.shape[-1])), (1, 0)), error
         if self.growth:
             most = xp.max(ns.stop(values), axis=-1)
             lost = (values.shape[-1] + 2) * unit + 2.0 * ns.coarseness(unit)
@@ -56,10 +58,12 @@ class Pixels(NamedTuple):
         return values, error
 
     def unfold(self, ns: Namespace, tables: dict[str, Any], values: Any) -> Any:
-        """Return images ``(n, height, width)`` of values, one for each of the distinct radii, cells or pixels."""
+        """Return images ``(n, height, width)`` of values of distinct radii, of cells, or of pixels by columns."""
         xp = ns.xp
-        if not self.samples:
-            values = xp.take(values, tables["index"], axis=-1)
+        if self.samples:
+            by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, -1))
+            return ns.turned(by_column)
+        values = xp.take(values, tables["index"], axis=-1)
         if not self.mirrored:
             return xp.reshape(values, (values.shape[0], self.height, self.width))
         down, across = self.height // 2, self.width // 2
@@ -70,7 +74,9 @@ class Pixels(NamedTuple):
         return xp.concat([xp.flip(half[..., 1:, :], axis=-2), lower], axis=-2) if down else lower
 
 
-def of_radii(grid: Grid, step: float, stretch: float) -> tuple[Pixels, Array, dict[str, NDArray[Any]]]:
+def of_radii(
+    grid: Grid, step: float, stretch: float, allowed: float
+) -> tuple[Pixels, Array, dict[str, NDArray[Any]]]:
     """Return how images of a radial pupil are made, the radii in v that they take, and tables.
 
     Parameters
@@ -80,19 +86,20 @@ def of_radii(grid: Grid, step: float, stretch: float) -> tuple[Pixels, Array, di
         Pixel pitch in v.
     stretch : float
         By how much v is larger at the shortest wavelength.
+    allowed : float
+        Error of averages around another place than the default, for which there is no rule of few radii.
 
     Raises
     ------
     ValueError
-        If pixels average around an axis that is not in the default place, or around several axes.
+        If there are several axes, or pixels are too large.
     """
     height, width = grid.shape
+    if grid.integrate and not grid.centered:
+        pixels, (rows, cols), shared = of_lattice(grid, step, stretch, allowed)
+        radii, index = np.unique(np.hypot(cols[:, None], rows), return_inverse=True)
+        return pixels, radii, shared | {"index": _places(index)}
     if grid.integrate:
-        if not grid.centered:
-            raise ValueError(
-                f"center must be {(height // 2, width // 2)} where pixels average in a twin, got {grid.center}; "
-                "sample them with integrate=False, or give the plan a window of other sides"
-            )
         half = max(1, height // 2, width // 2)
         rule = pixel_rule(half, step * stretch)
         column, row = octant(half)
@@ -138,6 +145,6 @@ def of_lattice(
             f"pixel must be smaller where wavefronts depend on the direction: {stretch * step:g} in v is too large"
         )
     nodes, weights = gauss_legendre(count, -0.5 * step, 0.5 * step)
-    share = (weights[:, None, None] * weights) / step**2
+    share = (weights[:, None, None, None] * weights[:, None]) / step**2
     lattice = (rows[:, None] + nodes).ravel(), (cols[:, None] + nodes).ravel()
     return Pixels(grid.height, grid.width, False, 1.0, error, count), lattice, {"share": share}

@@ -1,10 +1,11 @@
-r"""How large the integrand is on average on the curves that bound the rule of chords, from samples.
+r"""How large the integrand is on average on the curves that bound the rule of chords.
 
-Terms do not reach their largest values at one place, so the mean of ``|F| = exp(h)`` over a curve is far below its
-largest value. On either curve h is a trigonometric polynomial in two angles. Between samples at steps s it is at most
-``C s^2 / 4`` above what is linear between them, ``C = sum n_j^2 |c_j| sinh(n_j b) + R sinh b``, and the mean is below
-the sum of samples of ``exp(h)``, each with the mean of its hat: docs/certificate.md, section 8. Conjugate points have
-opposite h, so half of the angles do; over the window the mean is convex, and largest at a corner.
+Terms do not reach their largest values at one place, so the mean of ``|F| = exp(h + l)`` over a curve, l that of the
+kernel, is far below its largest value. Over the window it is convex, and largest at a corner. There, under the weight
+of the curve and ``exp(l)``, h has a mean m and a variance s^2, a linear and a square form in the coefficients, whose
+tables are integrals. As ``(e^x - 1 - x) / x^2`` rises with x and ``h <= H``, ``<e^h> <= e^m (1 + k s^2)``, k that of
+``H - m``. On either curve h is a trigonometric polynomial in two angles, so H is the largest of samples, a little
+widened: docs/certificate.md. Conjugate points have opposite h, so that half of the angles do.
 """
 
 from __future__ import annotations
@@ -20,9 +21,11 @@ from lommel.special.legendre import gauss_legendre
 from lommel.twins.namespaces import Namespace
 
 _STEPS = 5  # of half a turn, for each degree
+_WIDENED = 1.0 / math.cos(0.5 * math.pi / _STEPS) ** 2
 CURVES = np.geomspace(0.04, 1.6, 24)
-_MOST = 40.0  # of logarithms, lest what is exponentiated leave the range of float32
-_ROUNDED = 0.05  # what exponentials and their sums may lose, with products rounded to bfloat16
+_MOST = 40.0  # of logarithms, and of those of the kernel one and a half times that
+_ROUNDED = 0.05  # what exponentials and logarithms may lose
+_LEAST, _FAR = 0.5, 60.0  # what H - m is taken for at least, and where its exponential is not made
 _NUMPY = Namespace.of(None)
 
 
@@ -31,54 +34,91 @@ class Mean(NamedTuple):
 
     Attributes
     ----------
-    bend : float
-        ``s^2 / 4``.
+    disks : int
+        How many there are, one in the other.
+    corners : int
+        How many means and square forms each has, in this order.
     unit : float
         Unit roundoff of what it is computed in.
     """
 
-    bend: float
+    disks: int
+    corners: int
     unit: float
 
     def logarithm(self, ns: Namespace, tables: dict[str, Any], name: str, c: Any) -> Any:
         """Bound the logarithm of the error of the sum, shape (n,)."""
-        xp, size = ns.xp, ns.xp.abs(c)
-        phase = ns.matmul(c, tables[f"{name} terms"])
-        mean = ns.matmul(xp.exp(-phase), tables[f"{name} plus"]) + ns.matmul(xp.exp(phase), tables[f"{name} minus"])
-        lost = (c.shape[-1] + 10) * (self.unit + ns.coarseness(self.unit))
-        bent = self.bend * ns.matmul(size, tables[f"{name} bend"]) + lost * ns.matmul(size, tables[f"{name} size"])
-        return xp.log(xp.max(mean, axis=-1)) + bent[..., 0] + tables[f"{name} constant"]
+        total = self._of_disk(ns, tables, f"{name} 0", c)
+        for k in range(1, self.disks):
+            total = ns.xp.logaddexp(total, self._of_disk(ns, tables, f"{name} {k}", c))
+        return total
+
+    def _of_disk(self, ns: Namespace, tables: dict[str, Any], name: str, c: Any) -> Any:
+        xp, terms = ns.xp, c.shape[-1]
+        c = xp.permute_dims(c, (1, 0))
+        values, forms = ns.matmul(tables[f"{name} samples"], c), ns.matmul(tables[f"{name} forms"], c)
+        size = ns.matmul(tables[f"{name} size"], xp.abs(c))
+        lost = ((terms + 10) * (self.unit + ns.coarseness(self.unit)) + 1e-6) * size[0, ...]
+        top = _WIDENED * xp.max(xp.abs(values), axis=0) + lost
+        mean = forms[: self.corners, :] + lost
+        square = xp.reshape(forms[self.corners :, :], (self.corners, terms, c.shape[-1]))
+        spread = xp.sqrt(xp.sum(square * square, axis=1)) + lost
+        x, variance = top - mean + 2.0 * lost, spread * spread
+        near = xp.where(x < _LEAST, xp.full_like(x, _LEAST), x)
+        near = xp.where(x > _FAR, xp.full_like(x, _FAR), near)
+        tail = xp.log1p(variance * ((xp.exp(near) - 1.0 - near) / (near * near)))
+        tail = xp.where(x > _FAR, x + xp.log1p(variance), tail)
+        return xp.max(mean + tail + tables[f"{name} constant"], axis=0)
 
 
 def best(
     name: str,
     where: tuple[tuple[Any, ...], float, tuple[Array, Array]],
     c: Array,
-    rest: tuple[Array, float],
+    disks: list[tuple[float, Array]],
+    error: float,
     chords: int,
     unit: float,
 ) -> tuple[int, Mean, dict[str, Array]] | None:
     """Return the fewest chords, or nodes, for an error of all members, with their bound; None if there is no curve.
 
-    `where` are terms, stretch and window, `rest` what is added to logarithms on the curves, and the logarithm of the
-    error.
+    `where` are terms, stretch and window, `disks` their radii and what is added to logarithms on the curves.
     """
     found = None
-    for b, constant in zip(CURVES.tolist(), rest[0].tolist(), strict=True):
-        mean, tables = make(*where, name, b, chords)
+    for j, b in enumerate(CURVES.tolist()):
+        if max(np.abs(places).max() for places in where[2]) * math.sinh(b) > _FAR:
+            break
+        tables: dict[str, Array] = {}
+        for k, (radius, constants) in enumerate(disks):
+            mean, one = make(*where, name, b, chords, (k, radius))
+            one[f"{name} {k} constant"] += float(constants[j]) + _ROUNDED
+            tables |= one
+        mean = mean._replace(disks=len(disks), unit=unit)
         with np.errstate(over="ignore", invalid="ignore"):
-            size = float(mean._replace(unit=unit).logarithm(_NUMPY, tables, name, c).max()) + constant + _ROUNDED
+            size = float(mean.logarithm(_NUMPY, tables, name, c).max())
         if not size < _MOST:
             continue
-        count = max(4, math.ceil((size - rest[1]) / (2.0 * b)))
+        count = even((size - math.log(error)) / (2.0 * b))
         if found is None or count < found[0]:
-            tables[f"{name} constant"] = tables[f"{name} constant"] + (constant + _ROUNDED - 2.0 * count * b)
-            found = count, mean._replace(unit=unit), tables
+            for k in range(len(disks)):
+                tables[f"{name} {k} constant"] -= 2.0 * count * b
+            found = count, mean, tables
     return found
 
 
+def even(needed: float) -> int:
+    """Return how many chords or nodes are taken where so many are needed: an even number, four at least."""
+    return max(4, 2 * math.ceil(0.5 * needed))
+
+
 def make(
-    terms: tuple[tuple[int, int], ...], stretch: float, window: tuple[Array, Array], name: str, b: float, chords: int
+    terms: tuple[tuple[int, int], ...],
+    stretch: float,
+    window: tuple[Array, Array],
+    name: str,
+    b: float,
+    chords: int,
+    disk: tuple[int, float] = (0, 1.0),
 ) -> tuple[Mean, dict[str, Array]]:
     """Return the bound of the sum `name` on a curve b, but for what is added to its logarithm, and its tables.
 
@@ -93,49 +133,58 @@ def make(
     b : float
     chords : int
         How many there are; of "nodes" only.
+    disk : (int, float)
+        The number and the radius of the disk that the curve is of.
     """
-    y, x = window
+    (y, x), radius = window, disk[1]
     degrees = np.array([n for n, _ in terms], dtype=np.float64)
     steps = _STEPS * max(2, int(degrees.max()))
     angle = np.arange(steps + 1) * (math.pi / steps)
+    at = [radius * places for places in _curve(name, b, angle, np.cos(angle), angle)]
+    samples = stretch * polynomials(terms, *at).imag
+    # The kernel is an exponential of R cos a, whose Fourier coefficients fall like exp(-k^2 / 2 R).
+    reach = radius * math.hypot(np.abs(x).max(), np.abs(y).max()) * math.sinh(b)
+    count = int(degrees.max()) + 9 + math.ceil(3.75 * math.sqrt(reach))
+    half = (np.arange(count) + 0.5) * (math.pi / count)
     if name == "chords":
-        turned = angle[:, None] + 1j * b
-        px, py = np.cos(turned) + 0.0 * angle, np.sin(turned) * np.cos(angle)
-        first = _hats(steps, lambda a: (np.sin(a) ** 2 + math.sinh(b) ** 2) / (0.5 * math.pi * math.cosh(2.0 * b)))
-        second = _hats(steps, lambda a: 0.5 * np.sin(a))
+        eta, gauss = gauss_legendre(count, -1.0, 1.0)
+        curve = _curve(name, b, half, eta, half)
+        share = ((np.sin(half) ** 2 + math.sinh(b) ** 2) / (count * math.cosh(2.0 * b)))[:, None] * gauss
     else:
-        px, py = np.cos(angle)[:, None] + 0.0 * angle, np.sin(angle)[:, None] * np.cos(angle + 1j * b)
         phi = np.arange(1, chords + 1) * (math.pi / (chords + 1))
-        hat = np.maximum(0.0, 1.0 - np.abs(phi - angle[:, None]) * (steps / math.pi))
-        first = hat @ (2.0 * np.sin(phi) ** 2 / (chords + 1))
-        second = _hats(steps, lambda a: np.full_like(a, 1.0 / math.pi))
-    share = (first[:, None] * second).ravel()
-    px, py = (part.ravel() for part in np.broadcast_arrays(px, py))
-    corners = [(u, w) for u in (y.min(), y.max()) for w in (x.min(), x.max())]
-    lift = np.stack([w * px.imag + u * py.imag for u, w in corners], axis=-1)
-    sinh = stretch * np.sinh(degrees * b)
-    reach = math.hypot(np.abs(x).max(), np.abs(y).max()) if name == "chords" else float(np.abs(y).max())
-    bend = (math.pi / steps) ** 2 / 4.0
-    tables = {
-        f"{name} terms": stretch * polynomials(terms, px, py).imag,
-        f"{name} plus": 0.5 * share[:, None] * np.exp(lift),
-        f"{name} minus": 0.5 * share[:, None] * np.exp(-lift),
-        f"{name} bend": (degrees**2 * sinh)[:, None],
-        f"{name} size": sinh[:, None],
-        f"{name} constant": np.array([bend * reach * math.sinh(b)]),
+        curve = _curve(name, b, phi, half, half)
+        share = (2.0 * np.sin(phi) ** 2 / (chords + 1))[:, None] / count + 0.0 * half
+    at = [radius * places for places in curve]
+    values = stretch * polynomials(terms, *at).imag
+    values, share = np.concatenate([-values, values], axis=1), 0.5 * np.concatenate([share.ravel(), share.ravel()])
+    constants, means, forms = [], [], []
+    corners = sorted({(u, w) for u in (float(y.min()), float(y.max())) for w in (float(x.min()), float(x.max()))})
+    for u, w in corners:
+        lift = w * at[0].imag + u * at[1].imag
+        weight = share * np.exp(np.concatenate([lift, -lift]))
+        total = float(weight.sum())
+        mean = values @ (weight / total)
+        off = values - mean[:, None]
+        size, vectors = np.linalg.eigh((off * (weight / total)) @ off.T)
+        constants.append(math.log(total))
+        means.append(mean)
+        forms.append(np.sqrt(np.maximum(size, 0.0))[:, None] * vectors.T)
+    of_disk = {
+        "samples": np.ascontiguousarray(samples.T),
+        "forms": np.concatenate([np.stack(means), *forms]),
+        "size": stretch * np.sinh(degrees * b)[None, :],
+        "constant": np.array(constants)[:, None],
     }
-    return Mean(bend, 0.0), tables
+    return Mean(1, len(corners), 0.0), {f"{name} {disk[0]} {part}": table for part, table in of_disk.items()}
 
 
-def _hats(steps: int, weight: Any) -> Array:
-    """Return the integrals over half a turn of a weight times the hat functions around equal steps."""
-    nodes, gauss = gauss_legendre(16)
-    width = math.pi / steps
-    values = weight(width * (np.arange(steps)[:, None] + nodes)) * (width * gauss)
-    found = np.zeros(steps + 1)
-    found[:-1] += values @ (1.0 - nodes)
-    found[1:] += values @ nodes
-    return found
+def _curve(name: str, b: float, first: Any, eta: Any, second: Any) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Return x and y on a curve, flat: at angles `first` and, of chords, eta, or, of nodes, angles `second`."""
+    if name == "chords":
+        px, py = np.cos(first + 1j * b)[:, None] + 0.0 * eta, np.sin(first + 1j * b)[:, None] * eta
+    else:
+        px, py = np.cos(first)[:, None] + 0.0j * second, np.sin(first)[:, None] * np.cos(second + 1j * b)
+    return px.ravel(), py.ravel()
 
 
 def polynomials(terms: tuple[tuple[int, int], ...], x: NDArray[Any], y: NDArray[Any]) -> NDArray[np.complex128]:

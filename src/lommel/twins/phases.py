@@ -36,15 +36,31 @@ class PhaseRule(NamedTuple):
         The phase is off by at most `each` times ``sum abs(c_j) max abs(B_j)`` and `fixed`.
     limit : float
         What that sum may be at most.
+    pupils_last : bool
+        Whether phases are ``(nodes, n)``, rather than ``(n, nodes)``.
     """
 
     scale: float
     each: float
     fixed: float
     limit: float
+    pupils_last: bool
+
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """Names of the tables with a value for each term and node."""
+        if not self.scale:
+            return ("basis",)
+        return ("coarse", "rest") if self.pupils_last else ("coarse", "fine", "basis")
+
+    def multiplied(self, terms: int) -> bool:
+        """Whether phases of so many terms are matrix products."""
+        return self.pupils_last or terms > _ADDED
 
 
-def make(basis: Array, degree: int, largest: float, precision: str) -> tuple[PhaseRule, dict[str, Array]]:
+def make(
+    basis: Array, degree: int, largest: float, precision: str, *, pupils_last: bool = False
+) -> tuple[PhaseRule, dict[str, Array]]:
     """Return the rule and the tables for terms at the nodes.
 
     Parameters
@@ -55,12 +71,15 @@ def make(basis: Array, degree: int, largest: float, precision: str) -> tuple[Pha
     largest : float
         Of ``sum abs(c_j) max abs(B_j)`` within reach.
     precision : str
+    pupils_last : bool
+        Where pupils are to stand.
     """
     count, size = len(basis), np.abs(basis).max(axis=1)
-    each = UNIT["float64"] * (count + 2.0 * degree + 6.0)
-    tables = {"size": size}
+    each = UNIT["float64"] * (count + 2.0 * degree + 9.0)
     if precision == "float64":
-        return PhaseRule(0.0, each, 0.0, math.inf), tables | {"basis": basis}
+        table = basis / math.tau
+        tables = {"size": size, "basis": np.ascontiguousarray(table.T) if pupils_last else table}
+        return PhaseRule(0.0, each, 0.0, math.inf, pupils_last), tables
     limit = 1.25 * largest + 1.0
     q = 23 - math.ceil(math.log2(limit / math.tau))
     least = float(size[size > 0.0].min()) if size.any() else 1.0
@@ -70,30 +89,36 @@ def make(basis: Array, degree: int, largest: float, precision: str) -> tuple[Pha
     small = scale * (limit / least) * 2.0 ** (-q - 1) + float(size.sum()) / (2.0 * math.tau * scale)
     unit = UNIT["float32"]
     fixed = unit * (math.tau * (2.0 * count + 4.0) * small + 3.0 * math.tau * (0.5 + small))
-    tables |= {"coarse": coarse, "fine": turns - coarse, "basis": basis / math.tau}
-    return PhaseRule(scale, each, fixed, limit), tables
+    rule = PhaseRule(scale, each, fixed, limit, pupils_last)
+    if pupils_last:
+        rest = np.concatenate([turns - coarse, basis / math.tau]).T
+        return rule, {"size": size, "coarse": np.ascontiguousarray(coarse.T), "rest": np.ascontiguousarray(rest)}
+    return rule, {"size": size, "coarse": coarse, "fine": turns - coarse, "basis": basis / math.tau}
 
 
-def phases(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> Any:
-    """Return phases but for whole turns, radians, from coefficients ``(n, terms)``: ``(n, nodes)``, line by line.
+def turns(ns: Namespace, rule: PhaseRule, tables: dict[str, Any], c: Any) -> tuple[Any, ...]:
+    """Return phases in turns from coefficients ``(n, terms)``: one array, or two where they are split.
 
-    Tables of several lines of nodes have these first, and so do the phases.
+    Of the first of two, which is exact, whole turns are to be dropped before the second is added.
     """
-    xp, dtype = ns.xp, tables["basis"].dtype
+    xp, dtype = ns.xp, tables[rule.tables[0]].dtype
     if not rule.scale:
-        return _sum(ns, xp.astype(c, dtype), tables["basis"])
+        return (_sum(ns, rule, xp.astype(c, dtype), tables["basis"]),)
     whole = xp.round(ns.stop(c) * rule.scale)
     rest = xp.astype(c - whole * (1.0 / rule.scale), dtype)
     whole = xp.astype(whole, dtype)
-    turns = _sum(ns, whole, tables["coarse"])
-    turns = turns - xp.round(turns)
-    return (turns + (_sum(ns, whole, tables["fine"]) + _sum(ns, rest, tables["basis"]))) * math.tau
+    exact = _sum(ns, rule, whole, tables["coarse"])
+    if rule.pupils_last:
+        return exact, _sum(ns, rule, xp.concat([whole, rest], axis=-1), tables["rest"])
+    return exact, _sum(ns, rule, whole, tables["fine"]) + _sum(ns, rule, rest, tables["basis"])
 
 
-def _sum(ns: Namespace, c: Any, rows: Any) -> Any:
-    if len(rows.shape) > 2 or rows.shape[0] > _ADDED:
-        return ns.matmul(c, rows)
-    total = c[..., 0:1] * rows[0, ...]
-    for j in range(1, rows.shape[0]):
-        total = total + c[..., j : j + 1] * rows[j, ...]
+def _sum(ns: Namespace, rule: PhaseRule, c: Any, table: Any) -> Any:
+    if rule.pupils_last:
+        return ns.matmul(table, ns.xp.permute_dims(c, (1, 0)))
+    if rule.multiplied(table.shape[0]):
+        return ns.matmul(c, table)
+    total = c[..., 0:1] * table[0, ...]
+    for j in range(1, table.shape[0]):
+        total = total + c[..., j : j + 1] * table[j, ...]
     return total

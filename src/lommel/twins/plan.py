@@ -143,13 +143,12 @@ def _distances(pupil: Pupil) -> Distances | None:
 
 
 def _fields(pupil: Pupil, grid: Grid, lights: list[Component], error: float, precision: str) -> Any:
-    step = grid.step(pupil)
+    step, stretch = grid.step(pupil), max(part.stretch for part in lights)
     parts: list[Any] = []
     if pupil.radial:
-        pixels, v, shared = images.of_radii(grid, step, max(part.stretch for part in lights))
+        pixels, v, shared = images.of_radii(grid, step, stretch, error * pupil.amplitude)
         parts = [radial.make(pupil, part.stretch, part.stretch * v, error, precision) for part in lights]
     else:
-        stretch = max(part.stretch for part in lights)
         pixels, lattice, shared = images.of_lattice(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
             window = (part.stretch * lattice[0], part.stretch * lattice[1])

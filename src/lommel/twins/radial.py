@@ -23,6 +23,7 @@ from lommel.twins import phases
 from lommel.twins.certificate import Exponents, FieldError, quadrature
 from lommel.twins.namespaces import Namespace
 from lommel.twins.phases import UNIT, PhaseRule
+from lommel.twins.waves import waves
 
 _ETA = np.geomspace(2e-3, 4.0, 80)
 _CHOSEN = 4  # ellipses on the device, around that which the reach takes
@@ -39,10 +40,9 @@ class Radial(NamedTuple):
 
     def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
         """Return I at the radii of the table, shape ``(n, radii)``, and a bound on the error of the field."""
-        xp = ns.xp
-        phase = phases.phases(ns, self.phase, tables, c)
-        real, imaginary = ns.matmul(xp.cos(phase), tables["table"]), ns.matmul(xp.sin(phase), tables["table"])
-        still = ns.stop(xp.astype(c, tables["table"].dtype))
+        cos, sin = waves(ns, phases.turns(ns, self.phase, tables, c))
+        real, imaginary = ns.matmul(cos, tables["table"]), ns.matmul(sin, tables["table"])
+        still = ns.stop(ns.xp.astype(c, tables["table"].dtype))
         quadrature_error = quadrature(ns, self.exponents, tables, still, self.error.unit)
         error = self.error.total(ns, self.phase, tables, still, quadrature_error)
         return real * real + imaginary * imaginary, error
@@ -122,7 +122,7 @@ def make(pupil: Pupil, stretch: float, v: Array, error: float, precision: str) -
     phase, tables = phases.make(basis, degree, largest, precision)
     unit, sums = UNIT[precision], float(np.abs(table).sum(axis=0).max())
     # Sums, waves and products; weights and amplitude; J0, whose argument is off by 3.5 u: abs(J1(x)) x < 0.83 sqrt x.
-    rounding = sums * (nodes + 12.0) * unit
+    rounding = sums * (nodes + 16.0) * unit
     rounding += UNIT["float64"] * (12.0 + 3.0 * math.sqrt(far) + (3.0 * light.slope)) * float(weights @ light.at(t))
     phase_left, light_left = pupil.left_out
     left = (stretch * phase_left + 2.0 * light_left) * float(weights @ light.at(t))
@@ -133,4 +133,4 @@ def make(pupil: Pupil, stretch: float, v: Array, error: float, precision: str) -
         "kernel": kernel[chosen],
         "constant": constant[chosen] - 2.0 * nodes * _ETA[chosen],
     }
-    return Radial(phase, exponents, FieldError(unit, sums, rounding, left), nodes), tables
+    return Radial(phase, exponents, FieldError(unit, sums, rounding, left, 4.0), nodes), tables

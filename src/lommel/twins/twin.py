@@ -217,8 +217,10 @@ class Twin:
         if len(static.kept) < len(static.terms):
             flat = xp.stack([flat[..., j] for j in static.kept], axis=-1)
         values, bound = self.evaluated(flat)
-        proven = xp.reshape(bound <= static.tol, (-1, 1))
-        values = xp.astype(xp.where(proven, values, xp.full_like(values, float("nan"))), getattr(xp, static.dtype))
+        zero = xp.zeros_like(bound)
+        # What is added has no part in gradients.
+        poison = xp.where(bound <= static.tol, zero, xp.full_like(bound, float("nan")))
+        values = xp.astype(values + xp.reshape(poison, (-1, 1)), getattr(xp, static.dtype))
         images = static.pixels.unfold(ns, self._tables[0], values)
         return xp.reshape(images, stack + static.pixels[:2]), xp.reshape(bound, stack)
 
@@ -242,7 +244,7 @@ class Twin:
             intensity, of_field = light.intensity(ns, tables, c)
             unit = light.error.unit
             slack = weight * certificate.of_intensity(ns, ns.stop(intensity), of_field, unit)
-            part = weight * intensity
+            part = intensity if weight == 1.0 else weight * intensity
             values, error = (part, slack) if values is None else (values + part, error + slack)
         values, error = static.pixels.means(ns, self._tables[0], values, error, unit)
         return values, error, unit

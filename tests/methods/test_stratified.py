@@ -99,8 +99,8 @@ def test_dipoles_and_beams_lie_anywhere(emitter, tol):
     pupil = planes(3, emitter=emitter)
     for center in ((6.3, 4.9), (2.0, 13.5)):
         made = compared(pupil, (12, 15), tol, integrate=False, center=center)
-        # Squares of distances magnify roundings; at last the reference answers.
-        assert asked_of_the_engine(pupil, made.grid, tol) or tol < 1e-6
+        # Distances magnify roundings of what is odd in v; at last the reference answers.
+        assert asked_of_the_engine(pupil, made.grid, tol) or (tol == 1e-8 and isinstance(emitter, lm.Dipole))
     compared(pupil, 8, tol, integrate=True, center=(3.6, 4.1))
 
 

@@ -49,7 +49,7 @@ class WindowSlopes {
    public:
     template <class Table>
     WindowSlopes(const Planes& planes, const PixelWindows& windows, const LayeredSlopes<T>& slopes,
-           const std::shared_ptr<const Table>& table)
+                 const std::shared_ptr<const Table>& table)
         : planes_(planes), windows_(windows), slopes_(slopes), table_(*table) {
         if constexpr (std::is_same_v<Table, AnywhereTable>) {
             const bool moved = std::any_of(slopes.asked.begin(), slopes.asked.end(),

@@ -88,17 +88,29 @@ def intensity(ns: Namespace, kernels: dict[str, Any], waves: list[tuple[Any, Any
 
 def _transformed(ns: Namespace, kernels: dict[str, Any], images: tuple[Any, ...]) -> list[Any]:
     """Return the sums of parts even in both, odd in y, odd in x and odd in both, each ``(columns, rows, n)``."""
-    xp, count = ns.xp, images[0].shape[-1]
-    chords, rows, nodes = kernels["along even"].shape
-    a, b, c, d = (xp.reshape(image, (chords, nodes, count)) for image in images)
-    sums, differences = (a + b, c + d), (a - b, c - d)
     found = []
-    for across, sign in (("across even", 1.0), ("across odd", -1.0)):
-        for along, (one, other) in (("along even", sums), ("along odd", differences)):
-            part = one + other if sign > 0.0 else one - other
-            of_chords = xp.reshape(ns.matmul(kernels[along], part), (chords, rows * count))
-            found.append(xp.reshape(ns.matmul(kernels[across], of_chords), (-1, rows, count)))
+    for across in ("across even", "across odd"):
+        for along in ("along even", "along odd"):
+            part, given = _part(ns, along, across), (kernels[along], kernels[across], *images)
+            # One after the other, lest what is between two products go to the memory and come back.
+            found.append(apart(part, *given) if ns.name == "jax" else part(*given))
     return found
+
+
+@cache
+def _part(ns: Namespace, along: str, across: str) -> Callable[..., Any]:
+    """Return what sums that part of values at four images which is even or odd in y and x, as kernels are called."""
+
+    def made(rows: Any, columns: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
+        one, other = (a + b, c + d) if along == "along even" else (a - b, c - d)
+        part = one + other if across == "across even" else one - other
+        chords, places, nodes = rows.shape
+        count = part.shape[-1]
+        of_chords = ns.matmul(rows, ns.xp.reshape(part, (chords, nodes, count)))
+        total = ns.matmul(columns, ns.xp.reshape(of_chords, (chords, places * count)))
+        return ns.xp.reshape(total, (-1, places, count))
+
+    return made
 
 
 @cache

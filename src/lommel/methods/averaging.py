@@ -30,7 +30,6 @@ _MOST = 512  # samples across a pixel
 _SINGLE = 2e-7  # tolerance from which on samples are stored in single precision
 _DARK = 0.1  # of the tolerance, what sums of dark samples in single precision may cost
 
-
 Sample = Callable[[Any, Grid, float, Wanted], Images]
 """From pupils, pixels and a tolerance to the intensity at their centres, as it is wanted."""
 

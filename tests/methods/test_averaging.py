@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 import lommel as lm
 from disk_quadrature import exact_lattice
 from lommel._core import average_samples, limit_instructions
+from lommel.core.answers import Wanted
 from lommel.methods import averaging
 from lommel.methods.averaging import filtered_by, least_average
 from lommel.methods.pixel_taps import paired
@@ -115,6 +116,31 @@ def test_dark_samples_alone_are_summed_in_single_precision():
     assert np.array_equal(averages(bright.astype(float), 2.0), averages(bright.astype(float), 0.0))
 
 
+def test_sums_in_single_precision_cost_what_is_set_aside_for_them(monkeypatch):
+    limits, filtering = [], averaging.average_samples
+
+    def recorded(samples, weights, stride, threads, out, dark=0.0):
+        limits.append((dark, weights))
+        filtering(samples, weights, stride, threads, out, dark=dark)
+
+    monkeypatch.setattr(averaging, "average_samples", recorded)
+    pupil, grid = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), lm.Grid((64, 8), 0.8, integrate=True)
+    for tol, dtype in ((1e-5, np.float32), (1e-8, np.float64)):
+        limits.clear()
+        found = lm.NijboerZernike(tol).images(pupil, grid, Wanted(dtype=dtype))
+        dark, weights = limits[-1]
+        cost = 2.0 * (weights.shape[1] + 4) * 2.0**-24 * np.abs(weights).sum(axis=1).max() ** 2
+        # The tolerance without what storing takes, and a peak that is about that of the intensity.
+        aside = 0.1 * tol * least_average(grid.step(pupil)) if dtype == np.float32 else 0.0
+        assert dark * cost == pytest.approx(aside * _peak(pupil), rel=0.05)
+        assert found.error[0] <= tol
+
+
+def _peak(pupil: lm.Pupil) -> float:
+    """Return the largest intensity of a window that holds it."""
+    return float(lm.psf(pupil, 65, 0.1, normalize="strehl").values.max())
+
+
 @given(st.floats(0.02, 2.3), st.floats(-12.0, -2.0), st.integers(0, 3))
 def test_the_responses_of_two_pixels_that_share_samples_agree_with_the_pixel(pitch, digits, more):
     step, error = 10.0**pitch, 10.0**digits
@@ -182,8 +208,10 @@ def test_no_average_is_negative(method):
             assert answer.values.min() >= 0.0
 
 
-def test_tiles_change_nothing(monkeypatch):
+@pytest.mark.parametrize("s", [8, 9])
+def test_tiles_change_nothing(monkeypatch, s):
     pupil = lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0}))
+    monkeypatch.setattr(averaging, "shared", lambda *_: s)
     whole = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)
     monkeypatch.setattr(averaging, "_VALUES", 1)
     tiled = lm.psf(pupil, (9, 14), 1.5, integrate=True, dtype=np.float64)

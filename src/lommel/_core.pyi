@@ -284,6 +284,21 @@ def peaks(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), or
     The guess at the peak of |U|, the first error asked of U, and the largest I on the scan.
     """
 
+def anywhere_bounds(pitch: float, averages: bool, farthest: float, level: int) -> dict[str, object]:
+    """
+    Degree, harmonics and radii of windows around any axis, and bounds on what they leave and magnify.
+    """
+
+def anywhere_values(profile: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center_y: float, center_x: float, pitch: float, averages: bool, farthest: float, level: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float:
+    """
+    The pixels of one, and the units of roundoff that their sums may be off by.
+    """
+
+def pixel_bounds(height: int, width: int, center_y: float, center_x: float, step: float, integrate: bool, level: int) -> dict[str, object]:
+    """
+    Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.
+    """
+
 def disk_bounds(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], count: int) -> dict[str, object]:
     """
     Bounds on U beyond so many degrees and orders, and on the distance from polynomials of that degree.
@@ -348,23 +363,8 @@ def chordal_mean(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None),
     Logarithm of the mean modulus of the integrand on a curve for the sum over chords, or over nodes, by samples, and what it may be beyond that; the window is left, right, top and bottom in v.
     """
 
-def anywhere_bounds(pitch: float, averages: bool, farthest: float, level: int) -> dict[str, object]:
-    """
-    Degree, harmonics and radii of windows around any axis, and bounds on what they leave and magnify.
-    """
-
-def anywhere_values(profile: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center_y: float, center_x: float, pitch: float, averages: bool, farthest: float, level: int, out: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu')]) -> float:
-    """
-    The pixels of one, and the units of roundoff that their sums may be off by.
-    """
-
 def tilted_stack(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], row: float, column: float, step: float) -> dict[str, object]:
     """A wavefront whose axis is moved by a tilt, and what that loses."""
-
-def pixel_bounds(height: int, width: int, center_y: float, center_x: float, step: float, integrate: bool, level: int) -> dict[str, object]:
-    """
-    Rings, nodes and harmonics of a window whose pixels average, and bounds on what they leave and magnify.
-    """
 
 def instructions() -> str:
     """The widest instructions in use: portable, avx2 or avx512."""

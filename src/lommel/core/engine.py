@@ -7,7 +7,7 @@ or "met", and a negative bound for "not met", these say None, and raise a Tolera
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,9 @@ from numpy.typing import NDArray
 from lommel import _core
 from lommel.base.arrays import Array
 from lommel.core.answers import FieldValues, Images, Intensities, Slopes, Wanted, not_met
-from lommel.core.layers import Layered, LayeredSlopes, Ringed, Rings
+
+if TYPE_CHECKING:
+    from lommel.core.layers import Layered, LayeredSlopes, Ringed, Rings
 
 # As the core has them.
 average_samples = _core.average_samples
@@ -310,6 +312,8 @@ def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array,
 
 def ringed_images(asked: Rings, window: Window, scales: Array, threads: int, out: NDArray[Any]) -> Ringed:
     """Write intensities times scales; the step of the window is in circles, its centers are (n or 1, 2)."""
+    from lommel.core.layers import Ringed  # of microscopes alone
+
     centers = np.ascontiguousarray(window.center, dtype=np.float64)
     made = _core.ringed_images(*asked, centers, window.step, np.ascontiguousarray(scales), threads, out)
     return Ringed(made[:-4], *made[-4:])

@@ -90,7 +90,7 @@ class Sted(Confocal):
         return super().stretch(pupil) + self._degree * pupil.scale / self.depletion.scale
 
     def images(self, pupil: ObjectivePupil, grid: Grid, wanted: Wanted) -> Images:
-        """Return the images of the flattened stack; see :meth:`Method.images`."""
+        """Return the images of the flattened stack; see ``Method.images``."""
         if grid.integrate and self.along_radius(pupil) is None:
             raise ValueError("integrate must be False for a Sted whose excitation depends on the direction, got True")
         return super().images(pupil, grid, wanted)

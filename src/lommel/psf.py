@@ -129,9 +129,10 @@ def psf(
     options: dict[str, Any] = {"method": method, "tol": tol, "normalize": normalize, "dtype": dtype}
     options |= {"integrate": integrate, "threads": threads}
     prepared = None
-    if type(shape) is int and type(fill) is float and fill == 1.0 and center is None and isinstance(blur, tuple):
+    usual = center is None and type(fill) is float and fill == 1.0 and isinstance(blur, tuple) and not blur
+    if usual and type(shape) is int:
         with suppress(TypeError):  # what cannot be a key, or is refused: by the line below, with its own words
-            prepared = None if blur else _kept(shape, pixel, **options)
+            prepared = _kept(shape, pixel, **options)
     if prepared is None:
         prepared = Plan(shape, pixel, center=center, fill=fill, blur=blur, **options)
     return prepared(pupil, derivatives=derivatives, out=out)

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from lommel.base.arrays import Array
-from lommel.twins.namespaces import Namespace, apart
+from lommel.twins.namespaces import Namespace
 
 IMAGES = ((1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0))  # of a node: signs of x and y
 
@@ -80,9 +80,7 @@ def intensity(ns: Namespace, kernels: dict[str, Any], waves: list[tuple[Any, Any
         Of columns and rows.
     """
     parts = [part for images in zip(*waves, strict=True) for part in _transformed(ns, kernels, images)]
-    stages = (_quadrants(axes), _assembled(ns, axes))
-    squares = apart(stages[0], *parts) if ns.name == "jax" else stages[0](*parts)
-    image = apart(stages[1], *squares) if ns.name == "jax" else stages[1](*squares)
+    image = ns.apart(_assembled(ns, axes), *ns.apart(_quadrants(axes), *parts))
     return ns.xp.permute_dims(ns.xp.reshape(image, (-1, image.shape[-1])), (1, 0))
 
 
@@ -93,7 +91,7 @@ def _transformed(ns: Namespace, kernels: dict[str, Any], images: tuple[Any, ...]
         for along in ("along even", "along odd"):
             part, given = _part(ns, along, across), (kernels[along], kernels[across], *images)
             # One after the other, lest what is between two products go to the memory and come back.
-            found.append(apart(part, *given) if ns.name == "jax" else part(*given))
+            found.append(ns.apart(part, *given))
     return found
 
 

@@ -100,8 +100,24 @@ class Namespace:
             return 2.0**-11 if os.environ.get("CUPY_TF32", "0") != "0" else 0.0
         return 0.0
 
+    def apart(self, function: Any, *given: Any) -> Any:
+        """Return what a function makes, which in JAX XLA for processors is not to join with what is around it.
+
+        There it would compute what is used in several places in each of them, and turn axes value by value.
+        """
+        if self.name != "jax":
+            return function(*given)
+        import jax
+        from jax.experimental.xla_metadata import set_xla_metadata
+
+        def alone(*given: Any) -> Any:
+            with set_xla_metadata(inlineable="false"):  # type: ignore[no-untyped-call]
+                return jax.jit(function)(*given)
+
+        return jax.lax.platform_dependent(*given, cpu=alone, default=function)
+
     def flip(self, x: Any, axis: int) -> Any:
-        """Return an array with one axis reversed, in JAX by no function that :func:`apart` would keep apart."""
+        """Return an array with one axis reversed, in JAX by no function that :meth:`apart` would keep apart."""
         if self.name == "jax":
             import jax
 
@@ -111,7 +127,7 @@ class Namespace:
     def turned(self, x: Any) -> Any:
         """Return an array of three axes with these in the opposite order."""
         if self.name == "jax":
-            return apart(_turned, x)
+            return self.apart(_turned, x)
         return self.xp.permute_dims(x, (2, 1, 0))
 
     def stop(self, x: Any) -> Any:
@@ -148,21 +164,6 @@ class Namespace:
         if hasattr(x, "to_device") and self.name == "array_api_strict":
             x = x.to_device(self.xp.Device("CPU_DEVICE"))
         return np.asarray(x)
-
-
-def apart(function: Any, *given: Any) -> Any:
-    """Return what a function makes in JAX, which XLA for processors is not to join with what is around it.
-
-    There it would compute what is used in several places in each of them, and turn axes value by value.
-    """
-    import jax
-    from jax.experimental.xla_metadata import set_xla_metadata
-
-    def alone(*given: Any) -> Any:
-        with set_xla_metadata(inlineable="false"):  # type: ignore[no-untyped-call]
-            return jax.jit(function)(*given)
-
-    return jax.lax.platform_dependent(*given, cpu=alone, default=function)
 
 
 def _turned(x: Any) -> Any:

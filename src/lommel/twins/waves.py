@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from lommel.twins.namespaces import Namespace, apart
+from lommel.twins.namespaces import Namespace
 
 _COUNT = {"float32": 7, "float64": 11}
 _TURN = Fraction("6.28318530717958647692528676655900576839433879875")
@@ -23,7 +23,7 @@ _TURN = Fraction("6.28318530717958647692528676655900576839433879875")
 def waves(ns: Namespace, turns: tuple[Any, ...]) -> tuple[Any, Any]:
     """Return cosine and sine of what :func:`lommel.twins.phases.turns` made."""
     if ns.name == "jax":
-        return apart(_of_jax(), *turns)  # type: ignore[no-any-return]
+        return ns.apart(_of_jax(), *turns)  # type: ignore[no-any-return]
     total = turns[0]
     if len(turns) > 1:
         total = (total - ns.xp.round(total)) + turns[1]

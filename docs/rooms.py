@@ -7,6 +7,7 @@ import re
 import textwrap
 from collections import Counter
 from dataclasses import dataclass
+from functools import cache
 from html import escape
 from pathlib import Path
 
@@ -86,6 +87,7 @@ def _module(name: str) -> str:
     return path.relative_to(PACKAGE).as_posix()
 
 
+@cache
 def modules() -> dict[str, ast.Module]:
     """Return the syntax tree of every file of the package, by its path without suffix."""
     return {

@@ -271,7 +271,7 @@ class Plan(Traceable):
 _kept = lru_cache(maxsize=16, typed=True)(Plan)
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, init=False, eq=False, repr=False)
 class PSF(Pictured):
     """A computed point spread function, or a stack of them, and how it was made.
 

@@ -160,18 +160,18 @@ def radial_plan(
     plan = _core.RadialPlan(stack.obscuration, stack.amplitude, *place, tol, wanted.threads, scale, kind)
     over = _over(wanted)
 
-    kept = np.empty(shape)
-    alike = kept.view()
+    alike = np.full(shape, scale)
     alike.flags.writeable = False  # one for all answers
+    render = plan.render
 
     def ask(terms: Array, values: NDArray[Any]) -> tuple[Array, float] | None:
-        scales = kept if scale else np.empty(shape)
-        bound = plan.render(terms, values, scales)
+        scales = None if scale else np.empty(shape)
+        bound = render(terms, values, scales)
         if bound is None:
             return None
         if bound < 0.0:
             raise not_met(tol, -bound, over)
-        return alike if scale else scales, bound
+        return alike if scales is None else scales, bound
 
     return ask
 

@@ -30,6 +30,13 @@ else()
   target_compile_options(_core PRIVATE -Wall -Wextra -ffp-contract=fast -fno-math-errno)
 endif()
 
+# Templates of the standard library are visible by default: to look up their long names is a quarter of loading the core.
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+  set(exports "${CMAKE_CURRENT_SOURCE_DIR}/cmake/exports.map")
+  target_link_options(_core PRIVATE "-Wl,--version-script=${exports}")
+  set_target_properties(_core PROPERTIES LINK_DEPENDS "${exports}")
+endif()
+
 install(TARGETS _core LIBRARY DESTINATION lommel)
 
 # The examples stand at the top of the sources, where an editable installation finds them; wheels have them within.

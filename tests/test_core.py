@@ -186,7 +186,11 @@ def test_a_plan_leaves_alone_what_it_does_not_take() -> None:
             assert _plan().render(**(fits | {name: other})) is None
             assert not fits["images"].any()
             assert not fits["scales"].any()
-    assert 0.0 < _plan().render(**(fits | {"coefficients": frozen["coefficients"]})) <= 1e-6
+    bound = _plan().render(**(fits | {"coefficients": frozen["coefficients"]}))
+    assert 0.0 < bound <= 1e-6
+    alone = np.zeros((2, 5, 7))
+    assert _plan().render(fits["coefficients"], alone) == bound
+    assert np.array_equal(alone, fits["images"])
     assert fits["images"].all()
     assert fits["scales"].all()
 

@@ -33,6 +33,13 @@ def test_importing_the_package_imports_no_library_that_is_optional_or_slow():
     assert not loaded & {"scipy", "matplotlib", "pydantic", "click", "rich", "tifffile", "PIL", "tomllib"}
 
 
+def test_what_makes_pupils_waits_until_one_is_made():
+    made = {"lommel.optics.pupil", "lommel.optics.wavefront", "lommel.special.zernike"}
+    assert not set(python("import sys, lommel; print(*sys.modules)").split()) & made
+    code = "import sys, lommel as lm; lm.Pupil(); print(*sys.modules)"
+    assert set(python(code).split()) >= made
+
+
 def test_a_psf_by_the_default_method_needs_no_optional_library():
     code = "import sys, lommel as lm; lm.psf(lm.Pupil(lm.Wavefront(9.0)), 9, 0.5); print(*sys.modules)"
     assert not set(python(code).split()) & {"matplotlib", "pydantic", "click", "rich", "tifffile", "PIL"}

@@ -83,29 +83,35 @@ class RadialPlan {
     std::optional<double> rendered(nb::handle coefficients, nb::handle images, nb::handle scales) const {
         const Buffer<const double> phases(coefficients);
         const Buffer<T> values(images);
-        const Buffer<double> factors(scales);
-        if (!phases || !values || !factors) {
+        if (!phases || !values || phases.ndim() == 0) {
             return {};
         }
         // A stack of any shape, each with its coefficients, an image and a scale.
-        const std::size_t axes = factors.ndim();
+        const std::size_t axes = phases.ndim() - 1;
         const auto matches = [&](const auto& array, std::size_t more) {
-            return array.ndim() == axes + more && std::equal(array.shape(), array.shape() + axes, factors.shape());
+            return array.ndim() == axes + more && std::equal(array.shape(), array.shape() + axes, phases.shape());
         };
-        if (!matches(phases, 1) || !matches(values, 2) || values.shape()[axes] != static_cast<Py_ssize_t>(window_.height) ||
+        if (!matches(values, 2) || values.shape()[axes] != static_cast<Py_ssize_t>(window_.height) ||
             values.shape()[axes + 1] != static_cast<Py_ssize_t>(window_.width)) {
             return {};
         }
         const auto pupils = static_cast<std::size_t>(
-            std::accumulate(factors.shape(), factors.shape() + axes, Py_ssize_t{1}, std::multiplies<>()));
+            std::accumulate(phases.shape(), phases.shape() + axes, Py_ssize_t{1}, std::multiplies<>()));
         const auto terms = static_cast<std::size_t>(phases.shape()[axes]);
         const lommel::Stack asked = stack_of(phases.data(), pupils, terms, obscuration_, amplitude_);
-        std::fill_n(factors.data(), pupils, scale_);
-        std::vector<double> numbers(2 * pupils);
-        double *const bounds = numbers.data(), *const peaks = bounds + pupils;
-        const lommel::Answer<T> answer{values.data(), factors.data(), bounds, peaks, nullptr, 0, nullptr, nullptr};
-        const double unmet = images_of(asked, window_, tol_, threads_, answer);
-        return unmet > 0.0 ? -unmet : *std::max_element(bounds, peaks);
+        std::vector<double> numbers(3 * pupils);
+        double *const bounds = numbers.data(), *const peaks = bounds + pupils, *const own = peaks + pupils;
+        const auto answered = [&](double* factors) -> std::optional<double> {
+            std::fill_n(factors, pupils, scale_);
+            const lommel::Answer<T> answer{values.data(), factors, bounds, peaks, nullptr, 0, nullptr, nullptr};
+            const double unmet = images_of(asked, window_, tol_, threads_, answer);
+            return unmet > 0.0 ? -unmet : *std::max_element(bounds, peaks);
+        };
+        if (scales.is_none()) {
+            return answered(own);
+        }
+        const Buffer<double> factors(scales);
+        return factors && matches(factors, 0) ? answered(factors.data()) : std::nullopt;
     }
 
     double obscuration_;
@@ -160,9 +166,9 @@ void bindings::define_radial(nb::module_& m) {
              "obscuration"_a, "amplitude"_a, "height"_a, "width"_a, "center_y"_a, "center_x"_a, "step"_a, "integrate"_a,
              "tol"_a, "threads"_a, "scale"_a, "kind"_a)
         .def(
-            "render", &RadialPlan::render, "coefficients"_a, "images"_a, "scales"_a,
-            "Images, and what each is multiplied by; returns the largest bound, below 0 where tol cannot be met, or None where "
-            "the arrays do not match or are not of the types, the order and the access that this takes.");
+            "render", &RadialPlan::render, "coefficients"_a, "images"_a, "scales"_a.none() = nb::none(),
+            "Images, and what each is multiplied by, if that is wanted; returns the largest bound, below 0 where tol cannot be "
+            "met, or None where the arrays do not match or are not of the types, the order and the access that this takes.");
     m.def("field", &field, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a,
           "U at rising v, and bounds on its error.");
     m.def("profile", &profile, "coefficients"_a, "obscuration"_a, "amplitude"_a, "v"_a, "tol"_a, "threads"_a = 1,

@@ -17,6 +17,7 @@
 #include <unistd.h>
 #endif
 
+#include "lommel/base/checkerboard.hpp"
 #include "lommel/radial/images.hpp"
 #include "lommel/radial/profiles.hpp"
 #include "lommel/zernike/images.hpp"
@@ -96,6 +97,49 @@ void a_call_stops_where_it_is_told_to() {
     check(done == 100 && lommel::helpers.at_work == 0, "the call after it", done);
 }
 
+// Tiles wait for their neighbours before them and never write beside one; those that wait for one that fails leave.
+void tiles_keep_their_order(std::size_t rows, std::size_t columns, int threads) {
+    std::vector<std::atomic<int>> state(rows * columns);  // 1 at work, 2 done
+    const auto parity = [](std::size_t row, std::size_t column) { return 2 * (row % 2) + column % 2; };
+    const auto around = [&](std::size_t row, std::size_t column, const auto& visit) {
+        for (std::size_t i = row - std::min<std::size_t>(row, 1); i < std::min(rows, row + 2); ++i) {
+            for (std::size_t j = column - std::min<std::size_t>(column, 1); j < std::min(columns, column + 2); ++j) {
+                if (i != row || j != column) {
+                    visit(i, j);
+                }
+            }
+        }
+    };
+    std::atomic<int> wrong{0};
+    const lommel::Checkerboard tiles(rows, columns);
+    tiles.each(threads, [&](std::size_t row, std::size_t column) {
+        wrong += state[row * columns + column].exchange(1) != 0;
+        const auto look_around = [&] {
+            around(row, column, [&](std::size_t i, std::size_t j) {
+                wrong += state[i * columns + j] != (parity(i, j) < parity(row, column) ? 2 : 0);
+            });
+        };
+        look_around();
+        std::this_thread::sleep_for(std::chrono::microseconds(row * 7 % 5 * 40));
+        look_around();
+        state[row * columns + column] = 2;
+    });
+    check(wrong == 0, "tiles out of order", wrong);
+    check(std::all_of(state.begin(), state.end(), [](const auto& at) { return at == 2; }), "tiles left out", 0);
+    int failed = 0;
+    try {
+        tiles.each(threads, [](std::size_t row, std::size_t column) {
+            if (row == 0 && column == 0) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));  // until others wait for it
+                throw std::runtime_error("of a tile");
+            }
+        });
+    } catch (const std::runtime_error&) {
+        ++failed;
+    }
+    check(failed == 1, "a tile that fails", failed);
+}
+
 // The thread sanitizer has a thread of its own, with which a fork is not to be had.
 #if defined(__unix__) && !defined(__SANITIZE_THREAD__)
 // The largest value of an image of some defocus.
@@ -149,6 +193,11 @@ int main() {
         far_windows(0.4);
     }
     a_call_stops_where_it_is_told_to();
+    for (const int threads : {1, 2, 5}) {
+        tiles_keep_their_order(1, 1, threads);
+        tiles_keep_their_order(7, 1, threads);
+        tiles_keep_their_order(6, 9, threads);
+    }
     children_of_busy_parents();
     return finished();
 }

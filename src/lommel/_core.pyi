@@ -104,9 +104,9 @@ class RadialPlan:
 
     def __init__(self, obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], height: int, width: int, center_y: float, center_x: float, step: float, integrate: bool, tol: float, threads: int, scale: float, kind: str) -> None: ...
 
-    def render(self, coefficients: object, images: object, scales: object) -> float | None:
+    def render(self, coefficients: object, images: object, scales: object | None = None) -> float | None:
         """
-        Images, and what each is multiplied by; returns the largest bound, below 0 where tol cannot be met, or None where the arrays do not match or are not of the types, the order and the access that this takes.
+        Images, and what each is multiplied by, if that is wanted; returns the largest bound, below 0 where tol cannot be met, or None where the arrays do not match or are not of the types, the order and the access that this takes.
         """
 
 def field(coefficients: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], obscuration: float, amplitude: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], v: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], tol: float) -> tuple[Annotated[NDArray[numpy.complex128], dict(shape=(None, None), order='C', device='cpu')], Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu')]]:

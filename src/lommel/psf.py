@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel import measures
 from lommel.base import validation
 from lommel.base.arrays import Numbers, largest
-from lommel.base.trusted import made as made_of
 from lommel.methods import wanted
 from lommel.methods.asked import Asked, asked_about
 from lommel.methods.method import Method
@@ -213,7 +212,7 @@ class Plan(Traceable):
                 pupil, light, self.grid(pupil), self.method, self.tol, self.normalize, self.dtype, self.threads
             )
         _, grid, ways, _, _, _, shape, _, shortcut = asked
-        names = wanted.names(derivatives)
+        names = () if derivatives is _NONE else wanted.names(derivatives)
         if names and self.normalize == "peak":
             raise ValueError('derivatives need normalize="energy" or "strehl", not "peak", which has kinks')
         found = None
@@ -232,19 +231,13 @@ class Plan(Traceable):
             scale, error = made.scale.reshape(pupil.shape), None if made.error is None else largest(made.error)
             for name, slope in zip(names, found_slopes, strict=True):
                 slopes[name], slope_bounds[name] = slope.values.reshape(shape), largest(slope.error)
-        parts = {
-            "values": values,
-            "grid": grid,
-            "pupil": pupil,
-            "method": method,
-            "normalize": self.normalize,
-            "error_bound": error,
-            "scale": scale,
-            "derivatives": slopes,
-            "derivative_bounds": slope_bounds,
-            "blur": (),
-        }
-        return made_of(PSF, parts)
+        answer: Any = _Draft()
+        answer.values, answer.grid, answer.pupil, answer.method = values, grid, pupil, method
+        answer.normalize, answer.error_bound, answer.scale = self.normalize, error, scale
+        answer.derivatives, answer.derivative_bounds, answer.blur = slopes, slope_bounds, ()
+        answer.__class__ = PSF
+        done: PSF = answer
+        return done
 
     def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: NDArray[Any] | None) -> PSF:
         from lommel.sensor.recorded import recorded
@@ -267,11 +260,18 @@ class Plan(Traceable):
         return self._averaged if averages else self._sampled
 
 
+_NONE: tuple[Name, ...] = ()  # which there is one of
+
+
+class _Draft:
+    """A PSF while it is made, of parts that were checked: to fill in what is frozen takes a tenth of a small one."""
+
+
 # Calls like the last ones take the plans of these, types and all: 1 and True are equal, and only one is a number.
 _kept = lru_cache(maxsize=16, typed=True)(Plan)
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, init=False, eq=False, repr=False)
 class PSF(Pictured):
     """A computed point spread function, or a stack of them, and how it was made.
 

@@ -131,7 +131,7 @@ def test_without_a_method_the_non_uniform_fft_is_taken_and_named(shape):
 
 
 def test_without_finufft_it_is_said_what_to_do(monkeypatch):
-    monkeypatch.setattr(choice, "find_spec", lambda name: None)
+    monkeypatch.setattr(choice, "_missing", lambda name: True)
     monkeypatch.setitem(__import__("sys").modules, "finufft", None)
     held = Pupil(spider=Spider(0.1, [0.0]))
     with pytest.raises(ValueError, match="pip install finufft, or pass method=MatrixFourier"):

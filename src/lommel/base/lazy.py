@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
 
@@ -16,8 +15,12 @@ def parts(package: str, exports: str | None = None) -> tuple[Callable[[str], Any
     """
 
     def attribute(name: str) -> Any:
-        if not name.startswith("_") and find_spec(f"{package}.{name}"):
-            return import_module(f"{package}.{name}")
+        if not name.startswith("_"):
+            try:
+                return import_module(f"{package}.{name}")
+            except ModuleNotFoundError as error:
+                if error.name != f"{package}.{name}":  # a part that is there, and lacks another
+                    raise
         if exports is not None:
             source = import_module(f"{package}.{exports}")
             if name in ("__all__", *getattr(source, "__all__", ())):  # none while it imports

@@ -1,6 +1,6 @@
 """What the compiled core and the methods answer: fields, intensities, images, and what is raised in their stead."""
 
-from __future__ import annotations
+# Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 
 from typing import Any, NamedTuple
 

@@ -4,7 +4,7 @@ Functions of arrays, so that others may stand in their place. Where the core say
 or "met", and a negative bound for "not met", these say None, and raise a ToleranceError.
 """
 
-from __future__ import annotations
+# Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -160,18 +160,18 @@ def radial_plan(
     plan = _core.RadialPlan(stack.obscuration, stack.amplitude, *place, tol, wanted.threads, scale, kind)
     over = _over(wanted)
 
-    kept = np.empty(shape)
-    alike = kept.view()
+    alike = np.full(shape, scale)
     alike.flags.writeable = False  # one for all answers
+    render = plan.render
 
     def ask(terms: Array, values: NDArray[Any]) -> tuple[Array, float] | None:
-        scales = kept if scale else np.empty(shape)
-        bound = plan.render(terms, values, scales)
+        scales = None if scale else np.empty(shape)
+        bound = render(terms, values, scales)
         if bound is None:
             return None
         if bound < 0.0:
             raise not_met(tol, -bound, over)
-        return alike if scale else scales, bound
+        return alike if scales is None else scales, bound
 
     return ask
 
@@ -264,13 +264,13 @@ BY_DEPTH, BY_FOCUS, BY_AXIS, BY_WAVENUMBER = range(4)
 
 
 def layered_images(
-    asked: Layered,
+    asked: "Layered",
     window: Window,
     allowed: float,
     wanted: Wanted,
     *,
     integrate: bool = False,
-    slopes: LayeredSlopes | None = None,
+    slopes: "LayeredSlopes | None" = None,
 ) -> tuple[Images, NDArray[Any], Array] | None:
     """Return images of planes, with bounds on errors over their peaks that are to be compared with a tolerance.
 
@@ -305,12 +305,12 @@ def layered_images(
     return (Images(values, numbers[0], numbers[1], None, numbers[2]), found, errors) if made else None
 
 
-def layered_profiles(asked: Layered, v: Array, threads: int = 1) -> tuple[Array, Array]:
+def layered_profiles(asked: "Layered", v: Array, threads: int = 1) -> tuple[Array, Array]:
     """Return orders of the azimuth at rising v, shape ``(n, k, len(v))``, and what their sum is off by, ``(n,)``."""
     return _core.layered_profiles(*asked, v, threads)
 
 
-def ringed_images(asked: Rings, window: Window, scales: Array, threads: int, out: NDArray[Any]) -> Ringed:
+def ringed_images(asked: "Rings", window: Window, scales: Array, threads: int, out: NDArray[Any]) -> "Ringed":
     """Write intensities times scales; the step of the window is in circles, its centers are (n or 1, 2)."""
     from lommel.core.layers import Ringed  # of microscopes alone
 

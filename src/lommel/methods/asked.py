@@ -1,6 +1,6 @@
 """What is asked of methods about pupils that nothing but their phase tells apart: all else is decided once."""
 
-from __future__ import annotations
+# Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
@@ -15,7 +15,6 @@ from lommel.methods.choice import candidates, first_proven
 from lommel.methods.method import Method, Shortcut, widened
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import checked
 
 if TYPE_CHECKING:
     from lommel.methods.derivatives import Name
@@ -56,8 +55,8 @@ class Asked(NamedTuple):
     shortcut: Shortcut | None
 
     def images(
-        self, pupil: BasePupil, names: tuple[Name, ...] = (), out: NDArray[Any] | None = None
-    ) -> tuple[Method, Images, list[Slope]]:
+        self, pupil: BasePupil, names: "tuple[Name, ...]" = (), out: NDArray[Any] | None = None
+    ) -> "tuple[Method, Images, list[Slope]]":
         """Return the method, images of a pupil of this light and their derivatives, without a shortcut.
 
         Raises
@@ -74,6 +73,7 @@ class Asked(NamedTuple):
             return layered_slopes(self.ways[0], layers, self.grid, names, question, energy=self.energy)
         if names:
             from lommel.methods.slopes import differentiated
+            from lommel.optics.pupil import checked
 
             method = self.ways[0] if self.named else None
             of, tol = checked(pupil), self.ways[0].tol

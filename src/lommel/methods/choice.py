@@ -1,11 +1,10 @@
 """The choice of a method: by the pupil and the window where none was named, and what is tried next."""
 
-from __future__ import annotations
+# Annotations are not postponed: a NamedTuple compiles each that is text, which takes longer than all else here.
 
 import math
 from collections.abc import Callable
 from functools import lru_cache
-from importlib.util import find_spec
 from typing import Any, NamedTuple, TypeVar
 
 from lommel.core.answers import ToleranceError
@@ -137,12 +136,18 @@ def candidates(pupil: BasePupil, grid: Grid, tol: float = Method.tol) -> tuple[M
     """
     imaged(pupil)
     rule = next(rule for rule in RULES if rule.applies(pupil, grid))
-    if rule.imported is _any_aperture and find_spec("finufft") is None:
+    if rule.imported is _any_aperture and _missing("finufft"):
         raise ValueError(
             "method must be named for a pupil with a spider, vignetting or a mask where finufft is missing: "
             "pip install finufft, or pass method=MatrixFourier(...)"
         )
     return _made(rule, tol)
+
+
+def _missing(library: str) -> bool:
+    from importlib.util import find_spec  # few pupils are neither radial nor round
+
+    return find_spec(library) is None
 
 
 @lru_cache(maxsize=64)

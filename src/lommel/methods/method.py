@@ -14,7 +14,6 @@ from lommel.base import validation
 from lommel.core.answers import FieldValues, Images, Intensities, ToleranceError, Wanted, not_met
 from lommel.optics.base_pupil import imaged
 from lommel.optics.grid import Grid
-from lommel.optics.wavefront import MAX_HIGHER
 from lommel.special.bessel import _radii
 
 if TYPE_CHECKING:
@@ -370,6 +369,8 @@ def widened(made: Images, pupil: AnyPupil, method: Method, *, normalized: bool) 
 
 def powers_cancel(pupil: AnyPupil) -> str | None:
     """Return why the phase is not to be taken as powers of rho, or None where it may be."""
+    from lommel.optics.wavefront import MAX_HIGHER  # loaded with what has one
+
     if pupil.wavefront.symmetric <= 2 + MAX_HIGHER:
         return None
     return (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,9 @@ from lommel.core.engine import product, radial_fields, radial_images, radial_pla
 from lommel.methods.method import FieldMethod, Shortcut
 from lommel.methods.terms import disk_images, radial_stack, window_of
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
+
+if TYPE_CHECKING:
+    from lommel.optics.pupil import Pupil
 
 
 @dataclass(frozen=True)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from lommel.core.answers import Images, Wanted
 from lommel.core.engine import DiskStack, RadialStack, Window
 from lommel.optics.grid import Grid
-from lommel.optics.pupil import Pupil
+
+if TYPE_CHECKING:
+    from lommel.optics.pupil import Pupil
 
 
 def radial_stack(pupil: Pupil) -> RadialStack:

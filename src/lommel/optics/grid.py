@@ -17,7 +17,7 @@ from lommel.core import engine
 from lommel.optics.base_pupil import BasePupil
 
 
-@dataclass(frozen=True, init=False)
+@dataclass(frozen=True, init=False, eq=False)
 class Grid:
     """Pixels around the optical axis, square ones unless they are given two sides.
 

@@ -23,7 +23,11 @@ namespace lommel {
 
 #if defined(LOMMEL_SINGLE_THREADED)
 inline int processors() { return 1; }
+inline void give_way() {}
 #else
+// While another thread is waited for that is at work.
+inline void give_way() { std::this_thread::yield(); }
+
 // Processors this process may run on.
 inline int processors() {
 #if defined(__linux__)

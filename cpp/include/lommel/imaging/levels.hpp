@@ -38,11 +38,21 @@ class Levels {
         }
     }
 
-    std::uint8_t operator()(float light) const {
-        const float inside = light > least_ ? std::min(light, most_) : least_;  // what is no number, too
-        const std::uint32_t at = (bits(inside) >> shift_) - first_;
-        return static_cast<std::uint8_t>(below_[at] + (inside >= edge_[at] ? 1 : 0));
-    }
+    // By value, so that it stays in registers while bytes are written: these may be a part of anything.
+    struct Reader {
+        const float* edge;
+        const std::uint8_t* below;
+        float least, most;
+        std::uint32_t first;
+        int shift;
+
+        std::uint8_t operator()(float light) const {
+            const float inside = light > least ? std::min(light, most) : least;  // what is no number, too
+            const std::uint32_t at = (bits(inside) >> shift) - first;
+            return static_cast<std::uint8_t>(below[at] + (inside >= edge[at] ? 1 : 0));
+        }
+    };
+    Reader reader() const { return {edge_.data(), below_.data(), least_, most_, first_, shift_}; }
 
    private:
     static std::uint32_t bits(float x) {
@@ -70,14 +80,17 @@ class Levels {
 inline std::size_t levels(const float* light, std::size_t size, const float* edges, std::size_t count, float low, float high,
                           int threads, std::uint8_t* out) {
     constexpr std::size_t part = 1 << 16;
-    const Levels level(edges, count);
+    const Levels known(edges, count);
     std::atomic<std::size_t> beyond{0};
     parallel_for((size + part - 1) / part, threads, [&](std::size_t, std::size_t task) {
         const std::size_t last = std::min(size, (task + 1) * part);
-        std::size_t here = 0;
+        const Levels::Reader level = known.reader();
         for (std::size_t i = task * part; i < last; ++i) {
             out[i] = level(light[i]);
-            here += static_cast<std::size_t>(light[i] < low) + static_cast<std::size_t>(light[i] > high);
+        }
+        std::uint32_t here = 0;  // of as many bits as light, for vectors
+        for (std::size_t i = task * part; i < last; ++i) {
+            here += static_cast<std::uint32_t>(light[i] < low) + static_cast<std::uint32_t>(light[i] > high);
         }
         beyond += here;
     });

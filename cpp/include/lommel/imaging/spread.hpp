@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lommel/base/checkerboard.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/imaging/column.hpp"
@@ -65,23 +66,19 @@ class Spreader {
     static std::size_t margin(std::size_t widest) { return (widest / reach + 1) * reach; }
 
     // out += sum over source pixels of value times window, in an image that is `widest` larger above and below and margin()
-    // on either side: [height + 2 widest][width + 2 margin]. Of tiles no smaller than what a pixel writes to, those of one
-    // parity do not meet: the threads write side by side, and every sum is in the same sequence however many. The image is
-    // as large as `positions`, its values `down` and `right` apart.
+    // on either side: [height + 2 widest][width + 2 margin]. The image is as large as `positions`, its values `down` and
+    // `right` apart.
     void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const {
         const std::size_t tall = std::max(least_rows, 2 * bank_.widest), broad = std::max(least_columns, 2 * margin_);
-        const std::size_t tiles = (height_ + tall - 1) / tall, across = (width_ + broad - 1) / broad;
         const auto value = [&](std::size_t y, std::size_t x) -> const T& {
             return image[scene_.rows[y] * down + scene_.columns[x] * right];
         };
-        for (std::size_t parity = 0; parity < 4; ++parity) {
-            const std::size_t top = parity / 2, left = parity % 2;
-            const std::size_t rows = (tiles + 1 - top) / 2, columns = (across + 1 - left) / 2;
-            parallel_for(rows * columns, threads_, [&](std::size_t, std::size_t task) {
-                const std::size_t y = (2 * (task / columns) + top) * tall, x = (2 * (task % columns) + left) * broad;
-                spread_tile(y, std::min(height_, y + tall), x, std::min(width_, x + broad), value, out);
-            });
-        }
+        // No smaller than what a pixel writes to.
+        const Checkerboard tiles((height_ + tall - 1) / tall, (width_ + broad - 1) / broad);
+        tiles.each(threads_, [&](std::size_t row, std::size_t column) {
+            const std::size_t y = row * tall, x = column * broad;
+            spread_tile(y, std::min(height_, y + tall), x, std::min(width_, x + broad), value, out);
+        });
     }
 
     // The transpose: each source pixel takes the sum of window times `image`, which has the size of forward's output; `out` is

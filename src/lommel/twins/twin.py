@@ -220,7 +220,7 @@ class Twin:
         zero = xp.zeros_like(bound)
         # What is added has no part in gradients.
         poison = xp.where(bound <= static.tol, zero, xp.full_like(bound, float("nan")))
-        values = xp.astype(values + xp.reshape(poison, (-1, 1)), getattr(xp, static.dtype))
+        values = xp.astype(values + xp.reshape(poison, (-1, 1)), getattr(xp, static.dtype), copy=False)
         images = static.pixels.unfold(ns, self._tables[0], values)
         return xp.reshape(images, stack + static.pixels[:2]), xp.reshape(bound, stack)
 

@@ -52,7 +52,8 @@ class Chordal(NamedTuple):
             both = [waves(ns, phases.turns(ns, self.phase, one, c)) for one in of_image]
             return folded.intensity(ns, tables, both, self.axes)
 
-        return compiled.intensity(ns, self.sums, c, followed), self._field_error(ns, tables, c)
+        error = self._field_error(ns, tables, c)  # first, lest its room be beside that of images
+        return compiled.intensity(ns, self.sums, c, followed), error
 
     def _field_error(self, ns: Namespace, tables: dict[str, Any], c: Any) -> Any:
         xp = ns.xp

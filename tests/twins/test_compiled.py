@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel import _core
 from lommel.optics.grid import Grid
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
@@ -87,6 +88,23 @@ def test_gradients_are_those_of_the_rule_in_double_precision():
     wide = sums._replace(stretch=1.3).gradient(c, by_column, 1)
     expect = 1.3 * sums._replace(step=1.3 * sums.step).gradient(1.3 * c, by_column, 1)
     assert np.abs(wide - expect).max() < 1e-6 * np.abs(expect).max()
+
+
+@pytest.mark.parametrize("level", ["portable", "avx2", "avx512"])
+def test_sums_do_not_depend_on_threads_and_hardly_on_instructions(level):
+    f = traced(CASES["even and oblong"], EDGE)
+    sums, c = f._static.lights[0][1].sums, np.random.default_rng(1).normal(size=(37, 6))
+    weights = np.random.default_rng(2).normal(size=(37, 40))
+    images, slopes = sums.intensity(c, 1), sums.gradient(c, weights, 1)
+    _core.limit_instructions(level)
+    try:
+        there, turned = sums.intensity(c, 1), sums.gradient(c, weights, 1)
+        assert np.array_equal(sums.intensity(c, 3), there)
+        assert np.array_equal(sums.gradient(c, weights, 3), turned)
+    finally:
+        _core.limit_instructions("avx512")
+    assert np.abs(there - images).max() < 2e-6 * images.max()
+    assert np.abs(turned - slopes).max() < 1e-5 * np.abs(slopes).max()
 
 
 def test_coefficients_that_are_no_numbers_leave_their_neighbours_alone():

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
@@ -74,6 +75,7 @@ def rows() -> list[tuple[str, float, float, float]]:
                     _error(np.asarray(images(given)), exact),
                 )
             )
+    found += _in_torch("twin, float32", lm.Plan(SIDE, PIXEL, tol=1e-3), reach, c, exact)
     pupils = random_zernikes(False)(1)[0]
     exact = lm.psf(pupils, SIDE, PIXEL, tol=1e-8).values
     core = lm.Plan(SIDE, PIXEL, method=lm.ChordalGauss(1e-4), threads=1)
@@ -92,7 +94,26 @@ def rows() -> list[tuple[str, float, float, float]]:
         times = [milliseconds(lambda: images(given).block_until_ready())]
         times.append(milliseconds(lambda: gradient(given, weight).block_until_ready()))
         found.append(("fifteen terms: twin, float32", *times, _error(np.asarray(images(given)), exact)))
-    return found
+    plan = lm.Plan(SIDE, PIXEL, tol=1e-4)
+    return found + _in_torch("fifteen terms: twin, float32", plan, pupils, pupils.wavefront.edge, exact)
+
+
+def _in_torch(name: str, plan: lm.Plan, reach: lm.Pupil, c: Any, exact: Any) -> list[tuple[str, float, float, float]]:
+    """Return the row of a twin in PyTorch, uncompiled, where that is installed, for coefficients `c`."""
+    if not find_spec("torch"):
+        return []
+    import torch
+
+    torch.set_num_threads(1)
+    function = plan.traced(reach, torch, precision="float32")
+    given = torch.tensor(np.array(c), dtype=torch.float32)
+    followed, weight = given.clone().requires_grad_(), torch.tensor(np.array(exact), dtype=torch.float32)
+
+    def gradient() -> None:
+        torch.autograd.grad((function(followed) * weight).sum(), followed)
+
+    error = _error(function(given).numpy(), exact)
+    return [(f"{name}, PyTorch", milliseconds(lambda: function(given)), milliseconds(gradient), error)]
 
 
 def _error(images: Any, exact: Any) -> float:
@@ -101,4 +122,4 @@ def _error(images: Any, exact: Any) -> float:
 
 if __name__ == "__main__":
     for name, images, gradient, error in rows():
-        print(f"{name:30} {images:8.2f} ms  gradient {gradient:8.2f} ms  off by {error:.0e} of the peak")
+        print(f"{name:37} {images:8.2f} ms  gradient {gradient:8.2f} ms  off by {error:.0e} of the peak")

@@ -3,6 +3,7 @@
 
 #include "lommel/chordal/gradient.hpp"
 #include "lommel/chordal/images.hpp"
+#include "lommel/chordal/sums.hpp"
 
 #include "pupils.hpp"
 
@@ -57,6 +58,40 @@ double gradient(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuratio
         center...);
 }
 
+lommel::ChordCount count_of(std::size_t chords, std::size_t nodes) {
+    const auto fits = [](std::size_t count) { return count >= 4 && count <= lommel::max_chords && count % 2 == 0; };
+    require(fits(chords) && fits(nodes), "chords and nodes must be even, and from 4 to 1024");
+    return {chords, nodes};
+}
+
+void sums(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, double center_y,
+          double center_x, double step, std::size_t chords, std::size_t nodes, int threads, Out<float, 3> images) {
+    const lommel::ChordCount count = count_of(chords, nodes);
+    require(images.shape(0) == pupils_of(edge), "one image a pupil");
+    ask_disks<false>(
+        terms, edge, obscuration, amplitude, images.shape(2), images.shape(1), step, 1.0, threads,
+        [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
+            lommel::ChordalSums<>(stack, window, count).run(images.data(), threads);
+        },
+        center_y, center_x);
+}
+
+void sums_gradient(In<std::int32_t, 2> terms, In<double, 2> edge, double obscuration, In<double, 1> amplitude, double center_y,
+                   double center_x, double step, std::size_t chords, std::size_t nodes, int threads, In<double, 3> weights,
+                   Out<double, 2> values) {
+    const lommel::ChordCount count = count_of(chords, nodes);
+    const std::size_t pupils = pupils_of(edge);
+    const lommel::ChordalGradient wanted{factors_of(terms), weights.data(), values.data()};
+    require(weights.shape(0) == pupils, "one image of weights a pupil");
+    require(values.shape(0) == pupils && values.shape(1) == wanted.terms.size(), "one value a pupil and term");
+    ask_disks<false>(
+        terms, edge, obscuration, amplitude, weights.shape(1), weights.shape(2), step, 1.0, threads,
+        [&](const lommel::DiskStack& stack, const lommel::DiskWindow& window) {
+            lommel::ChordalSums<lommel::ChordalGradient>(stack, window, count, wanted).run(nullptr, threads);
+        },
+        center_y, center_x);
+}
+
 }  // namespace
 
 void bindings::define_chordal(nb::module_& m) {
@@ -78,4 +113,10 @@ void bindings::define_chordal(nb::module_& m) {
     m.def("chordal_gradient", &gradient<In<double, 2>>, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "centers"_a,
           "step"_a, "tol"_a, "threads"_a, "weights"_a, "factors"_a, "values"_a.noconvert(),
           "The same, each around an axis of its own.");
+    m.def("chordal_sums", &sums, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a, "center_x"_a, "step"_a,
+          "chords"_a, "nodes"_a, "threads"_a, "images"_a.noconvert(),
+          "Intensities by so many chords and nodes, in single precision, of each pupil column by column.");
+    m.def("chordal_sums_gradient", &sums_gradient, "terms"_a, "edge"_a, "obscuration"_a, "amplitude"_a, "center_y"_a,
+          "center_x"_a, "step"_a, "chords"_a, "nodes"_a, "threads"_a, "weights"_a, "values"_a.noconvert(),
+          "Of the sum of weights times these, the derivatives by the coefficients of all terms.");
 }

@@ -7,6 +7,7 @@
 
 #include "lommel/chordal/gradient.hpp"
 #include "lommel/chordal/images.hpp"
+#include "lommel/chordal/sums.hpp"
 
 #include "check.hpp"
 
@@ -86,6 +87,26 @@ void slopes(std::mt19937& random, const Case& given, int threads) {
             check(bounds[from] < 10.0 * tol, "bound of a derivative", bounds[from]);
             const double off = sum - gradients[p * kinds + k];
             check(std::abs(off) <= 2.0 * size * (tol + 1e-7), "gradient", off);
+        }
+    }
+    if (!given.own_axes) {
+        // By more chords and nodes than either takes.
+        lommel::DiskStack stack(given.terms, edge.data(), count, given.obscuration, given.amplitude);
+        stack.shrink();
+        std::vector<float> sums(count * pixels);
+        std::vector<double> again(gradients.size());
+        lommel::ChordalSums<>(stack, given.window(), {90, 90}).run(sums.data(), threads);
+        lommel::ChordalSums<lommel::ChordalGradient>(stack, given.window(), {90, 90}, {wanted, weights.data(), again.data()})
+            .run(nullptr, threads);
+        for (std::size_t j = 0; j < sums.size(); ++j) {
+            const std::size_t p = j / pixels, x = j % pixels / given.height, y = j % given.height;
+            const double off =
+                static_cast<double>(sums[j]) - static_cast<double>(images[(p * given.height + y) * given.width + x]);
+            check(std::abs(off) <= peaks[p] * (tol + 1e-5), "sum", off);
+        }
+        for (std::size_t j = 0; j < again.size(); ++j) {
+            const double off = again[j] - gradients[j];
+            check(std::abs(off) <= static_cast<double>(pixels) * (10.0 * tol + 1e-5), "gradient of sums", off);
         }
     }
 }

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import copy
+import warnings
 
 import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.twins.compiled import Sums
 from lommel.twins.module import module
+from sampled_twins import CASES, EDGE, by_steps, traced
 
 torch = pytest.importorskip("torch")
+make_fx = pytest.importorskip("torch.fx.experimental.proxy_tensor").make_fx
 # What torch says of itself as it loads its parts.
 pytestmark = pytest.mark.filterwarnings("ignore::FutureWarning", "ignore::DeprecationWarning")
 
@@ -77,3 +81,58 @@ def test_products_of_less_precision_widen_the_bound():
 def test_a_graph_of_it_is_whole(f):
     c = torch.tensor(C)
     assert torch.equal(torch.compile(f.__call__, fullgraph=True, backend="eager")(c), f(c))
+
+
+@pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+def test_what_the_core_sums_has_the_gradients_of_pytorch(case):
+    f = traced(case, EDGE, torch)
+    for kind in (torch.float32, torch.float64):
+        c = torch.tensor(EDGE, dtype=kind, requires_grad=True)
+        weights = torch.rand(f(c).shape, generator=torch.Generator().manual_seed(0))
+
+        def loss(function, c=c, weights=weights):
+            return (weights * function(c)).sum()
+
+        found, exact = (torch.autograd.grad(loss(one), c)[0] for one in (f, by_steps(f)))
+        assert found.dtype == kind
+        assert torch.abs(found - exact).max() < 1e-5 * torch.abs(exact).max()
+        slopes = [torch.autograd.grad(loss(one), c, create_graph=True)[0] for one in (f, by_steps(f))]
+        second = [torch.autograd.grad((slope**2).sum(), c)[0] for slope in slopes]
+        assert torch.abs(second[0] - second[1]).max() < 1e-4 * torch.abs(second[1]).max()
+        rows = torch.eye(3, dtype=torch.float32)
+        many = [torch.autograd.grad(one(c)[:, 2, 2], c, rows, is_grads_batched=True)[0] for one in (f, by_steps(f))]
+        assert torch.abs(many[0] - many[1]).max() < 1e-5 * torch.abs(many[1]).max()
+
+
+def test_nothing_that_is_followed_is_left_to_the_core(monkeypatch):
+    f, c = traced(CASES["odd"], EDGE, torch), torch.tensor(EDGE, dtype=torch.float32)
+    images = f(c)
+    made = make_fx(f)(c)
+    asked = []
+    monkeypatch.setattr(Sums, "intensity", lambda *given: asked.append(given))
+    monkeypatch.setattr(Sums, "gradient", lambda *given: asked.append(given))
+    tangent = torch.ones_like(c)
+    _, slope = torch.func.jvp(f, (c,), (tangent,))
+    with torch.autograd.forward_ad.dual_level():
+        dual = f(torch.autograd.forward_ad.make_dual(c, tangent))
+        assert torch.allclose(torch.autograd.forward_ad.unpack_dual(dual).tangent, slope, atol=1e-6)
+    assert torch.func.vmap(torch.func.jacfwd(f))(c).shape == (3, 9, 9, 6)
+    assert torch.func.grad(lambda c: f(c).sum())(c).shape == (3, 6)
+    alike = {"atol": 1e-6 * float(images.max()), "rtol": 0.0}
+    for function in (torch.func.vmap(f), made):
+        assert torch.allclose(function(c), images, **alike)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", torch.jit.TracerWarning)
+        program = torch.jit.trace(lambda c: f(c, check=False), (c,), check_trace=False)
+    assert torch.allclose(program(0.5 * c), by_steps(f)(0.5 * c), **alike)
+    assert not asked
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")  # of caches
+def test_compiled_programs_have_the_same_images_and_gradients():
+    f = traced(CASES["odd"], EDGE, torch)
+    c = torch.tensor(EDGE, dtype=torch.float32, requires_grad=True)
+    found, exact = torch.compile(f.__call__, backend="eager")(c), f(c)
+    assert torch.allclose(found, exact, rtol=0.0, atol=1e-6 * float(exact.max()))
+    slopes = [torch.autograd.grad((images**2).sum(), c)[0] for images in (found, exact)]
+    assert torch.abs(slopes[0] - slopes[1]).max() < 1e-5 * torch.abs(slopes[1]).max()

@@ -16,11 +16,13 @@ import numpy as np
 from lommel.base.arrays import Array
 from lommel.core.answers import ToleranceError
 from lommel.optics.apodization import Apodization
+from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
-from lommel.twins import folded, phases
+from lommel.twins import compiled, folded, phases
 from lommel.twins.certificate import FieldError, exponential
+from lommel.twins.compiled import Sums
 from lommel.twins.folded import Axis
 from lommel.twins.means import CURVES, Mean, best, even
 from lommel.twins.namespaces import Namespace
@@ -40,12 +42,18 @@ class Chordal(NamedTuple):
     error: FieldError
     axes: tuple[Axis, Axis]
     means: tuple[Mean, Mean] | None
+    sums: Sums | None
 
     def intensity(self, ns: Namespace, tables: dict[str, Any], c: Any) -> tuple[Any, Any]:
         """Return I, shape ``(n, columns * rows)``, column by column, and a bound on the error of the field, (n,)."""
-        of_image = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(folded.IMAGES))]
-        both = [waves(ns, phases.turns(ns, self.phase, one, c)) for one in of_image]
-        return folded.intensity(ns, tables, both, self.axes), self._field_error(ns, tables, c)
+
+        def followed(c: Any) -> Any:
+            of_image = [{name: tables[name][k, ...] for name in self.phase.tables} for k in range(len(folded.IMAGES))]
+            both = [waves(ns, phases.turns(ns, self.phase, one, c)) for one in of_image]
+            return folded.intensity(ns, tables, both, self.axes)
+
+        error = self._field_error(ns, tables, c)  # first, lest its room be beside that of images
+        return compiled.intensity(ns, self.sums, c, followed), error
 
     def _field_error(self, ns: Namespace, tables: dict[str, Any], c: Any) -> Any:
         xp = ns.xp
@@ -81,7 +89,7 @@ def _constants(light: Apodization, b: Array) -> tuple[Array, Array]:
 
 
 def make(
-    pupil: Pupil, stretch: float, window: tuple[Array, Array], error: float, precision: str
+    pupil: Pupil, grid: Grid, stretch: float, window: tuple[Array, Array], error: float, precision: str
 ) -> tuple[Chordal, dict[str, Array]]:
     """Return the field of a stack at rows and columns in v, and of pupils no larger than a member, and its tables.
 
@@ -89,6 +97,7 @@ def make(
     ----------
     pupil : Pupil
         At its own wavelength.
+    grid : Grid
     stretch : float
         That wavelength over the one of the field.
     window : (ndarray, ndarray)
@@ -130,7 +139,8 @@ def make(
     (across, right), (down, below) = folded.axis_of(x), folded.axis_of(y)
     tables |= folded.tables(px, py, weights, right, below) | bounds
     left = FieldError(unit, sums, rounding, (stretch * phase_left + 2.0 * light_left) * sums, 8.0)
-    return Chordal(phase, left, (across, down), means), tables
+    core = compiled.of(pupil, grid, stretch, terms, (chords, nodes)) if precision == "float32" else None
+    return Chordal(phase, left, (across, down), means, core), tables
 
 
 def _sampled(

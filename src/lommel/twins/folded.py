@@ -81,7 +81,8 @@ def intensity(ns: Namespace, kernels: dict[str, Any], waves: list[tuple[Any, Any
     """
     parts = [part for images in zip(*waves, strict=True) for part in _transformed(ns, kernels, images)]
     image = ns.apart(_assembled(ns, axes), *ns.apart(_quadrants(axes), *parts))
-    return ns.xp.permute_dims(ns.xp.reshape(image, (-1, image.shape[-1])), (1, 0))
+    across, down, count = image.shape
+    return ns.xp.permute_dims(ns.xp.reshape(image, (across * down, count)), (1, 0))
 
 
 def _transformed(ns: Namespace, kernels: dict[str, Any], images: tuple[Any, ...]) -> list[Any]:
@@ -106,7 +107,7 @@ def _part(ns: Namespace, along: str, across: str) -> Callable[..., Any]:
         count = part.shape[-1]
         of_chords = ns.matmul(rows, ns.xp.reshape(part, (chords, nodes, count)))
         total = ns.matmul(columns, ns.xp.reshape(of_chords, (chords, places * count)))
-        return ns.xp.reshape(total, (-1, places, count))
+        return ns.xp.reshape(total, (columns.shape[0], places, count))
 
     return made
 

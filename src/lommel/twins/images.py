@@ -61,7 +61,7 @@ class Pixels(NamedTuple):
         """Return images ``(n, height, width)`` of values of distinct radii, of cells, or of pixels by columns."""
         xp = ns.xp
         if self.samples:
-            by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, -1))
+            by_column = xp.reshape(xp.permute_dims(values, (1, 0)), (self.width, self.height, values.shape[0]))
             return ns.turned(by_column)
         values = xp.take(values, tables["index"], axis=-1)
         if not self.mirrored:

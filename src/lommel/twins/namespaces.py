@@ -150,10 +150,48 @@ class Namespace:
             if torch.compiler.is_compiling():
                 return False
             try:
-                x.sum().item()
-            except RuntimeError:  # within torch.func.vmap
+                self.to_numpy(x)
+            except RuntimeError:  # within torch.func
                 return False
         return True
+
+    def values_now(self, x: Any) -> Any:
+        """Return the values of `x` as an array of NumPy if they are known, on a processor, and nobody follows them.
+
+        That is a transform, a program that is being made, or a derivative forwards; None then.
+        """
+        if self.name == "numpy":
+            return x
+        if self.name != "torch" or x.device.type != "cpu":
+            return None
+        import torch
+        from torch.utils._python_dispatch import _get_current_dispatch_mode
+
+        if torch.compiler.is_compiling() or torch.jit.is_tracing() or _get_current_dispatch_mode() is not None:
+            return None
+        if torch.autograd.forward_ad.unpack_dual(x).tangent is not None:
+            return None
+        try:
+            return x.detach().numpy()
+        except (RuntimeError, TypeError):  # within torch.func; of a type that NumPy has not
+            return None
+
+    def times(self, x: Any, factor: Any) -> Any:
+        """Return a product, where that is possible in the memory of `x`, which is nobody else's."""
+        if self._alone(x):
+            x *= factor
+            return x
+        return x * factor
+
+    def plus(self, x: Any, added: Any) -> Any:
+        """Return a sum, where that is possible in the memory of `x`, which is nobody else's."""
+        if self._alone(x):
+            x += added
+            return x
+        return x + added
+
+    def _alone(self, x: Any) -> bool:
+        return self.name == "torch" and not x.requires_grad and self.values_now(x) is not None
 
     def to_numpy(self, x: Any) -> Any:
         """Return values as an array of NumPy."""

@@ -152,7 +152,7 @@ def _fields(pupil: Pupil, grid: Grid, lights: list[Component], error: float, pre
         pixels, lattice, shared = images.of_lattice(grid, step, stretch, error * pupil.amplitude)
         for part in lights:
             window = (part.stretch * lattice[0], part.stretch * lattice[1])
-            parts.append(chordal.make(pupil, part.stretch, window, error, precision))
+            parts.append(chordal.make(pupil, grid, part.stretch, window, error, precision))
     weights = [part.weight for part in lights]
     tables = tuple(tables for _, tables in parts)
     tables[0].update(shared)

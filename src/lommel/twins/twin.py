@@ -220,7 +220,7 @@ class Twin:
         zero = xp.zeros_like(bound)
         # What is added has no part in gradients.
         poison = xp.where(bound <= static.tol, zero, xp.full_like(bound, float("nan")))
-        values = xp.astype(values + xp.reshape(poison, (-1, 1)), getattr(xp, static.dtype))
+        values = xp.astype(ns.plus(values, xp.reshape(poison, (-1, 1))), getattr(xp, static.dtype), copy=False)
         images = static.pixels.unfold(ns, self._tables[0], values)
         return xp.reshape(images, stack + static.pixels[:2]), xp.reshape(bound, stack)
 
@@ -234,7 +234,7 @@ class Twin:
         bound = certificate.over_peak(ns, still, ns.stop(error), stored, divided=static.scale is None)
         if static.scale is None:
             return values / ns.xp.max(values, axis=-1, keepdims=True), bound
-        return values * static.scale, bound
+        return ns.times(values, static.scale), bound
 
     def _intensities(self, c: Any) -> tuple[Any, Any, float]:
         """Return what there is of each pixel, a bound on the error of it, and the unit roundoff."""

@@ -1,0 +1,76 @@
+// Intensities by a rule of a given size, in single precision, for callers who prove what it errs by.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/chordal/batch.hpp"
+#include "lommel/chordal/derivatives.hpp"
+
+namespace lommel {
+
+// `More` is what follows images: their gradient, or nothing.
+template <class More = NoDerivatives>
+class ChordalSums {
+   public:
+    ChordalSums(const DiskStack& stack, const DiskWindow& window, const ChordCount& count, const More& more = {})
+        : stack_(stack), more_(more), area_(stack.obscuration * stack.obscuration) {
+        const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
+        for (std::size_t disk = 0; disk < (area_ > 0.0 ? 2 : 1); ++disk) {
+            const double scale = disk == 0 ? 1.0 : stack.obscuration;
+            disks_[disk] = {cache<TermTable>.get(count, stack.terms, stack.amplitude.scaled(scale * scale)),
+                            cache<KernelTable<float>>.get(count, rows, columns, scale * window.step),
+                            More::wanted ? cache<FactorTable>.get(count, more.terms, scale) : nullptr};
+        }
+    }
+
+    // images[pupil][column][row], where there are any.
+    void run(float* images, int threads) const {
+        const std::size_t lanes = 2 * vector_lanes(), batches = (stack_.count + lanes - 1) / lanes;
+        std::vector<std::size_t> pupils(stack_.count);
+        std::iota(pupils.begin(), pupils.end(), std::size_t{0});
+        parallel_for(batches, threads, [&](std::size_t, std::size_t b) {
+            thread_local ChordalScratch<float> scratch;
+            const std::size_t first = b * lanes, here = std::min(lanes, stack_.count - first);
+            const ChordalBatch<float> one{stack_, pupils.data() + first, here, area_, disks_, scratch};
+            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { run_batch(isa, one, images); });
+        });
+    }
+
+   private:
+    template <class I>
+    LOMMEL_INLINE void run_batch(I isa, const ChordalBatch<float>& batch, float* images) const {
+        using V = typename Waves<I, float>::V;
+        constexpr std::size_t lanes = Waves<I, float>::lanes;
+        const std::size_t width = batch.columns(), height = batch.rows();
+        ChordalScratch<float>& scratch = batch.scratch;
+        scratch.fields.resize(More::wanted ? 2 * height * width * lanes : 0);
+        pupil_fields(isa, batch, More::keeps_nodes, [&](std::size_t y, const float* u) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t x = 0; x < width && images != nullptr; ++x) {
+                const V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
+                float each[lanes];
+                store(each, re * re + im * im);
+                for (std::size_t lane = 0; lane < batch.here; ++lane) {
+                    images[(batch.pupils[lane] * width + x) * height + y] = each[lane];
+                }
+            }
+            if constexpr (More::wanted) {
+                std::copy_n(u, 2 * width * lanes, scratch.fields.data() + y * 2 * width * lanes);
+            }
+        });
+        if constexpr (More::wanted) {
+            more_.follow(isa, batch, nullptr, nullptr);
+        }
+    }
+
+    const DiskStack& stack_;
+    More more_;
+    double area_;
+    std::array<ChordalTables<float>, 2> disks_;
+};
+
+}  // namespace lommel

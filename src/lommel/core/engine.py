@@ -226,6 +226,24 @@ def chordal_gradient(
     return values
 
 
+def chordal_sums(stack: DiskStack, window: Window, counts: tuple[int, int], threads: int = 0) -> NDArray[np.float32]:
+    """Return intensities by so many chords and nodes, in single precision, unproven, shape ``(n, width, height)``."""
+    made = np.empty((len(stack.edge), *window.shape[::-1]), dtype=np.float32)
+    given: tuple[Any, ...] = (*stack, *window.center, window.step, *counts, threads, made)
+    _core.chordal_sums(*given)
+    return made
+
+
+def chordal_sums_gradient(
+    stack: DiskStack, window: Window, counts: tuple[int, int], weights: Array, threads: int = 0
+) -> Array:
+    """Return derivatives of their sums, times weights ``(n, height, width)``, by all coefficients."""
+    made = np.empty(stack.edge.shape)
+    given: tuple[Any, ...] = (*stack, *window.center, window.step, *counts, threads, weights, made)
+    _core.chordal_sums_gradient(*given)
+    return made
+
+
 def _disk_images(
     compute: Callable[..., float],
     over: str,

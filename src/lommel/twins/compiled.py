@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel import _core
 from lommel.base.arrays import Array
+from lommel.core.engine import DiskStack, Window, chordal_sums, chordal_sums_gradient
 from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.twins.namespaces import Namespace
@@ -54,25 +54,21 @@ class Sums(NamedTuple):
     chords: int
     nodes: int
 
-    def _asked(self, c: Array, threads: int, *places: Any) -> tuple[Any, ...]:
+    def _asked(self, c: Array) -> tuple[DiskStack, Window, tuple[int, int]]:
         edge = np.multiply(c, self.stretch, dtype=np.float64, order="C")
-        aperture = np.array(self.terms, dtype=np.int32), edge, self.obscuration, np.array(self.exponent)
-        return *aperture, *self.axis, self.stretch * self.step, self.chords, self.nodes, threads, *places
+        terms, exponent = np.array(self.terms, dtype=np.int32), np.array(self.exponent)
+        window = Window(self.shape, self.axis, self.stretch * self.step)
+        return DiskStack(terms, edge, self.obscuration, exponent), window, (self.chords, self.nodes)
 
     def intensity(self, c: Array, threads: int) -> NDArray[np.float32]:
         """Return I of pupils `c`, shape ``(n, columns * rows)``, columns one after another."""
-        height, width = self.shape
-        made = np.empty((len(c), width, height), dtype=np.float32)
-        _core.chordal_sums(*self._asked(c, threads, made))
-        return made.reshape(len(c), width * height)
+        return chordal_sums(*self._asked(c), threads).reshape(len(c), -1)
 
     def gradient(self, c: Array, weights: Array, threads: int) -> Array:
         """Return the derivatives by `c` of the sum of weights times what :meth:`intensity` returns."""
-        height, width = self.shape
-        by_row = weights.reshape(len(c), width, height).transpose(0, 2, 1)
-        made, by_row = np.empty(c.shape), np.ascontiguousarray(by_row, dtype=np.float64)
-        _core.chordal_sums_gradient(*self._asked(c, threads, by_row, made))
-        return self.stretch * made
+        by_row = weights.reshape(len(c), *self.shape[::-1]).transpose(0, 2, 1)
+        by_row = np.ascontiguousarray(by_row, dtype=np.float64)
+        return self.stretch * chordal_sums_gradient(*self._asked(c), by_row, threads)
 
 
 def of(pupil: Pupil, grid: Grid, stretch: float, terms: tuple[Any, ...], counts: tuple[int, int]) -> Sums | None:

@@ -10,16 +10,8 @@ import pytest
 import lommel as lm
 from lommel.methods import Bead, DebyeWolf, method_from_dict
 from lommel.special.legendre import gauss_legendre
+from objectives import OIL
 from plane_waves import intensity
-
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 
 
 def ball(pupil, v, diameter):

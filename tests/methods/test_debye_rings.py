@@ -10,17 +10,10 @@ from lommel import _core
 from lommel.methods import debye_rings
 from lommel.methods.debye_rings import DebyeRings
 from lommel.optics import azimuths, debye, pupil_pieces
+from objectives import OIL
 from plane_waves import intensity
 
 WAVE, PIXEL = 520e-9, 6.5e-6
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 WATER = lm.Objective(
     NA=1.1, magnification=40, immersion=1.333, working_distance=0.3e-3, coverslip=lm.Layer(1.5255, 17e-5), sample=1.38
 )

@@ -7,15 +7,8 @@ import pytest
 
 import lommel as lm
 from lommel.optics import debye, pupil_pieces
+from objectives import OIL
 
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 WAVE, PIXEL = 520e-9, 6.5e-6
 METHODS = [lm.DebyeWolf(1e-9), lm.Stratified(1e-9)]
 

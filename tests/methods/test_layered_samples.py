@@ -9,18 +9,11 @@ import pytest
 
 import lommel as lm
 from lommel.methods import layered_samples
+from objectives import oil
 
 BRIEF = os.environ.get("HYPOTHESIS_PROFILE") != "thorough"
 WAVE, PIXEL, SIDE = 520e-9, 6.5e-6, 7
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-    films=[lm.Layer(2.0, 40e-9)],
-)
+OIL = oil(films=[lm.Layer(2.0, 40e-9)])
 DEPTH, Z, CENTER = np.array([0.1e-6, 1e-6]), np.array([0.4e-6, 2e-6]), (3.3, 2.6)
 STEPS = {
     "z": (lambda h: {"dz": h}, 4e-9),

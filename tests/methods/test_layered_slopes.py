@@ -11,16 +11,9 @@ import pytest
 import lommel as lm
 from lommel.methods import layered_samples, stratified
 from lommel.optics import debye
+from objectives import OIL
 
 WAVE, PIXEL = 520e-9, 6.5e-6
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 Z, DEPTH, CENTER = np.array([1.0, 1.2, 3.0]) * 1e-6, np.array([0.05, 0.3, 2.0]) * 1e-6, (4.2, 3.7)
 
 

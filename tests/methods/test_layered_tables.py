@@ -9,15 +9,7 @@ import lommel as lm
 from lommel.core.answers import Wanted
 from lommel.core.engine import Window, layered_images
 from lommel.methods.stratified import layered
-
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
+from objectives import OIL
 
 
 def planes(**given):

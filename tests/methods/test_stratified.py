@@ -12,17 +12,10 @@ from lommel.core import engine
 from lommel.core.answers import Wanted
 from lommel.methods import stratified
 from lommel.optics.grid import Grid
+from objectives import OIL
 
 BRIEF = os.environ.get("HYPOTHESIS_PROFILE") != "thorough"
 WAVE, PIXEL = 520e-9, 6.5e-6
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 RNG = np.random.default_rng(3)
 EMITTERS = [
     "isotropic",

@@ -9,17 +9,10 @@ import pytest
 
 import lommel as lm
 from lommel.optics.stacked import apart, together
+from objectives import OIL
 
 LENS = lm.Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
 FIELD = lm.FieldMap.from_seidel(20e-3, W131=2.0, W222=1.0, W220=0.3, wavelength=550e-9, f_number=2.8)
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 COMA = lm.Wavefront(nonradial={(3, 1): np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])})
 STACKS = {
     "one": LENS.pupil(1.5),

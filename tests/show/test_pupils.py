@@ -10,17 +10,10 @@ import pytest
 
 import lommel as lm
 from lommel.show.pupils import across
+from objectives import OIL
 
 WAVEFRONT = lm.Wavefront(2.0, nonradial={(3, 1): 1.5})
 METRIC = {"wavelength": 500e-9, "f_number": 4.0}
-OIL = lm.Objective(
-    NA=1.4,
-    magnification=63,
-    immersion=1.518,
-    working_distance=0.19e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 
 
 def drawn(axes) -> np.ndarray:

@@ -1,0 +1,23 @@
+"""The objective that most tests of microscopes ask about."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import lommel as lm
+
+
+def oil(**more: Any) -> lm.Objective:
+    """Return one in oil before a sample in water, with what else it has."""
+    return lm.Objective(
+        NA=1.4,
+        magnification=63,
+        immersion=1.518,
+        working_distance=0.19e-3,
+        coverslip=lm.Layer(1.5255, 170e-6),
+        sample=1.33,
+        **more,
+    )
+
+
+OIL = oil()

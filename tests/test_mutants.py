@@ -33,6 +33,11 @@ def test_a_pattern_that_does_not_fit_is_told(mutants):
     assert len(mutants.misfits([gone])) == 2
 
 
+def test_a_pattern_that_is_no_expression_is_told(mutants):
+    file, old = "cpp/include/lommel/stratified/windows.hpp", "+ sine * 2.0 * x * y"
+    assert "no expression" in mutants.misfits([mutants.Fault(1, "x:1", file, old, "0.0", (), "")])[0]
+
+
 def test_every_fault_of_one_place_has_its_own_switch(mutants):
     faults = [mutants.Fault(k, f"x:{k}", "cpp/x", old, new, (), "") for k, old, new in
               [(1, "a + b", "a"), (2, "a + b", "b"), (3, "return c;", "return d;")]]  # fmt: skip

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -15,10 +14,10 @@
 #include "lommel/radial/images.hpp"
 #include "lommel/radial/average_images.hpp"
 #include "lommel/radial/profiles.hpp"
-#include "lommel/imaging/spread.hpp"
 #include "lommel/zernike/images.hpp"
 
 #include "check.hpp"
+#include "spreading.hpp"
 
 namespace {
 
@@ -247,71 +246,6 @@ void every_path_of_the_chordal_rule(unsigned seed) {
             chordal_windows<double>(random, 9, side, 0.4, even, threads, true);
             chordal_windows<double>(random, 19, side, 0.0, steep, threads, false);
             chordal_windows<float>(random, 5, side, 0.2, beam, threads, true);
-        }
-    }
-}
-
-// Spreading against collecting, and the light that both hold; arrays end where the interface says that they may.
-template <class T>
-void spreading_and_collecting(std::mt19937& random, std::size_t height, std::size_t width, std::size_t widest, int threads) {
-    using Spreader = lommel::Spreader<T>;
-    std::uniform_real_distribution<double> share(0.5, 1.5), place(-0.5, 5.5);
-    const std::size_t count = 6, high = height + 2 * widest, margin = Spreader::margin(widest), wide = width + 2 * margin;
-    const std::size_t rows = widest + 1;
-    std::vector<T> windows((count + 1) * rows * margin, T(0)), image(height * width), taken(height * width);
-    std::vector<T> out(high * wide, T(0)), other(high * wide, T(0));
-    std::vector<std::int64_t> down(height), right(width);
-    std::iota(down.begin(), down.end(), 0);
-    std::iota(right.begin(), right.end(), 0);
-    std::vector<std::int64_t> halves(count);
-    std::vector<double> positions(height * width), energies(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t half = random() % rows;
-        halves[i] = static_cast<std::int64_t>(half);
-        // One quadrant is stored; the others are alike.
-        double sum = 0.0;
-        for (std::size_t y = 0; y <= half; ++y) {
-            for (std::size_t x = 0; x <= half; ++x) {
-                const T value = windows[(i * rows + y) * margin + x] = static_cast<T>(share(random));
-                sum += (y == 0 ? 1.0 : 2.0) * (x == 0 ? 1.0 : 2.0) * static_cast<double>(value);
-            }
-        }
-        energies[i] = sum;
-    }
-    double light = 0.0, arrived = 0.0, one = 0.0, two = 0.0;
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        image[i] = static_cast<T>(share(random));
-        positions[i] = place(random);
-        light += positions[i] < 0.0 ? 0.0 : static_cast<double>(image[i]);
-    }
-    for (std::size_t i = 0; i < high * wide; ++i) {
-        other[i] = static_cast<T>(share(random));
-    }
-    const lommel::WindowBank<T> bank{windows.data(), halves.data(), energies.data(), count, widest, margin};
-    const Spreader spreader(bank, {positions.data(), width, down.data(), right.data(), height, width}, threads);
-    spreader.forward(image.data(), static_cast<std::ptrdiff_t>(width), 1, out.data());
-    spreader.adjoint(other.data(), taken.data());
-    for (std::size_t i = 0; i < high * wide; ++i) {
-        const double value = static_cast<double>(out[i]);
-        arrived += value;
-        one += value * static_cast<double>(other[i]);
-    }
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        two += static_cast<double>(image[i]) * static_cast<double>(taken[i]);
-    }
-    const double allowed = (sizeof(T) == 4 ? 1e-5 : 1e-12) * (1.0 + light);
-    check(std::abs(arrived - light) <= allowed, "light that was spread", arrived - light);
-    check(std::abs(one - two) <= 2.0 * allowed, "transpose of spreading", one - two);
-}
-
-void every_path_of_the_spreader(unsigned seed) {
-    std::mt19937 random(seed);
-    for (const std::size_t widest : {std::size_t{0}, std::size_t{1}, std::size_t{4}, std::size_t{9}, std::size_t{35}}) {
-        for (const int threads : {1, 3}) {
-            spreading_and_collecting<float>(random, 1, 1, widest, threads);
-            spreading_and_collecting<double>(random, 3, 17, widest, threads);
-            spreading_and_collecting<float>(random, 70, 5, widest, threads);
-            spreading_and_collecting<double>(random, 97, 31, widest, threads);
         }
     }
 }

@@ -26,9 +26,16 @@ def level(request: pytest.FixtureRequest) -> Iterator[str]:
     _core.limit_instructions("avx512")
 
 
-def bank(rng: np.random.Generator, half: int, count: int = 6, dtype: type = np.float64) -> Bank:
+def bank(
+    rng: np.random.Generator,
+    half: int,
+    count: int = 6,
+    dtype: type = np.float64,
+    cuts: np.ndarray | None = None,
+) -> Bank:
     """A bank of noise, without symmetries that would hide a fault but those that banks build on."""
-    cuts = np.minimum(rng.integers(0, half + 1, count) + rng.choice([0.0, 0.3, 0.9], count), half)
+    if cuts is None:
+        cuts = np.minimum(rng.integers(0, half + 1, count) + rng.choice([0.0, 0.3, 0.9], count), half)
     away = np.abs(np.arange(-half, half + 1))
     values = rng.uniform(0.5, 1.5, (count, half + 1, half + 1)) * shares_used(cuts, half)
     windows = np.zeros((count + 1, half + 1, margin(half)), dtype)
@@ -123,6 +130,26 @@ def test_threads_add_up_in_the_same_sequence_however_wide_the_windows():
     assert np.array_equal(alone, together)
 
 
+def check_layers(b: Bank, positions: np.ndarray, layers: np.ndarray, seen: np.ndarray, image: np.ndarray) -> None:
+    """Hold both directions to sums, point by point, of what pixels see: `seen` is as large as what is written to."""
+    (height, width), half, beyond, dtype = positions.shape, b.half, margin(b.half) - b.half, image.dtype
+    used = seen[:, beyond:-beyond].astype(np.float64)
+    other = np.random.default_rng(height).standard_normal(used.shape).astype(dtype)
+    total, back = np.zeros(used.shape), np.zeros((height, width))
+    for y, x in zip(*np.nonzero(positions >= 0.0), strict=True):
+        at = np.s_[y : y + 2 * half + 1, x : x + 2 * half + 1]
+        shown = np.clip(used[at] - layers[y, x], 0.0, 1.0) * b.window(positions[y, x])
+        total[at] += image[y, x] * shown
+        back[y, x] = (shown * other[at]).sum()
+    given, out, taken = (b.windows, b.halves, b.energies, positions), room(b, image), np.empty_like(image)
+    _core.spread(*given, *places(positions), image, 2, out, layers, seen)
+    larger = np.ascontiguousarray(np.pad(other, ((0, 0), (beyond, beyond)), constant_values=1e3))
+    _core.collect(*given, *places(positions), larger, 2, taken, layers, seen)
+    allowed = 1e-5 if dtype == np.float32 else 1e-12
+    assert np.abs(out[:, beyond:-beyond] - total).max() <= allowed * max(1.0, np.abs(total).max())
+    assert np.abs(taken - back).max() <= allowed * max(1.0, np.abs(back).max())
+
+
 @pytest.mark.parametrize(("height", "width", "half"), SIZES)
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_pixels_see_points_by_their_layers(level, height, width, half, dtype):
@@ -132,23 +159,26 @@ def test_pixels_see_points_by_their_layers(level, height, width, half, dtype):
     image = rng.standard_normal((height, width)).astype(dtype)
     layers = rng.integers(-2, 3, (height, width)).astype(dtype)
     layers[: height // 2] = 0
-    seen, beyond = room(b, image), margin(b.half) - b.half
+    seen = room(b, image)
     seen[:] = rng.uniform(-2.5, 3.5, seen.shape) if height % 2 else np.where(np.arange(seen.shape[1]) < 40, 0.0, 2.4)
-    used = seen[:, beyond:-beyond].astype(np.float64)
-    other, given = rng.standard_normal(used.shape).astype(dtype), (b.windows, b.halves, b.energies, positions)
-    total, back = np.zeros(used.shape), np.zeros((height, width))
-    for y, x in zip(*np.nonzero(positions >= 0.0), strict=True):
-        at = np.s_[y : y + 2 * half + 1, x : x + 2 * half + 1]
-        shown = np.clip(used[at] - layers[y, x], 0.0, 1.0) * b.window(positions[y, x])
-        total[at] += image[y, x] * shown
-        back[y, x] = (shown * other[at]).sum()
-    out, taken = room(b, image), np.empty_like(image)
-    _core.spread(*given, *places(positions), image, 2, out, layers, seen)
-    larger = np.ascontiguousarray(np.pad(other, ((0, 0), (beyond, beyond)), constant_values=1e3))
-    _core.collect(*given, *places(positions), larger, 2, taken, layers, seen)
-    allowed = 1e-5 if dtype is np.float32 else 1e-12
-    assert np.abs(out[:, beyond:-beyond] - total).max() <= allowed * max(1.0, np.abs(total).max())
-    assert np.abs(taken - back).max() <= allowed * max(1.0, np.abs(back).max())
+    check_layers(b, positions, layers, seen, image)
+
+
+@pytest.mark.parametrize("half", [1, 2, 4, 8, 16])
+@pytest.mark.parametrize("every", [5, 40])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_columns_may_be_hidden_here_and_there(level, half, every, dtype):
+    """Runs of one layer are put together, beside points that all pixels see and others that spread nothing."""
+    rng, height, width = np.random.default_rng(half), 143, 3
+    b = bank(rng, half, dtype=dtype, cuts=np.linspace(half if every == 5 else half // 2, half, 6))
+    positions = rng.uniform(0.0, 5.0, (height, width))
+    positions[(np.arange(height) // 9) % 4 == 1] = -1.0
+    image = rng.standard_normal((height, width)).astype(dtype)
+    layers = ((np.arange(height)[:, None] + np.arange(width)) // every % 3).astype(dtype)
+    seen = room(b, image)
+    row = np.arange(len(seen))
+    seen[:] = np.where(row[:, None] // 20 % 2 == 0, 4.0, rng.uniform(0.5, 2.5, seen.shape))
+    check_layers(b, positions, layers, seen, image)
 
 
 @pytest.mark.parametrize(("height", "width", "half"), SIZES)

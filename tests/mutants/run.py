@@ -75,6 +75,8 @@ def misfits(faults: list[Fault]) -> list[str]:
         count = path.read_text(encoding="utf-8").count(fault.old) if path.exists() else 0
         if count != 1 or fault.old == fault.new:
             wrong.append(f"{fault.name}: {fault.old!r} is {count} times in {fault.file}")
+        if fault.compiled and fault.old.startswith(("+ ", "- ", "* ", "/ ", "&& ", "|| ")):
+            wrong.append(f"{fault.name}: {fault.old!r} is no expression that a switch could stand for")
         wrong += [f"{fault.name}: no {test}" for test in fault.tests if not (ROOT / test.split("::")[0]).exists()]
     if not wrong:
         for file in sorted({f.file for f in faults if f.compiled}):

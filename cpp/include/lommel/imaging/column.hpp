@@ -27,10 +27,10 @@ struct Rows {
     static constexpr std::size_t points = Points, lanes = sizeof(V) / sizeof(T);
     const T* windows[Points];
     std::size_t stride, room, half, from;
-    V weight[Points][4], layer;
+    V weight[Points][4];
 
     LOMMEL_INLINE Rows(const WindowBank<T>& bank, const Mixture<T>* pixels, std::size_t widest, std::size_t column)
-        : stride(bank.stride), room(bank.room()), half(widest), from(column), layer(splat<V>(pixels->layer)) {
+        : stride(bank.stride), room(bank.room()), half(widest), from(column) {
         for (std::size_t p = 0; p < Points; ++p) {
             windows[p] = bank.windows + pixels[p].first * room + from;
             for (std::size_t j = 0; j < 4; ++j) {
@@ -60,9 +60,6 @@ struct Rows {
             }
         }
     }
-
-    // What pixels see of light, of which they see so many layers.
-    LOMMEL_INLINE V shown(V light, V seen) const { return light * smaller(larger(seen - layer, V{}), splat<V>(T(1))); }
 };
 
 // Calls visit(rows) for the blocks of columns of one point or two; the narrow ones are half as dear.
@@ -79,11 +76,11 @@ LOMMEL_INLINE void each_block(const WindowBank<T>& bank, const Mixture<T>* point
     }
 }
 
-// The points of a column: where the first of them is in an image and among all points, how many, how far the widest of their windows goes, and
-// whether anything hides some of them in part.
+// The points of a column, or some of them: where the first of the column is in an image and among all points, which of them, how
+// far the widest of their windows goes, and whether anything hides some of them in part.
 struct Column {
     std::ptrdiff_t at;
-    std::size_t point, height, half;
+    std::size_t point, first, last, half;
     bool hidden;
 };
 
@@ -97,14 +94,12 @@ class Sheets {
     using V = Packed<I, T>;
     Sheets(const WindowBank<T>& bank, std::size_t height, std::size_t across, bool screened)
         : widest_(bank.widest), stride_(bank.stride), across_(static_cast<std::ptrdiff_t>(across)),
-          size_((height + 1 + 2 * widest_) * stride_), values_(size_ * (screened ? 5 : 1)), sums_((height + 1) * lanes) {}
+          size_((height + 1 + 2 * widest_) * stride_), values_(size_ * (screened ? 3 : 1)), sums_((height + 1) * lanes) {}
 
     static constexpr std::size_t lanes = sizeof(V) / sizeof(T);
     T* both() { return values_.data(); }
     T* right() { return values_.data() + size_; }
     T* left() { return values_.data() + 2 * size_; }
-    T* seen_right() { return values_.data() + 3 * size_; }
-    T* seen_left() { return values_.data() + 4 * size_; }
     T* sums(std::size_t point) { return sums_.data() + point * lanes; }  // zeros between columns
 
     // Where a row of what a point spreads begins, that of the column's first point being 0.
@@ -137,7 +132,8 @@ class Sheets {
         const std::ptrdiff_t away = static_cast<std::ptrdiff_t>(from);
         const std::ptrdiff_t last = away + static_cast<std::ptrdiff_t>(sizeof(W) / sizeof(T)) - 1;
         const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(column.half);
-        for (std::ptrdiff_t row = -beyond; row < static_cast<std::ptrdiff_t>(column.height) + beyond; ++row) {
+        const std::ptrdiff_t end = static_cast<std::ptrdiff_t>(column.last) + beyond;
+        for (std::ptrdiff_t row = static_cast<std::ptrdiff_t>(column.first) - beyond; row < end; ++row) {
             const std::ptrdiff_t middle = column.at + row * across_;
             f(place(row, from), middle + away, middle - last, beside);
         }
@@ -148,11 +144,14 @@ class Sheets {
         static constexpr std::size_t at(std::size_t i, std::size_t lanes) { return lanes - 1 - i; }
     };
 
-    LOMMEL_INLINE void see(const Column& column, const T* seen) {
+    // Calls f(place, right, left) with what pixels on either side of some points see of the layer that these lie in, 0 to 1.
+    template <class F>
+    LOMMEL_INLINE void shares(const Column& column, const T* seen, T layer, const F& f) const {
         each(column, [&](std::size_t place, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
             using W = decltype(beside);
-            store(seen_right() + place, load<W>(seen + right));
-            store(seen_left() + place, permuted<Mirror, T>(load<W>(seen + left)));
+            const W behind = splat<W>(layer), all = splat<W>(T(1));
+            f(place, smaller(larger(load<W>(seen + right) - behind, W{}), all),
+              permuted<Mirror, T>(smaller(larger(load<W>(seen + left) - behind, W{}), all)));
         });
     }
 
@@ -163,31 +162,31 @@ class Sheets {
     Aligned<T> values_, sums_;
 };
 
-// Points add what they spread to an image.
+// Points add what they spread to an image. Those of a layer that is hidden in part are put together first, and then shared out.
 template <class I, class T>
 struct Giving {
     using V = Packed<I, T>;
     T* out;
     const T* seen;
 
-    LOMMEL_INLINE void open(Sheets<I, T>& sheets, const Column& column) const {
-        if (column.hidden) {
-            sheets.see(column, seen);
-        }
+    LOMMEL_INLINE void open(Sheets<I, T>&, const Column&) const {}
+    LOMMEL_INLINE void before(Sheets<I, T>&, const Column&, T) const {}
+    LOMMEL_INLINE void after(Sheets<I, T>& sheets, const Column& column, T layer) const {
+        sheets.shares(column, seen, layer, [&](std::size_t at, auto right, auto left) LOMMEL_INLINE_LAMBDA {
+            using W = decltype(right);
+            const W both = taken<W>(sheets.both() + at);
+            store(sheets.right() + at, load<W>(sheets.right() + at) + both * right);
+            store(sheets.left() + at, load<W>(sheets.left() + at) + both * left);
+        });
     }
+    LOMMEL_INLINE void rest(Sheets<I, T>&, const Column&) const {}
 
-    template <bool Hiding, class R>
+    template <class R>
     LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows) const {
         using W = typename R::V;
         const auto to = [&](std::ptrdiff_t row, W sum) LOMMEL_INLINE_LAMBDA {
-            const std::size_t at = sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from);
-            if constexpr (Hiding) {
-                const W right = load<W>(sheets.right() + at), left = load<W>(sheets.left() + at);
-                store(sheets.right() + at, right + rows.shown(sum, load<W>(sheets.seen_right() + at)));
-                store(sheets.left() + at, left + rows.shown(sum, load<W>(sheets.seen_left() + at)));
-            } else {
-                store(sheets.both() + at, load<W>(sheets.both() + at) + sum);
-            }
+            T* const at = sheets.both() + sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from);
+            store(at, load<W>(at) + sum);
         };
         W above[R::points], below[R::points];
         rows.mix(0, above);
@@ -212,15 +211,10 @@ struct Giving {
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
         sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
             using W = decltype(beside);
-            const auto take = [](T* sum) LOMMEL_INLINE_LAMBDA {
-                const W value = load<W>(sum);
-                store(sum, W{});
-                return value;
-            };
-            const W both = take(sheets.both() + at);
+            const W both = taken<W>(sheets.both() + at);
             W here = both, there = both;
             if (column.hidden) {
-                here = here + take(sheets.right() + at), there = there + take(sheets.left() + at);
+                here = here + taken<W>(sheets.right() + at), there = there + taken<W>(sheets.left() + at);
             }
             // Both are loaded first: a processor waits for what is loaded where a part of it has just been stored. The column in
             // the middle is in both, and right in the second.
@@ -228,6 +222,15 @@ struct Giving {
             store(out + left, load<W>(out + left) + permuted<typename Sheets<I, T>::Mirror, T>(there * beside));
             store(out + right, here);
         });
+    }
+
+   private:
+    // A sum, zero from then on.
+    template <class W>
+    static LOMMEL_INLINE W taken(T* sum) {
+        const W value = load<W>(sum);
+        store(sum, W{});
+        return value;
     }
 };
 
@@ -240,31 +243,38 @@ struct Taking {
     std::size_t width;  // of `out`
 
     LOMMEL_INLINE void open(Sheets<I, T>& sheets, const Column& column) const {
-        if (column.hidden) {
-            sheets.see(column, seen);
-        }
         sheets.each(column, [&](std::size_t at, std::ptrdiff_t right, std::ptrdiff_t left, auto beside) LOMMEL_INLINE_LAMBDA {
             using W = decltype(beside);
             const W here = load<W>(image + right);
             const W there = permuted<typename Sheets<I, T>::Mirror, T>(load<W>(image + left)) * beside;
-            store(sheets.both() + at, here + there);
             if (column.hidden) {
                 store(sheets.right() + at, here), store(sheets.left() + at, there);
+            } else {
+                store(sheets.both() + at, here + there);
             }
         });
     }
+    LOMMEL_INLINE void before(Sheets<I, T>& sheets, const Column& column, T layer) const {
+        sheets.shares(column, seen, layer, [&](std::size_t at, auto right, auto left) LOMMEL_INLINE_LAMBDA {
+            using W = decltype(right);
+            store(sheets.both() + at, load<W>(sheets.right() + at) * right + load<W>(sheets.left() + at) * left);
+        });
+    }
+    LOMMEL_INLINE void after(Sheets<I, T>&, const Column&, T) const {}
+    LOMMEL_INLINE void rest(Sheets<I, T>& sheets, const Column& column) const {
+        if (column.hidden) {
+            sheets.each(column, [&](std::size_t at, std::ptrdiff_t, std::ptrdiff_t, auto beside) LOMMEL_INLINE_LAMBDA {
+                using W = decltype(beside);
+                store(sheets.both() + at, load<W>(sheets.right() + at) + load<W>(sheets.left() + at));
+            });
+        }
+    }
 
-    template <bool Hiding, class R>
+    template <class R>
     LOMMEL_INLINE void add(Sheets<I, T>& sheets, std::size_t point, const R& rows) const {
         using W = typename R::V;
         const auto light = [&](std::ptrdiff_t row) LOMMEL_INLINE_LAMBDA {
-            const std::size_t at = sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from);
-            if constexpr (Hiding) {
-                return rows.shown(load<W>(sheets.right() + at), load<W>(sheets.seen_right() + at)) +
-                       rows.shown(load<W>(sheets.left() + at), load<W>(sheets.seen_left() + at));
-            } else {
-                return load<W>(sheets.both() + at);
-            }
+            return load<W>(sheets.both() + sheets.place(static_cast<std::ptrdiff_t>(point) + row, rows.from));
         };
         // Sums of each window of the bank, mixed at the end: rows above and below are alike, and added before they are
         // multiplied. What one row is to one point the next is to the other.
@@ -306,7 +316,7 @@ struct Taking {
     LOMMEL_INLINE void close(Sheets<I, T>& sheets, const Column& column) const {
         using Short = Packed<Portable, T>;
         constexpr std::size_t some = sizeof(Short) / sizeof(T);
-        for (std::size_t i = 0; i < column.height; ++i) {
+        for (std::size_t i = column.first; i < column.last; ++i) {
             T* const sums = sheets.sums(i);
             Short total{};
             for (std::size_t j = 0; j < Sheets<I, T>::lanes; j += some) {

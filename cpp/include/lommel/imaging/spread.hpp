@@ -183,14 +183,29 @@ class Spreader {
     }
 
     // Two points below each other are taken at once, unless some pixels see only one of them: those of one kind after those
-    // of another, since processors wait where they guess wrong what comes next.
+    // of another, since processors wait where they guess wrong what comes next. What is hidden in part comes first, layer by layer.
     template <class I, class Side>
     LOMMEL_INLINE void one_column(I, const Tile& tile, std::size_t x, Mixture<T>* points, Sheets<I, T>& sheets,
                                   const Side& side) const {
-        enum Kind { alike, other, hidden, apart, none };
+        enum Kind { alike, other, none };
         Column column{static_cast<std::ptrdiff_t>((tile.top + bank_.widest) * across() + margin_ + tile.left + x),
-                      tile.top * width_ + tile.left + x, tile.height, 0, false};
+                      tile.top * width_ + tile.left + x,
+                      0,
+                      tile.height,
+                      0,
+                      false};
         std::size_t pairs[none + 1][(most_rows + 1) / 2], counts[none + 1] = {};
+        Column hidden[most_rows + 1];  // by layers
+        std::size_t layers = 0;
+        const auto hide = [&](std::size_t first, std::size_t last) LOMMEL_INLINE_LAMBDA {
+            const std::size_t half = std::max(points[first].half, points[last - 1].half);
+            Column* const before = layers > 0 ? hidden + layers - 1 : nullptr;
+            if (before && before->last == first && points[before->first].layer == points[first].layer) {
+                before->last = last, before->half = std::max(before->half, half);
+            } else {
+                hidden[layers++] = {column.at, column.point, first, last, half, true};
+            }
+        };
         for (std::size_t i = 0; i < tile.height; i += 2) {
             for (std::size_t k = i; k < i + 2; ++k) {
                 const std::size_t at = k * Tile::broad + x;
@@ -199,42 +214,61 @@ class Spreader {
                 points[k].hidden = points[k].any && tile.hidden[at];
             }
             const Mixture<T>&one = points[i], &next = points[i + 1];
-            const bool any = one.any || next.any, in_part = one.hidden || next.hidden;
-            const Kind seen = in_part ? (one.layer == next.layer ? hidden : apart) : one.first == next.first ? alike : other;
-            const Kind kind = any ? seen : none;
-            pairs[kind][counts[kind]++] = i;
+            const bool any = one.any || next.any;
             column.half = std::max<std::size_t>(column.half, std::max(one.half, next.half));
+            if (!one.hidden && !next.hidden) {
+                const Kind kind = !any ? none : one.first == next.first ? alike : other;
+                pairs[kind][counts[kind]++] = i;
+            } else if (one.layer == next.layer) {
+                hide(i, std::min(i + 2, tile.height));
+            } else {
+                for (std::size_t k = i; k < i + 2; ++k) {
+                    if (points[k].any) {
+                        hide(k, k + 1);
+                    }
+                }
+            }
         }
         if (2 * counts[none] >= tile.height) {
             return;
         }
-        column.hidden = counts[hidden] + counts[apart] > 0;
+        column.hidden = layers > 0;
         side.open(sheets, column);
-        const auto add = [&](auto count, auto same, auto in_part, std::size_t i) LOMMEL_INLINE_LAMBDA {
+        const auto add = [&](auto count, auto same, std::size_t i) LOMMEL_INLINE_LAMBDA {
             constexpr std::size_t together = decltype(count)::value;
             const std::size_t half = std::max(points[i].half, points[i + together - 1].half);
-            each_block<I, together, decltype(same)::value>(bank_, points + i, half, [&](const auto& rows) LOMMEL_INLINE_LAMBDA {
-                side.template add<decltype(in_part)::value>(sheets, i, rows);
-            });
+            each_block<I, together, decltype(same)::value>(
+                bank_, points + i, half, [&](const auto& rows) LOMMEL_INLINE_LAMBDA { side.add(sheets, i, rows); });
         };
         constexpr std::integral_constant<std::size_t, 1> one{};
         constexpr std::integral_constant<std::size_t, 2> two{};
         constexpr std::true_type yes{};
         constexpr std::false_type no{};
+        for (std::size_t k = 0; k < layers; ++k) {
+            const Column& some = hidden[k];
+            const T layer = points[some.first].layer;
+            side.before(sheets, some, layer);
+            std::size_t i = some.first;
+            for (; i + 1 < some.last; i += 2) {
+                if (points[i].first == points[i + 1].first) {
+                    add(two, yes, i);
+                } else {
+                    add(two, no, i);
+                }
+            }
+            if (i < some.last) {
+                add(one, yes, i);
+            }
+            side.after(sheets, some, layer);
+        }
+        if (counts[alike] + counts[other] > 0) {
+            side.rest(sheets, column);
+        }
         for (std::size_t k = 0; k < counts[alike]; ++k) {
-            add(two, yes, no, pairs[alike][k]);
+            add(two, yes, pairs[alike][k]);
         }
         for (std::size_t k = 0; k < counts[other]; ++k) {
-            add(two, no, no, pairs[other][k]);
-        }
-        for (std::size_t k = 0; k < counts[hidden]; ++k) {
-            add(two, no, yes, pairs[hidden][k]);
-        }
-        for (std::size_t k = 0; k < 2 * counts[apart]; ++k) {
-            const std::size_t i = pairs[apart][k / 2] + k % 2;
-            if (points[i].any) {
-                add(one, yes, yes, i);
-            }
+            add(two, no, pairs[other][k]);
         }
         side.close(sheets, column);
     }

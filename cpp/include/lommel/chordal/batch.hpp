@@ -18,6 +18,15 @@ struct ChordalTables {
     std::shared_ptr<const TermTable> terms;
     std::shared_ptr<const KernelTable<Real>> kernel;
     std::shared_ptr<const FactorTable> factors;  // where derivatives are wanted
+
+    // Of a disk of such a radius, for places `step` in v apart; kept for further images.
+    template <class More>
+    static ChordalTables of(const DiskStack& stack, const ChordCount& count, const WindowAxis& rows, const WindowAxis& columns,
+                            double step, double radius, const More& more) {
+        return {cache<TermTable>.get(count, stack.terms, stack.amplitude.scaled(radius * radius)),
+                cache<KernelTable<Real>>.get(count, rows, columns, radius * step),
+                More::wanted ? cache<FactorTable>.get(count, more.terms, radius) : nullptr};
+    }
 };
 
 // The disks of an aperture: the whole one, and the obscured one, whose U is subtracted `area` times where that is not 0.

@@ -169,21 +169,13 @@ class ChordalRenderer {
     }
 
     template <class Real>
-    std::shared_ptr<const KernelTable<Real>> kernel(const ChordCount& count, double step) const {
+    ChordalTables<Real> tables(const ChordCount& count, double radius) const {
         if (KernelTable<Real>::bytes(count, rows_.at.size()) > max_table_bytes) {
             throw PhaseTooLarge("a window of " + std::to_string(rows_.count) + " rows and these phases take " +
                                 std::to_string(count.chords) + " chords of " + std::to_string(count.nodes) +
                                 " nodes, whose tables exceed the limit of 256 MiB");
         }
-        return cache<KernelTable<Real>>.get(count, rows_, columns_, step);
-    }
-
-    template <class Real>
-    ChordalTables<Real> tables(const ChordCount& count, double scale) const {
-        // The kernel first: it knows when there are too many chords.
-        const auto k = kernel<Real>(count, scale * step_);
-        return {cache<TermTable>.get(count, stack_.terms, stack_.amplitude.scaled(scale * scale)), k,
-                More::wanted ? cache<FactorTable>.get(count, more_.terms, scale) : nullptr};
+        return ChordalTables<Real>::of(stack_, count, rows_, columns_, step_, radius, more_);
     }
 
     template <class Real>

@@ -21,10 +21,8 @@ class ChordalSums {
         : stack_(stack), more_(more), area_(stack.obscuration * stack.obscuration) {
         const WindowAxis rows(window.height, window.row), columns(window.width, window.column);
         for (std::size_t disk = 0; disk < (area_ > 0.0 ? 2 : 1); ++disk) {
-            const double scale = disk == 0 ? 1.0 : stack.obscuration;
-            disks_[disk] = {cache<TermTable>.get(count, stack.terms, stack.amplitude.scaled(scale * scale)),
-                            cache<KernelTable<float>>.get(count, rows, columns, scale * window.step),
-                            More::wanted ? cache<FactorTable>.get(count, more.terms, scale) : nullptr};
+            const double radius = disk == 0 ? 1.0 : stack.obscuration;
+            disks_[disk] = ChordalTables<float>::of(stack, count, rows, columns, window.step, radius, more);
         }
     }
 

@@ -95,4 +95,4 @@ def test_a_tilt_to_an_axis_and_what_it_loses():
             lost += UNIT * (2 * abs(way) + abs(mp.mpf(tilt)))
             # A tilt that is off by so much moves U by half as much.
             assert abs(mp.mpf(found) - mp.mpf(tilt) - way) / 2 <= UNIT * (2 * abs(way) + abs(mp.mpf(tilt)))
-        assert made["lost"][0] == pytest.approx(float(lost), rel=1e-9)
+        assert made["lost"][0] == pytest.approx(float(lost), rel=1e-9, abs=0.0)

@@ -253,6 +253,11 @@ def test_the_sampled_growth_is_the_mean_over_chords_at_the_worst_direction(curve
     assert found["mean"] <= np.log(means.max()) + 0.3
 
 
+@pytest.mark.parametrize("curve", [28, 46])
+def test_the_samples_of_growth_have_all_of_the_mean(curve):
+    assert _core.sampled_growth(TERMS, np.zeros(len(LIST)), curve)["mean"] == pytest.approx(0.0, abs=1e-5)
+
+
 def bounds_of(c, inner, obscuration, light, reach, error, wanted, piece=0, groups=10**6):
     return _core.zernike_field_bounds(
         TERMS, np.array(c), np.array(inner), obscuration, np.array(light), reach, error, wanted, piece, groups

@@ -116,6 +116,15 @@ def test_errors_stay_within_the_bound(level):
         _core.limit_instructions("avx512")
 
 
+def test_averages_of_many_pupils_are_each_around_their_own_axis():
+    rng = np.random.default_rng(9)
+    pupil = lm.Pupil(lm.Wavefront(rng.uniform(-5, 5, 300)))
+    answer = lm.psf(pupil, 9, 0.5, center=(rng.uniform(3, 5, 300), 4.2), integrate=True, dtype=np.float64)
+    for i in (0, 63, 64, 65, 150, 299):
+        alone = lm.psf(pupil[i], 9, 0.5, center=(answer.grid.center[0][i], 4.2), integrate=True, dtype=np.float64)
+        assert np.abs(answer.values[i] - alone.values).max() <= 2e-6 * alone.values.max()
+
+
 def test_averages_stay_within_the_bound():
     rng = np.random.default_rng(4)
     s, w = np.polynomial.legendre.leggauss(18)

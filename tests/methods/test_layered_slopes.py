@@ -221,6 +221,17 @@ def test_each_plane_moves_about_its_own_axis_and_single_precision_stores_what_it
             assert off <= made.derivative_bounds[name] + one.derivative_bounds[name]
 
 
+@pytest.mark.parametrize(("emitter", "name"), [("isotropic", "z"), (lm.Dipole(0.7, 0.4), "row")])
+def test_what_single_precision_stores_is_in_the_bound(emitter, name):
+    of = pupil(emitter=emitter)[:1]
+    made, exact = (
+        lm.psf(of, 9, PIXEL, derivatives=[name], tol=1e-6, dtype=kind) for kind in (np.float32, np.float64)
+    )
+    stored = 2.0**-24 * np.abs(exact.derivatives[name]).max() / exact.values.max()
+    added = made.derivative_bounds[name] - exact.derivative_bounds[name]
+    assert added == pytest.approx(stored, rel=1e-2, abs=0.0)
+
+
 def test_what_has_no_derivatives_says_so():
     with pytest.raises(ValueError, match="'z', 'depth', 'wavelength', 'row' and 'column', got 'defocus'"):
         lm.psf(pupil(), 9, PIXEL, derivatives=("defocus",))

@@ -186,6 +186,23 @@ def test_like_stacks_share_their_angles():
     assert one.rho is other.rho
 
 
+def test_angles_are_found_for_all_planes():
+    depth, z = RNG.uniform(0.0, 80e-6, 30), RNG.uniform(-1e-6, 1e-6, 30)
+    pupil = OIL.pupil(depth=depth, z=z, wavelength=WAVE, origin="paraxial")
+    layers, _, depths, foci, *_ = stratified._question(pupil, 20.0, 1e-6)
+    at, focus = stratified._corners(layers, depths, foci)
+    share = (depth - at[0]) / (at[2] - at[0])
+    low, high = ((1.0 - share) * focus[k] + share * focus[2 + k] for k in (0, 1))
+    assert np.all((low <= pupil.focus) & (pupil.focus <= high))
+    assert np.ptp(foci) <= 3e-6
+
+
+def test_profiles_far_from_the_peak_are_exact_to_what_is_there():
+    made = lm.Stratified(1e-6).profile(planes(2, span=1e-7), np.linspace(50.0, 60.0, 5))
+    assert made.peak.max() < 1e-3
+    assert made.error.max() <= 1e-6
+
+
 def test_ranges_are_widened_little():
     for values in (RNG.uniform(-1, 1, 5), np.array([3e-6]), np.array([0.0, 1e-6])):
         low, high = stratified._outwards(values)

@@ -57,6 +57,26 @@ def test_a_channel_is_an_answer_like_any_other():
     assert [psf.values.shape for psf in answer] == [(33, 33)] * 3
 
 
+@pytest.mark.parametrize("normalize", ["energy", "strehl", "peak"])
+def test_each_channel_has_its_own_scale(normalize):
+    pupil = LENS.pupil([1.9, 1.95])
+    answer = lm.colour_psf(pupil, 13, 3e-6, CHANNELS, normalize=normalize)
+    for found, (_, pairs) in zip(answer, CHANNELS, strict=True):
+        one = lm.Polychromatic([w for w, _ in pairs], [share for _, share in pairs])
+        plain = lm.psf(pupil, 13, 3e-6, method=one, normalize=normalize)
+        assert found.scale == pytest.approx(plain.scale, rel=2e-6)
+
+
+def test_light_that_lateral_colour_moves_has_no_profile():
+    pupil, method = PUPILS["aside"], lm.Polychromatic(WAVES, (1.0, 4.0, 1.0))
+    assert pupil.radial
+    assert method.along_radius(pupil) is None
+    assert method.along_radius(PUPILS["lens"]) is method
+    found = lm.psf(pupil, 65, 1e-6, method=method).encircled_energy(8e-6)
+    ones = [lm.psf(pupil.in_light(w), 65, 1e-6).encircled_energy(8e-6) for w in WAVES]
+    assert found == pytest.approx(np.dot([1.0, 4.0, 1.0], ones) / 6.0, abs=2e-3)
+
+
 def test_wavelengths_are_an_axis():
     answer = lm.colour_psf(LENS.pupil(1.95), 21, 3e-6, WAVES)
     assert answer.names == ("450 nm", "550 nm", "650 nm")

@@ -10,6 +10,9 @@ from scipy.special import j0, roots_legendre
 
 import lommel as lm
 from frameworks import THERE
+from lommel.twins import certificate
+from lommel.twins.images import Pixels
+from lommel.twins.namespaces import Namespace
 
 WHITE = lm.Polychromatic([450e-9, 550e-9, 650e-9], [1.0, 2.0, 1.0])
 SENSOR = {"wavelength": 550e-9, "f_number": 8.0}
@@ -173,3 +176,22 @@ def test_all_namespaces_make_the_same_images(make):
         peak = images.max(axis=(1, 2), keepdims=True)
         assert np.all(np.abs(others - images) <= 2e-14 * peak), name
         assert np.all(np.abs(told - bound) <= 1e-12 * peak[:, 0, 0] + 1e-9 * bound), name
+
+
+def test_a_bound_is_infinite_where_there_is_none():
+    ns = Namespace.of(None)
+    values = np.array([[1.0, 2.0], [np.nan, 1.0], [1.0, 2.0]])
+    with np.errstate(invalid="ignore"):
+        for divided in (False, True):
+            found = certificate.over_peak(ns, values, np.array([1e-3, 1e-3, np.nan]), 0.0, divided=divided)
+            assert np.isfinite(found).tolist() == [True, False, False]
+            assert not np.isnan(found).any()
+
+
+def test_averages_of_samples_are_off_by_what_samples_are():
+    pixels = Pixels(2, 3, False, 1.0, 0.25, 2)
+    values, error = pixels.means(
+        Namespace.of(None), {"share": np.full((2, 1, 2, 1), 0.25)}, np.ones((1, 24)), np.array([0.5]), 0.0
+    )
+    assert values == pytest.approx(np.ones((1, 6)), rel=1e-15)
+    assert error == pytest.approx(0.75, rel=1e-15)

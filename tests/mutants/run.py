@@ -182,15 +182,8 @@ class Workplace:
         failed = re.search(r"^(?:FAILED|ERROR) (\S+)", out, re.MULTILINE)
         return failed[1] if failed else f"ended by {running.returncode}: {out[-200:]!r}"
 
-    def judge(self, fault: Fault) -> str:
-        """Return which test of its subject notices a fault, or ""."""
-        return self._with(fault, fault.tests, 1200)
-
-    def judge_by_all(self, fault: Fault) -> str:
-        """Return which test at all notices a fault, or ""."""
-        return self._with(fault, ("tests",), 7200)
-
-    def _with(self, fault: Fault, tests: tuple[str, ...], limit: float) -> str:
+    def judge(self, fault: Fault, tests: tuple[str, ...], limit: float) -> str:
+        """Return which test notices a fault, or ""."""
         path, number = self.tree / fault.file, fault.number if fault.compiled else 0
         before = path.read_text(encoding="utf-8")
         if not fault.compiled:
@@ -237,13 +230,13 @@ def main() -> None:
     def judge(fault: Fault) -> tuple[Fault, str]:
         workplace, start = idle.get(), time.monotonic()
         try:
-            found = workplace.judge(fault)
+            found = workplace.judge(fault, fault.tests, 1200)
             if not found and not given.subject:
                 with lock:
                     if not sure:
                         make_sure(workplace, "tests")
                         sure.append(True)
-                found = workplace.judge_by_all(fault)
+                found = workplace.judge(fault, ("tests",), 7200)
         finally:
             idle.put(workplace)
         said = found or (f"NOT NOTICED, argued: {fault.argued}" if fault.argued else "NOT NOTICED")

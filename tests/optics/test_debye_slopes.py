@@ -12,6 +12,7 @@ import lommel as lm
 from lommel.optics import debye, debye_slopes
 from lommel.optics.pupil_pieces import At, Model, pieces
 from lommel.special.discs import Disc
+from objectives import oil
 
 FILMS = [lm.Layer(2.0, 60e-9), lm.Layer(1.46, 300e-9)]
 WAVE = 520e-9
@@ -21,16 +22,7 @@ MODELS = [Model(), Model("scalar"), Model("radial"), Model("azimuthal")]
 
 
 def layers(films=()):
-    return lm.Objective(
-        NA=1.4,
-        magnification=63,
-        immersion=1.518,
-        working_distance=0.19e-3,
-        coverslip=lm.Layer(1.5255, 170e-6),
-        design=lm.Design(1.515, lm.Layer(1.5255, 168e-6)),
-        sample=1.33,
-        films=films,
-    )._layers(WAVE)
+    return oil(design=lm.Design(1.515, lm.Layer(1.5255, 168e-6)), films=films)._layers(WAVE)
 
 
 def difference(at, h):

@@ -27,6 +27,7 @@ ORDER = [
     {"io"},
     {"show"},
     {"twins"},
+    {"measured"},
     {"psf"},
     {"channel_psf"},
     {"estimation", "field", "stacks"},

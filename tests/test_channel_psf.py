@@ -63,7 +63,7 @@ def test_each_channel_has_its_own_scale(normalize):
     answer = lm.colour_psf(pupil, 13, 3e-6, CHANNELS, normalize=normalize)
     for found, (_, pairs) in zip(answer, CHANNELS, strict=True):
         one = lm.Polychromatic([w for w, _ in pairs], [share for _, share in pairs])
-        plain = lm.psf(pupil, 13, 3e-6, method=one, normalize=normalize)
+        plain = lm.psf(found.pupil, 13, 3e-6, method=one, normalize=normalize)
         assert found.scale == pytest.approx(plain.scale, rel=2e-6)
 
 

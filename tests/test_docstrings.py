@@ -179,4 +179,4 @@ def test_what_a_docstring_lacks_is_found():
     assert lacking(some) == ["b", "c", "Returns", "Raises"]
     assert untold(int, some) == ["b", "Returns", "Raises"]
     assert {"psf", "Pupil", "measures.energy.window_energy", "special.zernike.polynomial"} <= THINGS.keys()
-    assert {"Wavefront.rotated", "PSF.encircled_energy", "NijboerZernike.images"} <= METHODS.keys()
+    assert {"Wavefront.rotated", "PSF.pullback", "NijboerZernike.images"} <= METHODS.keys()

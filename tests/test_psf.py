@@ -234,8 +234,9 @@ def test_encircled_energy_rises_from_none_towards_all_light(method):
 @pytest.mark.parametrize("method", [lm.Fraunhofer(), lm.Geometric()], ids=repr)
 def test_the_energy_of_a_method_on_pixels_is_the_sum_of_its_pixels(method, normalize):
     pupil = lm.Pupil(lm.Wavefront(defocus=[5.0, 9.0]))
-    image = lm.psf(pupil, 21, 0.5, method=method, normalize=normalize, dtype="float64")
-    fractions = lm.psf(pupil, 21, 0.5, method=method, normalize="energy", dtype="float64").values
+    options = {"method": method, "dtype": "float64", "integrate": True}
+    image = lm.psf(pupil, 21, 0.5, normalize=normalize, **options)
+    fractions = lm.psf(pupil, 21, 0.5, normalize="energy", **options).values
     np.testing.assert_allclose(image.energy, fractions.sum(axis=(1, 2)))
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
@@ -16,6 +16,7 @@ from lommel.base.arrays import Array, largest
 from lommel.base.options import near
 from lommel.core.answers import Wanted
 from lommel.io import colour_files
+from lommel.measured import Measured
 from lommel.measures.answer_channels import AnswerChannels
 from lommel.methods import wanted
 from lommel.methods.asked import asked_about
@@ -55,7 +56,7 @@ class Keywords(PSFKeywords, total=False):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class ColourPSF(AnswerChannels[PSF]):
+class ColourPSF(Measured, AnswerChannels[PSF]):
     """PSFs of a pupil, or a stack of them, in channels; ``answer["red"]`` is one like any other.
 
     Attributes
@@ -63,8 +64,9 @@ class ColourPSF(AnswerChannels[PSF]):
     channels : Channels
         Names, wavelengths and weights.
     psfs : tuple of PSF
-        One for each channel, by a :class:`lommel.Polychromatic` of its wavelengths; their pupil is the one that was
-        given, at its own wavelength, to which the others are related.
+        One for each channel, by a :class:`lommel.Polychromatic` of its wavelengths. Its pupil is in the light of the
+        channel where that has one wavelength; of several, it is the one that was given, to which they are related,
+        and measures of the PSF take them all.
     values : ndarray, shape ``pupil.shape + (channels, height, width)``
         Those of each channel normalised on their own.
 
@@ -73,6 +75,10 @@ class ColourPSF(AnswerChannels[PSF]):
     TypeError, ValueError
         If there is not one PSF for each channel, or they differ in more than their light.
     """
+
+    def measured(self, measure: Callable[[PSF], Any]) -> Any:
+        """Return a `measure` of each channel, on an axis after those of the stack."""
+        return np.stack([measure(psf) for psf in self.psfs], axis=len(self.pupil.shape))
 
     def plot(self, ax: Axes | None = None, *, stretch: str = "sqrt") -> Any:
         """Draw the PSF in colour, a stack side by side; other numbers of channels than three each on their own.
@@ -114,7 +120,8 @@ def colour_psf(
         ``method`` (of one wavelength), ``tol``, ``normalize``, ``dtype``, ``center``, ``integrate``, ``fill``,
         ``blur``, ``derivatives`` and ``threads`` as of :func:`lommel.psf`. The tolerance is that of each channel,
         over its own peak, and each is normalised on its own. With derivatives, blur, and pixels that are not square
-        or not whole, wavelengths that channels share are computed for each of them.
+        or not whole, wavelengths that channels share are computed for each of them. Derivatives are by what `pupil`
+        has, at its own wavelength.
 
     Returns
     -------
@@ -151,10 +158,22 @@ def colour_psf(
     if derivatives or not plan.plain:
         rest |= {"tol": None}
         made = [Plan(shape, pixel, **rest | {"method": each})(pupil, derivatives=derivatives) for each in sums]
-        return ColourPSF(light, tuple(made))
+        return ColourPSF(light, tuple(_in_own_light(one) for one in made))
     if places := plan.grid(pupil).stack:
         pupil = wanted.for_axes(pupil, places)
-    return ColourPSF(light, _psfs(pupil, sums, plan))
+    return ColourPSF(light, tuple(_in_own_light(one) for one in _psfs(pupil, sums, plan)))
+
+
+def _in_own_light(psf: PSF) -> PSF:
+    """Return a PSF with the pupil in its own light, where that is of one wavelength."""
+    method, wavelength = psf.method, psf.pupil.wavelength
+    if not isinstance(method, Polychromatic) or wavelength is None or set(method.wavelengths) == {wavelength}:
+        return psf
+    if len(method.wavelengths) > 1:
+        return psf
+    (own,) = method.wavelengths
+    # Intensities relate to the peak at the wavelength of the pupil, which is brighter in shorter light.
+    return replace(psf, pupil=psf.pupil.in_light(own), scale=psf.scale * (wavelength / own) ** 2)
 
 
 def _psfs(pupil: BasePupil, sums: list[Polychromatic], plan: Plan) -> tuple[PSF, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel import measures
 from lommel.base import validation
 from lommel.base.arrays import Numbers, largest
+from lommel.measured import Measured
 from lommel.methods import wanted
 from lommel.methods.asked import Asked, asked_about
 from lommel.methods.method import Method
@@ -272,7 +273,7 @@ _kept = lru_cache(maxsize=16, typed=True)(Plan)
 
 
 @dataclass(frozen=True, init=False, eq=False, repr=False)
-class PSF(Pictured):
+class PSF(Measured, Pictured):
     """A computed point spread function, or a stack of them, and how it was made.
 
     Attributes
@@ -302,57 +303,9 @@ class PSF(Pictured):
         If a part is of another type, or the values are not of its shape.
     """
 
-    @property
-    def energy(self) -> Numbers:
-        """Fraction of all light that falls inside the window, to the edges of its outer pixels."""
-        return measures.energy.window_energy(self)
-
-    @property
-    def strehl(self) -> Numbers:
-        """Intensity on the axis over that without aberration; :func:`lommel.strehl` is that of a pupil."""
-        return measures.spot.axis_strehl(self)
-
-    @property
-    def peak_strehl(self) -> Numbers:
-        """Largest value in the window over the peak of the same aperture without aberration, wherever it is."""
-        return measures.spot.peak_strehl(self)
-
-    @property
-    def peak_position(self) -> NDArray[np.float64]:
-        """Place (x, y) of the largest value, from the axis; see :func:`lommel.measures.spot.peak_position`."""
-        return measures.spot.peak_position(self)
-
-    @property
-    def centroid(self) -> NDArray[np.float64]:
-        """Centroid (x, y) of the values, from the axis; :func:`lommel.centroid` has that of all light."""
-        return measures.energy.window_centroid(self)
-
-    def encircled_energy(self, radius: ArrayLike, *, about: str = "axis") -> Numbers:
-        """Return the fraction of all light within `radius` (in :attr:`unit`) of the axis or the centroid.
-
-        Exact to the tolerance of the method where pupil and method are radial, whatever the pixels; else summed over
-        the pixels, and limited to the window. Shape ``pupil.shape + radius.shape``. See
-        :func:`lommel.measures.energy.encircled_energy`.
-        """
-        return measures.energy.encircled_energy(self, radius, about=about)
-
-    def ensquared_energy(self, half_width: ArrayLike, *, about: str = "axis") -> Numbers:
-        """Return the fraction of all light within a square; see :func:`lommel.measures.energy.ensquared_energy`."""
-        return measures.energy.ensquared_energy(self, half_width, about=about)
-
-    def energy_diameter(self, fraction: float, *, about: str = "axis") -> Numbers:
-        """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
-
-        See :func:`lommel.measures.spot.energy_diameter`.
-        """
-        return measures.spot.energy_diameter(self, fraction, about=about)
-
-    def fwhm(self, along: str = "mean") -> Numbers:
-        """Return the full width at half of the largest value, in :attr:`unit`.
-
-        See :func:`lommel.measures.spot.fwhm`.
-        """
-        return measures.spot.fwhm(self, along)
+    def measured(self, measure: Callable[[PSF], Any]) -> Any:
+        """Return a `measure` of this PSF; see :class:`lommel.measured.Measured`."""
+        return measure(self)
 
     @property
     def z(self) -> NDArray[np.float64]:
@@ -362,17 +315,6 @@ class PSF(Pictured):
     def axial_fwhm(self) -> Numbers:
         """Return the width at half along z, metres of the stage; see :func:`lommel.measures.axial.axial_fwhm`."""
         return measures.axial.axial_fwhm(self)
-
-    def otf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> NDArray[np.complex128] | np.complex128:
-        """Return the transfer function of what the window holds; :func:`lommel.otf` is that of all light.
-
-        See :func:`lommel.measures.image_transfer.image_otf`.
-        """
-        return measures.image_transfer.image_otf(self, fx, fy)
-
-    def mtf(self, fx: ArrayLike, fy: ArrayLike = 0.0) -> Numbers:
-        """Return the modulus of :meth:`otf` at `fx`, `fy`; its value at frequency 0 is the light in the window."""
-        return np.abs(self.otf(fx, fy))
 
     def pullback(self, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, NDArray[np.float64]]:
         """Return the gradient of a number from its derivative `g` by the values; see `derivatives` of :func:`psf`.

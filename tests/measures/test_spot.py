@@ -29,7 +29,9 @@ def test_the_airy_pattern_is_1_029_lambda_N_wide():
         answer = lm.psf(lm.Pupil(), 5, pixel, method=EXACT)
         assert [answer.fwhm(along) for along in ("mean", "x", "y")] == pytest.approx([expected] * 3, abs=1e-9)
     metric = lm.psf(lm.Pupil(wavelength=500e-9, f_number=4.0), 5, 1e-6, method=EXACT)
-    assert metric.fwhm() == pytest.approx(expected * 2e-6, rel=1e-9)
+    assert metric.fwhm(of="optics") == pytest.approx(expected * 2e-6, rel=1e-9)
+    # Behind pixels of half a lambda*N it is wider.
+    assert expected * 2e-6 < metric.fwhm() < 1.1 * 2e-6
 
 
 @pytest.mark.parametrize(("eps", "g"), [(0.0, 0.0), (0.5, 0.0), (0.95, 0.0), (0.0, 2.0)])
@@ -70,8 +72,9 @@ def test_images_of_a_method_without_a_profile_come_near_those_of_one_with():
         assert image.fwhm() == pytest.approx(exact.fwhm(), rel=1e-2)
         assert image.fwhm("x") == pytest.approx(image.fwhm("y"), rel=1e-6)
         errors.append(np.abs(image.energy_diameter(0.8) - exact.energy_diameter(0.8)).max())
-    assert errors[0] < 0.05
-    assert errors[1] < 0.7 * errors[0]
+    # What is left is the aperture that is made of samples; the pixels of the window do not matter.
+    assert errors[0] < 5e-3
+    assert errors[1] == pytest.approx(errors[0], rel=1e-2)
 
 
 def test_astigmatism_is_wider_along_one_axis_and_turns_with_its_sign():
@@ -93,20 +96,21 @@ def test_a_tilt_moves_peak_and_centroid_and_leaves_the_rest(across, down):
     moved = lm.psf(lm.Pupil(wavefront), 257, 0.25, method=FINE, dtype="float64")
     assert moved.peak_position == pytest.approx([across, down], abs=0.01)
     assert lm.centroid(moved.pupil) == pytest.approx([across, down], abs=1e-12)
+    assert moved.centroid == pytest.approx([across, down], abs=1e-12)
     # The window cuts more on the side to which the light has moved.
-    assert moved.centroid == pytest.approx([across, down], rel=0.06, abs=1e-6)
-    assert moved.fwhm() == pytest.approx(still.fwhm(), rel=0.02)
+    assert energy.window_centroid(moved) == pytest.approx([across, down], rel=0.06, abs=1e-6)
+    assert moved.fwhm() == pytest.approx(still.fwhm(), rel=1e-3)
     # The two definitions of the Strehl ratio.
     assert moved.strehl < 0.05
     assert moved.peak_strehl == pytest.approx(still.strehl, rel=0.06)
     assert still.peak_strehl == pytest.approx(still.strehl, rel=2e-3)
     away = math.hypot(across, down)
     around = moved.encircled_energy([0.5, 2.0], about="centroid")
-    assert around == pytest.approx(still.encircled_energy([0.5, 2.0]), abs=0.04)
+    assert around == pytest.approx(still.encircled_energy([0.5, 2.0]), abs=2e-3)
     assert moved.encircled_energy(0.3 * away) < 0.2
     sides = moved.ensquared_energy([0.5, 2.0], about="centroid")
-    assert sides == pytest.approx(still.ensquared_energy([0.5, 2.0]), abs=0.04)
-    assert moved.energy_diameter(0.7, about="centroid") == pytest.approx(still.energy_diameter(0.7), abs=0.1)
+    assert sides == pytest.approx(still.ensquared_energy([0.5, 2.0]), abs=2e-3)
+    assert moved.energy_diameter(0.7, about="centroid") == pytest.approx(still.energy_diameter(0.7), rel=5e-3)
 
 
 def test_the_centroid_of_a_window_approaches_that_of_the_wavefront():
@@ -114,7 +118,8 @@ def test_the_centroid_of_a_window_approaches_that_of_the_wavefront():
     errors = []
     for side in (65, 129, 257):
         image = lm.psf(pupil, side, 0.25, method=FINE, dtype="float64")
-        errors.append(np.abs(image.centroid - lm.centroid(pupil)).max())
+        errors.append(np.abs(energy.window_centroid(image) - lm.centroid(pupil)).max())
+        np.testing.assert_allclose(image.centroid, lm.centroid(pupil), atol=1e-15)
     assert errors[0] > 1.5 * errors[1] > 2.25 * errors[2]
 
 
@@ -137,8 +142,10 @@ def test_a_square_holds_no_less_than_its_inner_circle_and_no_more_than_its_outer
     assert inner - 1e-8 <= answer.ensquared_energy(half) <= outer + 1e-8
     pixels = lm.psf(lm.Pupil(lm.Wavefront(defocus)), 41, 0.5, method=lm.Geometric())
     inner, outer = pixels.encircled_energy([half, half * math.sqrt(2)])
-    assert inner - 1e-9 <= pixels.ensquared_energy(half) <= outer + 1e-9
-    assert pixels.ensquared_energy(100.0) == pytest.approx(pixels.energy, rel=1e-9)
+    # Of rays in cells of a 512th of what they are looked for in.
+    assert inner - 2e-3 <= pixels.ensquared_energy(half) <= outer + 2e-3
+    # All rays, also those beyond the window.
+    assert pixels.ensquared_energy(100.0) == pytest.approx(1.0, abs=1e-9)
 
 
 def test_a_stack_gives_what_each_of_its_pupils_gives():
@@ -177,10 +184,8 @@ def test_what_is_impossible_is_refused_by_name():
         "along must be one of": lambda: radial.fwhm("z"),
         "fraction must be > 0 and < 1, got 1": lambda: radial.energy_diameter(1.0),
         "fraction must be finite": lambda: coma.energy_diameter(math.nan),
-        "fraction must be at most the": lambda: coma.energy_diameter(0.9),
         "fraction must be held by a circle": lambda: radial.energy_diameter(1 - 1e-6),
-        "do not fall to half of the largest along x": lambda: coma.fwhm("x"),
-        "takes at least 4 pixels": lambda: lm.psf(coma.pupil, 3, 0.25, method=FINE).fwhm(),
+        "fraction must be held by a circle of at most [0-9.e+]+ lambda": lambda: coma.energy_diameter(1 - 1e-7),
         "radius must be None for a pupil that is not radial": lambda: coma.profile(1.0),
         "pupil must be radially symmetric|supports radially": lambda: lm.best_focus(coma.pupil, 1.0),
         "supports radially|must be radially": lambda: spot.radial_fwhm(lm.Hankel(), coma.pupil),

@@ -121,12 +121,13 @@ def test_every_tolerance_is_met(eps):
 
 
 @pytest.mark.parametrize("pupil", [lm.Pupil(COMA), lm.Pupil(COMA, obscuration=0.4)])
-def test_the_wavefront_and_the_image_agree_to_what_the_window_holds(pupil):
+def test_the_wavefront_and_the_values_agree_to_what_the_window_holds(pupil):
     f = np.linspace(-1.0, 1.0, 9)
     outside = []
     for side in (65, 257):
         image = lm.psf(pupil, side, 0.25, method=lm.Fraunhofer(samples=512, edge="grey"), dtype="float64")
-        difference = np.abs(image.otf(f, f[:, None]) - lm.otf(pupil, f, f[:, None]))
+        difference = np.abs(image_transfer.sampled_otf(image, f, f[:, None]) - lm.otf(pupil, f, f[:, None]))
+        np.testing.assert_array_equal(image.otf(f, f[:, None]), lm.otf(pupil, f, f[:, None]))
         outside.append(1 - image.energy)
         assert np.all(difference.max(axis=(1, 2)) <= outside[-1] + 1e-4)
     assert np.all(outside[1] < 0.3 * outside[0])
@@ -140,18 +141,28 @@ def test_pixels_that_average_carry_their_sinc_in_the_image_and_from_the_wavefron
     expected = lm.otf(pupil, f, 0.3 * f, pixel=pixel)
     plain = lm.otf(pupil, f, 0.3 * f)
     np.testing.assert_allclose(expected / plain, np.sinc(f * pixel) * np.sinc(0.3 * f * pixel), rtol=1e-9)
+    np.testing.assert_array_equal(image.otf(f, 0.3 * f), expected)
+    np.testing.assert_array_equal(image.otf(f, 0.3 * f, of="optics"), plain)
     # Sampled at 1 / pixel, frequencies return: at most what the sinc of those leaves.
-    assert np.abs(image.otf(f, 0.3 * f) - expected).max() < (1 - image.energy) + 1e-3
-    assert np.abs(image.otf(f, 0.3 * f) - plain).max() > 2 * np.abs(image.otf(f, 0.3 * f) - expected).max()
+    sampled = image_transfer.sampled_otf(image, f, 0.3 * f)
+    assert np.abs(sampled - expected).max() < (1 - image.energy) + 1e-3
+    assert np.abs(sampled - plain).max() > 2 * np.abs(sampled - expected).max()
+
+
+def test_at_the_nyquist_frequency_values_have_twice_the_contrast_of_their_image():
+    pupil = lm.Pupil(wavelength=550e-9, f_number=1.8)
+    psf = lm.psf(pupil, 513, 1.22e-6)
+    twice = 2.0 * psf.otf(0.5 / 1.22e-6).real
+    assert image_transfer.sampled_otf(psf, 0.5 / 1.22e-6).real == pytest.approx(twice, abs=2.0 * (1.0 - psf.energy))
 
 
 @pytest.mark.parametrize(("shape", "center"), [((16, 21), None), ((9, 8), (3.3, 5.1))])
 def test_the_spectrum_of_a_window_is_its_sum_at_the_frequencies_of_the_window(shape, center):
     image = lm.psf(lm.Pupil(lm.Wavefront([1.0, 5.0])), shape, 0.4, center=center)
-    fx, fy, values = image_transfer.image_spectrum(image)
+    fx, fy, values = image_transfer.sampled_spectrum(image)
     assert values.shape == (2, *shape)
     assert fx[shape[1] // 2] == fy[shape[0] // 2] == 0.0
-    np.testing.assert_allclose(values, image.otf(fx, fy[:, None]), rtol=0, atol=1e-13)
+    np.testing.assert_allclose(values, image_transfer.sampled_otf(image, fx, fy[:, None]), rtol=0, atol=1e-13)
     assert values[:, shape[0] // 2, shape[1] // 2].real == pytest.approx(image.values.sum(axis=(1, 2)), rel=1e-6)
 
 
@@ -235,7 +246,8 @@ def test_a_spectrum_is_the_weighted_sum_and_what_its_images_hold():
     ]
     np.testing.assert_allclose(found, np.tensordot(spectrum.weights, parts, 1), rtol=0, atol=1e-10)
     image = lm.psf(pupil, 401, 0.2 * pupil.scale, method=spectrum)
-    assert np.abs(image.otf(f) - found).max() <= (1 - image.values.sum()) + 1e-6
+    assert np.abs(image_transfer.sampled_otf(image, f) - found).max() <= (1 - image.values.sum()) + 1e-6
+    np.testing.assert_array_equal(image.otf(f, of="optics"), found)
     with pytest.raises(ValueError, match="needs a pupil with a wavelength"):
         lm.otf(lm.Pupil(), 0.5, spectrum=spectrum)
     with pytest.raises(TypeError, match="spectrum must be a Polychromatic"):
@@ -267,7 +279,7 @@ def test_frequencies_and_options_that_are_no_finite_numbers_are_refused(bad):
         lambda: lm.otf(pupil, 0.1, tol=bad),
         lambda: lm.mtf_frequency(pupil, bad),
         lambda: lm.mtf_frequency(pupil, angle=bad),
-        lambda: image.otf(bad),
+        lambda: image_transfer.sampled_otf(image, bad),
     ):
         with pytest.raises(ValueError, match="must be finite"):
             call()
@@ -281,7 +293,7 @@ def test_what_is_impossible_is_refused_by_name():
         "fx and fy must broadcast": lambda: lm.otf(pupil, [0.1, 0.2], [0.1, 0.2, 0.3]),
         "tol must be": lambda: lm.otf(pupil, 0.1, tol=1e-15),
         "level must be": lambda: lm.mtf_frequency(pupil, 1.0),
-        "fy must be at most the Nyquist frequency": lambda: image.otf(0.1, -1.01),
+        "fy must be at most the Nyquist frequency": lambda: image_transfer.sampled_otf(image, 0.1, -1.01),
         "pixel is in metres": lambda: lm.mtf(lm.Pupil(wavelength=5e-7, f_number=2.0), 1e5, pixel=3.45),
     }.items():
         with pytest.raises((TypeError, ValueError), match=match):

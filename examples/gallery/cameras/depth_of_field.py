@@ -18,7 +18,7 @@ share = 0.8  # of the light: the blur is the radius that holds it
 
 def blur_of_waves(pupils: lm.Pupil) -> np.ndarray:
     """Return the radius that holds 80 % of the light, for each of a stack."""
-    inside = lm.psf(pupils, shape=1, pixel=1e-6).encircled_energy(radii)
+    inside = lm.psf(pupils, shape=1, pixel=1e-6).encircled_energy(radii, of="optics")
     return np.array([np.interp(share, curve, radii) for curve in inside])
 
 

@@ -44,9 +44,9 @@ pictures.colorbar(shown, ax=pictures.axes, label="log10 of the intensity\n(1 = p
 
 axes = graph.subplots()
 for answer, label in ((before, "1990, at best focus"), (after, "as designed")):
-    inside = answer.encircled_energy(radius * arcsec)
+    inside = answer.encircled_energy(radius * arcsec, of="optics")
     axes.plot(radius, inside, label=label)
-    within = float(answer.encircled_energy(0.1 * arcsec))
+    within = float(answer.encircled_energy(0.1 * arcsec, of="optics"))
     axes.plot(0.1, within, "o", color=axes.lines[-1].get_color())
     axes.annotate(f"{within:.1%} within 0.1 arcsec", (0.1, within), (0.22, within - 0.035))
     print(f"{label}: {within:.1%} within 0.1 arcsec, Strehl ratio {float(answer.strehl):.3f}")

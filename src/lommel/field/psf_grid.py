@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.channel_psf import ColourPSF
 from lommel.io import field_files
+from lommel.measured import Measured
 from lommel.measures.answer_grid import AnswerGrid
 from lommel.psf import PSF
 
@@ -18,7 +20,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class PSFGrid(AnswerGrid):
+class PSFGrid(Measured, AnswerGrid):
     """PSFs over a sensor; ``grid[row, column]`` is one of them.
 
     Attributes
@@ -43,6 +45,10 @@ class PSFGrid(AnswerGrid):
     def __getitem__(self, index: Any) -> PSF | ColourPSF:
         """Return part of the stack, in all channels where there are some, as NumPy indexes arrays of its shape."""
         return self.psf.part(index) if isinstance(self.psf, ColourPSF) else self.psf[index]
+
+    def measured(self, measure: Callable[[PSF], Any]) -> Any:
+        """Return a `measure` of the PSF of each place, distance and channel."""
+        return self.psf.measured(measure)
 
     def channel(self, channel: str | int) -> PSFGrid:
         """Return the grid of one channel.

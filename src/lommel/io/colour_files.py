@@ -18,7 +18,7 @@ from lommel.io.registry import Format
 from lommel.measures.answer_channels import AnswerChannels, colours
 from lommel.optics.channels import Channels
 
-_EACH = ("method", "error_bound", "scale")  # what channels differ in
+_EACH = ("pupil", "method", "error_bound", "scale")  # what channels differ in
 
 
 def save(answer: AnswerChannels[Any], path: str | PathLike[str]) -> None:

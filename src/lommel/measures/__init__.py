@@ -10,5 +10,6 @@ if TYPE_CHECKING:
     from lommel.measures import image_transfer as image_transfer
     from lommel.measures import pullback as pullback
     from lommel.measures import spot as spot
+    from lommel.measures import transfer as transfer
 else:
     __getattr__, __dir__ = lazy.parts(__name__)

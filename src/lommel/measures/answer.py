@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Self
 
@@ -16,6 +17,14 @@ from lommel.optics.grid import Grid
 
 if TYPE_CHECKING:
     from lommel.sensor.blurs import Blur
+
+
+class Measurable:
+    """A PSF, or several: what functions of a PSF can be asked of."""
+
+    def measured(self, measure: Callable[[Any], Any]) -> Any:
+        """Return what a function `measure` of a PSF is here."""
+        raise NotImplementedError
 
 
 @dataclass(frozen=True, eq=False)

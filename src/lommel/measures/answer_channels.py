@@ -55,7 +55,7 @@ class AnswerChannels(Generic[One]):
 
     @property
     def pupil(self) -> BasePupil:
-        """The pupil at the wavelength that it was given for."""
+        """That of the first channel."""
         return self.psfs[0].pupil
 
     @property

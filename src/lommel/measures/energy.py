@@ -3,60 +3,70 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
+from lommel.measures import aperture_means
 from lommel.measures.answer import Answer, checked
 from lommel.methods.method import RadialMethod
 from lommel.optics.base_pupil import BasePupil
-from lommel.special.disk import disk_overlap
+from lommel.optics.pupil import Pupil
 from lommel.special.legendre import gauss_panels
 
+WHAT = ("image", "optics")
+"""What is measured: the image that values are samples of, with the pixels that average, or without these."""
 
-def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis") -> Numbers:
+
+def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
     """Return the fraction of all light within `radius` of the axis or of the centroid.
 
     Parameters
     ----------
     answer : PSF
     radius : array_like
-        Metres if the pupil has a wavelength, else units of lambda*N; >= 0.
+        Metres if the pupil has a wavelength, else units of lambda*N; >= 0. It may exceed the window.
     about : {"axis", "centroid"}, default "axis"
-        The centroid is that of the values in the window; of a radial PSF it is the axis.
+        The centroid is :func:`image_centroid`; of a radially symmetric PSF it is the axis.
+    of : {"image", "optics"}, default "image"
+        The image that the values are samples of (optics, blur and, where pixels average, the pixel), or the same
+        without the pixel.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape + radius.shape``
-        Where pupil and method are radial, by quadrature of the profile, to the tolerance of the method, whatever the
-        pixels. Else the sum over pixels, each by the exact part of its area inside: as if its value held all over
-        it, which errs by about the square of the pixel over the width of the image, and limited to the window.
+        From the transfer function, whatever the pixel pitch and the window. Of radially symmetric lenses within 1e-9,
+        or the tolerance of the method where there are neither pixels nor blur. Of others within 2e-8 and
+        ``4 A e``, A being the area of the circle and e the bound on the error of the light per area (`error_bound`
+        times the peak); with :class:`lommel.Seeing` within 1e-5 besides. The actual error is far below such bounds,
+        which hold for errors of one sign everywhere.
 
     Raises
     ------
     TypeError, ValueError
-        If a radius is no number, negative or not finite, or `about` is neither.
+        If a radius is no number, negative, not finite, or larger than some 700 lambda*N for a pupil that is not
+        radially symmetric; or `about` or `of` is none of these.
     """
     checked(answer)
     at = validation.real_array("radius", radius, least=0.0)
-    center = _center(answer, about)
-    if answer.radial_method is not None:
-        return radial_energy(answer.radial_method, answer.pupil, at)
-    grid = answer.grid
-    high, wide = (0.5 * side for side in grid.pitch)
-    share = energy_per_pixel(answer).reshape(-1, *grid.shape)
-    inside = np.empty((len(share), at.size))
-    for i, ((x, y), across, down) in enumerate(zip(center, *answer.positions(), strict=True)):
-        columns, rows = across - x, down[:, None] - y
-        for j, r in enumerate(at.ravel()):
-            covered = disk_overlap(r, columns - wide, columns + wide, rows - high, rows + high) / (4.0 * high * wide)
-            inside[i, j] = np.sum(covered * share[i])
-    return numbers(inside, answer.pupil.shape + at.shape)
+    validation.choice("of", of, WHAT)
+    center = energy_centers(answer, about)
+    pupil = answer.pupil
+    if answer.radial_method is not None and _plain(answer, of):
+        return radial_energy(answer.radial_method, pupil, at)
+    flat = at.ravel() / pupil.scale
+    away = center / pupil.scale
+    reach = float(flat.max(initial=0.0)) + float(np.hypot(*away.T).max(initial=0.0))
+    validation.reach(f"radius={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
+    places = zip(_images(answer, of, reach), away, strict=True)
+    return numbers([image.circles(flat, tuple(c)) for image, c in places], pupil.shape + at.shape)
 
 
-def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axis") -> Numbers:
+def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axis", of: str = "image") -> Numbers:
     """Return the fraction of all light within a square of sides ``2 half_width`` along rows and columns.
 
     Parameters
@@ -65,6 +75,7 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
     half_width : array_like
         Half of the side, in metres if the pupil has a wavelength, else units of lambda*N; >= 0.
     about : {"axis", "centroid"}, default "axis"
+    of : {"image", "optics"}, default "image"
         As of :func:`lommel.measures.energy.encircled_energy`, whose error it has.
 
     Returns
@@ -74,40 +85,76 @@ def ensquared_energy(answer: Answer, half_width: ArrayLike, *, about: str = "axi
     Raises
     ------
     TypeError, ValueError
-        If a width is no number, negative or not finite, or `about` is neither.
+        If a width is no number, negative or not finite, or `about` or `of` is none of these.
     """
     checked(answer)
     at = validation.real_array("half_width", half_width, least=0.0)
-    center = _center(answer, about)
+    validation.choice("of", of, WHAT)
+    center = energy_centers(answer, about)
     pupil = answer.pupil
-    if answer.radial_method is not None:
+    if answer.radial_method is not None and _plain(answer, of):
         radial_method = answer.radial_method
         sides = [float(a) for a in _within_reach(pupil, "half_width", at, radial_method.stretch(pupil))]
         energies = [_rectangles(radial_method, pupil, [(4.0, a, a)]) for a in sides]
         exact = np.stack(energies, axis=-1) if sides else np.zeros((math.prod(pupil.shape), 0))
         return numbers(exact, pupil.shape + at.shape)
-    grid = answer.grid
-    share = energy_per_pixel(answer).reshape(-1, *grid.shape)
-
-    def covered(places: Array, side: float) -> Array:
-        low, high = places - 0.5 * side, places + 0.5 * side
-        a = at.ravel()[:, None]
-        return np.asarray(np.maximum(np.minimum(high, a) - np.maximum(low, -a), 0.0) / side)
-
-    height, width = grid.pitch
-
+    flat = at.ravel() / pupil.scale
+    away = center / pupil.scale
+    reach = float(flat.max(initial=0.0)) + float(np.abs(away).max(initial=0.0))
+    validation.reach(f"half_width={at.max(initial=0.0):g}", math.pi * reach, pupil.scale, pupil.unit)
     inside = [
-        np.einsum("ky,yx,kx->k", covered(down - y, height), one, covered(across - x, width), optimize=True)
-        for one, (x, y), across, down in zip(share, center, *answer.positions(), strict=True)
+        [image.rectangle((x - a, y - a), (x + a, y + a)) for a in flat]
+        for image, (x, y) in zip(_images(answer, of, reach), away, strict=True)
     ]
     return numbers(inside, pupil.shape + at.shape)
 
 
-def window_centroid(answer: Answer) -> Array:
-    """Return the centroid of the values in the window, (x, y) from the axis.
+def _plain(answer: Answer, of: str) -> bool:
+    """Return whether what is measured is the intensity of the optics alone."""
+    return not answer.blur and (of == "optics" or not answer.grid.integrate)
 
-    :func:`lommel.centroid` is that of all light, from the wavefront; the two differ by what lies outside the window,
-    which falls with its size only slowly, like the reciprocal.
+
+def _images(answer: Answer, of: str, reach: float) -> Iterator[Any]:
+    """Return the images of the flattened stack, good up to `reach` lambda*N from the axis."""
+    from lommel.measures.continuous_image import ImageModel, images
+
+    return images(ImageModel.of(answer, of), reach)
+
+
+def image_centroid(answer: Answer) -> Array:
+    """Return the centroid of all light, (x, y) from the axis.
+
+    Of lenses that of the wavefront, :func:`lommel.centroid`, in all light of the PSF: it is the first moment of the
+    image, and neither blur nor pixels move it. Of an Objective, which has no one wavefront, that of the values in the
+    window, :func:`window_centroid`.
+
+    Parameters
+    ----------
+    answer : PSF
+
+    Returns
+    -------
+    ndarray, shape ``pupil.shape + (2,)``
+        Metres or units of lambda*N; of lenses exact but for rounding.
+
+    Raises
+    ------
+    ValueError
+        If no light of an Objective falls into the window.
+    """
+    checked(answer)
+    if not isinstance(answer.pupil, Pupil):
+        return window_centroid(answer)
+    parts = answer.method.components(answer.pupil)
+    total = sum(part.share * aperture_means.centroid(part.pupil) for part in parts)
+    return np.asarray(total / sum(part.share for part in parts))
+
+
+def window_centroid(answer: Answer) -> Array:
+    """Return the centroid of the values in the window, (x, y) from the axis: a sum over pixels.
+
+    :func:`image_centroid` is that of all light; the two differ by what lies outside the window, which falls with its
+    size only slowly, like the reciprocal.
 
     Parameters
     ----------
@@ -132,12 +179,12 @@ def window_centroid(answer: Answer) -> Array:
     return np.stack([x / total, y / total], axis=-1)
 
 
-def _center(answer: Answer, about: str) -> Array:
+def energy_centers(answer: Answer, about: str) -> Array:
     """Return the points (x, y) that `about` names, shape (n, 2)."""
     validation.choice("about", about, ("axis", "centroid"))
-    if about == "axis" or answer.radial_method is not None:
+    if about == "axis" or all(part.pupil.radial for part in answer.method.components(answer.pupil)):
         return np.zeros((math.prod(answer.pupil.shape), 2))
-    return window_centroid(answer).reshape(-1, 2)
+    return image_centroid(answer).reshape(-1, 2)
 
 
 def require_radial(method: RadialMethod, pupil: BasePupil) -> None:
@@ -195,7 +242,7 @@ def _within_reach(pupil: BasePupil, name: str, at: Array, stretch: float) -> Arr
 
 
 def window_energy(answer: Answer) -> Numbers:
-    """Return the fraction of all light inside the window, to the edges of its outer pixels.
+    """Return the fraction of all light inside the window, to the edges of its outer pixels, before pixels average.
 
     Parameters
     ----------
@@ -204,22 +251,29 @@ def window_energy(answer: Answer) -> Numbers:
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
+        With the error of :func:`lommel.measures.energy.encircled_energy`. Averages over whole pixels sum to it.
     """
     checked(answer)
-    if answer.radial_method is None:
-        return numbers(energy_per_pixel(answer).sum(axis=(-2, -1)), answer.pupil.shape)
     pupil, grid = answer.pupil, answer.grid
+    radial = answer.radial_method
+    if radial is None and grid.integrate and not grid.partly:
+        return numbers(energy_per_pixel(answer).sum(axis=(-2, -1)), pupil.shape)
     if grid.stack:
         return numbers([window_energy(answer[index]) for index in np.ndindex(pupil.shape)], pupil.shape)
-    step = math.pi / pupil.scale
     high, wide = (0.5 * side for side in grid.pitch)
+    left, right, top, bottom = (
+        float(end) for end in (grid.x[0] - wide, grid.x[-1] + wide, grid.y[0] - high, grid.y[-1] + high)
+    )
+    if radial is None:
+        low, far = np.array([left, top]) / pupil.scale, np.array([right, bottom]) / pupil.scale
+        images = _images(answer, "optics", float(np.abs([low, far]).max()))
+        return numbers([image.rectangle(tuple(low), tuple(far)) for image in images], pupil.shape)
+    step = math.pi / pupil.scale
     # Inclusion and exclusion of rectangles with one corner on the axis.
     corners = [
-        (float(np.sign(a) * np.sign(b)), abs(a) * step, abs(b) * step)
-        for a in (grid.x[-1] + wide, wide - grid.x[0])
-        for b in (grid.y[-1] + high, high - grid.y[0])
+        (float(np.sign(a) * np.sign(b)), abs(a) * step, abs(b) * step) for a in (right, -left) for b in (bottom, -top)
     ]
-    return numbers(_rectangles(answer.radial_method, pupil, corners), pupil.shape)
+    return numbers(_rectangles(radial, pupil, corners), pupil.shape)
 
 
 def _rectangles(method: RadialMethod, pupil: BasePupil, rectangles: list[tuple[float, float, float]]) -> Array:

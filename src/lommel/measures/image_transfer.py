@@ -1,4 +1,4 @@
-"""Optical transfer functions of what a window holds, from its values."""
+"""Discrete transforms of the values in a window: sums over pixels, which alias where these are large."""
 
 from __future__ import annotations
 
@@ -13,8 +13,11 @@ from lommel.measures.energy import energy_per_pixel
 from lommel.measures.transfer import Complexes, frequencies
 
 
-def image_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
-    """Return the optical transfer function of the values in the window, by direct summation.
+def sampled_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
+    """Return the discrete Fourier transform of the values in the window, by direct summation.
+
+    :func:`lommel.otf` is the transfer function of the image. That of its samples repeats with the sampling frequency
+    1 / pixel: at the Nyquist frequency it is twice the real part of the image's.
 
     Parameters
     ----------
@@ -25,10 +28,9 @@ def image_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     Returns
     -------
     complex or complex ndarray, shape ``answer.pupil.shape + s``
-        ``sum values exp(-2 pi i (fx x + fy y))`` as a fraction of all light, x and y from the axis. At frequency 0
-        it is the light in the window, and nowhere does it differ from :func:`lommel.otf` by more than the light
-        outside, but for the error of the values, and aliases where pixels that sample are larger than lambda*N / 2.
-        Values that average over pixels carry the sinc of the pixel.
+        ``sum values exp(-2 pi i (fx x + fy y))`` as a fraction of all light, x and y from the axis: the sum of the
+        image's transfer function at f and at its aliases, f plus multiples of 1 / pixel, but for the light outside
+        of the window and the error of the values. At frequency 0 it is the light in the window.
 
     Raises
     ------
@@ -53,10 +55,10 @@ def image_otf(answer: Answer, fx: ArrayLike, fy: ArrayLike = 0.0) -> Complexes:
     return result
 
 
-def image_spectrum(answer: Answer) -> tuple[Array, Array, NDArray[np.complex128]]:
+def sampled_spectrum(answer: Answer) -> tuple[Array, Array, NDArray[np.complex128]]:
     """Return the frequencies of the window and its transfer function there, by FFT.
 
-    See :func:`lommel.measures.image_transfer.image_otf`.
+    See :func:`lommel.measures.image_transfer.sampled_otf`.
 
     Parameters
     ----------

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,17 +13,24 @@ from lommel.base.arrays import Array, Numbers, numbers
 from lommel.core.answers import Wanted
 from lommel.measures import aperture_means
 from lommel.measures.answer import Answer, checked
-from lommel.measures.energy import encircled_energy, radial_energy, require_radial
+from lommel.measures.energy import energy_centers, radial_energy, require_radial
 from lommel.methods.method import Method, RadialMethod
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.grid import Grid
+
+if TYPE_CHECKING:
+    from lommel.measures.continuous_image import CartesianImage, ImageModel
 
 _STEP = 0.15
 """Spacing of tables in v, over the stretch of the method."""
 _ORDER = 6
 """Half of the points that an interpolation takes."""
 _MAX_RADII = 2**16
+_MAX_WIDTH = 250.0
+"""Half of the largest full width at half of an image that is not radially symmetric, in lambda*N."""
+_MAX_DIAMETER = 6000.0
+_MAX_SAMPLED = 1400.0
 
 
 def peak_position(answer: Answer) -> Array:
@@ -132,57 +140,115 @@ def peak_strehl(answer: Answer) -> Numbers:
     return numbers(top / answer.method.unaberrated_peak(answer.pupil), answer.pupil.shape)
 
 
-def fwhm(answer: Answer, along: str = "mean") -> Numbers:
-    """Return the full width at half of the largest value.
+def fwhm(answer: Answer, along: str = "mean", *, of: str = "image") -> Numbers:
+    """Return the full width at half of the maximum.
 
     Parameters
     ----------
     answer : PSF
     along : {"mean", "x", "y"}, default "mean"
         Along columns, rows, or the mean of both.
+    of : {"image", "optics"}, default "image"
+        The image that the values are samples of (optics, blur and, where pixels average, the pixel), or the same
+        without the pixel.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Metres or units of lambda*N. Where pupil and method are radial: twice the largest radius at
-        which the intensity is half of it, to the tolerance of the method whatever the pixels. Else between the
-        outermost crossings on cubic splines through the row and the column of the brightest pixel: within about 1 %
-        for pixels of a quarter of lambda*N or less. Either way dark rings inside do not count: behind a defocused
+        Metres or units of lambda*N: the extent along x or y of all that is brighter than half of the largest value,
+        which of a radially symmetric image is its diameter there. Dark rings inside do not count: behind a defocused
         lens it is about the width of the blur, or of the spike on the axis where that is more than twice as bright.
+        Whatever the pixel pitch and the window. Off by the error of the image over its slope at half, at both ends:
+        for a tolerance of 1e-6 mostly less than 1e-5 of the width.
 
     Raises
     ------
     ValueError
-        If the values do not fall to half inside the window.
+        If `along` or `of` is none of these, or the image does not fall to half within 500 lambda*N.
     """
     checked(answer)
     validation.choice("along", along, ("mean", "x", "y"))
-    if answer.radial_method is not None:
+    validation.choice("of", of, ("image", "optics"))
+    from lommel.measures.continuous_image import ImageModel
+
+    model = ImageModel.of(answer, of)
+    if answer.radial_method is not None and model.plain:
         return radial_fwhm(answer.radial_method, answer.pupil)
-    (rise, run), out = answer.grid.pitch, []
-    for _, _, across, down in _brightest(answer):
-        lines = ("x", across, run), ("y", down, rise)
-        widths = [pitch * _width(line, name) for name, line, pitch in lines if along in ("mean", name)]
-        out.append(sum(widths) / len(widths))
-    return numbers(out, answer.pupil.shape)
+    return numbers([width(model, along) for model in model.singles], answer.pupil.shape)
 
 
-def _width(line: Array, name: str) -> float:
-    """Return the width at half of the largest value of a line, in pixels."""
-    from scipy.interpolate import CubicSpline
+def width(model: ImageModel, along: str = "mean") -> float:
+    """Return the full width at half of the maximum of a single image; see :func:`lommel.measures.spot.fwhm`."""
+    from lommel.measures.continuous_image import cartesian_images
 
-    if line.size < 4:
-        raise ValueError(f"the width along {name} takes at least 4 pixels, got {line.size}")
-    spline = CubicSpline(np.arange(line.size), line)
-    turns = spline.derivative().roots(extrapolate=False)
-    turns = turns[(turns >= 0) & (turns <= line.size - 1)]
-    places = np.append(turns, float(line.argmax()))
-    top = float(places[np.argmax(spline(places))])
-    half = 0.5 * float(spline(top))
-    if line[0] >= half or line[-1] >= half:
-        raise ValueError(f"the values do not fall to half of the largest along {name} inside the window")
-    crossings = spline.solve(half, extrapolate=False)
-    return float(crossings.max() - crossings.min())
+    reach = model.extent
+    while True:
+        (image,) = cartesian_images(model, reach)
+        step = 0.125 / image.band
+        places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
+        values = image.on(places, places)
+        half = 0.5 * _maximum(image, values, places, step)
+        bright = values >= half
+        if not (bright[[0, -1]].any() or bright[:, [0, -1]].any()):
+            break
+        if reach > _MAX_WIDTH:
+            raise ValueError(f"the image does not fall to half of the largest within {2.0 * reach:.4g} lambda*N")
+        reach *= 1.6
+    found = []
+    for turned in {"x": (False,), "y": (True,), "mean": (False, True)}[along]:
+        high, low = (_end(image, values, places, half, sign, turned=turned) for sign in (1.0, -1.0))
+        found.append(high - low)
+    return model.pupil.scale * sum(found) / len(found)
+
+
+def _maximum(image: CartesianImage, values: Array, places: Array, step: float) -> float:
+    """Return the largest light per area: by Newton's method from the brightest of samples eight to a period."""
+    inner = values[1:-1, 1:-1]
+    tops = np.ones(inner.shape, dtype=bool)
+    for i, j in ((0, 1), (1, 0), (1, 2), (2, 1)):
+        tops &= inner >= values[i : i + inner.shape[0], j : j + inner.shape[1]]
+    # Between samples an image is larger by a sixth at most.
+    rows, columns = np.nonzero(tops & (inner > 0.85 * values.max()))
+    order = np.argsort(inner[rows, columns])[::-1][:6]
+    best = float(values.max())
+    for x, y in zip(places[columns[order] + 1], places[rows[order] + 1], strict=True):
+        for _ in range(8):
+            (_, right, twice_right), (down, cross, _), (twice_down, _, _) = image.derivatives(x, y)
+            curvature = np.array([[twice_right, cross], [cross, twice_down]])
+            # On a ridge there is no way along it.
+            away = np.clip(-np.linalg.pinv(curvature, rcond=1e-6) @ [right, down], -step, step)
+            x, y = x + away[0], y + away[1]
+            if np.abs(away).max() < 1e-7 * step:
+                break
+        best = max(best, float(image.derivatives(x, y)[0, 0]))
+    return best
+
+
+def _end(image: CartesianImage, values: Array, places: Array, half: float, sign: float, *, turned: bool) -> float:
+    """Return how far along x, or y if `turned`, light of at least `half` reaches in the direction of `sign`.
+
+    There the light is `half` and does not change sideways: Newton's method from a linear interpolation of samples.
+    """
+    lines = (values.T if turned else values)[:, :: int(sign)]
+    at = places[:: int(sign)]
+    last = lines.shape[1] - 1 - np.argmax((lines >= half)[:, ::-1], axis=1)
+    rows = np.flatnonzero((lines >= half).any(axis=1))
+    here, beyond = lines[rows, last[rows]], lines[rows, last[rows] + 1]
+    crossings = at[last[rows]] + (at[1] - at[0]) * (here - half) / (here - beyond)
+    first = int(np.argmax(sign * crossings))
+    x, y = float(crossings[first]), float(places[rows[first]])
+    step, middle = abs(float(at[1] - at[0])), y
+
+    for _ in range(20):
+        found = image.derivatives(y, x).T if turned else image.derivatives(x, y)
+        (light, slope, _), (sideways, _, _), (bend, _, _) = found
+        aside = float(np.clip(y - sideways / bend, middle - step, middle + step)) - y if bend < 0.0 else 0.0
+        y += aside
+        along = float(np.clip((half - light) / slope, -step, step)) if slope else 0.0
+        x += along
+        if max(abs(along), abs(aside)) < 1e-10 * step:
+            break
+    return x
 
 
 def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
@@ -213,7 +279,7 @@ def radial_fwhm(method: RadialMethod, pupil: BasePupil) -> Numbers:
     return numbers(out * (pupil.scale / math.pi), pupil.shape)
 
 
-def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> Numbers:
+def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis", of: str = "image") -> Numbers:
     """Return the diameter of the circle that holds `fraction` of all light: 0.5 for D50, 0.8 for D80.
 
     Parameters
@@ -222,41 +288,50 @@ def energy_diameter(answer: Answer, fraction: float, *, about: str = "axis") -> 
     fraction : float
         Above 0 and below 1.
     about : {"axis", "centroid"}, default "axis"
-        Where the circle is; see :func:`lommel.measures.energy.encircled_energy`.
+    of : {"image", "optics"}, default "image"
+        As of :func:`lommel.measures.energy.encircled_energy`.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape``
-        Metres or units of lambda*N. To the tolerance of the method where pupil and method are radial, else as exact
-        as the encircled energy of the pixels.
+        Metres or units of lambda*N. Off by the error of the encircled energy over its slope.
 
     Raises
     ------
     ValueError
-        If `fraction` is out of range, if the window does not hold so much light, or if the circle would be wider
-        than about 6000 lambda*N.
+        If `fraction`, `about` or `of` is out of range, or the circle would be wider than about 6000 lambda*N, for a
+        pupil that is not radially symmetric than some 1400 lambda*N.
     """
     checked(answer)
     wanted = validation.real("fraction", fraction, above=0.0, below=1.0)
     validation.choice("about", about, ("axis", "centroid"))
-    if answer.radial_method is not None:
-        return radial_diameter(answer.radial_method, answer.pupil, wanted)
+    validation.choice("of", of, ("image", "optics"))
     from scipy.optimize import brentq
 
-    images = [answer] if answer.pupil.shape == () else [answer[i] for i in np.ndindex(answer.pupil.shape)]
+    from lommel.measures.continuous_image import ImageModel, images, polar
+
+    model, pupil = ImageModel.of(answer, of), answer.pupil
+    if answer.radial_method is not None and model.plain:
+        return radial_diameter(answer.radial_method, pupil, wanted)
+    centers = energy_centers(answer, about) / pupil.scale
     out = []
-    for one in images:
-        pixel = max(one.grid.pitch)
-        reach = 1.5 * pixel * sum(one.grid.shape) + float(np.hypot(*one.grid.axis)) * pixel
-        most = float(encircled_energy(one, reach, about=about))
-        if most < wanted:
-            raise ValueError(f"fraction must be at most the {most:.6g} of all light in the window, got {wanted:g}")
+    for one, (x, y) in zip(model.singles, centers, strict=True):
+        reach = one.extent
+        while True:
+            (image,) = images(one, reach + math.hypot(x, y))
 
-        def lacks(radius: float, one: Answer = one) -> float:
-            return float(encircled_energy(one, radius, about=about)) - wanted
+            def lacks(radius: float, image: Any = image, center: tuple[float, float] = (x, y)) -> float:
+                return float(image.circles(np.array([radius]), center)[0]) - wanted
 
-        out.append(2.0 * brentq(lacks, 0.0, reach, xtol=1e-9 * pixel))
-    return numbers(out, answer.pupil.shape)
+            if lacks(reach) >= 0.0:
+                break
+            if 4.0 * reach > (_MAX_DIAMETER if polar(one) else _MAX_SAMPLED):
+                raise ValueError(
+                    f"fraction must be held by a circle of at most {2.0 * reach:.4g} lambda*N, got {wanted:g}"
+                )
+            reach *= 2.0
+        out.append(2.0 * brentq(lacks, 0.0, reach, xtol=1e-10))
+    return numbers(out, pupil.shape) * pupil.scale
 
 
 def radial_diameter(method: RadialMethod, pupil: BasePupil, fraction: float) -> Numbers:

@@ -15,7 +15,7 @@ from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.measures.answer import Answer, checked
-from lommel.measures.encircled import MAX_RADIUS, encircled
+from lommel.measures.encircled import MAX_RADIUS, encircled, optics
 from lommel.methods import HuygensFresnel, Method
 from lommel.methods.choice import of_profiles, reference
 from lommel.optics.apodization import Apodization
@@ -58,8 +58,8 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
             return None
 
     nothing: list[None] = [None] * len(at)
-    seen, error, image = known(lambda: _energies(pupil, at)) or (nothing, None, None)
-    ideal, other_error, _ = known(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None, None)
+    seen, error = known(lambda: _energies(pupil, at)) or (nothing, None)
+    ideal, other_error = known(lambda: _energies(pupil.unaberrated(), at)) or (nothing, None)
     # Along columns, whose pitch is the width of a pixel.
     nyquist, round_ = 0.5 / instrument.pitch[1], pupil.circular
     sensor: dict[str, Any] = {"pixel": instrument.pixel, "fill": instrument.fill}
@@ -86,7 +86,9 @@ def describe_lens(instrument: Instrument) -> dict[str, Any]:
         "strehl": known(lambda: float(aperture_means.strehl(pupil))),
         "marechal": float(aperture_means.marechal(pupil)),
         "rms_waves": float(aperture_means.rms(pupil, unit="waves")),
-        "fwhm": known(lambda: float(spot.radial_fwhm(of_profiles(), pupil) if image is None else spot.fwhm(image))),
+        "fwhm": known(
+            lambda: float(spot.radial_fwhm(of_profiles(), pupil) if pupil.radial else spot.width(optics(pupil)))
+        ),
         "cutoff": pupil.cutoff,
         "mtf50": known(lambda: float(transfer.mtf_frequency(pupil))) if round_ else None,
         "nyquist": nyquist,
@@ -172,12 +174,12 @@ def _magnifies(lens: Lens) -> bool:
     return 0.0 < lens.focus_distance < lens.sensor_distance
 
 
-def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None, Answer | None]:
-    """Return encircled energies, None for circles that are too wide, the bound on their error, and their image."""
+def _energies(pupil: Pupil, radii: list[float]) -> tuple[list[float | None], float | None]:
+    """Return encircled energies, None for circles that are too wide, and the bound on their error."""
     most = math.inf if pupil.radial else MAX_RADIUS * pupil.scale
     found = encircled(pupil, [r for r in radii if r <= most])
     within = iter(found.fraction.tolist())
-    return [next(within) if r <= most else None for r in radii], found.error, found.image
+    return [next(within) if r <= most else None for r in radii], found.error
 
 
 def describe_psf(answer: PSF, seconds: float) -> dict[str, Any]:

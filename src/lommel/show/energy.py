@@ -9,10 +9,8 @@ import numpy as np
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.core.answers import Wanted
 from lommel.measures.answer import Answer, checked
 from lommel.measures.energy import encircled_energy as within
-from lommel.measures.energy import radial_energy
 from lommel.optics.pupil import Pupil
 from lommel.show.drawing import lengths, new_axes
 from lommel.show.labels import few_of, of_pupils
@@ -51,8 +49,8 @@ def encircled_energy(psf: Answer, ax: Axes | None = None, *, radius: float | Non
 
     Notes
     -----
-    The curve is :func:`lommel.measures.energy.encircled_energy`: of the profile where pupil and method are radial,
-    else of the pixels. Dashed is the same aperture in focus and without aberration, of a single PSF of a lens.
+    The curve is :func:`lommel.measures.energy.encircled_energy`, of the image with its blur and its pixels. Dashed is
+    the same aperture in focus and without aberration, of a single PSF of a lens.
     """
     pupil = checked(psf, "psf").pupil
     validation.axes("ax", ax)
@@ -96,12 +94,7 @@ def _fitting(psf: Answer) -> float:
 
 
 def _ideal(psf: Answer, radius: Array) -> Array | None:
-    """Return the light of the aperture without aberration, of lenses; of pixels where the profile does not tell."""
+    """Return the light of the aperture without aberration, with the same blur and pixels, of lenses."""
     if not isinstance(psf.pupil, Pupil):
         return None
-    ideal = psf.pupil.unaberrated()
-    method = psf.method.along_radius(ideal)
-    if method is not None:
-        return np.asarray(radial_energy(method, ideal, radius))
-    values = psf.method.images(ideal, psf.grid, Wanted(psf.scale.reshape(-1)[:1])).values.reshape(psf.shape)
-    return np.asarray(within(replace(psf, pupil=ideal, values=values, derivatives={}), radius))
+    return np.asarray(within(replace(psf, pupil=psf.pupil.unaberrated(), derivatives={}), radius))

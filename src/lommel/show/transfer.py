@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,7 +10,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.measures import transfer
 from lommel.measures.answer import Answer
-from lommel.measures.image_transfer import image_otf
+from lommel.measures.continuous_image import ImageModel, sampled_transfer
 from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.pupil import Pupil, checked
@@ -26,23 +25,15 @@ _MOST = 8  # pupils of a stack
 _TOL = 1e-6
 
 
-class _Known(NamedTuple):
-    """What there is a curve of: a single pupil, its MTF at frequencies along columns and rows, up to which."""
-
-    pupil: BasePupil
-    mtf: Callable[[Array, Array], Array]
-    most: float
-
-
 def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = None) -> Any:
     """Draw the modulation transfer function along x and along y, beside that without aberration, and the pixel's.
 
     Parameters
     ----------
     thing : Pupil or PSF
-        Of a stack eight are drawn at most, evenly chosen. Of a round lens the curves are those of all light,
-        :func:`lommel.mtf`, up to the cutoff; of any other PSF those of the window, no further than the Nyquist
-        frequency: :func:`lommel.measures.image_transfer.image_otf`.
+        Of a stack eight are drawn at most, evenly chosen. The curves are those of all light up to the cutoff, of a
+        PSF with its blur and its pixels: :meth:`lommel.PSF.mtf`. Of apertures that are neither a disc nor an annulus
+        they are drawn from samples, to about 1e-3.
     ax : matplotlib Axes, optional
         By default those of a new figure, which has a title.
     pixel : float, optional
@@ -65,7 +56,8 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
     if isinstance(thing, Answer):
         if pixel is not None:
             raise ValueError(f"pixel must be None for a PSF, which has its own, got {validation.shown(pixel)}")
-        pupil, pitch = thing.pupil, thing.grid.side if thing.grid.integrate and _of_all_light(thing) else None
+        pupil, grid = thing.pupil, thing.grid
+        sides = grid.active
     else:
         pupil = checked(thing)
         if not pupil.circular:
@@ -73,66 +65,70 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
                 "pupil must be a disc or an annulus, since a curve of others takes minutes; draw that of an image, "
                 "psf.plot_mtf(), or ask for few frequencies, lommel.mtf"
             )
-        pitch = None if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
+        side = 0.0 if pixel is None else validation.pixel(pixel, metric=pupil.unit == "m")
+        sides = side, side
     places = few_of(pupil.shape, _MOST)
-    known = [_known(thing[index] if index else thing, pitch) for index in places.values()]
     words = of_pupils(pupil)
     axes = new_axes(ax)
     factor, unit = frequencies(pupil.unit)
-    f, zero = np.linspace(0.0, known[0].most, _POINTS), np.zeros(_POINTS)
-    for k, (place, one) in enumerate(zip(places, known, strict=True)):
+    most = pupil.cutoff * (thing.method.stretch(pupil) if isinstance(thing, Answer) else 1.0)
+    f, zero = np.linspace(0.0, most, _POINTS), np.zeros(_POINTS)
+    for k, (place, index) in enumerate(places.items()):
+        one = thing[index] if pupil.shape else thing
         name = f"{words[place]}, " if pupil.shape else ""
-        if one.pupil.radial:
-            axes.plot(factor * f, one.mtf(f, zero), color=f"C{k}", label=name.rstrip(", ") or "MTF")
+        if _alike(one, sides):
+            axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=name.rstrip(", ") or "MTF")
             continue
-        axes.plot(factor * f, one.mtf(f, zero), color=f"C{k}", label=f"{name}along x")
-        axes.plot(factor * f, one.mtf(zero, f), "--", color=f"C{k}", label=f"{name}along y")
-    of_lens = isinstance(pupil, Pupil) and pupil.circular
-    if of_lens:
-        ideal = transfer.mtf(known[0].pupil.unaberrated(), f, pixel=pitch, tol=_TOL)  # type: ignore[attr-defined]
-        axes.plot(factor * f, ideal, color="0.5", linewidth=1.0, label="without aberration")
-    if pitch is not None:
-        axes.plot(factor * f, np.abs(np.sinc(f * pitch)), ":", color="0.5", label="pixel alone")
-        if 0.5 / pitch <= known[0].most:
-            axes.axvline(0.5 * factor / pitch, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
+        axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=f"{name}along x")
+        axes.plot(factor * f, _curve(one, zero, f, sides), "--", color=f"C{k}", label=f"{name}along y")
+    if isinstance(pupil, Pupil) and pupil.circular:
+        spectrum = thing.method if isinstance(thing, Answer) and isinstance(thing.method, Polychromatic) else None
+        one = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
+        ideal = transfer.mtf(one.unaberrated(), f, spectrum=spectrum, tol=_TOL)
+        axes.plot(factor * f, ideal * _of_pixel(f, sides[1]), color="0.5", linewidth=1.0, label="without aberration")
+    if sides[1]:
+        axes.plot(factor * f, _of_pixel(f, sides[1]), ":", color="0.5", label="pixel alone")
+        nyquist = 0.5 / (thing.grid.pitch[1] if isinstance(thing, Answer) else sides[1])
+        if nyquist <= most:
+            axes.axvline(factor * nyquist, color="0.5", linewidth=0.8, linestyle="-.", label="Nyquist of pixels")
     axes.set_xlabel(f"spatial frequency ({unit})")
     axes.set_ylabel("MTF (1)")
-    axes.set_xlim(0.0, factor * known[0].most)
+    axes.set_xlim(0.0, factor * most)
     axes.set_ylim(0.0, 1.05)
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)
     if ax is None:
-        axes.set_title(_title(pupil, pitch, isinstance(thing, Answer) and not _of_all_light(thing)), fontsize=9)
+        axes.set_title(_title(pupil, thing.pixel if isinstance(thing, Answer) and sides[1] else pixel), fontsize=9)
     return axes
 
 
-def _of_all_light(psf: Answer) -> bool:
-    """Whether the wavefront tells: of a round lens and square pixels, but for what has rays alone."""
-    plain = psf.grid.square and not psf.blur
-    return plain and isinstance(psf.pupil, Pupil) and psf.pupil.circular and psf.method.sampling == "center"
+def _of_pixel(f: Array, side: float) -> Array:
+    return np.asarray(np.abs(np.sinc(f * side)))
 
 
-def _known(thing: Any, pixel: float | None) -> _Known:
-    """Return the MTF of a single pupil or PSF."""
-    if isinstance(thing, Answer) and not _of_all_light(thing):
-        return _Known(
-            thing.pupil,
-            lambda fx, fy: np.abs(image_otf(thing, fx, fy)),
-            min(0.5 / max(thing.grid.pitch), thing.pupil.cutoff),
-        )
-    pupil: Any = thing.pupil if isinstance(thing, Answer) else thing
-    spectrum = None
-    if isinstance(thing, Answer) and isinstance(thing.method, Polychromatic):
-        spectrum = thing.method
-
-    def of_wavefront(fx: Array, fy: Array) -> Array:
-        return np.asarray(transfer.mtf(pupil, fx, fy, pixel=pixel, spectrum=spectrum, tol=_TOL))
-
-    return _Known(pupil, of_wavefront, pupil.cutoff)
+def _alike(thing: Any, sides: tuple[float, float]) -> bool:
+    """Return whether the curves along x and y are one."""
+    if not isinstance(thing, Answer):
+        return bool(thing.radial)
+    turned = any(one.streak != (0.0, 0.0) or one.covariance[0, 0] != one.covariance[1, 1] for one in thing.blur)
+    return thing.pupil.radial and sides[0] == sides[1] and not turned
 
 
-def _title(pupil: BasePupil, pixel: float | None, of_window: bool) -> str:
+def _curve(thing: Any, fx: Array, fy: Array, sides: tuple[float, float]) -> Array:
+    """Return the MTF of a single pupil with pixels of such sides, or of a single PSF."""
+    if not isinstance(thing, Answer):
+        return np.asarray(transfer.mtf(thing, fx, fy, tol=_TOL)) * _of_pixel(fx, sides[1]) * _of_pixel(fy, sides[0])
+    if isinstance(thing.pupil, Pupil) and thing.pupil.circular:
+        return np.asarray(np.abs(transfer.image_otf(thing, fx, fy, tol=_TOL)))
+    # Of other apertures a frequency of the wavefront takes up to a second.
+    scale = thing.pupil.scale
+    return np.asarray(np.abs(sampled_transfer(ImageModel.of(thing), fx * scale, fy * scale)[0]))
+
+
+def _title(pupil: BasePupil, pixel: float | tuple[float, float] | None) -> str:
     what = "modulation transfer function"
-    if pixel is not None:
-        what += f" with pixels of {pixel * 1e6:.4g} µm" if pupil.unit == "m" else f" with pixels of {pixel:.4g} λN"
-    return f"{what}, of the light in the window" if of_window else what
+    if pixel is None:
+        return what
+    factor, unit = (1e6, "µm") if pupil.unit == "m" else (1.0, "λN")
+    sides = (pixel,) if isinstance(pixel, float) else pixel
+    return f"{what} with pixels of {' x '.join(f'{factor * side:.4g}' for side in sides)} {unit}"

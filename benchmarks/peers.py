@@ -71,7 +71,9 @@ def images(settings: Settings) -> Table:
         "masks, plans and compiled code are there beforehand, so what is timed is the phase, the propagation and the "
         "squared modulus. The true error is against quadrature at the radii of the package's own pixels, its values "
         "multiplied by the one number that fits best, since the units of intensity differ. Of each package there is "
-        "a usual configuration and the most exact one that still is reasonable.",
+        "a usual configuration and the most exact one that still is reasonable. Values are samples: here a pixel in "
+        "units of λN samples its centre, as poppy, prysm and hcipy do; one in metres averages over its area unless "
+        "integrate=False is given.",
         _COLUMNS,
     )
     middle = (q.n - 1) / 2.0

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
-from lommel.imaging import BlurSlopes, DepthBlur, Occlusion, RichardsonLucy, depth_of_field, restore_with
+from lommel.imaging import BlurSlopes, DepthBlur, Occlusion, depth_of_field, restore_with
 from lommel.imaging import blur as blur_module
 
 LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
@@ -59,22 +59,16 @@ def test_the_light_of_one_plane_is_conserved_and_a_white_wall_stays_white():
     assert 0.0 < blur.lost <= 0.02
 
 
-def test_the_order_of_arguments_is_that_of_photographs_and_the_old_one_is_taken_for_a_while():
+def test_the_order_of_arguments_is_that_of_photographs_and_another_is_refused():
     image, depth = scene()
     blur = DepthBlur(depth, LENS, PIXEL, dtype=np.float64)
-    with pytest.warns(DeprecationWarning, match="the order is depth, lens, pixel"):
-        old = DepthBlur(LENS, depth, PIXEL, dtype=np.float64)
-    assert np.array_equal(old.forward(image), blur.forward(image))
-    slopes = BlurSlopes(image, blur)
-    with pytest.warns(DeprecationWarning, match="the order is image, blur"):
-        old_slopes = BlurSlopes(blur, image)
-    assert np.array_equal(slopes.forward(depth), old_slopes.forward(depth))
-    noise = lm.Noise(white=1000.0, read=1.0)
-    with pytest.warns(DeprecationWarning, match="the order is light, blur, noise"):
-        found = restore_with(blur, image, noise, method=RichardsonLucy(steps=2))
-    assert np.array_equal(found.light, restore_with(image, blur, noise, method=RichardsonLucy(steps=2)).light)
-    with pytest.raises(TypeError, match=r"^lens must be a Lens, got ndarray; the order is depth, lens, pixel$"):
-        DepthBlur(PIXEL, depth, LENS)
+    for turned in ((PIXEL, depth, LENS), (LENS, depth, PIXEL)):
+        with pytest.raises(TypeError, match=r"^lens must be a Lens, got ndarray; the order is depth, lens, pixel$"):
+            DepthBlur(*turned)
+    with pytest.raises(TypeError, match=r"^blur must be a DepthBlur"):
+        BlurSlopes(blur, image)
+    with pytest.raises(TypeError, match=r"^blur must be a LinearBlur"):
+        restore_with(blur, image, lm.Noise(white=1000.0, read=1.0))
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])

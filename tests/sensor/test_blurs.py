@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 from mpmath import mp
 
 import lommel as lm
-from lommel.sensor.blurs import KOLMOGOROV, blurs_from_dicts
+from lommel.sensor.blurs import FWHM, KOLMOGOROV, blurs_from_dicts
 
 SEVERAL = [
     lm.Seeing(0.2),
@@ -38,8 +39,28 @@ def test_descriptions_are_plain_and_come_back(blur):
     assert blurs_from_dicts([told]) == (blur,)
 
 
+def test_the_constants_of_kolmogorov_s_turbulence_have_all_the_digits_that_are_printed():
+    assert round(KOLMOGOROV, 6) == 3.441939
+    assert round(2.0 * KOLMOGOROV, 6) == 6.883877
+    with mp.workdps(18):
+        constant = (mp.mpf(24) / 5 * mp.gamma(mp.mpf(6) / 5)) ** (mp.mpf(5) / 6)
+
+        def image(x):  # q = s^3, so that the integrand is analytic
+            return mp.quad(
+                lambda s: 3 * s**5 * mp.exp(-constant * s**5) * mp.besselj(0, 2 * mp.pi * x * s**3), [0, 0.7, 1.4, 2.1]
+            )
+
+        peak = image(0)
+        width = 2 * mp.findroot(lambda x: image(x) / peak - mp.mpf(1) / 2, (0.48, 0.49), solver="secant", tol=1e-24)
+    assert float(width) == pytest.approx(FWHM, abs=5e-11)
+    air = lm.Seeing.from_fwhm(1e-6, focal_length=1.0, wavelength=500e-9)
+    assert air.r0 == pytest.approx(0.5 * float(width), rel=1e-10)
+    page = (Path(__file__).parents[2] / "docs" / "sensor.md").read_text(encoding="utf-8")
+    for printed in (round(KOLMOGOROV, 6), round(2.0 * KOLMOGOROV, 6), FWHM):
+        assert str(printed) in page
+
+
 def test_fried_s_exponential_has_his_constant_and_his_colour():
-    assert pytest.approx(3.44, abs=3e-3) == KOLMOGOROV
     air = lm.Seeing(0.1, focal_length=4.0, wavelength=500e-9)
     f = 2e4
     for wavelength in (400e-9, 500e-9, 800e-9):

@@ -74,6 +74,23 @@ def test_energy_in_a_circle_of_a_radial_pupil_is_exact_whatever_the_pixels():
     assert float(wide.energy) == pytest.approx(float(wide.values.sum()), abs=1e-5)
 
 
+@pytest.mark.parametrize("blur", [(), lm.Jitter(0.6)], ids=["sharp", "blurred"])
+@pytest.mark.parametrize("coma", [{}, {(3, 1): 0.3}], ids=["radial", "coma"])
+def test_energy_is_the_light_in_the_window_and_values_times_the_fill_that_on_active_parts(coma, blur):
+    pupil = lm.Pupil(lm.Wavefront(np.array([1.5, 2.0]), nonradial=coma))
+    ask = {"blur": blur, "dtype": np.float64, "tol": 1e-7}
+    half = lm.psf(pupil, (9, 10), 2.4, fill=0.25, **ask)
+    whole = lm.psf(pupil, (9, 10), 2.4, integrate=True, **ask)
+    # Quarters of pixels, of which the inner ones are active.
+    fine = lm.psf(pupil, (36, 40), 0.6, integrate=True, center=(4 * 4 + 1.5, 4 * 5 + 1.5), **ask)
+    assert np.asarray(half.energy) == pytest.approx(whole.values.sum(axis=(1, 2)), abs=1e-5)
+    assert np.asarray(half.energy) == pytest.approx(fine.values.sum(axis=(1, 2)), abs=1e-5)
+    active = fine.values.reshape(2, 9, 4, 10, 4)[:, :, 1:3, :, 1:3].sum(axis=(2, 4))
+    assert half.values * 0.25 == pytest.approx(active, abs=1e-6)
+    # What makes the two worth telling apart.
+    assert np.all(np.abs(half.values.sum(axis=(1, 2)) - half.energy) > 1e-3)
+
+
 def test_profiles_and_gradients_say_that_there_are_none(answer):
     with pytest.raises(ValueError, match="spread by blur"):
         answer.profile([0.0])

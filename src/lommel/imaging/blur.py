@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from lommel.base import validation
 from lommel.base.arrays import Array
-from lommel.base.deprecation import reordered
 from lommel.base.options import shares
 from lommel.base.together import side_by_side
 from lommel.core import engine
@@ -85,7 +84,6 @@ class DepthBlur(LinearBlur):
     # Where the points are in the banks, of the defocus and for the banks that come first.
     _placed: tuple[NDArray[np.float64], tuple[Bank, ...], tuple[NDArray[np.float64], ...]] | None = None
 
-    @reordered(since="0.1", until="0.3", was=lambda first: isinstance(first, Lens))
     def __init__(
         self,
         depth: ArrayLike,

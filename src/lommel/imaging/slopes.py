@@ -18,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
-from lommel.base.deprecation import reordered
 from lommel.imaging.bank import Bank, stored_windows
 from lommel.imaging.blur import DepthBlur, Points
 from lommel.imaging.cuts import cut, find_cuts, sums_of_quarters
@@ -63,7 +62,6 @@ class BlurSlopes:
     True
     """
 
-    @reordered(since="0.1", until="0.3", was=lambda first: isinstance(first, DepthBlur))
     def __init__(self, image: NDArray[Any], blur: DepthBlur) -> None:
         validation.instance("blur", blur, DepthBlur)
         self._blur = copy.copy(blur)

@@ -27,8 +27,8 @@ _COARSE, _FINE = np.linspace(0.1, 8.0, 80), np.linspace(-0.1, 0.1, 101)  # v, wh
 class Sted(Confocal):
     r"""A confocal microscope with a second beam that depletes by stimulated emission what the first has excited.
 
-    ``E(r) P(r) 2^(-s D(r))``: E and P as of :class:`lommel.methods.Confocal`, and D the intensity of the depletion
-    over that in the focus of a uniform scalar aperture. So light is left of a pulse that is short beside the time in
+    ``E(r) P(r) 2^(-s D(r))``: E and P as of :class:`lommel.methods.Confocal`, and D of the depletion what E is of the
+    excitation. So light is left of a pulse that is short beside the time in
     which emitters fall back, and s D is its intensity over that which leaves half.
 
     Parameters
@@ -132,7 +132,8 @@ class Sted(Confocal):
 def crest(pupil: ObjectivePupil) -> float:
     """Return the largest intensity of a radial beam, of those in all its planes, without the phase of the layers.
 
-    That of the doughnut in focus in an ideal sample; to 1e-6, over that in the focus of a uniform scalar aperture.
+    Each plane wave keeps what interfaces and films transmit and how it fades with the depth, and loses the phase psi of
+    :meth:`lommel.Objective.phase`. To 1e-6, as E of :class:`lommel.methods.Confocal` is normalised.
     """
     from scipy.special import jv
 

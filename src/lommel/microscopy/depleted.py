@@ -31,15 +31,17 @@ def sted(
     shape, pixel
         As of :func:`lommel.microscopy.confocal`, whose pixels sample their centres.
     saturation : float
-        The intensity on the crest of the doughnut over that which leaves half of the light, 0 to some hundreds. Its
-        crest is that in an ideal sample, so that depletion fades, as it does, where layers blur it.
+        The intensity on the crest of the doughnut over that which leaves half of the light, 0 to some hundreds. The
+        crest is that of a doughnut without aberrations behind the same interfaces: plane waves keep what these
+        transmit, and the phase that they gain in the layers is left out. So depletion fades, as it does, where layers
+        blur it.
     pinhole, tol : float
         As of :func:`lommel.microscopy.confocal`.
 
     Returns
     -------
     PSF
-        As of :func:`lommel.microscopy.confocal`: planes compare, and so do saturations.
+        As of :func:`lommel.microscopy.confocal`: planes of one depth compare, and so do saturations.
 
     Raises
     ------

@@ -51,9 +51,10 @@ def confocal(
     integrate : bool, default False
         Whether pixels average; a beam that stops at each pixel samples their centres.
     normalize : {"strehl", "peak"}, default "strehl"
-        "strehl": the intensity of the excitation over that in the focus of a uniform scalar aperture, times the
-        share of the light that is collected which passes the pinhole: planes compare. "peak": the largest value of
-        each plane is 1.
+        "strehl": the intensity of the excitation, relative to the focus of a uniform scalar aperture that sends as
+        much light through the same plane of the sample, times the share of the collected light that passes the
+        pinhole. Planes of one depth compare; of several depths multiply by ``excitation.collected`` for one power of
+        the laser. See :class:`lommel.methods.Confocal` for the formula. "peak": the largest value of each plane is 1.
     tol : float, default 1e-6
         Tolerance over the peak of each plane.
 
@@ -111,7 +112,8 @@ def two_photon(
         Whose emitter is a :class:`lommel.Beam`.
     shape, pixel, integrate, normalize, tol
         As of :func:`lommel.microscopy.confocal`; 1 is the square of the intensity in the focus of a uniform scalar
-        aperture.
+        aperture that sends as much light through the same plane of the sample. Of several depths multiply by
+        ``excitation.collected**2`` for one power of the laser.
 
     Returns
     -------

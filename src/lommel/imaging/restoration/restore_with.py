@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.base.deprecation import reordered
 from lommel.estimation.noise import Noise
 from lommel.imaging.linear import LinearBlur
 from lommel.imaging.restoration.observed import Method, Observed
@@ -75,7 +74,6 @@ class Restoration:
         )
 
 
-@reordered(since="0.1", until="0.3", was=lambda first: isinstance(first, LinearBlur))
 def restore_with(
     light: ArrayLike,
     blur: LinearBlur,

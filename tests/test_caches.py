@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 import math
+import sys
+import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import lommel as lm
 from lommel import _core
+from lommel.core import engine
 from lommel.special.legendre import gauss_legendre
 
 STACK = lm.Pupil(lm.Wavefront(np.linspace(-4.0, 5.0, 6), np.linspace(2.0, -1.0, 6)))
@@ -109,3 +114,70 @@ def test_derivatives_ask_for_their_own_rules():
         assert (
             np.abs(answer.derivatives["defocus"] - slope).max() <= 1e-5 * answer.values.max() + 2 * answer.error_bound
         )
+
+
+def kept() -> dict[str, int]:
+    """How many things each bounded cache of the package holds."""
+    return {
+        f"{name}.{part}": value.cache_info().currsize
+        for name, module in sys.modules.items()
+        if name.startswith("lommel.")
+        for part, value in vars(module).items()
+        if isinstance(value, type(functools.lru_cache(len))) and value.cache_info().maxsize is not None
+    }
+
+
+def asked() -> list[np.ndarray]:
+    """Values of every kind of table: samples and averages, of rotationally symmetric pupils, of others, of layers."""
+    x = np.linspace(-1.0, 1.0, 40)
+    mask = lm.Mask((x[:, None] ** 2 + x**2 < 0.6).astype(float))
+    oil = lm.Objective(NA=1.4, immersion=1.518)
+    made = [
+        lm.psf(STACK, 33, 0.3),
+        lm.psf(STACK, 21, 0.9, integrate=True),
+        lm.psf(lm.Pupil(lm.Wavefront(80.0)), 300, 0.5),
+        lm.psf(COMA, 200, 0.4, method=SERIES),
+        lm.psf(COMA, 15, 0.4, method=CHORDS, integrate=True),
+        lm.psf(COMA, 15, 0.4, derivatives=("defocus", (3, 1))),
+        lm.psf(lm.Pupil(mask=mask), 33, 0.4),
+        lm.psf(oil.pupil(depth=0.0, z=[0.0, 5e-7], wavelength=520e-9), 21, 0.1e-6),
+        lm.psf(lm.Pupil(), 9, 0.7, blur=lm.Seeing(0.5), tol=1e-4),
+    ]
+    return [answer.values for answer in made]
+
+
+def test_clearing_frees_what_is_kept_and_changes_no_bit():
+    lm.clear_caches()  # of what other tests left
+    before = asked()
+    held, limit = engine.table_bytes()
+    assert 2**20 < held < limit < 2**31
+    assert {"lommel.psf._kept", "lommel.optics.debye._collected"} <= {name for name, count in kept().items() if count}
+    lm.clear_caches()
+    assert engine.table_bytes() == (0, limit)
+    assert {name for name, count in kept().items() if count} == set()
+    again = asked()
+    assert engine.table_bytes()[0] > 2**20
+    assert all(np.array_equal(one, other) for one, other in zip(before, again, strict=True))
+
+
+def test_caches_may_be_cleared_while_other_threads_compute():
+    def work(found: list[list[np.ndarray]]) -> None:
+        found.extend([lm.psf(STACK, 33, 0.3).values, lm.psf(COMA, 60, 0.4, method=SERIES).values] for _ in range(2))
+
+    lm.clear_caches()
+    expected: list[list[np.ndarray]] = []
+    work(expected)
+    found: list[list[np.ndarray]] = []
+    threads = [threading.Thread(target=work, args=(found,)) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    while any(thread.is_alive() for thread in threads):
+        lm.clear_caches()
+        threads[0].join(1e-3)
+    assert len(found) == 6
+    assert all(np.array_equal(a, b) for made in found for a, b in zip(made, expected[0], strict=True))
+
+
+def test_the_page_says_how_much_is_kept():
+    page = (Path(__file__).parents[1] / "docs" / "running.md").read_text(encoding="utf-8")
+    assert f"{engine.table_bytes()[1] / 1e9:.1f} GB" in page

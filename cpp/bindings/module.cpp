@@ -2,11 +2,17 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <utility>
 
+#include "lommel/base/cache.hpp"
 #include "lommel/base/fork.hpp"
 #include "lommel/base/simd.hpp"
 
 #include "python.hpp"
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 using namespace bindings;
 
@@ -47,6 +53,15 @@ void limit_instructions(const std::string& level) {
     lommel::level_limit() = static_cast<lommel::Level>(found - std::begin(levels));
 }
 
+void clear_caches() {
+    released([] {
+        lommel::Shared::clear_all();
+#if defined(__GLIBC__)
+        malloc_trim(0);  // which otherwise keeps what was freed
+#endif
+    });
+}
+
 }  // namespace
 
 lommel::Watch::Ask bindings::ask_python() { return PyThread_get_thread_ident() == main_thread.id ? &signalled : nullptr; }
@@ -73,6 +88,10 @@ NB_MODULE(_core, m) {
     define_stratified(m);
     define_radial_bounds(m);
     define_disk_bounds(m);
+    m.def(
+        "cached_bytes", [] { return std::make_pair(lommel::Shared::bytes_kept(), lommel::Shared::bytes_limit()); },
+        "Bytes of the tables that calls share, and the sum of the limits of all kinds.");
+    m.def("clear_caches", &clear_caches, "Drop the tables that calls share, and return the memory to the system.");
     m.def("instructions", &instructions, "The widest instructions in use: portable, avx2 or avx512.");
     m.def("limit_instructions", &limit_instructions, "level"_a, "Use no wider instructions than these.");
 }

@@ -376,6 +376,14 @@ def chordal_mean(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None),
 def tilted_stack(terms: Annotated[NDArray[numpy.int64], dict(shape=(None, None), order='C', device='cpu', writable=False)], edge: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], center: Annotated[NDArray[numpy.float64], dict(shape=(None,), order='C', device='cpu', writable=False)], row: float, column: float, step: float) -> dict[str, object]:
     """A wavefront whose axis is moved by a tilt, and what that loses."""
 
+def cached_bytes() -> tuple[int, int]:
+    """
+    Bytes of the tables that calls share, and the sum of the limits of all kinds.
+    """
+
+def clear_caches() -> None:
+    """Drop the tables that calls share, and return the memory to the system."""
+
 def instructions() -> str:
     """The widest instructions in use: portable, avx2 or avx512."""
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 average_samples = _core.average_samples
 bessel_sequence = _core.bessel_sequence
 chebyshev_intensity = _core.chebyshev_intensity
+clear_tables = _core.clear_caches
 closed_form_field = _core.closed_form_field
 collect = _core.collect
 distinct_radii = _core.distinct_radii
@@ -35,6 +36,7 @@ levels = _core.levels
 product = _core.product
 scatter = _core.scatter
 spread = _core.spread
+table_bytes = _core.cached_bytes
 
 
 class RadialStack(NamedTuple):

@@ -21,7 +21,7 @@ L. N. Trefethen, *Approximation Theory and Approximation Practice* (SIAM, 2013),
 from __future__ import annotations
 
 import math
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -34,7 +34,7 @@ _LEAST, _MOST = 2, zernike.MAX_DEGREE // 2  # terms that are kept
 _ROUNDING = 2.0**-47
 
 
-@cache
+@lru_cache(maxsize=4)
 def _chebyshev_to_legendre(degree: int) -> Array:
     """Return the coefficients of P_j in T_k, shape ``(degree + 1, degree + 1)``, [k, j].
 

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <list>
 #include <memory>
+#include <numeric>
+#include <vector>
 
 #include "lommel/base/fork.hpp"
 #include "lommel/base/lock.hpp"
@@ -46,13 +48,41 @@ class Turn {
 };
 
 // What is shared has a mutex, held for the moment of a look or a change, never while something is made (who makes may wait
-// for Python's lock, which who forks holds); and a turn for that.
+// for Python's lock, which who forks holds); and a turn for that. All of them are made when the program is loaded, and listed.
 class Shared : protected ForkAware {
+   public:
+    // Bytes that all of them keep now, and the sum of their limits; a table larger than its limit is kept until the next one.
+    static std::size_t bytes_kept() {
+        return std::accumulate(all().begin(), all().end(), std::size_t{0},
+                               [](std::size_t sum, Shared* one) { return sum + one->kept(); });
+    }
+    static std::size_t bytes_limit() {
+        return std::accumulate(all().begin(), all().end(), std::size_t{0},
+                               [](std::size_t sum, const Shared* one) { return sum + one->limit(); });
+    }
+    // Drops every table. Calls that use one at the moment keep it until they return, and may put one back that they made.
+    static void clear_all() {
+        for (Shared* one : all()) {
+            one->clear();
+        }
+    }
+
    protected:
+    Shared() { all().push_back(this); }
+    ~Shared() = default;
+
     Mutex mutex_;
     Turn turn_;
 
    private:
+    virtual std::size_t kept() = 0;
+    virtual std::size_t limit() const = 0;
+    virtual void clear() = 0;
+
+    static std::vector<Shared*>& all() {
+        static std::vector<Shared*>& list = *new std::vector<Shared*>;
+        return list;
+    }
     void before_fork() override { mutex_.lock(); }
     void after_fork(bool in_child) override {
         mutex_.unlock();
@@ -88,6 +118,8 @@ class Cache final : Shared {
     }
 
    private:
+    using Tables = std::list<std::shared_ptr<const Table>>;
+
     template <class... Key>
     std::shared_ptr<const Table> held(const Key&... key) {
         const Lock lock(mutex_);
@@ -100,7 +132,19 @@ class Cache final : Shared {
         return nullptr;
     }
 
-    std::list<std::shared_ptr<const Table>> recent_;
+    std::size_t kept() override {
+        const Lock lock(mutex_);
+        return std::accumulate(recent_.begin(), recent_.end(), std::size_t{0},
+                               [](std::size_t sum, const auto& table) { return sum + table->bytes(); });
+    }
+    std::size_t limit() const override { return Table::most_bytes; }
+    void clear() override {
+        Tables dropped;  // destroyed after the mutex is free
+        const Lock lock(mutex_);
+        recent_.swap(dropped);
+    }
+
+    Tables recent_;
 };
 
 // Never destroyed: threads may outlive main().

@@ -54,7 +54,7 @@ class PieceTables final : Shared {
     explicit PieceTables(std::size_t parity) : parity_(parity) {}
 
     // A table with at least these pieces, of as many rows. Pieces are made where they are missing, shared by all threads, and
-    // kept until all of their parity outgrow 128 MiB.
+    // kept until all of their parity outgrow the limit.
     std::shared_ptr<const PieceTable> get(std::size_t width_index, const WantedPieces& wanted, std::size_t terms) {
         if (auto found = held(width_index); serves(found.get(), wanted, terms)) {
             return found;
@@ -67,13 +67,27 @@ class PieceTables final : Shared {
         const std::shared_ptr<const PieceTable> table = extended(old.get(), widths[width_index], wanted, terms);
         const Lock lock(mutex_);
         tables_[width_index] = table;
-        if (bytes() > (std::size_t{128} << 20)) {
+        if (bytes() > most_bytes) {
             tables_ = {};
         }
         return table;
     }
 
    private:
+    static constexpr std::size_t most_bytes = std::size_t{128} << 20;
+    using Tables = std::array<std::shared_ptr<const PieceTable>, widths.size()>;
+
+    std::size_t kept() override {
+        const Lock lock(mutex_);
+        return bytes();
+    }
+    std::size_t limit() const override { return most_bytes; }
+    void clear() override {
+        Tables dropped;  // destroyed after the mutex is free
+        const Lock lock(mutex_);
+        tables_.swap(dropped);
+    }
+
     std::shared_ptr<const PieceTable> held(std::size_t width_index) {
         const Lock lock(mutex_);
         return tables_[width_index];
@@ -135,7 +149,7 @@ class PieceTables final : Shared {
     }
 
     std::size_t parity_;
-    std::array<std::shared_ptr<const PieceTable>, widths.size()> tables_;
+    Tables tables_;
 };
 inline PieceTables& even_pieces = *new PieceTables(0);
 inline PieceTables& odd_pieces = *new PieceTables(1);

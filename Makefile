@@ -273,6 +273,10 @@ lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 		if cmp -s "$$file.new" "$$file"; then rm "$$file.new"; else mv "$$file.new" "$$file"; fi
 	}
 	compile requirements.lock --extra all --group dev pyproject.toml
+	{
+		echo "# Written from requirements.lock by make lock: what builds wheels is what builds here. See docs/releasing.md."
+		sed -nE 's/^((cmake|nanobind|ninja|packaging|pathspec|scikit-build-core)==[^ ;]+).*/\1/p' requirements.lock
+	} >.ci/build-constraints.txt
 	compile docs/requirements.lock --extra all --group docs --constraints requirements.lock pyproject.toml
 	compile web/requirements.lock --extra all --group page --constraints requirements.lock pyproject.toml
 

@@ -7,18 +7,18 @@ from pathlib import Path
 
 import click
 
-from lommel.cli.main import main
+from lommel.cli.main import commands, main
 
 
 def write(folder: Path) -> None:
     """Write `commands.inc`, which the page of the command line includes, into a folder."""
     folder.mkdir(exist_ok=True)
-    (folder / "commands.inc").write_text("\n".join(map(section, sorted(main.commands))), encoding="utf-8")
+    (folder / "commands.inc").write_text("\n".join(map(section, sorted(commands()))), encoding="utf-8")
 
 
 def section(name: str) -> str:
     """Return the section of a command: how it is called, what it does, and a table of its options."""
-    command = main.commands[name]
+    command = commands()[name]
     parent = click.Context(main, info_name="lommel", **main.context_settings)
     context = click.Context(command, info_name=name, parent=parent, terminal_width=10_000)
     usage = " ".join([f"lommel {name}", *command.collect_usage_pieces(context)])

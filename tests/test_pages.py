@@ -21,6 +21,7 @@ import tifffile
 from PIL import Image
 
 import lommel as lm
+from lommel.cli.main import commands as subcommands
 from lommel.cli.main import main
 from lommel.methods import METHODS
 from lommel.page import module
@@ -46,7 +47,7 @@ def commands(path: Path) -> list[str]:
 
 HELP = [
     line.strip()
-    for command in (main, *main.commands.values())
+    for command in (main, *subcommands().values())
     for line in (command.help or "").splitlines()
     if line.strip().startswith("lommel ")
 ]

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import sysconfig
 import tomllib
 import venv
 import zipfile
+from importlib.metadata import distribution, version
 from pathlib import Path
 
 import pytest
@@ -40,6 +42,8 @@ def check(wheel: Path, folder: Path, *flags: str) -> None:
     site, scripts = Path(scheme["purelib"]), Path(scheme["scripts"])
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(site)
+        held = {Path(name).name for name in archive.namelist() if "/licenses/" in name}
+    assert {path.name for path in (ROOT / "LICENSES").iterdir()} | {"LICENSE"} <= held
     there = Path(sysconfig.get_path("purelib"))
     for name in WITH:
         if (there / name).exists():
@@ -86,3 +90,53 @@ def test_what_builds_wheels_knows_every_python_that_the_package_names():
     assert {"cp311-*", "cp312-*"} <= set(built)
     named = [line.rpartition(" ")[2] for line in project["project"]["classifiers"] if "Python :: 3." in line]
     assert min(named, key=lambda version: int(version.partition(".")[2])) == "3.11"
+
+
+def test_the_changelog_is_about_the_version_of_the_package():
+    lines = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8").splitlines()
+    first = next(line for line in lines if line.startswith("## "))
+    assert first.split()[1].rstrip(",") == version("lommel")
+
+
+def test_wheels_carry_the_notices_of_all_that_is_linked_into_them():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    patterns = project["project"]["license-files"]
+    listed = {path.relative_to(ROOT).as_posix() for pattern in patterns for path in ROOT.glob(pattern)}
+    table = (ROOT / "LICENSES" / "README.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"`([\w-]+\.txt)`", table))
+    assert listed == {"LICENSE", "LICENSES/README.md", *(f"LICENSES/{name}" for name in named)}
+    for name in named:
+        text = (ROOT / "LICENSES" / name).read_text(encoding="utf-8")
+        assert re.search(r"copyright", text, re.IGNORECASE), name
+    # Of what is installed here the very text.
+    of_nanobind = distribution("nanobind")
+    (notice,) = (path for path in of_nanobind.files or () if path.name == "LICENSE")
+    assert (ROOT / "LICENSES" / "nanobind.txt").read_text(encoding="utf-8") == notice.read_text(encoding="utf-8")
+    (header,) = (path for path in of_nanobind.files or () if path.name == "robin_map.h")
+    flat = " ".join(re.sub(r"^[ /]?\*+/?", "", header.read_text(encoding="utf-8"), flags=re.MULTILINE).split())
+    assert " ".join((ROOT / "LICENSES" / "robin-map.txt").read_text(encoding="utf-8").split()) in flat
+    pinned = (ROOT / "requirements.lock").read_text() + (ROOT / "web" / "requirements.lock").read_text()
+    for package, release in re.findall(r"\b(nanobind|ziglang) ([\d.]+\d)", table):
+        assert f"\n{package}=={release} " in pinned  # a newer one may have other notices
+
+
+def test_wheels_are_built_by_what_is_locked():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    lines = (ROOT / ".ci" / "build-constraints.txt").read_text(encoding="utf-8").splitlines()
+    assert lines[0].startswith("#")
+    lock = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+    for line in lines[1:]:
+        assert re.search(rf"^{re.escape(line)} ", lock, re.MULTILINE), line
+    required = {re.split(r"[<>=]", line)[0] for line in project["build-system"]["requires"]}
+    assert required | {"cmake", "ninja", "packaging", "pathspec"} == {line.partition("==")[0] for line in lines[1:]}
+    building = project["tool"]["cibuildwheel"]
+    for part in (building, building["macos"]):
+        for name in ("PIP_CONSTRAINT", "UV_CONSTRAINT"):
+            assert part["environment"][name] == ".ci/build-constraints.txt"
+
+
+def test_actions_are_pinned_by_the_hash_of_a_commit():
+    for workflow in (ROOT / ".github" / "workflows").glob("*.yml"):
+        used = re.findall(r"uses: (.*)", workflow.read_text(encoding="utf-8"))
+        assert used
+        assert all(re.fullmatch(r"[\w-]+/[\w-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+", line) for line in used), used

@@ -29,6 +29,10 @@ FLAGS = [
     *("-std=c++17", "-O3", "-msimd128", "-ffp-contract=off", "-fno-math-errno", "-fignore-exceptions"),
     *("-Wall", "-Wextra", "-Wno-psabi"),
 ]
+BANNER = """\
+/*! lommel, BSD-3-Clause. The compiled core holds parts of libc++ and libc++abi (Apache-2.0 WITH LLVM-exception), of
+musl, wasi-libc and Zig (MIT), and of cloudlibc (BSD-2-Clause); the notices are in LICENSES of sources and wheels. */
+"""
 IMPORT = re.compile(r'^import\s*\{([^}]*)\}\s*from\s*"\./([\w-]+\.js)";\n', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const|let)\b)", re.MULTILINE)
 
@@ -100,7 +104,7 @@ def module(entry: str) -> str:
     # The worker gets its own text, and the compiled core from the page.
     worker = joined("worker.js", {**made, "packed.js": constants(wasmText="")}, exports=False)
     made["workertext.js"] = constants(workerText=packed(worker.encode()))
-    return joined(entry, made, exports=True)
+    return BANNER + joined(entry, made, exports=True)
 
 
 if __name__ == "__main__":

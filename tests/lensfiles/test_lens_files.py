@@ -56,6 +56,19 @@ def test_every_example_loads_and_says_where_its_figures_come_from(lens_file):
     assert lm.load_instrument(str(lens_file)).lens == instrument.lens
 
 
+def test_a_long_focal_length_with_its_unit_is_not_asked_about(load):
+    assert load('focal_length = "1.2 m"', 'focus_distance = "inf"').lens.f_number == pytest.approx(2.0)
+
+
+def test_a_key_of_another_section_is_told_where_it_is(load):
+    for text, told in (
+        ("[aperture]\nobscuration = 0.3\n", r"aperture.obscuration \(line 19\): unknown key; it is in \[lens\]$"),
+        ("[report]\nshape = 3\n", r"report.shape \(line 19\): unknown key; it is in \[sensor\]$"),
+    ):
+        with pytest.raises(LensFileError, match=told):
+            load(text=PLAIN + text)
+
+
 def test_a_file_says_what_the_python_would(load):
     instrument = load()
     assert instrument.lens == lm.Lens(focal_length=0.05, f_number=2.0, focus_distance=2.0, wavelength=550e-9)

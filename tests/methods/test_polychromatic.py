@@ -50,6 +50,13 @@ def test_energies_pixel_averages_and_files_work_as_of_any_method(tmp_path):
     assert lm.PSF.load(tmp_path / "p.npz").encircled_energy(9e-6) == answer.encircled_energy(9e-6)
 
 
+def test_without_weights_all_wavelengths_count_alike():
+    assert lm.Polychromatic(WAVES) == lm.Polychromatic(WAVES, (2.0, 2.0, 2.0))
+    assert lm.Polychromatic(WAVES, tol=1e-4).weights == pytest.approx((1 / 3, 1 / 3, 1 / 3))
+    with pytest.raises(ValueError, match="wavelengths must not be empty"):
+        lm.Polychromatic(())
+
+
 def test_what_makes_no_spectrum_is_refused():
     with pytest.raises(ValueError, match="weights"):
         lm.Polychromatic(WAVES, (1.0, 2.0))

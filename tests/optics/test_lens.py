@@ -332,3 +332,38 @@ def test_the_pupil_of_a_number_is_that_of_an_array_of_one_bit_by_bit(model, aber
         assert one.transmission == replace(one).transmission
         assert lens.defocus(distance).tobytes() == lens.defocus(np.array(distance)).tobytes()
         assert isinstance(lens.defocus(distance), np.ndarray)
+
+
+def test_a_focal_length_in_metres_that_may_be_one_in_mm_is_asked_about():
+    asked = r"^focal_length=50 is 50 metres; for 50 mm give focal_length=50e-3\. Of a telescope give aperture"
+    with pytest.warns(UserWarning, match=asked) as seen:
+        lm.Lens(focal_length=50, f_number=1.8, focus_distance=2000.0, wavelength=550e-9)
+    assert seen[0].filename == __file__
+    # None of these is asked about; warnings are errors here.
+    telescope = lm.Lens(focal_length=8.0, f_number=8.0, wavelength=550e-9, obscuration=0.3)
+    refractor = lm.Lens(focal_length=1.2, aperture_diameter=0.15, wavelength=550e-9)
+    lm.Lens(focal_length=2.0, f_number=4.0, wavelength=10e-6)
+    lm.Lens(focal_length=1.0, f_number=4.0, wavelength=550e-9)
+    assert refractor.stopped(12.0).f_number == pytest.approx(12.0)
+    assert refractor.focused(50.0).in_light(600e-9).focal_length == 1.2
+    assert telescope.stopped(10.0).focal_length == 8.0
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({}, "<Lens 50 mm f/1.8, focused at infinity, 550 nm>"),
+        (
+            {"focus_distance": 2.0, "obscuration": 0.3},
+            "<Lens 50 mm f/1.8, focused at 2 m, 550 nm, obscuration 0.3>",
+        ),
+        ({"sensor_distance": 49e-3}, "<Lens 50 mm f/1.8, sensor at 49 mm, 550 nm>"),
+        (
+            {"model": "aplanatic", "aberrations": lm.Wavefront(1.0), "spider": lm.Spider.equal(3, 0.02)},
+            "<Lens 50 mm f/1.8, focused at infinity, 550 nm, aplanatic, corrected for the object, aberrated, spider>",
+        ),
+        ({"apodization": 1.0}, "<Lens 50 mm f/1.8, focused at infinity, 550 nm, apodized>"),
+    ],
+)
+def test_a_lens_shows_itself_in_units_that_people_read(given, said):
+    assert repr(lm.Lens(focal_length=50e-3, f_number=1.8, wavelength=550e-9, **given)) == said

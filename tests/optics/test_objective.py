@@ -201,6 +201,36 @@ def test_an_objective_is_a_value():
     assert lm.Objective(**GIVEN, films=[lm.Layer(1.4, 1e-7)]).films == (lm.Layer(1.4, 1e-7),)
 
 
+def test_of_one_medium_aperture_and_index_say_all():
+    plain = lm.Objective(NA=1.2, immersion=1.34)
+    full = lm.Objective(NA=1.2, magnification=60, immersion=1.34, working_distance=1e-4, coverslip=None, sample=1.34)
+    planes = {"depth": 3e-6, "z": np.array([-4e-7, 0.0, 5e-7]), "wavelength": 520e-9}
+    found = lm.psf(plain.pupil(**planes), 15, 0.1e-6)
+    assert np.array_equal(found.values, lm.psf(full.pupil(**planes), 15, 6e-6).values)
+    assert found.fwhm() == pytest.approx(lm.psf(full.pupil(**planes), 15, 6e-6).fwhm() / 60)
+    # The light is that of the index matched throughout, so that it depends on no depth.
+    elsewhere = lm.psf(plain.pupil(**planes | {"depth": 8e-6}), 15, 0.1e-6)
+    assert found.values == pytest.approx(elsewhere.values, abs=1e-6 * found.values.max())
+    with pytest.raises(ValueError, match=r"at most 0\.01 metres without a working_distance, got 0\.02"):
+        plain.pupil(**planes | {"z": 0.02, "depth": 0.0})
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"coverslip": GLASS, "working_distance": 1e-4}, "sample must be given with a coverslip"),
+        ({"coverslip": GLASS, "sample": 1.34}, "working_distance must be given, in metres, with a coverslip"),
+        (
+            {"design": lm.Design(1.33, None)},
+            "working_distance must be given, .* with a coverslip or a design",
+        ),
+    ],
+)
+def test_what_the_layers_depend_on_must_be_given(given, message):
+    with pytest.raises(ValueError, match=message):
+        lm.Objective(NA=1.2, immersion=1.34, **given)
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [

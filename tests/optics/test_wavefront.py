@@ -389,3 +389,8 @@ def test_wavefronts_and_what_holds_them_hash_as_they_compare(lenses):
     assert len({lens, lm.Lens(focal_length=50e-3, f_number=1.8, wavelength=550e-9, aberrations=plain)}) == 1
     assert len({lens.pupil(2.0), lens.pupil(2.0), lens.pupil(3.0)}) == 2
     assert len({lm.load_instrument(lenses["phone"]), lm.load_instrument(lenses["phone"])}) == 1
+
+
+def test_an_aberration_by_name_is_told_how_it_is_made():
+    with pytest.raises(TypeError, match=r"has no argument 'coma'; .*Wavefront\.zernike\(.*Wavefront\.from_seidel\("):
+        lm.Wavefront(1.0, coma=1.0)

@@ -46,9 +46,10 @@ def test_the_constants_of_kolmogorov_s_turbulence_have_all_the_digits_that_are_p
         constant = (mp.mpf(24) / 5 * mp.gamma(mp.mpf(6) / 5)) ** (mp.mpf(5) / 6)
 
         def image(x):  # q = s^3, so that the integrand is analytic
-            return mp.quad(
-                lambda s: 3 * s**5 * mp.exp(-constant * s**5) * mp.besselj(0, 2 * mp.pi * x * s**3), [0, 0.7, 1.4, 2.1]
-            )
+            def at(s):
+                return 3 * s**5 * mp.exp(-constant * s**5) * mp.besselj(0, 2 * mp.pi * x * s**3)
+
+            return mp.quad(at, [0, 0.7, 1.4, 2.1])
 
         peak = image(0)
         width = 2 * mp.findroot(lambda x: image(x) / peak - mp.mpf(1) / 2, (0.48, 0.49), solver="secant", tol=1e-24)

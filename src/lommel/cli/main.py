@@ -6,6 +6,7 @@ import sys
 import time
 from collections.abc import Callable
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -15,12 +16,10 @@ from lommel.methods import METHODS, ClosedForm
 
 try:
     import click
+    import rich as _rich  # noqa: F401 (what follows imports it when it prints)
 
     from lommel.cli import microscope_command
-    from lommel.cli.depth_commands import depth, precision
-    from lommel.cli.examples_command import examples
-    from lommel.cli.live_command import live
-    from lommel.cli.methods import build_method, methods
+    from lommel.cli.methods import build_method
     from lommel.cli.parts import (
         FILE,
         Length,
@@ -33,13 +32,39 @@ try:
         print_json,
         save_figure,
     )
-    from lommel.cli.photo_commands import blur, focus_pull
     from lommel.cli.progress import progress
-    from lommel.cli.restore_command import restore
-    from lommel.cli.retrieve_command import retrieve
-    from lommel.cli.stack_command import stack as stack_command
 except ImportError as missing:  # pragma: no cover
     sys.exit(f"The command line needs {how_to_get(missing.name or 'click', 'cli')}")
+
+
+_BESIDE = {
+    "blur": "photo_commands",
+    "depth": "depth_commands",
+    "examples": "examples_command",
+    "focus-pull": "photo_commands",
+    "live": "live_command",
+    "methods": "methods",
+    "precision": "depth_commands",
+    "restore": "restore_command",
+    "retrieve": "retrieve_command",
+    "stack": "stack_command",
+}
+"""The files of commands that are imported when they are called or listed: to import what they need takes long."""
+
+
+class _Commands(click.Group):
+    """Those of this file, and those beside it."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return all names."""
+        return sorted({*super().list_commands(ctx), *_BESIDE})
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Return the command of a name, if there is one."""
+        if cmd_name in _BESIDE and cmd_name not in self.commands:
+            found = getattr(import_module(f"lommel.cli.{_BESIDE[cmd_name]}"), cmd_name.replace("-", "_"))
+            self.add_command(found)
+        return super().get_command(ctx, cmd_name)
 
 
 def _lens_command(command: Callable[..., None], *more: Callable[..., Any]) -> Callable[..., None]:
@@ -69,7 +94,7 @@ def _psf_command(command: Callable[..., None]) -> Callable[..., None]:
     )  # fmt: skip
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
 @click.version_option(package_name="lommel")
 def main() -> None:
     """Point spread functions of defocused and aberrated lenses.
@@ -95,8 +120,11 @@ def main() -> None:
     """  # noqa: D301 (\b is meant)
 
 
-for command in (blur, depth, examples, focus_pull, live, methods, precision, restore, retrieve, stack_command):
-    main.add_command(command)
+def commands() -> dict[str, click.Command]:
+    """Return all commands by their names."""
+    context = click.Context(main)
+    found = {name: main.get_command(context, name) for name in main.list_commands(context)}
+    return {name: command for name, command in found.items() if command is not None}
 
 
 @main.command()

@@ -115,7 +115,7 @@ def psf(
         start = time.perf_counter()
         answer = compute(microscope.pupil(), window, microscope.pixel, integrate=microscope.integrate, **options)
         seconds = time.perf_counter() - start
-        facts = describe_microscope(microscope) | {"psf": describe_stack(answer, seconds)}
+        facts = describe_microscope(microscope, foci=False) | {"psf": describe_stack(answer, seconds)}
         for path in outputs:
             if path not in drawn:
                 answer.save(path)

@@ -40,6 +40,13 @@ def print_microscope(facts: dict[str, Any]) -> None:
             f"The {name}, {format_length(facts[name])}, is coarser than Nyquist's {format_length(limit)}: an image "
             "loses its finest detail. The PSF itself is exact."
         )
+    if facts["focus"]:
+        _print_foci(facts)
+
+
+def _print_foci(facts: dict[str, Any]) -> None:
+    """Print where emitters are in focus, by their depth."""
+    console = console_of()
     heads = (
         "depth um",
         "paraxial um",

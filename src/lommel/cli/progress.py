@@ -4,17 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
-from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    Progress,
-    SpinnerColumn,
-    TaskProgressColumn,
-    TextColumn,
-    TimeElapsedColumn,
-    TimeRemainingColumn,
-)
+if TYPE_CHECKING:
+    from rich.progress import Progress
 
 
 class Steps:
@@ -52,11 +45,23 @@ class Steps:
 @contextmanager
 def progress(description: str, total: int | None = None) -> Iterator[Steps]:
     """Show a bar on standard error, if that is a terminal; yields what announces each step."""
+    from rich.console import Console
+
     console = Console(stderr=True)
     if not console.is_terminal:
         # Not even an end of line, which a bar that is disabled may leave.
         yield Steps(None, description, total)
         return
+    from rich.progress import (
+        BarColumn,
+        Progress,
+        SpinnerColumn,
+        TaskProgressColumn,
+        TextColumn,
+        TimeElapsedColumn,
+        TimeRemainingColumn,
+    )
+
     columns = (
         SpinnerColumn(),
         TextColumn("{task.description}"),

@@ -74,7 +74,7 @@ def print_lens(facts: dict[str, Any]) -> None:
         ("pixel", _pitch(facts["pixel"])),
         ("model", _model(facts)),
         *([] if facts["apodization"] == 0.0 else [("amplitude", _amplitude(facts))]),
-        ("other model", model_in_words(facts["other_model"])),
+        *([] if _identical(facts["other_model"]) else [("other model", model_in_words(facts["other_model"]))]),
         ("defocus C_d", f"{facts['defocus']:.4g} rad"),
         ("spherical C_s", f"{facts['spherical']:.4g} rad"),
         *[(f"rho^{6 + 2 * k}", f"{c:.4g} rad") for k, c in enumerate(facts["higher"])],
@@ -163,10 +163,17 @@ def model_in_words(other: dict[str, Any]) -> str:
     """Return in a line what :func:`lommel.reports.report.other_model` says."""
     if other["reason"] is not None:
         return f"{other['model']}: {other['reason']}"
+    if _identical(other):
+        return f"{_model(other)}: identical"
     return (
         f"{_model(other)}: differs by {other['peak_error']:.2g} of the peak, geometric blur radius "
         f"{format_length(other['geometric_radius'])}"
     )
+
+
+def _identical(other: dict[str, Any]) -> bool:
+    """Return whether the other model makes the same PSF within the tolerance of both, 1e-6."""
+    return other["reason"] is None and bool(other["peak_error"] < 1e-6)
 
 
 def _aperture(facts: dict[str, Any]) -> list[tuple[str, str]]:

@@ -30,6 +30,7 @@ from lommel.lensfiles.sections import Distance, Length, Number, PhotoSensor, Sec
 from lommel.lensfiles.shading_sections import ShadingSection, VignettingSection
 from lommel.lensfiles.toml_files import LensFileError
 from lommel.optics.apodization import Apodization
+from lommel.optics.distances import aperture
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.wavefront import Wavefront
@@ -290,6 +291,9 @@ def _instrument(file: _File, *, table: ZernikeTable | None, stem: str) -> Instru
         own = wavelength if table.wavelength is None else table.wavelength
         aberrations += replace(table, wavelength=own).wavefront(wavelength)
     given: dict[str, Any] = dict(file.lens) | {"colour": file.colour and file.colour.colour()}
+    # As a diameter: who states a unit is not asked whether it is the one that is meant.
+    diameter = aperture(file.lens.focal_length, given.pop("f_number"), given.pop("aperture_diameter"))
+    given["aperture_diameter"] = diameter
     radius = 0.5 * Lens(**given).aperture_diameter
     shapes = file.aperture.shapes(radius)
     try:

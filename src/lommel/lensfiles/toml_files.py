@@ -71,7 +71,7 @@ def _described(fault: Any, text: str, model: type[Section]) -> str:
         section: Any = model
         for part in keys[:-1]:
             section = _section(section.model_fields[part].annotation)
-        message = f"unknown key; {near(keys[-1], section.model_fields)}"
+        message = f"unknown key; {_elsewhere(model, keys) or near(keys[-1], section.model_fields)}"
     elif fault["type"] == "missing":
         message = "is missing"
     elif fault["type"] in ("model_type", "dict_type"):
@@ -81,6 +81,13 @@ def _described(fault: Any, text: str, model: type[Section]) -> str:
     # A table of several has lines of its own, and a number to be told by.
     line = messages.line_of(text, place) or messages.line_of(text, keys)
     return f"{'.'.join(keys)}{f' (line {line})' if line else ''}: {message}"
+
+
+def _elsewhere(model: type[Section], keys: list[str]) -> str | None:
+    """Return which other sections of a file have a key of this name, if any has."""
+    sections = {name: _section(part.annotation) for name, part in model.model_fields.items() if name != keys[0]}
+    homes = [f"[{name}]" for name, part in sections.items() if keys[-1] in getattr(part, "model_fields", ())]
+    return f"it is in {' or '.join(homes)}" if homes else None
 
 
 def _section(annotation: Any) -> Any:

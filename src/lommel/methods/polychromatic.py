@@ -30,8 +30,8 @@ class Polychromatic(Spectrum, RadialMethod):
     ----------
     wavelengths : sequence of float
         Metres.
-    weights : sequence of float
-        Share of the light at each wavelength, >= 0; made to sum to 1.
+    weights : sequence of float, optional
+        Share of the light at each wavelength, >= 0; made to sum to 1. By default all are equal.
     method : Method, optional
         By default what :func:`lommel.psf` would take for the pupil at each wavelength, so that every pupil is
         supported.
@@ -42,8 +42,8 @@ class Polychromatic(Spectrum, RadialMethod):
     Raises
     ------
     TypeError, ValueError
-        On what is no wavelength, if the weights are not one for each, negative or all 0, or if `method` is none of
-        one wavelength, or has no such tolerance.
+        On what is no wavelength or none at all, if the weights are not one for each, negative or all 0, or if
+        `method` is none of one wavelength, or has no such tolerance.
 
     Notes
     -----
@@ -61,7 +61,7 @@ class Polychromatic(Spectrum, RadialMethod):
     def __init__(
         self,
         wavelengths: Sequence[float],
-        weights: Sequence[float],
+        weights: Sequence[float] | None = None,
         method: Method | None = None,
         tol: float | None = None,
     ) -> None:

@@ -36,9 +36,10 @@ class Confocal(_Scanning):
 
     ``E(r) P(r)`` where the axis of both is at r from the emitter: E is the intensity of the excitation, relative to
     the focus of a uniform scalar aperture that sends as much light through the same plane of the sample, P the share
-    of the light that the objective collects of the emitter which passes the pinhole. Of pupils for emission; the planes are theirs. An emitter that is a :class:`lommel.Dipole`
-    absorbs as it emits: E is then the part of the field along it, three times its intensity, averaged over how it
-    wobbles; where it turns freely, all of the intensity.
+    of the light that the objective collects of the emitter which passes the pinhole. Of pupils for emission; the
+    planes are theirs. An emitter that is a :class:`lommel.Dipole` absorbs as it emits: E is then the part of the
+    field along it, three times its intensity, averaged over how it wobbles; where it turns freely, all of the
+    intensity.
 
     Parameters
     ----------
@@ -56,9 +57,10 @@ class Confocal(_Scanning):
 
     Notes
     -----
-    ``E(r) = 4 pi / (k NA)^2 I(r) / int I d^2r``, the integral over the plane of the emitter, the same at every focus;
-    for circular light ``I = abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2`` of :meth:`lommel.Objective.fields`. Fresnel's losses
-    and light beyond the critical angle are in the integral, which near the glass changes with the depth.
+    ``E(r) = 4 pi / (k NA)^2 I(r) / int I d^2r``, the integral over the plane of the emitter, the same at every
+    focus; for circular light ``I = abs(K0)^2 + 2 abs(K1)^2 + abs(K2)^2`` of :meth:`lommel.Objective.fields`.
+    Fresnel's losses and light beyond the critical angle are in the integral, which near the glass changes with the
+    depth.
 
     E P has the spatial frequencies of both, ``1 + lambda_emission / lambda_excitation`` times those of a field.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -12,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation, views
 from lommel.base.cached import cached_property
 from lommel.base.trusted import changed
+from lommel.base.units import format_length
 from lommel.optics import aplanatic
 from lommel.optics.aperture import CatEye, Ellipse, Mask, Spider
 from lommel.optics.apodization import Apodization, illumination, lens_apodization
@@ -24,10 +26,12 @@ from lommel.optics.wavefront import Wavefront, same_path
 
 MODELS = ("paraxial", "aplanatic")
 CORRECTED_FOR = ("object", "focus")
+_LONG = 1.0  # metres: longer lenses for photographs have an obscuration
+_VISIBLE = (380e-9, 780e-9)
 _Numbers = float | NDArray[np.float64]
 
 
-@dataclass(frozen=True, init=False)
+@dataclass(frozen=True, init=False, repr=False)
 class Lens(views.Shown):
     """A thin lens with its stop at the lens; metres everywhere, distances from the lens.
 
@@ -75,9 +79,17 @@ class Lens(views.Shown):
     TypeError, ValueError
         On anything missing, contradictory, non-finite or out of range.
 
+    Warns
+    -----
+    UserWarning
+        Where a focal length above 1 metre, with an f-number, visible light and no obscuration, may be one in mm.
+        Telescopes are not asked that state the diameter of their aperture.
+
     Examples
     --------
     >>> lens = Lens(focal_length=50e-3, f_number=1.8, focus_distance=2.0, wavelength=550e-9)
+    >>> lens
+    <Lens 50 mm f/1.8, focused at 2 m, 550 nm>
     >>> round(float(lens.defocus(1.5)), 2)
     91.82
     """
@@ -139,9 +151,27 @@ class Lens(views.Shown):
         # What is no such shape, or leaves nothing clear, is told now.
         Pupil(obscuration=values["obscuration"], spider=spider, vignetting=vignetting, mask=mask)
         vars(self).update(values)
+        visible = _VISIBLE[0] <= values["wavelength"] <= _VISIBLE[1]
+        if f > _LONG and f_number is not None and visible and not values["obscuration"]:
+            warnings.warn(
+                f"focal_length={f:g} is {f:g} metres; for {f:g} mm give focal_length={f:g}e-3. Of a telescope give "
+                "aperture_diameter instead of f_number",
+                stacklevel=2,
+            )
         if model == "aplanatic":
             self.phase(0.0)  # a rim out of reach is told now
         self.pupil_colour  # noqa: B018 (a wavelength beyond the table is told now)
+
+    def __repr__(self) -> str:
+        focus = self.focus_distance
+        inside = f"sensor at {format_length(self.sensor_distance)}"
+        parts = [f"focused at {format_length(focus)}" if focus > 0.0 else inside, format_length(self.wavelength)]
+        parts += [f"obscuration {self.obscuration:.4g}"] if self.obscuration else []
+        parts += [f"aplanatic, corrected for the {self.corrected_for}"] if self.model == "aplanatic" else []
+        parts += ["apodized"] if not self.illumination.uniform else []
+        parts += [] if self.aberrations.flat else ["aberrated"]
+        parts += [name for name in ("spider", "vignetting", "mask", "colour") if getattr(self, name) is not None]
+        return f"<Lens {format_length(self.focal_length)} f/{self.f_number:.4g}, {', '.join(parts)}>"
 
     @property
     def f_number(self) -> float:
@@ -202,7 +232,8 @@ class Lens(views.Shown):
             or with an Apodization is opened wider, where these are not known, or if it has vignetting or a mask.
         """
         stop = validation.real("f_number", f_number, least=1e-6, below=1e12)
-        return self._with(f_number=stop, aperture_diameter=None, **narrowed(self, stop / self.f_number))
+        diameter = aperture(self.focal_length, stop, None)
+        return self._with(aperture_diameter=diameter, **narrowed(self, stop / self.f_number))
 
     def in_light(self, wavelength: float) -> Lens:
         """Return the lens in light of another wavelength: of the focal length that its `colour` has there.

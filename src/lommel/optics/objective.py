@@ -41,16 +41,19 @@ class Objective(Stage):
     NA : float
         Numerical aperture, below the indices of immersion and cover glass. Where it exceeds that of the sample, light
         beyond the critical angle counts, and fades with the depth.
-    magnification : float
-        From the sample to the camera.
+    magnification : float, default 1
+        From the sample to the camera. 1: pixels and lengths on the camera are those in the sample.
     immersion : float
         Refractive index of what is between objective and cover glass.
-    working_distance : float
+    working_distance : float, optional
         Metres from the objective to the cover glass, in focus on the surface of the glass and used as designed.
-    coverslip : Layer or None
-        The cover glass; None where the objective dips into the sample.
-    sample : float
-        Refractive index of what the emitter is in.
+        Needed with a cover glass or a `design`: without these no light depends on it, and without it the stage moves
+        up to 0.01 metres.
+    coverslip : Layer, optional
+        The cover glass; by default there is none, and the objective dips into the sample.
+    sample : float, optional
+        Refractive index of what the emitter is in. Needed with a cover glass; by default that of the immersion, so
+        that all is one medium.
     films : sequence of Layer, default none
         Thin films between cover glass and sample, in this order: coherent, by characteristic matrices, each of at
         most 2 um. The glass is thick: what it reflects to and fro is not seen.
@@ -78,12 +81,18 @@ class Objective(Stage):
     ... )
     >>> round(1e6 * float(objective.focus(2e-6, wavelength=520e-9).brightest), 2)
     2.65
+
+    One medium, with pixels in the sample:
+
+    >>> oil = Objective(NA=1.4, immersion=1.518)
+    >>> oil.sample, oil.magnification
+    (1.518, 1.0)
     """
 
     NA: float
     magnification: float
     immersion: float
-    working_distance: float
+    working_distance: float | None
     coverslip: Layer | None
     sample: float
     films: tuple[Layer, ...]
@@ -93,11 +102,11 @@ class Objective(Stage):
         self,
         *,
         NA: float,
-        magnification: float,
+        magnification: float = 1.0,
         immersion: float,
-        working_distance: float,
-        coverslip: Layer | None,
-        sample: float,
+        working_distance: float | None = None,
+        coverslip: Layer | None = None,
+        sample: float | None = None,
         films: Any = (),
         design: Design | None = None,
     ) -> None:
@@ -112,13 +121,19 @@ class Objective(Stage):
         for name, index in media.items():
             if not aperture < index:
                 raise ValueError(f"NA must be below the index of {name}, {index:g}, got {aperture:g}")
+        if sample is None and coverslip:
+            raise ValueError("sample must be given with a coverslip: the refractive index of what the emitter is in")
+        if working_distance is None and (coverslip or used != Design(n, coverslip)):
+            raise ValueError("working_distance must be given, in metres, with a coverslip or a design")
         values = {
             "NA": aperture,
             "magnification": validation.real("magnification", magnification, least=1e-3, below=1e6),
             "immersion": n,
-            "working_distance": length("working_distance", working_distance, _DISTANCE_MOST, positive=True),
+            "working_distance": working_distance
+            if working_distance is None
+            else length("working_distance", working_distance, _DISTANCE_MOST, positive=True),
             "coverslip": coverslip,
-            "sample": refractive_index("sample", sample),
+            "sample": n if sample is None else refractive_index("sample", sample),
             "films": film_stack(films),
             "design": used,
         }

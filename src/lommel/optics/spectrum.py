@@ -43,22 +43,24 @@ class Spectrum:
     ----------
     wavelengths : sequence of float
         Metres.
-    weights : sequence of float
-        Share of the light at each wavelength, >= 0; made to sum to 1.
+    weights : sequence of float, optional
+        Share of the light at each wavelength, >= 0; made to sum to 1. By default all are equal.
 
     Raises
     ------
     TypeError, ValueError
-        On what is no wavelength, or if the weights are not one for each, negative or all 0.
+        On what is no wavelength or none at all, or if the weights are not one for each, negative or all 0.
     """
 
     wavelengths: tuple[float, ...]
     weights: tuple[float, ...]
 
-    def __init__(self, wavelengths: Sequence[float], weights: ArrayLike) -> None:
+    def __init__(self, wavelengths: Sequence[float], weights: ArrayLike | None = None) -> None:
         waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
-        shares = validation.real_array("weights", weights, least=0.0)
-        if shares.shape != (len(waves),) or not waves or not shares.max() > 0:
+        if not waves:
+            raise ValueError("wavelengths must not be empty")
+        shares = np.ones(len(waves)) if weights is None else validation.real_array("weights", weights, least=0.0)
+        if shares.shape != (len(waves),) or not shares.max() > 0:
             raise ValueError(
                 f"weights must be one for each of the {len(waves)} wavelengths, and not all 0, "
                 f"got {validation.shown(weights)}"

@@ -18,7 +18,7 @@ class Stage:
 
     NA: float
     immersion: float
-    working_distance: float
+    working_distance: float | None
     coverslip: Layer | None
     sample: float
     films: tuple[Layer, ...]
@@ -27,6 +27,8 @@ class Stage:
     @property
     def _clearance(self) -> float:
         """How much immersion there is with the surface of the cover glass in focus, metres."""
+        if self.working_distance is None:  # and no other layer that it depends on
+            return DEPTH_MOST
         length = self.working_distance / self.design.immersion
         for glass, sign in ((self.design.coverslip, 1.0), (self.coverslip, -1.0)):
             length += sign * glass.thickness / glass.index if glass else 0.0
@@ -39,6 +41,7 @@ class Stage:
         paths = []
         for side, sign in ((used, 1.0), (meant, -1.0)) if used != meant else ():
             room = self._clearance if side is used else self.working_distance
+            assert room is not None  # as there is with a design
             paths.append((side.immersion, sign * room))
             if side.coverslip:
                 paths.append((side.coverslip.index, sign * side.coverslip.thickness))
@@ -57,10 +60,9 @@ class Stage:
         d, f = validation.broadcast("depth and focus", depths(depth), f)
         name = "focus, or where depth and z lead,"
         if f.size and f.max() > self._clearance:
-            raise ValueError(
-                f"{name} must be at most {self._clearance:.4g} metres, where the objective touches the cover glass, "
-                f"got {f.max():g}"
-            )
+            known = self.working_distance is not None
+            where = ", where the objective touches the cover glass," if known else " without a working_distance,"
+            raise ValueError(f"{name} must be at most {self._clearance:.4g} metres{where} got {f.max():g}")
         if f.size and f.min() < -DEPTH_MOST:
             raise ValueError(f"{name} is in metres and must be at least {-DEPTH_MOST:g}, got {f.min():g}")
         return d.ravel(), f.ravel(), d.shape

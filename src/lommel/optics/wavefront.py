@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Any, Self
+from typing import Any, Never, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -84,7 +84,13 @@ class Wavefront(Descriptions):
         higher: Sequence[ArrayLike] = (),
         nonradial: Mapping[tuple[int, int], ArrayLike] | None = None,
         error: float = 0.0,
+        **_unknown: Never,
     ) -> None:
+        if _unknown:
+            raise TypeError(
+                f"Wavefront has no argument {next(iter(_unknown))!r}; other aberrations are made by "
+                "Wavefront.zernike({(3, 1): ...}) or Wavefront.from_seidel(W131=...)"
+            )
         if not isinstance(higher, Sequence) or isinstance(higher, str | bytes):
             raise TypeError(f"higher must be a sequence of coefficients, got {validation.shown(higher)}")
         if len(higher) > MAX_HIGHER:

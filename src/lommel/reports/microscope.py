@@ -17,21 +17,21 @@ DEPTHS = (0.0, 1e-6, 5e-6, 20e-6, 50e-6)
 """Told beside the depth of the file, metres."""
 
 
-def describe_microscope(microscope: Microscope) -> dict[str, Any]:
+def describe_microscope(microscope: Microscope, *, foci: bool = True) -> dict[str, Any]:
     """Return what there is to say about a microscope without computing an image.
 
     Lengths in metres, angles in radians; x and y in the sample but for "pixel", which is on the camera, z of the
     stage. "focus" has a row for each depth: "paraxial" and "brightest" are how far the objective has been driven
     towards the sample since the surface of the cover glass was in focus, "ratio" the depth over the brightest (None
-    at depth 0), "peak" the intensity there and "peak_of_surface" the same over that at depth 0, "collected" the light
-    that the objective takes in over that of an emitter far from the glass. All of an emitter that turns freely,
-    whatever the file has. "nyquist" has the coarsest steps that keep all of an image, and "too_coarse" the names of
-    those that are exceeded, "pixel" or "step". Depths that cannot be reached are left out, for the reasons in
-    "refused".
+    at depth 0), "peak" the intensity there and "peak_of_surface" the same over that at depth 0, "collected" the
+    light that the objective takes in over that of an emitter far from the glass. All of an emitter that turns
+    freely, whatever the file has; without `foci`, which take longer than a stack, it is empty. "nyquist" has the
+    coarsest steps that keep all of an image, and "too_coarse" the names of those that are exceeded, "pixel" or
+    "step". Depths that cannot be reached are left out, for the reasons in "refused".
     """
     objective, wavelength = microscope.objective, microscope.wavelength
     nyquist, glass = objective.nyquist(wavelength=wavelength), objective.coverslip
-    rows, refused = _foci(microscope)
+    rows, refused = _foci(microscope) if foci else ([], [])
     step = abs(microscope.step) if microscope.planes > 1 else None
     coarse = {"pixel": microscope.pixel > nyquist.pixel, "step": step is not None and step > nyquist.axial}
     design = objective.design

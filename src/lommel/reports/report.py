@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from lommel.core.answers import ToleranceError
 from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.measures import aperture_means, errors, spot, transfer
@@ -164,6 +165,8 @@ def other_model(instrument: Instrument) -> dict[str, Any]:
             name: psf(p, instrument.window, instrument.pixel, dtype="float64", **instrument.sensor_options)
             for name, p in pupils.items()
         }
+    except ToleranceError:
+        return found | {"reason": "cannot be computed to the tolerance"}
     except (ValueError, ArithmeticError, ImportError) as error:
         return found | {"reason": str(error)}
     blur, difference = other.geometric_radius(), errors.peak_error(seen["paraxial"], seen["aplanatic"])

@@ -24,8 +24,8 @@ KOLMOGOROV = (4.8 * math.gamma(1.2)) ** (5.0 / 6.0)
 FWHM = 0.9758634299
 """Full width at half of the image that Kolmogorov's turbulence makes of a star, in units of wavelength / r0.
 
-Twice the root of ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` over its value at 0 being 1/2, in 25 digits of mpmath
-with q = s^3, of which the integrand is analytic; a test does it again.
+Twice the root of ``int exp(-KOLMOGOROV q^(5/3)) J0(2 pi x q) q dq`` over its value at 0 being 1/2, in 25 digits of
+mpmath with q = s^3, of which the integrand is analytic; a test does it again.
 """
 _NU = 5.0 / 6.0
 
@@ -88,8 +88,8 @@ class Seeing(Blur):
     r"""The long exposure through a turbulent atmosphere.
 
     ``T = exp(-D / 2)``, D the structure function of the phase over the distance ``wavelength * focal_length * f`` in
-    the aperture: ``D / 2 = 3.441939 (distance / r0)^(5/3)`` after Kolmogorov and Fried, with an outer scale that of von
-    Karman's spectrum. The constant is ``(24/5 Gamma(6/5))^(5/6)``, half of the 6.88 of textbooks in full.
+    the aperture: ``D / 2 = 3.441939 (distance / r0)^(5/3)`` after Kolmogorov and Fried, with an outer scale that of
+    von Karman's spectrum. The constant is ``(24/5 Gamma(6/5))^(5/6)``, half of the 6.88 of textbooks in full.
 
     Parameters
     ----------

@@ -48,7 +48,9 @@ def term(index: Any, order: str) -> tuple[int, int]:
     validation.choice("order", order, ORDERS)
     if order == "nm":
         if not isinstance(index, tuple | list) or len(index) != 2:
-            raise TypeError(f'a term in the order "nm" must be a pair (n, m), got {validation.shown(index)}')
+            numbered = isinstance(index, int | np.integer) and not isinstance(index, bool)
+            hint = '; order="noll", "ansi" or "fringe" takes terms by number' if numbered else ""
+            raise TypeError(f'a term in the order "nm" must be a pair (n, m), got {validation.shown(index)}{hint}')
         return check_term(*index)
     first = 0 if order == "ansi" else 1
     most = 37 if order == "fringe" else first + (MAX_DEGREE + 1) * (MAX_DEGREE + 2) // 2 - 1

@@ -1,0 +1,19 @@
+"""Adapters are names of the package, without the packages that they are for."""
+
+from __future__ import annotations
+
+import pytest
+
+import lommel as lm
+
+
+@pytest.mark.parametrize("name", ["optiland", "rayoptics"])
+def test_an_adapter_is_there_when_it_is_asked_for(name):
+    assert name in dir(lm.adapters)
+    assert getattr(lm.adapters, name).pupil.__module__ == f"lommel.adapters.{name}"
+    assert lm.adapters.optiland.pupil is not lm.adapters.rayoptics.pupil
+
+
+def test_what_is_no_adapter_is_none():
+    with pytest.raises(AttributeError, match="has no attribute 'zemax'"):
+        lm.adapters.zemax  # noqa: B018

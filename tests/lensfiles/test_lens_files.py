@@ -62,8 +62,8 @@ def test_a_long_focal_length_with_its_unit_is_not_asked_about(load):
 
 def test_a_key_of_another_section_is_told_where_it_is(load):
     for text, told in (
-        ("[aperture]\nobscuration = 0.3\n", r"aperture.obscuration \(line 19\): unknown key; it is in \[lens\]$"),
-        ("[report]\nshape = 3\n", r"report.shape \(line 19\): unknown key; it is in \[sensor\]$"),
+        ("[aperture]\nobscuration = 0.3\n", r"aperture.obscuration \(line 17\): unknown key; it is in \[lens\]$"),
+        ("[report]\nshape = 3\n", r"report.shape \(line 17\): unknown key; it is in \[sensor\]$"),
     ):
         with pytest.raises(LensFileError, match=told):
             load(text=PLAIN + text)

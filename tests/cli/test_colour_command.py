@@ -62,6 +62,15 @@ def test_faults_are_one_line(call_lommel, lenses, tmp_path, options, message):
     assert result.stderr.count("\n") == 1
 
 
+def test_a_field_in_colour_in_a_file_that_holds_none_is_refused_before_it_is_computed(call_lommel, lenses, tmp_path):
+    for name in ("f.tif", "f.fits"):
+        options = ["--colour", "--field", "64x64", "--shape", "1025", "-o", name]
+        result = call_lommel("psf", lenses["camera-field"], *options, folder=tmp_path)
+        assert result.returncode == 2
+        assert f"--colour with --field writes .npz or .zarr, got '{name}'; leave out --field" in result.stderr
+        assert result.stderr.count("\n") == 1
+
+
 def test_a_microscope_has_one_wavelength(call_lommel, tmp_path):
     file = Path(__file__).parents[2] / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml"
     result = call_lommel("psf", file, "--colour", folder=tmp_path)

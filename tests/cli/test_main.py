@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import math
 import re
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -368,3 +370,22 @@ def test_the_strehl_ratio_of_a_comatic_lens_is_that_of_its_image(call_lommel, le
 def test_a_lens_without_such_terms_has_no_table_of_them(call_lommel, lenses, tmp_path):
     shown = call_lommel("info", lenses["hubble-1990"], folder=tmp_path).stdout
     assert "Zernike" not in shown
+
+
+def test_another_model_that_changes_nothing_has_no_row_and_one_out_of_reach_a_short_one(call_lommel, tmp_path):
+    lens = '[lens]\nfocal_length = "50 mm"\nf_number = 8\nwavelength = "550 nm"\n[sensor]\npixel = "3 um"\n'
+    (tmp_path / "sharp.toml").write_text(lens, encoding="utf-8")
+    assert "other model" not in call_lommel("info", "sharp.toml", folder=tmp_path).stdout
+    close = call_lommel("info", "sharp.toml", "--object-distance", "5 mm", folder=tmp_path).stdout
+    assert dict(LINE.findall(close))["other model"] == "aplanatic: cannot be computed to the tolerance"
+    near = call_lommel("info", "sharp.toml", "--object-distance", "0.5 m", folder=tmp_path).stdout
+    assert "of the peak, geometric blur radius" in dict(LINE.findall(near))["other model"]
+
+
+def test_a_command_is_refused_without_what_others_need():
+    said = (
+        "import sys; import lommel.cli.main; "
+        "print(*{'lommel.imaging', 'rich.console', 'lommel.estimation'} & {*sys.modules})"
+    )
+    run = subprocess.run([sys.executable, "-c", said], capture_output=True, encoding="utf-8", check=True)
+    assert run.stdout.split() == []

@@ -13,7 +13,7 @@ from lommel.base.validation import shown
 from lommel.channel_psf import ColourPSF, colour_psf
 from lommel.cli.parts import figure_format, print_json, save_figure
 from lommel.cli.progress import progress
-from lommel.cli.tables import console_of, list_of, table_of
+from lommel.cli.tables import console_of, list_of, print_mtf, table_of
 from lommel.io import colour_files, field_files
 from lommel.optics.channels import Channels
 from lommel.reports import report
@@ -31,10 +31,17 @@ def psf(
     figure: Path | None,
     as_json: bool,
     options: dict[str, Any],
+    *,
+    mtf: bool = False,
 ) -> None:
     """Compute PSFs in the channels of a lens file, or in red, green and blue, print what they are, and write them."""
     for path in outputs:
         (colour_files if field is None else field_files).find(path, "--output")
+        if field is not None and path.suffix.lower() not in (".npz", ".zarr"):
+            raise ValueError(
+                f"--colour with --field writes .npz or .zarr, got {shown(str(path))}; leave out --field for the "
+                f"colours of one place, or --colour for one wavelength"
+            )
     if figure is not None:
         figure_format(figure)
     channels = instrument.channels or Channels.rgb()
@@ -56,6 +63,8 @@ def psf(
             made = answer.psf
         seconds = time.perf_counter() - start
         facts = _facts(instrument, made, seconds)
+        if mtf:
+            facts |= {"mtf": report.describe_mtf(instrument, None if field is None else answer, channels)}
         for path in outputs:
             answer.save(path)
         if figure is not None:
@@ -71,6 +80,8 @@ def psf(
         print_json(facts | {"files": files})
         return
     _print(facts)
+    if mtf:
+        print_mtf(facts["mtf"])
     for name in files:
         click.echo(f"wrote {name}")
 

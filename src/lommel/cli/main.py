@@ -139,6 +139,9 @@ def commands() -> dict[str, click.Command]:
 @click.option("--colour", is_flag=True,
               help="In the channels of the file, [channels], or in red, green and blue: data in .npz or .tif (OME), "
               ".png in colour; with --field .npz or .zarr.")  # fmt: skip
+@click.option("--mtf", is_flag=True,
+              help="Also the MTF at the Nyquist frequency of the pixels and at half of it, along x and y, the pixel "
+              "included; with --field at each place, with --colour in each channel.")  # fmt: skip
 @click.option("--plot", "figure", type=FILE,
               help="A figure with axes and scale, the square root of the values: .png, .pdf, .svg.")  # fmt: skip
 @click.option("-m", "--method", "method_name", default="auto", show_default=True,
@@ -157,6 +160,7 @@ def psf(
     outputs: tuple[Path, ...],
     field: Any,
     colour: bool,
+    mtf: bool,
     figure: Path | None,
     method_name: str,
     tol: float | None,
@@ -179,6 +183,7 @@ def psf(
       lommel psf camera.toml --object-distance "1.2 m" --tol 1e-9 -o camera.npz
       lommel psf camera.toml --method closed-form --set tangent=200 --set erf=abramowitz:30
       lommel psf camera.toml --field 5x7 --plot field.png -o field.tif
+      lommel psf camera.toml --field 5x7 --colour --mtf
       lommel psf camera.toml --colour -o camera.png -o camera.npz
       lommel psf objective.toml --stack 64 --step "100 nm" --depth "2 um" -o psf.ome.tif -o psf.png
     """  # noqa: D301 (\b is meant)
@@ -199,6 +204,7 @@ def psf(
     of_kinds: dict[str, Any] = {
         "field": field,
         "colour": colour or None,
+        "mtf": mtf or None,
         "stack": stack,
         "step": step,
         "depth": depth,
@@ -213,7 +219,7 @@ def psf(
     if colour:
         from lommel.cli import colour_command
 
-        colour_command.psf(instrument, field, outputs, figure, as_json, options)
+        colour_command.psf(instrument, field, outputs, figure, as_json, options, mtf=mtf)
         return
     work: Callable[[], Any]
     if field is None:
@@ -231,6 +237,8 @@ def psf(
             facts = report.describe_lens(instrument) | {"psf": report.describe_psf(answer, seconds)}
         else:
             facts = report.describe_field(instrument, answer, seconds)
+        if mtf:
+            facts |= {"mtf": report.describe_mtf(instrument, None if field is None else answer)}
         for path in outputs:
             answer.save(path)
         if figure is not None:
@@ -248,6 +256,8 @@ def psf(
         tables.print_psf(answer, facts["psf"])
     else:
         tables.print_field(answer, facts)
+    if mtf:
+        tables.print_mtf(facts["mtf"])
     for path in written:
         click.echo(f"wrote {path}{'' if field else of_picture(answer, path)}")
     if figure is not None:

@@ -23,6 +23,7 @@ DEPTH = click.option("--depth", type=Length(), help='Of the emitter from the cov
 _OF_LENSES = {
     "object_distance": "--depth says where the emitter is",
     "field": "its PSF is that of the axis",
+    "mtf": "that of a stack is PSF.mtf in Python",
     "colour": "its emitter has one wavelength; lommel.colour_psf takes its pupil",
 }
 _OF_MICROSCOPES = ("stack", "step", "depth")

@@ -200,6 +200,25 @@ def _per_mm(frequency: float) -> str:
     return f"{1e-3 * frequency:.4g} cycles/mm"
 
 
+def print_mtf(facts: dict[str, Any]) -> None:
+    """Print what :func:`lommel.reports.report.describe_mtf` says."""
+    first = facts["rows"][0]
+    places, channels = first["x"] is not None, first["channel"] is not None
+    heads = [*(("place x, y",) if places else ()), *(("channel",) if channels else ())]
+    columns = ("x, Nyquist", "y, Nyquist", "x, half", "y, half")
+    table = table_of(*heads, *columns, left=0 if heads else -1, title="MTF, with the pixel")
+    for row in facts["rows"]:
+        name = [f"{format_length(row['x'], like=1e-3)}, {format_length(row['y'], like=1e-3)}"] if places else []
+        name += [row["channel"]] if channels else []
+        table.add_row(*name, *(f"{value:.4f}" for part in ("nyquist", "half_nyquist") for value in row[part]))
+    console = console_of()
+    console.print()
+    console.print(table)
+    across, down = (_per_mm(frequency) for frequency in facts["frequency"])
+    at = across if across == down else f"{across} along x and {down} along y"
+    console.print(f"Nyquist: {at}; along x the frequency is that of vertical lines", style="dim")
+
+
 def print_psf(answer: PSF, facts: dict[str, Any]) -> None:
     """Print what :func:`lommel.reports.report.describe_psf` says."""
     lines = [

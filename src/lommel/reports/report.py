@@ -16,10 +16,12 @@ from lommel.field.psf_grid import PSFGrid
 from lommel.lensfiles.instrument import Instrument, wide_enough
 from lommel.measures import aperture_means, errors, spot, transfer
 from lommel.measures.answer import Answer, checked
+from lommel.measures.answer_grid import AnswerGrid
 from lommel.measures.encircled import MAX_RADIUS, encircled, optics
-from lommel.methods import HuygensFresnel, Method
+from lommel.methods import HuygensFresnel, Method, Polychromatic
 from lommel.methods.choice import of_profiles, reference
 from lommel.optics.apodization import Apodization
+from lommel.optics.channels import Channels
 from lommel.optics.lens import Lens
 from lommel.optics.pupil import Pupil
 from lommel.optics.pupil import checked as lens_pupil
@@ -205,6 +207,40 @@ def describe_field(instrument: Instrument, grid: PSFGrid, seconds: float) -> dic
     answer: Any = checked(grid.psf)
     energy = {"energy": np.asarray(answer.energy).tolist()}
     return {"name": instrument.name, "source": instrument.source} | place | energy | how_made(answer, seconds)
+
+
+def describe_mtf(
+    instrument: Instrument, grid: AnswerGrid | None = None, channels: Channels | None = None
+) -> dict[str, Any]:
+    """Return the MTF at the Nyquist frequency of the pixels and at half of it, of the lens and of averaging pixels.
+
+    "frequency" is Nyquist's along x and y, cycles per metre. "rows" has, for each place of a `grid` (or that of the
+    file, whose "x" and "y" are None) and each of the `channels` (or the wavelength of the file, whose "channel" is
+    None), "nyquist" and "half_nyquist", both along x and y. From the wavefront, to 1e-6.
+
+    ValueError for an aperture with a mask.
+    """
+    nyquist = tuple(0.5 / side for side in instrument.pitch[::-1])
+    fx, fy = np.array([nyquist[0], 0.0]), np.array([0.0, nyquist[1]])
+    at = {"nyquist": 1.0, "half_nyquist": 0.5}
+    places: list[tuple[float | None, float | None, Pupil]] = [(None, None, instrument.pupil())]
+    if grid is not None:
+        field = instrument.field()
+        places = [(x, y, field.pupil(x, y)) for y in grid.y.tolist() for x in grid.x.tolist()]
+    lights: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
+    if channels is not None:
+        lights = [(name, Polychromatic(*zip(*pairs, strict=True))) for name, pairs in channels]
+    sensor: dict[str, Any] = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
+    rows = [
+        {"x": x, "y": y, "channel": name}
+        | {
+            part: transfer.mtf(pupil, share * fx, share * fy, spectrum=light, **sensor).tolist()  # type: ignore[union-attr]
+            for part, share in at.items()
+        }
+        for x, y, pupil in places
+        for name, light in lights
+    ]
+    return {"frequency": list(nyquist), "rows": rows}
 
 
 def how_made(answer: Answer, seconds: float) -> dict[str, Any]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 
@@ -64,7 +64,8 @@ def psf(
         seconds = time.perf_counter() - start
         facts = _facts(instrument, made, seconds)
         if mtf:
-            facts |= {"mtf": report.describe_mtf(instrument, None if field is None else answer, channels)}
+            grid = None if field is None else cast("PSFGrid", answer)
+            facts |= {"mtf": report.describe_mtf(instrument, grid, channels)}
         for path in outputs:
             answer.save(path)
         if figure is not None:

@@ -227,14 +227,14 @@ def describe_mtf(
     if grid is not None:
         field = instrument.field()
         places = [(x, y, field.pupil(x, y)) for y in grid.y.tolist() for x in grid.x.tolist()]
-    lights: list[tuple[str | None, Polychromatic | None]] = [(None, None)]
-    if channels is not None:
-        lights = [(name, Polychromatic(*zip(*pairs, strict=True))) for name, pairs in channels]
+    lights: list[tuple[str | None, Polychromatic | None]] = [] if channels else [(None, None)]
+    for name, pairs in channels or ():
+        lights.append((name, Polychromatic([w for w, _ in pairs], [share for _, share in pairs])))
     sensor: dict[str, Any] = {"pixel": instrument.pixel, "fill": instrument.fill, "tol": 1e-6}
     rows = [
         {"x": x, "y": y, "channel": name}
         | {
-            part: transfer.mtf(pupil, share * fx, share * fy, spectrum=light, **sensor).tolist()  # type: ignore[union-attr]
+            part: transfer.mtf(pupil, share * fx, share * fy, spectrum=light, **sensor).tolist()
             for part, share in at.items()
         }
         for x, y, pupil in places

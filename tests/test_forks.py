@@ -47,3 +47,92 @@ os._exit(0)  # without waiting for those who are busy
 def test_a_hundred_children_of_a_busy_parent_answer_as_it_does():
     done = subprocess.run([sys.executable, "-c", PROGRAM], check=False, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
+
+
+FIRST_CALLS = """
+import os, signal, sys, threading, time
+from importlib import _bootstrap
+import lommel as lm
+from lommel.base import forks
+
+assert forks._locks is _bootstrap._module_locks
+
+def ask():
+    return float(lm.psf(lm.Pupil(lm.Wavefront([1.0, 4.0], spherical=2.0)), 9, 0.31).values.sum())
+
+for _ in range(2):
+    threading.Thread(target=ask, daemon=True).start()
+children = []
+for _ in range(8):
+    child = os.fork()
+    if child == 0:
+        signal.alarm(20)
+        os._exit(0 if ask() > 0.0 else 3)
+    children.append(child)
+    time.sleep(0.006)
+print([child for child in children if os.waitpid(child, 0)[1] != 0], flush=True)
+os._exit(0)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+def test_children_that_are_forked_during_the_first_call_answer_too():
+    command = [sys.executable, "-c", FIRST_CALLS]
+    for _ in range(3):  # without what forks wait for, most of these children hang
+        done = subprocess.run(command, check=False, capture_output=True, text=True, timeout=300)
+        assert (done.returncode, done.stdout) == (0, "[]\n"), done.stderr
+
+
+IMPORTS = """
+import os, sys, threading, time
+sys.path.insert(0, sys.argv[1])
+import lommel
+from lommel.base import forks
+
+def fork():
+    child = os.fork()
+    if child == 0:
+        sys.stdout.flush()
+        import slow
+        os._exit(0 if slow.done else 3)
+    return child
+
+way = sys.argv[2]
+if way == "waits":
+    threading.Thread(target=__import__, args=("slow",)).start()
+    time.sleep(0.2)
+    child = fork()
+    assert sys.modules["slow"].done
+elif way == "patience":  # one that ends too late, which the child begins anew
+    forks.PATIENCE = 0.1
+    threading.Thread(target=__import__, args=("slow",)).start()
+    time.sleep(0.2)
+    child = fork()
+    assert not hasattr(sys.modules["slow"], "done")
+else:  # one that needs the one that forks
+    threading.Thread(target=lambda: (time.sleep(0.1), __import__("needs"))).start()
+    began = time.monotonic()
+    import forking
+    child = forking.child
+    assert time.monotonic() - began < 5.0
+print(os.waitpid(child, 0)[1])
+"""
+SLOW = "import time\ntime.sleep(1.0)\ndone = True\n"
+FORKING = """
+import os, sys, time
+time.sleep(0.3)
+child = os.fork()
+if child == 0:
+    os._exit(0)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+@pytest.mark.parametrize("way", ["waits", "patience", "imports itself"])
+def test_a_fork_waits_for_the_imports_of_other_threads_but_not_for_ever(way, tmp_path):
+    (tmp_path / "slow.py").write_text(SLOW)
+    (tmp_path / "forking.py").write_text(FORKING)
+    (tmp_path / "needs.py").write_text("import forking\n")
+    command = [sys.executable, "-c", IMPORTS, str(tmp_path), way]
+    done = subprocess.run(command, check=False, capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stdout) == (0, "0\n"), done.stderr

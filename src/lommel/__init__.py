@@ -8,7 +8,9 @@ from functools import cache
 from importlib import import_module
 from typing import Any
 
-from lommel.base import views
+from lommel.base import forks, views
+
+forks.guard()
 
 
 @cache

@@ -7,6 +7,7 @@ import numbers
 import operator
 import os
 import reprlib
+import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -123,7 +124,7 @@ def real(
 
 def _is_real_scalar(value: Any) -> bool:
     if isinstance(value, np.ndarray | np.generic):
-        return value.ndim == 0 and value.dtype.kind in "iuf" and not np.ma.is_masked(value)
+        return value.ndim == 0 and value.dtype.kind in "iuf" and not _masked(value)
     return not isinstance(value, bool)
 
 
@@ -166,9 +167,12 @@ def array(name: str, value: ArrayLike) -> NDArray[Any]:
 
 
 def _masked(value: Any) -> bool:
+    # NumPy imports what masked arrays are when somebody asks for them, without which there are none.
+    known = sys.modules.get("numpy.ma")
+    kind = getattr(known, "MaskedArray", ())
     if isinstance(value, list | tuple):
-        return any(_masked(part) for part in value if isinstance(part, list | tuple | np.ma.MaskedArray))
-    return isinstance(value, np.ma.MaskedArray) and np.ma.is_masked(value)
+        return any(_masked(part) for part in value if isinstance(part, (list, tuple, kind)))
+    return isinstance(value, kind) and bool(known.is_masked(value))  # type: ignore[union-attr]
 
 
 def number_array(name: str, value: ArrayLike) -> NDArray[Any]:

@@ -1,0 +1,54 @@
+"""Imports and forks: a process is not forked while another of its threads imports a module.
+
+A child has the thread that forked and no other. A module that another thread was importing stays locked in it (by
+the import system, module by module), and whatever needs that module waits for ever. Python keeps forks out of the
+tables of the import system, not out of the import of a module, and most of this package is imported when it is first
+asked for. So a fork waits until no import is under way.
+"""
+
+from __future__ import annotations
+
+import _imp
+import os
+import sys
+import threading
+import time
+from importlib import _bootstrap
+from typing import Any
+
+PATIENCE = 10.0
+"""Seconds after which a fork waits no longer: an import may itself wait for the thread that forks."""
+
+# By name a weak reference to the lock of each module that is being imported; nothing public says which these are.
+_locks: dict[str, Any] = _bootstrap._module_locks  # type: ignore[attr-defined]
+
+
+def _importers() -> dict[str, int | None]:
+    """Return which modules are being imported, and by which threads; None where one is about to begin."""
+    _imp.acquire_lock()
+    try:
+        return {name: lock.owner for name, ref in _locks.items() if (lock := ref()) is not None}
+    finally:
+        _imp.release_lock()
+
+
+def _wait() -> None:
+    """Wait for the imports of other threads, unless this one imports too, which they may be waiting for."""
+    me, until = threading.get_ident(), time.monotonic() + PATIENCE
+    while (under_way := _importers()) and me not in under_way.values() and time.monotonic() < until:
+        time.sleep(0.001)
+
+
+def _let_go() -> None:
+    """In the child, forget the imports of threads that it does not have, begun in the moment before the fork."""
+    for name, owner in _importers().items():
+        if owner != threading.get_ident():
+            _locks.pop(name, None)
+            if getattr(getattr(sys.modules.get(name), "__spec__", None), "_initializing", False):
+                del sys.modules[name]
+
+
+def guard() -> None:
+    """Have all forks of this process wait; once is enough."""
+    if hasattr(os, "register_at_fork"):
+        os.register_at_fork(before=_wait, after_in_child=_let_go)

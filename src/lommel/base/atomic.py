@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import secrets
@@ -34,8 +35,10 @@ def write(target: Path, data: bytes) -> None:
 
 
 @contextmanager
-def together() -> Iterator[Callable[[Path, bytes | memoryview], None]]:
+def together(room: Path | None = None) -> Iterator[Callable[[Path, bytes | memoryview], None]]:
     """Yield what takes paths and contents; at the end all files are moved into place, or after an error none.
+
+    Until then they are in a `room`, a folder, by default each beside its place.
 
     A link is followed, and what it names is replaced. A file that was there hands on its permissions, a new one has
     what the umask allows; a hard link is cut, since the other name keeps the old contents. Contents are on the disk
@@ -47,11 +50,13 @@ def together() -> Iterator[Callable[[Path, bytes | memoryview], None]]:
         If a file cannot be written, with the name that was asked for; also if there is something else than a file.
     """
     made: list[tuple[Path, Path]] = []
+    if room is not None:
+        _sweep(room)
 
     def put(target: Path, data: bytes | memoryview) -> None:
-        with _told_as(target):
+        with told_as(target):
             place = _place(target)
-            temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
+            temporary, mode = (room or place.parent) / (_PREFIX + secrets.token_hex(8)), _mode(place)
             # 0o666 is what the umask, which belongs to the whole process, takes from.
             made.append((temporary, place))  # first, lest an interrupt come between
             handle = os.open(temporary, _NEW, 0o666 if mode is None else 0o600)
@@ -65,7 +70,7 @@ def together() -> Iterator[Callable[[Path, bytes | memoryview], None]]:
     try:
         yield put
         for temporary, place in made:
-            with _told_as(place):
+            with told_as(place):
                 temporary.replace(place)
         for folder in {place.parent for _, place in made}:
             _settle(folder)
@@ -75,44 +80,62 @@ def together() -> Iterator[Callable[[Path, bytes | memoryview], None]]:
         raise
 
 
-def write_by(target: Path, fill: Callable[[Path], None]) -> None:
-    """Write a file that `fill` makes at the path it is given, such as one larger than memory."""
-    with _told_as(target):
+def write_by(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
+    """Write a file that `fill` makes at the path it is given, such as one larger than memory.
+
+    One that was there is replaced, or if it is to be `new` kept, with a FileExistsError, whenever it has come.
+    """
+    with told_as(target):
         place = _place(target)
         temporary, mode = place.with_name(_PREFIX + secrets.token_hex(8)), _mode(place)
+        try:
+            fill(temporary)
+            if mode is not None:
+                temporary.chmod(mode)
+            _settle(temporary)
+            if new:
+                _link(temporary, place)
+            else:
+                temporary.replace(place)
+            _settle(place.parent)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+
+def _link(temporary: Path, place: Path) -> None:
+    """Give a file a name that nothing has."""
     try:
-        fill(temporary)
-        if mode is not None:
-            temporary.chmod(mode)
-        _settle(temporary)
+        os.link(temporary, place)
+    except FileExistsError:
+        raise
+    except OSError:  # of a file system without hard links
+        if place.exists():
+            raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST)) from None
         temporary.replace(place)
-        _settle(place.parent)
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
-def write_folder(target: Path, fill: Callable[[Path], None]) -> None:
-    """Write a folder: `fill` makes it at the path it is given. One that was there is replaced."""
-    with _told_as(target):
+def write_folder(target: Path, fill: Callable[[Path], None], *, new: bool = False) -> None:
+    """Write a folder that `fill` makes at the path it is given, as `write_by` writes a file."""
+    with told_as(target):
         place = Path(os.path.realpath(target))
         _sweep(place.parent)
         room = place.with_name(_PREFIX + secrets.token_hex(8))
         room.mkdir()
-    try:
-        fill(room / "new")
-        mode = stat.S_IMODE((place if place.exists() else room).stat().st_mode)
-        for path in (room / "new", *(room / "new").rglob("*")):
-            path.chmod(mode if path.is_dir() else mode & 0o666)
-            _settle(path)
-        if place.exists():
-            # Two renames: there is no moment at which neither folder exists.
-            place.replace(room / "old")
-        (room / "new").replace(place)
-        _settle(place.parent)
-    finally:
-        if (room / "old").exists() and not place.exists():
-            (room / "old").replace(place)
-        shutil.rmtree(room, ignore_errors=True)
+        try:
+            fill(room / "new")
+            mode = stat.S_IMODE((place if place.exists() else room).stat().st_mode)
+            for path in (room / "new", *(room / "new").rglob("*")):
+                path.chmod(mode if path.is_dir() else mode & 0o666)
+                _settle(path)
+            if place.exists() and not new:
+                # Two renames: there is no moment at which neither folder exists.
+                place.replace(room / "old")
+            (room / "new").replace(place)
+            _settle(place.parent)
+        finally:
+            if (room / "old").exists() and not place.exists():
+                (room / "old").replace(place)
+            shutil.rmtree(room, ignore_errors=True)
 
 
 def _place(target: Path) -> Path:
@@ -133,12 +156,14 @@ def _mode(place: Path) -> int | None:
 
 
 @contextmanager
-def _told_as(target: Path) -> Iterator[None]:
+def told_as(target: Path) -> Iterator[None]:
     """Tell an error of the operating system with the name that was asked for."""
     try:
         yield
     except OSError as error:
-        raise type(error)(error.errno, error.strerror, str(target)) from None
+        if error.errno == errno.ENOTEMPTY:  # a folder is there, which none takes the place of
+            error = FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST))
+        raise type(error)(error.errno, error.strerror or str(error), str(target)) from None
 
 
 def _settle(path: Path) -> None:
@@ -149,8 +174,10 @@ def _settle(path: Path) -> None:
         return  # Windows opens no folders.
     try:
         os.fsync(handle)
-    except OSError:
-        pass  # Some file systems do not know this of folders.
+    except OSError as error:
+        if error.errno in (errno.ENOSPC, errno.EIO):
+            raise
+        # Some file systems do not know this of folders.
     finally:
         os.close(handle)
 

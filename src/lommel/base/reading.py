@@ -37,15 +37,21 @@ _COMPRESSIONS = {1: "none", 5: "LZW", 8: "deflate", 32773: "PackBits", 32946: "d
 
 def contents(path: Path, most: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> bytes:
     """Return the bytes of a file; OSError if it is no regular one, which a pipe or a device is not, or too large."""
+    count = size(path)
+    if count > most:
+        raise OSError(errno.EFBIG, f"has {count} bytes; the limit is {most}", str(path))
+    with path.open("rb") as file:
+        return file.read(count)
+
+
+def size(path: Path) -> int:
+    """Return how many bytes a file has; OSError if it is no regular one."""
     status = path.stat()
     if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, "Is a directory", str(path))
     if not stat.S_ISREG(status.st_mode):
         raise OSError(errno.EINVAL, "is no regular file", str(path))
-    if status.st_size > most:
-        raise OSError(errno.EFBIG, f"has {status.st_size} bytes; the limit is {most}", str(path))
-    with path.open("rb") as file:
-        return file.read(status.st_size)
+    return status.st_size
 
 
 def text(path: Path) -> str:

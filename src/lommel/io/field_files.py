@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import stat
 from collections.abc import Callable
 from functools import partial
 from os import PathLike
@@ -12,14 +11,24 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from lommel.base import atomic, reading, validation
 from lommel.base.arrays import Array
 from lommel.base.checksums import sealed
-from lommel.io import colour_files, fits_images, psf_files, psf_fits, psf_hdf5, psf_numpy, psf_tiff, registry
+from lommel.io import (
+    colour_files,
+    fits_images,
+    psf_files,
+    psf_fits,
+    psf_hdf5,
+    psf_numpy,
+    psf_tiff,
+    registry,
+    zarr_folders,
+)
 from lommel.io.psf_files import FileError, Made
 from lommel.io.registry import Format
+from lommel.io.zarr_folders import ZarrArray
 from lommel.measures.answer import Answer
 from lommel.measures.answer_channels import AnswerChannels
 from lommel.measures.answer_grid import AnswerGrid
@@ -55,7 +64,7 @@ def save(grid: AnswerGrid, path: str | PathLike[str]) -> None:
         or channels in anything but ``.npz`` and ``.zarr``, or if there is something at the path of a ``.zarr`` that
         is no Zarr store.
     ImportError
-        If tifffile, zarr, astropy or h5py is not installed.
+        If tifffile, astropy or h5py is not installed.
     OSError
         If it cannot be written.
     """
@@ -142,8 +151,6 @@ def _write_npz(grid: AnswerGrid, description: dict[str, Any], target: Path) -> N
 
 
 def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> None:
-    import zarr
-
     if grid.psf.grid.stack:
         raise ValueError(
             "path must not end in .zarr for PSFs with a center each, since all have one x and one y there"
@@ -156,55 +163,27 @@ def _write_zarr(grid: AnswerGrid, description: dict[str, Any], target: Path) -> 
         )
 
     def fill(folder: Path) -> None:
-        group = zarr.create_group(folder, zarr_format=3, attributes={"lommel": said})
+        zarr_folders.write_group(folder, {"lommel": said})
         places: dict[str, Any] = {"field_y": grid.y, "field_x": grid.x, "y": grid.psf.grid.y, "x": grid.psf.grid.x}
         places |= {"depth": grid.depths, "channel": np.arange(values.shape[-3])}
         dimensions = {name: places[name] for name in grid.dims}
         units = {"depth": "m", "channel": "1"}
-        group.create_array(
-            "values",
-            data=values,
-            chunks=(*[1] * (values.ndim - 2), *values.shape[-2:]),  # a chunk for each PSF: what is read together
-            compressors=None,  # so that its size is known before it is read
-            dimension_names=list(dimensions),
-        )
+        chunk = (*[1] * (values.ndim - 2), *values.shape[-2:])  # for each PSF: what is read together
+        ZarrArray(folder / "values", values.shape, chunk, values.dtype.str).create(list(dimensions), values=values)
         for name, positions in dimensions.items():
-            group.create_array(
-                name, data=positions, dimension_names=[name], attributes={"units": units.get(name, grid.unit)}
-            )
+            said_of = {"units": units.get(name, grid.unit)}
+            place = ZarrArray(folder / name, positions.shape, positions.shape, positions.dtype.str)
+            place.create([name], attributes=said_of, values=positions)
 
     atomic.write_folder(target, fill)
 
 
 def _read_zarr(source: Path, kind: type[Made]) -> tuple[Made, dict[str, Any]]:
-    import zarr
-
     if not source.exists():
         raise FileNotFoundError(2, os.strerror(2), str(source))
     with psf_files.told(source, "a grid of PSFs"):
-        size = _size(source)
-        group: Any = zarr.open_group(source, mode="r")
-        description: dict[str, Any] = dict(group.attrs["lommel"])
-        store = group["values"]
-        if store.compressors or store.filters or store.shards or store.nbytes > size:
-            raise ValueError(f"its values take {store.nbytes} bytes, plainly stored, got {size}")
-        values: NDArray[Any] = np.asarray(store[...])
-        return _rebuilt({"values": values}, description, kind)
-
-
-def _size(folder: Path) -> int:
-    """Return the bytes of all files in a folder, which must hold nothing else but folders."""
-    total = 0
-    for path in folder.rglob("*"):
-        if path.is_dir() and not path.is_symlink():
-            continue
-        status = path.lstat()
-        if not stat.S_ISREG(status.st_mode):
-            raise ValueError(f"{path.name} is no regular file")
-        if path.name == "zarr.json" and status.st_size > reading.MAX_PIXELS:
-            raise ValueError(f"its description has {status.st_size} bytes; the limit is {reading.MAX_PIXELS}")
-        total += status.st_size
-    return total
+        description = dict(zarr_folders.attributes(source)["lommel"])
+        return _rebuilt({"values": ZarrArray.open(source / "values").read()}, description, kind)
 
 
 _form = partial(Format, "field", read=_read)
@@ -212,7 +191,7 @@ _fits, _hdf5 = (partial(_form, library=name, extra=extra) for name, extra in (("
 _DERIVED = ("with derivatives",)
 registry.register(
     _form((".tif", ".tiff"), _write_tiff, library="tifffile", extra="images"),
-    Format("field", (".zarr",), _write_zarr, _read_zarr, holds=(_AXES,), library="zarr", extra="zarr"),
+    Format("field", (".zarr",), _write_zarr, _read_zarr, holds=(_AXES,)),
     _form((".npz",), _write_npz, holds=(*_DERIVED, _AXES)),
     _fits(fits_images.SUFFIXES, _as_stack(psf_fits.write)),
     _fits(fits_images.PACKED, _as_stack(fits_images.packed(psf_fits.write))),

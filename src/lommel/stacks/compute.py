@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import secrets
 import shutil
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent import futures
-from contextlib import closing
+from contextlib import ExitStack, closing, contextmanager, nullcontext, suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
@@ -18,13 +20,17 @@ from lommel.base import options as shared
 from lommel.base import validation
 from lommel.base.options import shares
 from lommel.channel_psf import PSFKeywords
+from lommel.io.psf_files import FileError
 from lommel.methods.method import Method
 from lommel.optics.base_pupil import BasePupil
 from lommel.stacks.layout import Index
 from lommel.stacks.request import Options, Question, Request, requested
 from lommel.stacks.stack import PSFStack
-from lommel.stacks.store import Store
+from lommel.stacks.store import IDENTITY, Store, replaced
 from lommel.stacks.stores import kind
+
+# Of file systems, such as some of networks, that do not know which files are in use.
+_NO_LOCKS = {errno.ENOLCK, errno.ENOSYS, errno.ENOTSUP, errno.EOPNOTSUPP, errno.EINVAL, errno.EBADF}
 
 
 @shares(PSFKeywords, Options)
@@ -80,7 +86,8 @@ def psf_to(
     TypeError, ValueError
         If an argument is out of range, or if there are PSFs in the store that were asked for otherwise.
     FileError
-        If there is something else at the path, or the store is damaged.
+        If there is something else at the path, if the store is damaged, if another call computes another request into
+        it, or if it was removed or replaced meanwhile.
     ToleranceError
         If the tolerance cannot be met; what was computed before stays.
     ImportError
@@ -110,40 +117,90 @@ def psf_to(
         same = replace(request, said=request.said | {"chunks": there.said["chunks"]})
         request = request if _difference(there.said, same.said) else same
     opened = _begun(place, path, there, request)
-    grid = opened.layouts["scale"].grid
-    todo = [index for index in np.ndindex(*grid) if not opened.done(index)]
-    _require_room(opened, len(todo))
-    total = int(np.prod(grid))
+    marks = opened.marks()
+    todo = [tuple(int(i) for i in index) for index in np.argwhere(~marks)]
     if pool is None:
         slots = min(threads or os.cpu_count() or 1, max(1, len(todo)))
-    by_caller = client is not None and opened.one_file
-    tasks = ((index, request.question, *request.part(index)) for index in todo)
-    found = _computed(pool, slots, None if by_caller else opened, tasks, request.methods)
-    with closing(found):
-        for done, (index, made) in enumerate(found, total - len(todo) + 1):
-            if made is not None:
-                opened.keep(index, made)
-            if progress is not None:
-                progress(done, total)
+    with _held(opened) if todo else nullcontext():
+        _require_room(opened, len(todo))
+        by_caller = client is not None and opened.one_file
+        tasks = ((index, request.seal(index), request.question, *request.part(index)) for index in todo)
+        found = _computed(pool, slots, None if by_caller else opened, tasks, request.methods)
+        with closing(found):
+            for done, (index, seal, made) in enumerate(found, marks.size - len(todo) + 1):
+                if made is not None:
+                    opened.keep(index, made, seal)
+                if progress is not None:
+                    progress(done, marks.size)
+    _require_there(opened)
     return PSFStack(opened)
 
 
 def _begun(place: type[Store], path: Path, there: Store | None, request: Request) -> Store:
     """Return the store, begun anew where there is none, or one with nothing in it that was asked for otherwise."""
-    if there is not None:
-        other = _difference(there.said, request.said)
-        if not other:
-            return there
-        if any(there.done(index) for index in np.ndindex(*there.layouts["scale"].grid)):
+    other = "" if there is None else _difference(there.said, request.said)
+    if there is not None and not other:
+        return there
+    said = request.said | {IDENTITY: secrets.token_hex(16)}
+    arrays: dict[str, NDArray[Any]] = {f"pupil/{name}": at for name, at in request.arrays.items()}
+    if not request.grid.stack:
+        arrays |= {"y": request.grid.y, "x": request.grid.x}
+    with nullcontext() if there is None else _held(there, other):
+        if there is not None and there.marks().any():
             raise ValueError(
                 f"store must be new, or asked for as it was: {validation.line(path)} holds PSFs of another "
                 f"request ({other})"
             )
-    arrays: dict[str, NDArray[Any]] = {f"pupil/{name}": at for name, at in request.arrays.items()}
-    if not request.grid.stack:
-        arrays |= {"y": request.grid.y, "x": request.grid.x}
-    place.create(path, request.said, arrays | request.axes)
-    return place.open(path)
+        with suppress(FileExistsError):  # of another call at the same time, for the same perhaps
+            place.create(path, said, arrays | request.axes, new=there is None)
+    made = _opened(place, path)
+    if other := _difference(made.said, request.said):
+        raise _busy(path, other)
+    return made
+
+
+@contextmanager
+def _held(store: Store, other: str = "") -> Iterator[None]:
+    """Hold a store to compute into it, or alone, to begin it anew, since `other` is asked: FileError if in use."""
+    with ExitStack() as held:
+        try:
+            held.enter_context(store.held(alone=bool(other)))
+        except FileNotFoundError:
+            raise replaced(store.path) from None
+        except BlockingIOError:
+            raise _busy(store.path, other or "it is being begun anew") from None
+        except OSError as error:
+            if error.errno not in _NO_LOCKS:
+                raise
+            if other:
+                raise FileError(
+                    f"{validation.line(store.path)} was begun for another request ({other}), and its file system "
+                    "does not tell whether somebody computes it; remove it if nobody does, or name another store"
+                ) from None
+            # Else whoever would replace it has to know, and every write looks whether somebody did.
+        _require_there(store)
+        yield
+
+
+def _busy(path: Path, other: str) -> FileError:
+    return FileError(
+        f"{validation.line(path)} is in use by another call of psf_to, of another request ({other}); "
+        "wait until that has ended, or name another store"
+    )
+
+
+def _opened(place: type[Store], path: Path) -> Store:
+    """Return the store that is there now; FileError if there is none any more."""
+    try:
+        return place.open(path)
+    except FileNotFoundError:
+        raise replaced(path) from None
+
+
+def _require_there(store: Store) -> None:
+    """Raise FileError where there is another store by now than the one that was opened."""
+    if _opened(type(store), store.path).said != store.said:
+        raise replaced(store.path)
 
 
 def _difference(there: Mapping[str, Any], asked: Mapping[str, Any]) -> str:
@@ -178,8 +235,8 @@ def _pool(client: Any) -> tuple[futures.Executor | None, int]:
     raise TypeError(f"client must be a distributed.Client, an Executor or None, got {validation.shown(client)}")
 
 
-_Task = tuple[Index, Question, BasePupil, Any, tuple[Method, ...]]
-_Made = tuple[Index, dict[str, NDArray[Any]] | None]
+_Task = tuple[Index, int, Question, BasePupil, Any, tuple[Method, ...]]
+_Made = tuple[Index, int, dict[str, NDArray[Any]] | None]
 
 
 def _computed(
@@ -206,6 +263,7 @@ def _work(
     store: Store | None,
     methods: list[Method],
     index: Index,
+    seal: int,
     question: Question,
     pupil: BasePupil,
     center: Any,
@@ -221,6 +279,6 @@ def _work(
         "method": np.full(pupil.shape, methods.index(made.method), np.uint8),
     }
     if store is None:
-        return index, parts
-    store.keep(index, parts)
-    return index, None
+        return index, seal, parts
+    store.keep(index, parts, seal)
+    return index, seal, None

@@ -1,23 +1,36 @@
-"""Stacks in HDF5 files: a run of bytes for each chunk, in data sets whose places do not change."""
+"""Stacks in HDF5 files: a run of bytes for each chunk, in data sets whose places do not change.
+
+Before HDF5 begins a file may hold what its writer likes. There stand the description and the places of the data sets,
+sealed, and what is read is read from these places: the library of HDF5 is given no file of a stranger, and none that
+is damaged.
+"""
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import Any, BinaryIO, ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from lommel.base import atomic
+from lommel.base import atomic, reading
 from lommel.base.checksums import sealed
 from lommel.base.optional import library
 from lommel.io.psf_files import told
-from lommel.stacks.layout import Index, Layout, layouts
-from lommel.stacks.store import KEY, WHAT, Arrays, Store, checked, missing, units
+from lommel.stacks.layout import MARKS, Index, Layout, layouts
+from lommel.stacks.store import IDENTITY, KEY, WHAT, Arrays, Store, checked, missing, replaced, units
+
+_MARK = b"lommel stack %s %12d\n"  # the identity of the store, and how many bytes of description follow
+_HEAD = len(_MARK % (bytes(32), 0))
+_PAGE = 4096
+_PLACES, _BYTES = "offsets", "bytes"  # of what the description says here alone
 
 
 @dataclass(frozen=True)
@@ -28,68 +41,154 @@ class Hdf5Store(Store):
     one_file: ClassVar[bool] = True
 
     @classmethod
-    def create(cls, path: Path, said: dict[str, Any], arrays: Arrays) -> None:
+    def create(cls, path: Path, said: dict[str, Any], arrays: Arrays, *, new: bool) -> None:
         """Write the file."""
         h5py = library("h5py", "stacks in .h5 need", "hdf5")
+        found = layouts(said)
+        # A number has at most twenty digits.
+        most = _HEAD + len(json.dumps(sealed(said, {}))) + sum(len(name) + 30 for name in found) + 200
+
+        # The library gets no disk that may be full, which ends the process, but memory, without the arrays.
+        made, offsets = _Pages(), {}
+        with h5py.File(made, "w", userblock_size=max(512, 1 << most.bit_length())) as file:
+            file[KEY] = json.dumps(sealed(said, {}))
+            for name, layout in found.items():
+                data = _contiguous(h5py, file, name, layout)
+                data.attrs.update(units(said, name))
+                if layout.dimensions == (name,):
+                    data.make_scale(name)
+                offsets[name] = data.id.get_offset()
+            for name, layout in found.items():
+                for axis, dimension in enumerate(layout.dimensions):
+                    file[name].dims[axis].label = dimension
+                    if dimension in found and dimension != name:
+                        file[name].dims[axis].attach_scale(file[dimension])
+        text = json.dumps(sealed(said | {_PLACES: offsets, _BYTES: made.size}, {})).encode()
 
         def fill(place: Path) -> None:
-            with h5py.File(place, "w") as file:
-                file[KEY] = json.dumps(sealed(said, {}))
-                found = layouts(said)
+            with place.open("wb") as file:
+                file.truncate(made.size)
+                for start, page in made.pages.items():
+                    file.seek(start)
+                    file.write(page[: made.size - start])
+                file.seek(0)
+                file.write(_MARK % (said[IDENTITY].encode(), len(text)) + text)
                 for name, layout in found.items():
-                    data = _contiguous(h5py, file, name, layout)
-                    data.attrs.update(units(said, name))
-                    if name in arrays:
-                        data[...] = arrays[name]
-                    elif name != "values":  # which stay a hole in the file until they are there
-                        data[...] = missing(name, layout)
-                    if layout.dimensions == (name,):
-                        data.make_scale(name)
-                for name, layout in found.items():
-                    for axis, dimension in enumerate(layout.dimensions):
-                        file[name].dims[axis].label = dimension
-                        if dimension in found and dimension != name:
-                            file[name].dims[axis].attach_scale(file[dimension])
+                    if name != "values":  # which stay a hole in the file until they are there
+                        empty = np.broadcast_to(np.array(missing(name, layout), layout.dtype), layout.shape)
+                        file.seek(offsets[name])
+                        file.write(np.ascontiguousarray(arrays.get(name, empty), layout.dtype).data.cast("B"))
 
-        atomic.write_by(path, fill)
+        atomic.write_by(path, fill, new=new)
 
     @classmethod
     def open(cls, path: Path) -> Self:
         """Return the store at a path."""
-        h5py = library("h5py", "stacks in .h5 need", "hdf5")
-        if not path.exists():
-            raise FileNotFoundError(2, os.strerror(2), str(path))
-        with told(path, WHAT), h5py.File(path, "r") as file:
-            said, found = checked(json.loads(file[KEY][()]))
-            offsets = {}
-            for name, layout in found.items():
-                data = file[name]
-                offsets[name] = data.id.get_offset()
-                if (data.shape, data.dtype, offsets[name] is None) != (layout.shape, np.dtype(layout.dtype), False):
-                    raise ValueError(f"its data set {name} is stored another way; h5py reads it")
+        size = reading.size(path)
+        with told(path, WHAT), path.open("rb") as file:
+            mark = file.read(_HEAD).split()
+            if mark[:2] != [b"lommel", b"stack"] or len(mark) != 4 or int(mark[3]) > min(size, reading.MAX_PIXELS):
+                raise ValueError("no description before HDF5 begins")
+            said, found = checked(json.loads(file.read(int(mark[3]))))
+            offsets = {name: int(said[_PLACES][name]) for name in found}
+            ends = [offsets[name] + layout.nbytes for name, layout in found.items()]
+            if min(offsets.values()) < 0 or max(*ends, int(said[_BYTES])) > size:
+                raise ValueError(
+                    f"it was written with {said[_BYTES]} bytes, or its data sets take more; it has {size}"
+                )
             return cls(path, said, found, offsets)
+
+    @property
+    def own_file(self) -> Path:
+        """The file itself."""
+        return self.path
 
     def _place(self, name: str, index: Index) -> int:
         layout = self.layouts[name]
         return self.offsets[name] + layout.first(index) * np.dtype(layout.dtype).itemsize
 
+    def marks(self) -> NDArray[np.bool_]:
+        """Read all at once."""
+        layout = self.layouts[MARKS]
+        return self._read(MARKS, (0,) * len(layout.shape), layout.shape) >= 0
+
     def get(self, name: str, index: Index) -> NDArray[Any]:
         """Return a chunk, as the file was made where it was not written."""
-        layout = self.layouts[name]
-        shape = layout.part(index)
+        return self._read(name, index, self.layouts[name].part(index))
+
+    def _read(self, name: str, index: Index, shape: tuple[int, ...]) -> NDArray[Any]:
+        place, kind = self._place(name, index), self.layouts[name].dtype
         with told(self.path, WHAT):
-            return np.fromfile(
-                self.path, layout.dtype, count=math.prod(shape), offset=self._place(name, index)
-            ).reshape(shape)
+            reading.size(self.path)  # lest it be a pipe
+            return np.fromfile(self.path, kind, count=math.prod(shape), offset=place).reshape(shape)
 
     def put(self, parts: Arrays, index: Index) -> None:
-        """Write runs of bytes."""
-        with self.path.open("r+b") as file:
+        """Write runs of bytes; into nowhere where another file takes the place of this one meanwhile."""
+        with self._opened() as file:
             for name, part in parts.items():
                 file.seek(self._place(name, index))
                 file.write(np.ascontiguousarray(part, self.layouts[name].dtype).data.cast("B"))
             file.flush()
             os.fsync(file.fileno())
+
+    @contextmanager
+    def _opened(self) -> Iterator[BinaryIO]:
+        """Yield the file to write into, if it is still this one."""
+        try:
+            with atomic.told_as(self.path), self.path.open("r+b") as file:
+                if file.read(_HEAD).split()[2:3] != [self.said[IDENTITY].encode()]:
+                    raise replaced(self.path)
+                yield file
+        except FileNotFoundError:
+            raise replaced(self.path) from None
+
+
+class _Pages(io.RawIOBase):
+    """A file in memory that takes what is written, and not the holes between."""
+
+    def __init__(self) -> None:
+        self.pages: dict[int, bytearray] = {}
+        self.size = self._at = 0
+
+    def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
+        """Go to a place, which may be beyond the end."""
+        self._at = offset + {io.SEEK_SET: 0, io.SEEK_CUR: self._at, io.SEEK_END: self.size}[whence]
+        return self._at
+
+    def tell(self) -> int:
+        """Return the place."""
+        return self._at
+
+    def truncate(self, size: int | None = None) -> int:
+        """Set the end."""
+        self.size = self._at if size is None else size
+        return self.size
+
+    def write(self, data: Any) -> int:
+        """Write at the place."""
+        given = memoryview(data).cast("B")
+        for start, within, part in self._parts(len(given)):
+            self.pages.setdefault(start, bytearray(_PAGE))[within] = given[part]
+        self._at += len(given)
+        self.size = max(self.size, self._at)
+        return len(given)
+
+    def readinto(self, out: Any) -> int:
+        """Read from the place; zeros from holes."""
+        taken = memoryview(out).cast("B")[: max(0, self.size - self._at)]
+        for start, within, part in self._parts(len(taken)):
+            taken[part] = self.pages.get(start, bytes(_PAGE))[within]
+        self._at += len(taken)
+        return len(taken)
+
+    def _parts(self, count: int) -> Iterator[tuple[int, slice, slice]]:
+        """Yield the starts of pages, what of each is meant, and what that is of the next `count` bytes."""
+        done = 0
+        while done < count:
+            within = (self._at + done) % _PAGE
+            step = min(_PAGE - within, count - done)
+            yield self._at + done - within, slice(within, within + step), slice(done, done + step)
+            done += step
 
 
 def _contiguous(h5py: Any, file: Any, name: str, layout: Layout) -> Any:

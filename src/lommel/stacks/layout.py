@@ -9,7 +9,11 @@ from typing import Any
 
 import numpy as np
 
-FORMAT = 1
+from lommel.base import validation
+
+FORMAT = 2
+MAX_CHUNKS = 2**24
+"""Most chunks of a stack, which may have 2^31 PSFs."""
 DEFAULT = 2**24
 """Bytes of the values of a chunk where none was named."""
 MARKS = "chunks/checksum"
@@ -114,6 +118,12 @@ def layouts(said: Mapping[str, Any]) -> dict[str, Layout]:
     kind = {"float32": "<f4", "float64": "<f8"}[said["dtype"]]
     if not len(names) == len(stack) == len(chunks) >= 1 or min(*stack, *chunks, *window) < 1 or len(window) != 2:
         raise ValueError(f"axes {names}, chunks {chunks} and windows {window} for a stack of shape {stack}")
+    count = math.prod(-(-n // c) for n, c in zip(stack, chunks, strict=True))
+    if math.prod(stack) > validation.MAX_VALUES or count > MAX_CHUNKS:
+        raise ValueError(
+            f"a stack must have at most {validation.MAX_VALUES} PSFs in {MAX_CHUNKS} chunks, "
+            f"got {math.prod(stack)} in {count}"
+        )
     found = {
         "values": Layout(stack + window, chunks + window, kind, (*names, "y", "x")),
         "error_bound": Layout(stack, chunks, "<f8", names),

@@ -131,6 +131,12 @@ class Request:
         one = self.pupils[k][within[1:]] if self.pupils[k].shape else self.pupils[k]
         return one.broadcast(members.part(index)), self.grid.center, self.ways[k]
 
+    def seal(self, index: Index) -> int:
+        """Return the checksum of the pupils of a chunk, as a store has them."""
+        found = {f"pupil/{name}": at for name, at in self.arrays.items()}
+        parts = {name: np.asarray(at[self.layouts[name].within(index)], "<f8") for name, at in found.items()}
+        return crc32({}, parts)
+
     @cached_property
     def methods(self) -> list[Method]:
         """All methods that may be asked, each once."""

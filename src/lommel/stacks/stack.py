@@ -22,7 +22,7 @@ from lommel.optics.stacked import together
 from lommel.psf import PSF
 from lommel.sensor.blurs import blurs_from_dicts
 from lommel.stacks.layout import OF_CHUNK, Index
-from lommel.stacks.store import Store
+from lommel.stacks.store import WHAT, Store
 from lommel.stacks.stores import kind
 
 
@@ -87,8 +87,8 @@ class PSFStack:
         self.shape: tuple[int, ...] = layout.shape
         self.dtype: np.dtype[Any] = np.dtype(layout.dtype)
         self.units: dict[str, str] = dict(said["axes"])
-        with told(store.path, "a stack of PSFs"):
-            self.axes: dict[str, Array] = {name: store.whole(name) for name in self.units}
+        with told(store.path, WHAT):
+            self.axes: dict[str, Array] = {name: store.given(name, (0,)) for name in self.units}
             if crc32({}, dict(self.axes)) != said["coordinates"]:
                 raise FileError(f"the coordinates of {validation.line(store.path)} are damaged")
             self._methods = [method_from_dict(one) for one in said["methods"]]
@@ -106,8 +106,8 @@ class PSFStack:
     @property
     def done(self) -> tuple[int, int]:
         """How many chunks are there, and of how many."""
-        grid = self._store.layouts["scale"].grid
-        return sum(self._store.done(index) for index in np.ndindex(*grid)), math.prod(grid)
+        marks = self._store.marks()
+        return int(marks.sum()), marks.size
 
     @property
     def error_bound(self) -> Array:
@@ -187,16 +187,17 @@ class PSFStack:
         pupils = {name.removeprefix("pupil/"): at for name, at in found.items() if name.startswith("pupil/")}
         center = said["center"] if said["center"] is not None else (pupils.pop("row"), pupils.pop("column"))
         bound = float(found["error_bound"].max())
-        return PSF(
-            values=found["values"],
-            grid=self._pixels(center),
-            pupil=together(shared[int(lights[0])], pupils),
-            method=self._methods[int(ways[0])],
-            normalize=said["normalize"],
-            error_bound=None if math.isnan(bound) else bound,
-            scale=found["scale"],
-            blur=blurs_from_dicts(said["blur"]),
-        )
+        with told(self._store.path, WHAT):
+            return PSF(
+                values=found["values"],
+                grid=self._pixels(center),
+                pupil=together(shared[int(lights[0])], pupils),
+                method=self._methods[int(ways[0])],
+                normalize=said["normalize"],
+                error_bound=None if math.isnan(bound) else bound,
+                scale=found["scale"],
+                blur=blurs_from_dicts(said["blur"]),
+            )
 
     def _pixels(self, center: Any) -> Grid:
         said = self._store.said

@@ -3,11 +3,16 @@
 Chunks are written plainly, as both formats define it: a file each (Zarr), or a run of bytes at a fixed place (a
 contiguous data set of HDF5, allocated at once). So nothing but the chunk changes when one is written, and a process
 that is killed meanwhile leaves all others as they were.
+
+Every store has an identity, a random number. It is looked at in every write, so that nothing is written into another
+store that has taken the place of this one, and is part of every checksum, so that what came there all the same does
+not pass for what was asked.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Self
@@ -17,10 +22,12 @@ from numpy.typing import NDArray
 
 from lommel.base import validation
 from lommel.base.checksums import checksum, crc32
+from lommel.base.in_use import in_use
 from lommel.io.psf_files import FileError
 from lommel.stacks.layout import FORMAT, MARKS, OF_CHUNK, Index, Layout, layouts
 
 KEY = "lommel"
+IDENTITY = "identity"
 WHAT = "a stack of PSFs"
 Arrays = dict[str, NDArray[Any]]
 
@@ -45,13 +52,25 @@ class Store(ABC):
 
     @classmethod
     @abstractmethod
-    def create(cls, path: Path, said: dict[str, Any], arrays: Arrays) -> None:
-        """Write a store without chunks: the description, sealed, and the `arrays` that it needs."""
+    def create(cls, path: Path, said: dict[str, Any], arrays: Arrays, *, new: bool) -> None:
+        """Write a store without chunks: the description, sealed, and the `arrays` that it needs.
+
+        One that is there is replaced, or, if it is to be `new`, kept, with a FileExistsError.
+        """
 
     @classmethod
     @abstractmethod
     def open(cls, path: Path) -> Self:
         """Return the store at a path; FileError if there is something else."""
+
+    @property
+    @abstractmethod
+    def own_file(self) -> Path:
+        """The file that is there as long as the store, and that who computes holds."""
+
+    @abstractmethod
+    def marks(self) -> NDArray[np.bool_]:
+        """Return which chunks are there."""
 
     @abstractmethod
     def get(self, name: str, index: Index) -> NDArray[Any] | None:
@@ -59,16 +78,19 @@ class Store(ABC):
 
     @abstractmethod
     def put(self, parts: dict[str, NDArray[Any]], index: Index) -> None:
-        """Write a chunk of some arrays, and return when they are on the disk."""
+        """Write a chunk of some arrays, and return when they are on the disk; FileError if the store was replaced."""
 
-    def done(self, index: Index) -> bool:
-        """Return whether a chunk is there."""
-        return self._mark(index) >= 0
+    def held(self, *, alone: bool = False) -> AbstractContextManager[None]:
+        """Hold the store, with others who compute the same, or alone, to replace it."""
+        return in_use(self.own_file, alone=alone)
 
-    def keep(self, index: Index, made: Arrays) -> None:
-        """Write what was computed of a chunk, and, when that is on the disk, that it is there."""
+    def keep(self, index: Index, made: Arrays, pupils: int) -> None:
+        """Write what was computed of a chunk, and, when that is on the disk, that it is there.
+
+        The checksum of the pupils is that of those who asked: what the store says of pupils is compared with it.
+        """
         self.put(made, index)
-        self.put({MARKS: np.full((1,) * len(index), self._sum(index, made))}, index)
+        self.put({MARKS: np.full((1,) * len(index), self._sum(index, made, pupils))}, index)
 
     def chunk(self, index: Index) -> Arrays:
         """Return all that is stored of a chunk, pupils too.
@@ -85,13 +107,14 @@ class Store(ABC):
             raise ValueError(
                 f"chunk {index} of {validation.line(self.path)} is not there yet: call psf_to as before to go on"
             )
-        found = {name: self._given(name, index) for name in (*OF_CHUNK, *self.pupils)}
-        if self._sum(index, found) != mark:
+        made = {name: self.given(name, index) for name in OF_CHUNK}
+        pupils = {name: self.given(name, index) for name in self.pupils}
+        if self._sum(index, made, crc32({}, pupils)) != mark:
             raise FileError(f"chunk {index} of {validation.line(self.path)} is damaged: its checksum is another")
-        return found
+        return made | pupils
 
     def whole(self, name: str) -> NDArray[Any]:
-        """Return a small array, such as a coordinate; NaN where chunks of it are not there."""
+        """Return a small array, such as the error bounds; NaN where chunks of it are not there."""
         layout = self.layouts[name]
         out = np.full(layout.shape, missing(name, layout), layout.dtype)
         for index in np.ndindex(*layout.grid):
@@ -104,7 +127,8 @@ class Store(ABC):
         """Names of the arrays that differ between pupils."""
         return [name for name in self.layouts if name.startswith("pupil/")]
 
-    def _given(self, name: str, index: Index) -> NDArray[Any]:
+    def given(self, name: str, index: Index) -> NDArray[Any]:
+        """Return a chunk of an array that is there from the beginning, or with the mark; FileError if it is not."""
         part = self.get(name, index)
         if part is None:
             raise FileError(f"{validation.line(self.path)} lacks chunk {index} of {name}")
@@ -114,10 +138,17 @@ class Store(ABC):
         found = self.get(MARKS, index)
         return -1 if found is None else int(found.flat[0])
 
-    def _sum(self, index: Index, made: Arrays) -> int:
-        """Return the checksum of a chunk, of its place, and of its pupils."""
-        pupils = {name: self._given(name, index) for name in self.pupils}
-        return crc32({"chunk": [int(i) for i in index]}, made | pupils)
+    def _sum(self, index: Index, made: Arrays, pupils: int) -> int:
+        """Return the checksum of a chunk, of its place in this store, and of that of its pupils."""
+        return crc32({"chunk": [int(i) for i in index], "store": self.said[IDENTITY], "pupils": pupils}, made)
+
+
+def replaced(path: Path) -> FileError:
+    """Return what tells that a store is gone."""
+    return FileError(
+        f"{validation.line(path)} was removed, or replaced by another call of psf_to, while its PSFs were computed; "
+        "call psf_to again, with a path that nobody else writes to"
+    )
 
 
 def missing(name: str, layout: Layout) -> float:
@@ -138,4 +169,6 @@ def checked(description: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Layo
     said = {name: value for name, value in description.items() if name != "checksum"}
     if said["format"] != FORMAT:
         raise ValueError(f"it is of format {said['format']}, and this version reads {FORMAT}")
+    if not isinstance(said[IDENTITY], str) or len(said[IDENTITY]) != 32 or not said[IDENTITY].isalnum():
+        raise ValueError(f"its identity must be 32 letters and digits, got {validation.shown(said[IDENTITY])}")
     return said, layouts(said)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from pathlib import Path
 from typing import Any, Self
@@ -12,43 +11,36 @@ from numpy.typing import NDArray
 
 from lommel.base import atomic
 from lommel.base.checksums import sealed
-from lommel.base.optional import library
+from lommel.io import zarr_folders
 from lommel.io.psf_files import told
-from lommel.stacks.layout import Index, layouts
-from lommel.stacks.store import KEY, WHAT, Arrays, Store, checked, missing, units
+from lommel.io.zarr_folders import META, ZarrArray
+from lommel.stacks.layout import MARKS, Index, layouts
+from lommel.stacks.store import IDENTITY, KEY, WHAT, Arrays, Store, checked, missing, replaced, units
 
 
 class ZarrStore(Store):
-    """A Zarr group of version 3, its arrays stored plainly."""
+    """A Zarr group of version 3, its arrays stored plainly.
+
+    A chunk is written in a folder whose name is the identity of the store, and moved from there into place: where
+    another store has taken the place of this one there is no such folder, and nothing is written.
+    """
 
     @classmethod
-    def create(cls, path: Path, said: dict[str, Any], arrays: Arrays) -> None:
+    def create(cls, path: Path, said: dict[str, Any], arrays: Arrays, *, new: bool) -> None:
         """Write the folder."""
-        zarr = library("zarr", "stacks in .zarr need", "zarr")
 
         def fill(folder: Path) -> None:
-            group = zarr.create_group(folder, zarr_format=3, attributes={KEY: sealed(said, {})})
+            zarr_folders.write_group(folder, {KEY: sealed(said, {})})
             for name, layout in layouts(said).items():
-                made = group.create_array(
-                    name,
-                    shape=layout.shape,
-                    dtype=layout.dtype,
-                    chunks=layout.chunks,
-                    compressors=None,
-                    filters=None,
-                    fill_value=missing(name, layout),
-                    chunk_key_encoding={
-                        "name": "default",
-                        "separator": ".",
-                    },  # one folder, whose names one call settles
-                    dimension_names=list(layout.dimensions),
+                ZarrArray(folder / name, layout.shape, layout.chunks, layout.dtype).create(
+                    layout.dimensions,
+                    fill=missing(name, layout),
                     attributes=units(said, name),
-                    config={"write_empty_chunks": True},
+                    values=arrays.get(name),
                 )
-                if name in arrays:
-                    made[...] = arrays[name]
+            ZarrArray(_room(folder, said), (), (), "|u1").create(())
 
-        atomic.write_folder(path, fill)
+        atomic.write_folder(path, fill, new=new)
 
     @classmethod
     def open(cls, path: Path) -> Self:
@@ -56,35 +48,53 @@ class ZarrStore(Store):
         if not path.is_dir():
             raise FileNotFoundError(2, os.strerror(2), str(path))
         with told(path, WHAT):
-            said, found = checked(json.loads((path / "zarr.json").read_bytes())["attributes"][KEY])
-            for name, layout in found.items():
-                known = json.loads((path / name / "zarr.json").read_bytes())
-                way = known["chunk_grid"]["configuration"]["chunk_shape"], [c["name"] for c in known["codecs"]]
-                if (known["shape"], *way) != (list(layout.shape), list(layout.chunks), ["bytes"]):
+            said, found = checked(zarr_folders.attributes(path)[KEY])
+            store = cls(path, said, found)
+            for name in found:
+                if ZarrArray.open(path / name) != store._array(name):
                     raise ValueError(f"its array {name} is stored another way; zarr reads it")
-            return cls(path, said, found)
+            return store
 
-    def _file(self, name: str, index: Index) -> Path:
-        whole = (*index, *(0,) * (len(self.layouts[name].shape) - len(index)))
-        return self.path / name / ".".join(("c", *map(str, whole)))
+    @property
+    def own_file(self) -> Path:
+        """The description."""
+        return self.path / META
+
+    def _array(self, name: str) -> ZarrArray:
+        layout = self.layouts[name]
+        return ZarrArray(self.path / name, layout.shape, layout.chunks, layout.dtype)
+
+    def marks(self) -> NDArray[np.bool_]:
+        """Look only for what is there: a description may speak of more chunks than any folder holds."""
+        array = self._array(MARKS)
+        found = np.zeros(array.grid, dtype=bool)
+        with told(self.path, WHAT), os.scandir(array.folder) as entries:
+            for entry in entries:
+                key, *numbers = entry.name.split(".")
+                if key == "c" and all(number.isdecimal() for number in numbers):
+                    index = tuple(int(number) for number in numbers)
+                    found[index] = self._mark(index) >= 0
+        return found
 
     def get(self, name: str, index: Index) -> NDArray[Any] | None:
         """Return a chunk; None if there is no file."""
-        layout = self.layouts[name]
-        try:
-            data = self._file(name, index).read_bytes()
-        except FileNotFoundError:
-            return None
         with told(self.path, WHAT):
-            whole = np.frombuffer(data, layout.dtype).reshape(layout.chunks)
-        return whole[tuple(slice(0, n) for n in layout.part(index))]
+            try:
+                return self._array(name).get(index)
+            except FileNotFoundError:
+                return None
 
     def put(self, parts: Arrays, index: Index) -> None:
         """Write a file each, whole or not at all."""
-        with atomic.together() as write:
-            for name, part in parts.items():
-                layout = self.layouts[name]
-                whole = np.zeros(layout.chunks, layout.dtype) if part.shape != layout.chunks else part
-                if whole is not part:
-                    whole[tuple(slice(0, n) for n in part.shape)] = part
-                write(self._file(name, index), np.ascontiguousarray(whole, layout.dtype).data.cast("B"))
+        try:
+            with atomic.together(_room(self.path, self.said)) as write:
+                for name, part in parts.items():
+                    array = self._array(name)
+                    write(array.file(index), array.packed(part))
+        except (FileNotFoundError, NotADirectoryError):
+            raise replaced(self.path) from None
+
+
+def _room(folder: Path, said: dict[str, Any]) -> Path:
+    """Return where chunks are written; for others who list the group it is an array without any."""
+    return folder / "chunks" / str(said[IDENTITY])

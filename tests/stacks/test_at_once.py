@@ -1,0 +1,316 @@
+"""Several calls for one store at once: each returns what it asked for, or says that another was in its way."""
+
+from __future__ import annotations
+
+import errno
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.base import in_use
+from lommel.io.psf_files import FileError
+from lommel.stacks import stores
+
+pytest.importorskip("h5py")
+
+SUFFIX = pytest.mark.parametrize("suffix", [".zarr", ".h5"])
+OTHER = pytest.mark.parametrize("side", [9, 7], ids=["same shape", "another shape"])
+ONE, TWO = np.linspace(2.0, 3.0, 8), np.linspace(0.0, 1.0, 8)
+
+
+def ask(path: Path, defocus, side: int = 9, **options) -> lm.PSFStack:
+    return lm.psf_to(path, lm.Pupil(lm.Wavefront(defocus)), side, 0.3, chunk=2, **options)
+
+
+def verify(stack: lm.PSFStack, defocus, side: int = 9) -> None:
+    """What is there is what was asked for, all of it."""
+    assert stack.done == (4, 4)
+    pupil = lm.Pupil(lm.Wavefront(defocus))
+    for part in (slice(k, k + 2) for k in range(0, 8, 2)):
+        found = stack[part]
+        assert found.pupil == pupil[part]
+        np.testing.assert_array_equal(found.values, lm.psf(pupil[part], side, 0.3).values)
+
+
+def begin(path: Path) -> None:
+    """A store in which nothing is done, since nothing can be."""
+    with pytest.raises(ValueError, match="supports the pupils of an Objective only"):
+        ask(path, [5.0] * 8, method=lm.Stratified())
+
+
+class Busy(ThreadPoolExecutor):
+    """A cluster that begins when it is let."""
+
+    def __init__(self) -> None:
+        super().__init__(1)
+        self.free = threading.Event()
+        self.asked = threading.Event()
+
+    def submit(self, task, /, *args, **options):
+        def later(*given, **more):
+            assert self.free.wait(60)
+            return task(*given, **more)
+
+        self.asked.set()
+        return super().submit(later, *args, **options)
+
+
+@pytest.fixture
+def first():
+    """A call whose chunks wait until they are let."""
+    with Busy() as busy, ThreadPoolExecutor(1) as pool:
+
+        def begin(path: Path, **options):
+            found = pool.submit(ask, path, ONE, client=busy, **options)
+            assert busy.asked.wait(60)
+            return found
+
+        begin.go = busy.free.set
+        try:
+            yield begin
+        finally:
+            busy.free.set()
+
+
+@SUFFIX
+@OTHER
+def test_a_store_that_is_computed_is_not_begun_anew(suffix, side, first, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    one = first(path)
+    with pytest.raises(
+        FileError, match=r"a\.\w+ is in use by another call of psf_to, of another request \(.*wait until"
+    ):
+        ask(path, TWO, side)
+    first.go()
+    verify(one.result(60), ONE)
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+
+
+@SUFFIX
+def test_the_same_request_may_be_computed_by_two_calls(suffix, first, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    one = first(path)
+    verify(ask(path, ONE), ONE)
+    first.go()
+    verify(one.result(60), ONE)
+
+
+@SUFFIX
+@OTHER
+@pytest.mark.parametrize("how", ["begun anew", "removed"])
+def test_what_a_replaced_store_was_computed_for_is_written_nowhere(suffix, side, how, first, tmp_path, monkeypatch):
+    """Workers of a call that was killed hold nothing, and whoever removes a store asks nobody."""
+    path = tmp_path / f"a{suffix}"
+    if how == "begun anew":
+        monkeypatch.setattr(in_use.fcntl, "flock", lambda *_: None)
+    one = first(path)
+    if how == "removed":
+        shutil.rmtree(path) if path.is_dir() else path.unlink()
+    two = ask(path, TWO, side)
+    first.go()
+    with pytest.raises(
+        FileError, match=r"was removed, or replaced by another call of psf_to, while .* call psf_to again"
+    ):
+        one.result(60)
+    verify(two, TWO, side)
+    verify(lm.open_stack(path), TWO, side)
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+    shutil.rmtree(path) if path.is_dir() else path.unlink()
+
+
+@SUFFIX
+@OTHER
+def test_a_store_that_is_another_at_the_end_is_not_returned(suffix, side, tmp_path):
+    path = tmp_path / f"a{suffix}"
+
+    def replace(done: int, chunks: int) -> None:
+        if done == chunks:
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+            ask(path, TWO, side)
+
+    with pytest.raises(FileError, match="replaced by another call"):
+        ask(path, ONE, progress=replace, threads=1)
+    verify(lm.open_stack(path), TWO, side)
+
+
+@SUFFIX
+@OTHER
+@pytest.mark.parametrize("when", ["before", "after"])
+@pytest.mark.parametrize("begun", [False, True], ids=["new", "begun"])
+def test_of_two_calls_that_begin_a_store_one_gives_way(suffix, side, when, begun, tmp_path, monkeypatch):
+    path, kind = tmp_path / f"a{suffix}", stores.kind(tmp_path / f"a{suffix}")
+    create, two = kind.create, []
+    if begun:
+        begin(path)
+
+    def other() -> None:
+        try:
+            two.append(ask(path, TWO, side))
+        except FileError as error:
+            two.append(error)
+
+    def made(path, said, arrays, *, new):
+        monkeypatch.undo()
+        if when == "before":
+            other()
+        create(path, said, arrays, new=new)
+        if when == "after":
+            other()
+
+    monkeypatch.setattr(kind, "create", made)
+    try:
+        one = ask(path, ONE)
+    except FileError as error:
+        one = error
+    answers = [(one, ONE, 9), (two[0], TWO, side)]
+    good = [each for each in answers if isinstance(each[0], lm.PSFStack)]
+    assert len(good) == 1
+    verify(*good[0])
+    verify(lm.open_stack(path), *good[0][1:])
+    (bad,) = (each[0] for each in answers if each[0] is not good[0][0])
+    assert "another call of psf_to" in str(bad)
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+
+
+@SUFFIX
+def test_a_chunk_of_another_store_of_the_same_request_is_damaged(suffix, tmp_path):
+    made = [ask(tmp_path / f"{name}{suffix}", ONE) for name in "ab"]
+    parts = {name: made[0]._store.given(name, (1,)) for name in ("values", "error_bound", "scale", "method")}
+    made[1]._store.put(parts | {"chunks/checksum": made[0]._store.given("chunks/checksum", (1,))}, (1,))
+    with pytest.raises(FileError, match="damaged: its checksum is another"):
+        lm.open_stack(tmp_path / f"b{suffix}")[2]
+    assert made[1][0].pupil == made[0][0].pupil
+
+
+@SUFFIX
+def test_pupils_that_are_others_than_those_computed_are_damage(suffix, tmp_path, first):
+    path = tmp_path / f"a{suffix}"
+    one = first(path)
+    store = lm.open_stack(path)._store
+    store.put({"pupil/edge": store.given("pupil/edge", (0,)) + 1.0}, (0, 0))
+    first.go()
+    stack = one.result(60)
+    with pytest.raises(FileError, match="damaged: its checksum is another"):
+        stack[0]
+    assert stack[2].values.max() > 0.0
+
+
+@SUFFIX
+def test_where_nobody_can_tell_who_computes_a_store_is_not_begun_anew(suffix, tmp_path, monkeypatch):
+    def no_locks(*_):
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    path = tmp_path / f"a{suffix}"
+    monkeypatch.setattr(in_use.fcntl, "flock", no_locks)
+    begin(path)
+    with pytest.raises(
+        FileError, match="its file system does not tell whether somebody computes it; remove it if nobody"
+    ):
+        ask(path, TWO)
+    verify(ask(tmp_path / f"b{suffix}", ONE), ONE)
+    shutil.rmtree(path) if path.is_dir() else path.unlink()
+    verify(ask(path, TWO), TWO)
+
+
+PROCESS = """
+    import sys, time
+    from pathlib import Path
+    sys.path.insert(0, sys.argv[1])
+    import numpy as np
+    import test_at_once as test
+    from lommel.io.psf_files import FileError
+
+    folder, k, side, rounds = Path(sys.argv[2]), int(sys.argv[3]), int(sys.argv[4]), int(sys.argv[5])
+    wanted, said, draw = (test.ONE, test.TWO)[k], [], np.random.default_rng(k)
+    test.ask(folder / f"warm{k}.zarr", wanted, side)
+    test.ask(folder / f"warm{k}.h5", wanted, side)
+    for n in range(rounds):
+        for suffix in (".zarr", ".h5"):
+            path = folder / f"{n}{suffix}"
+            (folder / f"ready-{k}-{path.name}").touch()
+            while not (folder / f"ready-{1 - k}-{path.name}").exists():
+                time.sleep(0.0005)
+            time.sleep(0.01 * draw.random() ** 3)
+            try:
+                test.verify(test.ask(path, wanted, side), wanted, side)
+                said.append("good")
+            except FileError as error:
+                assert "another call of psf_to" in str(error), error
+                said.append("gave way")
+            except ValueError as error:  # when the other has done something
+                assert "store must be new" in str(error), error
+                said.append("gave way")
+    print(*said, sep=",")
+"""
+
+
+@OTHER
+def test_of_two_processes_each_has_what_it_asked_for_or_gives_way(side, tmp_path):
+    rounds = 12
+    command = [sys.executable, "-c", textwrap.dedent(PROCESS), str(Path(__file__).parent), str(tmp_path)]
+    pair = [
+        subprocess.Popen(
+            [*command, str(k), str(s), str(rounds)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        for k, s in enumerate((9, side))
+    ]
+    ended = [one.communicate(timeout=300) for one in pair]
+    assert [one.returncode for one in pair] == [0, 0], ended
+    said = [out.strip().split(",") for out, _ in ended]
+    for n, pair_said in enumerate(zip(*said, strict=True)):
+        assert "good" in pair_said
+        path = tmp_path / f"{n // 2}{('.zarr', '.h5')[n % 2]}"
+        k = pair_said.index("good")
+        if pair_said.count("good") == 1:
+            verify(lm.open_stack(path), (ONE, TWO)[k], (9, side)[k])
+    assert not list(tmp_path.glob(".lommel-*"))
+
+
+OWNER = """
+    import os, signal, sys, time
+    from pathlib import Path
+    sys.path.insert(0, sys.argv[1])
+    import test_at_once as test
+    from lommel.stacks import compute
+
+    def computing(*_):
+        child = os.fork()  # such as a worker, which outlives who forked it
+        if child == 0:
+            time.sleep(60)
+            os._exit(0)
+        print(child, flush=True)
+        time.sleep(60)
+
+    compute._require_room = computing
+    test.ask(Path(sys.argv[2]), test.ONE)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+@SUFFIX
+def test_an_owner_that_is_killed_blocks_nobody(suffix, tmp_path):
+    path = tmp_path / f"a{suffix}"
+    command = [sys.executable, "-c", textwrap.dedent(OWNER), str(Path(__file__).parent), str(path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as owner:
+        child = int(owner.stdout.readline())
+        try:
+            with pytest.raises(FileError, match="is in use by another call"):
+                ask(path, TWO)
+            time.sleep(0.1)  # for the child to have begun
+            owner.send_signal(signal.SIGKILL)
+            owner.wait(30)
+            verify(ask(path, TWO), TWO)
+        finally:
+            os.kill(child, signal.SIGKILL)
+            owner.kill()

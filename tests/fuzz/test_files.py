@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import os
 import random
 import warnings
 from pathlib import Path
@@ -99,6 +100,10 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
         loaded = lm.PSFGrid.load(path)
         return loaded.values.tobytes(), loaded.x.tobytes(), loaded.sensor
 
+    def of_store(path: Path) -> object:
+        stack = lm.open_stack(path)
+        return stack[:].values.tobytes(), repr(stack[:]), repr(stack[0].pupil.to_dict()), stack.done, stack.dask.shape
+
     for suffix in (".tif", ".npy", ".npz", ".png", ".fits", ".fits.gz", ".h5", ".mat", ".raw", ".json"):
         psf.save(folder / f"psf{suffix}")
         found[f"psf{suffix}"] = (folder / f"psf{suffix}", of_psf, True)
@@ -146,7 +151,25 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     found["lens.toml"] = (folder / "lens.toml", lambda path: lm.load_instrument(path).pupil(), False)
     (folder / "field.csv").write_text("x,y,Z4,Z8\n0,0,0.1,0.2\n1 mm,0,0.3,0.4\n0,1 mm,0.5,0.6\n")
     found["field.csv"] = (folder / "field.csv", lambda path: read_csv(path, "noll"), False)
+    grid.save(folder / "grid.zarr")
+    found["grid.zarr"] = (folder / "grid.zarr", of_grid, True)
+    for suffix in (".h5", ".zarr"):
+        lm.psf_to(folder / f"store{suffix}", lm.Pupil(lm.Wavefront([0.0, 1.0, 2.0])), 5, 0.5, chunk=2)
+        found[f"store{suffix}"] = (folder / f"store{suffix}", of_store, True)
     return found
+
+
+def mutate(path: Path, parts: dict[Path, bytes], draw: random.Random) -> None:
+    """Write what is mutated of a file; of a folder one of its files, or in its place something that is no file."""
+    for part in parts if path.is_dir() else ():
+        part.rmdir() if part.is_dir() else part.unlink(missing_ok=True)
+        part.write_bytes(parts[part])
+    part = draw.choice(list(parts))
+    if path.is_dir() and draw.randrange(8) == 0:
+        part.unlink()
+        draw.choice((lambda: os.mkfifo(part), lambda: part.symlink_to("/dev/zero"), part.mkdir, lambda: None))()
+    else:
+        part.write_bytes(mutated(parts[part], draw))
 
 
 def mutated(data: bytes, draw: random.Random) -> bytes:
@@ -213,22 +236,27 @@ KINDS = [
     "opd.datx",
     "lens.toml",
     "field.csv",
+    "grid.zarr",
+    "store.h5",
+    "store.zarr",
 ]
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_mutated_file_is_refused_or_read_as_it_was(kind, tmp_path, hunt, count):
     path, read, sealed = kinds(tmp_path)[kind]
-    data, whole = path.read_bytes(), read(path)
+    whole = read(path)
     others = [other for other in tmp_path.glob(f"{path.stem}.*") if {path.suffix, other.suffix} == {".raw", ".json"}]
     end = "".join(path.suffixes)
     path = path.rename(tmp_path / f"mutated{end}")
     for other in others:  # that which lies beside
         other.rename(tmp_path / f"mutated{other.suffix}")
+    files = sorted(path.rglob("*")) if path.is_dir() else [path]
+    parts = {part: part.read_bytes() for part in files if part.is_file()}
 
     def case(k: int) -> str | None:
         draw = random.Random(f"{kind} {k}")
-        path.write_bytes(mutated(data, draw))
+        mutate(path, parts, draw)
         records: list[logging.LogRecord] = []
         handler = logging.Handler()
         handler.emit = records.append  # type: ignore[method-assign]

@@ -27,6 +27,7 @@ from lommel.optics.pupil import Pupil
 from lommel.sensor.blurs import blurs_from_dicts
 
 Made = TypeVar("Made", bound=Answer)
+NORMALIZE = ("energy", "emitted", "strehl", "peak")
 
 _fits, _hdf5 = (partial(Format, "psf", library=of, extra=e) for of, e in (("astropy", "fits"), ("h5py", "hdf5")))
 registry.register(
@@ -183,7 +184,7 @@ def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: 
         ),
         pupil=pupil,
         method=method,
-        normalize=validation.choice("normalize", description["normalize"], ("energy", "emitted", "strehl", "peak")),
+        normalize=validation.choice("normalize", description["normalize"], NORMALIZE),
         error_bound=bound,
         scale=scale,
         derivatives={

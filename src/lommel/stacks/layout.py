@@ -130,6 +130,8 @@ def layouts(said: Mapping[str, Any]) -> dict[str, Layout]:
         "scale": Layout(stack, chunks, "<f8", names),
         "method": Layout(stack, chunks, "|u1", names),
     }
+    if not all(name.isidentifier() for name in (*names, *said["arrays"])) or {*names} & {*found, "y", "x"}:
+        raise ValueError(f"axes {names} and arrays {list(said['arrays'])} are not names of this kind")
     for name, (more, _) in said["arrays"].items():
         further = tuple(int(n) for n in more)
         found[f"pupil/{name}"] = Layout(

@@ -15,7 +15,7 @@ from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.checksums import crc32
 from lommel.base.optional import library
-from lommel.io.psf_files import FileError, told
+from lommel.io.psf_files import NORMALIZE, FileError, told
 from lommel.methods.registry import method_from_dict
 from lommel.optics.grid import Grid
 from lommel.optics.stacked import together
@@ -91,6 +91,7 @@ class PSFStack:
             self.axes: dict[str, Array] = {name: store.given(name, (0,)) for name in self.units}
             if crc32({}, dict(self.axes)) != said["coordinates"]:
                 raise FileError(f"the coordinates of {validation.line(store.path)} are damaged")
+            validation.choice("normalize", said["normalize"], NORMALIZE)
             self._methods = [method_from_dict(one) for one in said["methods"]]
             self.grid: Grid | None = None if said["center"] is None else self._pixels(said["center"])
         self._last: tuple[Index, dict[str, NDArray[Any]]] | None = None

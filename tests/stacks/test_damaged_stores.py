@@ -1,0 +1,204 @@
+"""Stores of strangers: refused by what stands in them before it costs anything, in little time and memory."""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import shutil
+import time
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+import lommel as lm
+from lommel.base.checksums import sealed
+from lommel.io import zarr_folders
+from lommel.io.psf_files import FileError
+from lommel.stacks import hdf5_store
+
+SUFFIX = pytest.mark.parametrize("suffix", [".zarr", ".h5"])
+PUPILS = lm.Pupil(lm.Wavefront(np.linspace(0.0, 1.0, 6), nonradial={(3, 1): 0.2}))
+
+
+@pytest.fixture
+def little():
+    """At most 256 MB more than there is, and few seconds."""
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    used = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+    resource.setrlimit(resource.RLIMIT_AS, (used + 2**28, before[1]))
+    began = time.process_time()
+    yield
+    resource.setrlimit(resource.RLIMIT_AS, before)
+    assert time.process_time() - began < 2.0
+
+
+@pytest.fixture(scope="module")
+def good(tmp_path_factory) -> dict[str, Path]:
+    folder = tmp_path_factory.mktemp("good")
+    for suffix in (".zarr", ".h5"):
+        lm.psf_to(folder / f"a{suffix}", PUPILS, 5, 0.5, chunk=2)
+    return {suffix: folder / f"a{suffix}" for suffix in (".zarr", ".h5")}
+
+
+def copied(good: dict[str, Path], folder: Path, suffix: str) -> Path:
+    path = folder / f"a{suffix}"
+    (shutil.copytree if suffix == ".zarr" else shutil.copy)(good[suffix], path)
+    return path
+
+
+def resealed(path: Path, change) -> None:
+    """Change what a store says of itself, and its checksum with it."""
+    if path.is_dir():
+        whole = json.loads((path / "zarr.json").read_text())
+        change(whole["attributes"]["lommel"])
+        whole["attributes"]["lommel"] = sealed(whole["attributes"]["lommel"], {})
+        (path / "zarr.json").write_text(json.dumps(whole))
+        return
+    with path.open("r+b") as file:
+        *_, identity, count = file.read(hdf5_store._HEAD).split()
+        said = json.loads(file.read(int(count)))
+        change(said)
+        text = json.dumps(sealed(said, {})).encode()
+        file.seek(0)
+        file.write(hdf5_store._MARK % (identity, len(text)) + text)
+
+
+@pytest.mark.parametrize("count", [1 << 28, 1 << 32])
+def test_a_description_that_unpacks_to_gigabytes_is_not_unpacked(count, tmp_path, little):
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        kind = "f4" if count == 1 << 28 else "S1"
+        file.create_dataset("lommel", shape=(count,), dtype=kind, chunks=(1 << 20,), compression="gzip")
+    with pytest.raises(
+        FileError, match=r"a\.h5 is not a stack of PSFs written by lommel: no description before HDF5"
+    ):
+        lm.open_stack(tmp_path / "a.h5")
+
+
+@pytest.mark.parametrize("make", [os.mkfifo, lambda path: path.symlink_to("/dev/zero")], ids=["pipe", "device"])
+@pytest.mark.parametrize(
+    "file", ["", "zarr.json", "values/zarr.json", "z/c.0", "values/c.0.0.0", "chunks/checksum/c.0"]
+)
+@pytest.mark.parametrize("call", ["open", "psf_to"])
+def test_what_is_no_file_is_not_read(make, file, call, good, tmp_path, little):
+    path = tmp_path / "a.h5"
+    if file:
+        path = copied(good, tmp_path, ".zarr")
+        file = file.replace("z/", "axis_0/")
+        (path / file).unlink()
+    make(path / file if file else path)
+    with pytest.raises((FileError, OSError), match="regular file"):
+        lm.open_stack(path)[:] if call == "open" else lm.psf_to(path, PUPILS, 5, 0.5, chunk=2)[:]
+
+
+@SUFFIX
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda d: d.update(stack=[10**12]),
+        lambda d: d.update(stack=[2**31 - 1], chunks=[2**31 - 1]),
+        lambda d: d.update(stack=[2**31 - 1], chunks=[200]),
+        lambda d: d.update(stack=[2**31], chunks=[1]),
+        lambda d: d.update(window=[2**31, 2**31]),
+        lambda d: d.update(window=[-5, 5]),
+        lambda d: d["arrays"].update(edge=[[2**40], 0]),
+        lambda d: d["arrays"].update({"../../x": [[1], 0]}),
+        lambda d: d.update(identity="../../../../" + "a" * 20),
+        lambda d: d.update(identity=5),
+        lambda d: d.update(methods=[5]),
+        lambda d: d.update(axes=5),
+        lambda d: d.update(dtype="float16"),
+        lambda d: d.pop("coordinates"),
+    ],
+)
+def test_a_store_that_says_what_it_does_not_hold_is_refused(suffix, change, good, tmp_path, little):
+    path = copied(good, tmp_path, suffix)
+    resealed(path, change)
+    with pytest.raises(FileError, match=rf"a\{suffix} is not a stack of PSFs written by lommel"):
+        lm.open_stack(path).done  # noqa: B018
+
+
+def test_places_beyond_the_file_are_not_looked_at(good, tmp_path, little):
+    for offset in (-8, 10**6, 2**62, "a"):
+        path = copied(good, tmp_path, ".h5")
+        resealed(path, lambda said, at=offset: said["offsets"].update(values=at))
+        with pytest.raises(FileError, match=r"a\.h5 is not a stack of PSFs"):
+            lm.open_stack(path)
+
+
+@SUFFIX
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda d: d["pupils"][0]["wavefront"].update(terms=[5, 6, 7]),
+        lambda d: d["pupils"][0]["wavefront"].update(terms=[[2, 0], [4, 0], [3, 1.5]]),
+        lambda d: d["pupils"][0]["wavefront"].update(terms=[[2, 0]]),
+        lambda d: d["pupils"][0]["wavefront"].pop("error"),
+        lambda d: d["pupils"][0].update(obscuration="wide"),
+        lambda d: d["pupils"][0].update(kind=["Pupil"]),
+        lambda d: d.update(pupils=[]),
+        lambda d: d.update(pupils=[5]),
+        lambda d: d.update(normalize=5),
+        lambda d: d.update(pixel="a"),
+        lambda d: d.update(fill=5),
+        lambda d: d.update(blur=[5]),
+        lambda d: d.update(methods=[]),
+        lambda d: d.update(center=[1.0]),
+    ],
+)
+def test_a_damaged_store_with_a_new_seal_is_a_fault_of_the_file(suffix, change, good, tmp_path):
+    path = copied(good, tmp_path, suffix)
+    resealed(path, change)
+    with pytest.raises(FileError, match=rf"a\{suffix} is not a stack of PSFs written by lommel"):
+        lm.open_stack(path)[1]
+
+
+def test_an_array_that_is_stored_another_way_is_refused(tmp_path):
+    array = zarr_folders.ZarrArray(tmp_path / "a.zarr" / "values", (4, 6), (2, 3), "<f8")
+    values = np.arange(24.0).reshape(4, 6)
+    zarr_folders.write_group(tmp_path / "a.zarr", {})
+    array.create(["y", "x"], values=values)
+    np.testing.assert_array_equal(zarr_folders.ZarrArray.open(array.folder).read(), values)
+    meta = array.folder / "zarr.json"
+    known = json.loads(meta.read_text())
+    for change in (
+        {"codecs": [{"name": "bytes", "configuration": {"endian": "big"}}]},
+        {"codecs": [*known["codecs"], {"name": "gzip", "configuration": {"level": 5}}]},
+        {"data_type": "complex128"},
+        {"shape": [4, -6]},
+        {"shape": [4, 6, 1]},
+        {"shape": [True, 6]},
+        {"chunk_grid": {"name": "rectangular", "configuration": {"chunk_shape": [2, 3]}}},
+        {"chunk_key_encoding": {"name": "v2"}},
+        {"chunk_key_encoding": {"name": "default", "configuration": {"separator": "/../"}}},
+    ):
+        meta.write_text(json.dumps(known | change))
+        with pytest.raises(ValueError, match="its array values is stored another way; zarr reads it"):
+            zarr_folders.ZarrArray.open(array.folder)
+    meta.write_text(json.dumps(known | {"shape": [2**20, 2**20]}))
+    with pytest.raises(ValueError, match="1048576 x 1048576 values; the limit is 2147483648"):
+        zarr_folders.ZarrArray.open(array.folder).read()
+
+
+@pytest.mark.parametrize("separator", [".", "/"])
+@pytest.mark.parametrize("dtype", ["<f4", "<f8", "|u1", "<i8"])
+def test_zarr_reads_what_is_written_plainly_and_it_what_zarr_writes(separator, dtype, tmp_path):
+    zarr = pytest.importorskip("zarr")
+    values = np.arange(35).reshape(5, 7).astype(dtype)
+    zarr_folders.write_group(tmp_path / "a.zarr", {"said": 1})
+    array = zarr_folders.ZarrArray(tmp_path / "a.zarr" / "group" / "values", (5, 7), (2, 3), dtype, separator)
+    if separator == ".":
+        array.create(["y", "x"], values=values, fill=-1 if dtype[1] == "i" else 0, attributes={"units": "m"})
+        found = zarr.open_group(tmp_path / "a.zarr", mode="r")["group/values"]
+        np.testing.assert_array_equal(found[...], values)
+        assert (found.dtype, found.chunks, found.attrs["units"]) == (values.dtype, (2, 3), "m")
+        assert found.metadata.dimension_names == ("y", "x")
+    encoding = {"name": "default", "separator": separator}
+    made = zarr.create_group(tmp_path / "b.zarr", zarr_format=3).create_array(
+        "values", data=values, chunks=(2, 3), compressors=None, chunk_key_encoding=encoding
+    )
+    opened = zarr_folders.ZarrArray.open(tmp_path / "b.zarr" / "values")
+    np.testing.assert_array_equal(opened.read(), made[...])
+    assert (opened.shape, opened.chunks, opened.separator) == ((5, 7), (2, 3), separator)

@@ -106,6 +106,23 @@ def test_the_same_request_may_be_computed_by_two_calls(suffix, first, tmp_path):
     verify(one.result(60), ONE)
 
 
+def test_other_programs_read_a_store_that_is_computed(first, tmp_path):
+    h5py, zarr = pytest.importorskip("h5py"), pytest.importorskip("zarr")
+    one = first(tmp_path / "a.h5")
+    with h5py.File(tmp_path / "a.h5") as file:
+        assert np.all(file["chunks/checksum"][...] == -1)
+        assert file["values"].shape == (8, 9, 9)
+    first.go()
+    verify(one.result(60), ONE)
+    with h5py.File(tmp_path / "a.h5") as file:
+        np.testing.assert_array_equal(file["values"][...], lm.open_stack(tmp_path / "a.h5")[:].values)
+    stack = ask(tmp_path / "b.zarr", ONE)
+    group = zarr.open_group(tmp_path / "b.zarr", mode="r")
+    np.testing.assert_array_equal(group["values"][...], stack[:].values)
+    # Where chunks are written is an array without any, so that nobody who lists the group stumbles.
+    assert {name for name, _ in group["chunks"].members()} == {"checksum", stack._store.said["identity"]}
+
+
 @SUFFIX
 @OTHER
 @pytest.mark.parametrize("how", ["begun anew", "removed"])

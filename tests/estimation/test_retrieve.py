@@ -7,6 +7,7 @@ import json
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.stats import poisson
 
 import lommel as lm
 from lommel.estimation.star_images import StarImages
@@ -116,6 +117,71 @@ def test_slopes_and_information_are_those_of_the_likelihood(terms, also, more):
         down[0, k] -= h
         slope = (made.judged(down).deviance[0] - made.judged(up).deviance[0]) / (2 * h)
         assert there.slope[0, k] == pytest.approx(slope, rel=2e-3, abs=2e-3 * np.sqrt(there.information[0, k, k])), k
+
+
+@pytest.mark.parametrize("read", [0.0, 0.1, 0.5, 3.0])
+@pytest.mark.parametrize("mean", [1e-3, 0.02, 0.3, 2.0, 40.0])
+def test_the_expected_chi2_is_the_sum_over_all_counts(mean, read):
+    """Moments of ((y - mu)^2 / v) by summing over counts, with those of a Gaussian on top of each."""
+    made, _ = model()
+    made.recorded = np.full((3, 289), read**2)
+    made.read = np.maximum(made.recorded, 0.05)
+    light = np.full((1, 3, 289), mean)
+    total, deviation = made.expected(light, made.valid / made.variance(light))
+    counts = np.arange(int(mean + 20.0 * np.sqrt(mean) + 30.0))
+    chance, away = poisson.pmf(counts, mean), counts - mean
+    second = chance @ (away**2 + read**2)
+    fourth = chance @ (away**4 + 6.0 * away**2 * read**2 + 3.0 * read**4)
+    variance = mean + max(read**2, 0.05)
+    degrees = light.size - made.size
+    assert total[0] == pytest.approx(degrees * second / variance, rel=1e-10)
+    assert deviation[0] == pytest.approx(np.sqrt(light.size * (fourth - second**2)) / variance, rel=1e-9)
+
+
+@pytest.mark.parametrize(("background", "read"), [(0.0, 0.0), (0.05, 0.0), (0.5, 0.0), (0.0, 2.0)])
+@pytest.mark.parametrize("photons", [300, 1000, 3000])
+def test_chi2_of_a_right_model_is_one_however_few_the_electrons(photons, background, read):
+    """Electrons are those of all three images together; fits start at the truth, so that none goes astray."""
+    noise = lm.Noise(read=read)
+    light = lm.Pupil(TRUE + lm.Wavefront(defocus=DEFOCUS))
+    mean = photons / 3.0 * np.maximum(lm.psf(light, 25, 0.5, tol=1e-8).values, 0.0) + background
+    options = {
+        "pixel": 0.5,
+        "noise": noise,
+        "defocus": DEFOCUS,
+        "terms": ("noll 5", "noll 8", "noll 11"),
+        "starts": 1,
+    }
+    found = [lm.retrieve(noise.record(mean, seed), lm.Pupil(TRUE), **options) for seed in range(12)]
+    assert not [each.message for each in found if "misfit" in each.message or "less noisy" in each.message]
+    assert 0.95 < np.mean([each.chi2 for each in found]) < 1.05
+
+
+def test_a_misfit_of_few_electrons_is_told():
+    """Noise of twice the variance that counts have, in images so dim that most pixels are empty."""
+    light = lm.Pupil(TRUE + lm.Wavefront(defocus=DEFOCUS))
+    mean = 100.0 * np.maximum(lm.psf(light, 25, 0.5, tol=1e-8).values, 0.0)
+    counts = 2.0 * np.random.default_rng(3).poisson(mean / 2.0)
+    found = lm.retrieve(
+        counts, lm.Pupil(TRUE), pixel=0.5, noise=lm.Noise(read=0.0), defocus=DEFOCUS, terms=3, starts=2
+    )
+    assert found.message.startswith("misfit: ")
+    assert 1.6 < found.chi2 < 2.4
+
+
+def test_values_below_the_offset_are_a_misfit_where_nothing_is_read_noisily():
+    images = stars(TRUE) - 1e7
+    found = lm.retrieve(images, lm.Pupil(), pixel=0.5, noise=lm.Noise(read=0.0), defocus=DEFOCUS, terms=3, starts=1)
+    assert found.message.startswith("misfit: ")
+    assert np.isfinite(found.chi2)
+
+
+def test_progress_tells_chi2_of_a_degree_of_freedom():
+    told = []
+    found = lm.retrieve(
+        stars(TRUE), lm.Pupil(), defocus=DEFOCUS, terms=8, progress=lambda _, chi2: told.append(chi2), **ASKED
+    )
+    assert told[-1] == pytest.approx(found.chi2, rel=1e-3)
 
 
 def test_wavefronts_of_three_radians_are_found_from_other_starts():

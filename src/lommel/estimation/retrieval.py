@@ -172,8 +172,7 @@ def answered(model: StarImages, fits: Fits, values: Array, noise: Noise, tried: 
     for j, place in enumerate(unknowns.places):
         center[:, ("row", "column").index(place)] += own[j] / pixels
         spread[place] = spread[place] / pixels
-    chi2 = float(scores.chi2[0]) / model.tested
-    limit = float(model.limit(scores)[0]) / model.tested
+    chi2, limit = float(scores.chi2[0]), float(model.limit(scores)[0])
     optics: dict[str, Any] = model.optics_of(x)
     wavefront = model.wavefront(x[0])
     converged = bool(fits.settled[0] and chi2 < limit)

@@ -72,7 +72,7 @@ def climb(model: StarImages, x: Array, most: int, told: Callable[[int, float], o
         stretch[at] = np.where(straight, longer, np.where(bent, 1.0, stretch[at]))
         damping[at] *= np.where(better, 0.1, np.where(stretched, 1.0, 6.0))
         np.maximum(damping, _DAMPING[1], out=damping)
-        slow = better & (gain < _IDLE * (now.chi2[at] - model.limit(now)[at]))
+        slow = better & (gain < _IDLE * model.tested * (now.chi2[at] - model.limit(now)[at]))
         idle[at] = np.where(slow, idle[at] + 1, np.where(better, 0, idle[at]))
         x[at[better]] = tried[better]
         for mine, theirs in zip(now, new, strict=True):

@@ -18,7 +18,7 @@ from lommel.optics.wavefront import Wavefront
 from lommel.psf import PSF, Plan
 
 SURE, MOST = 3.0, 6.0
-"""Deviations of chi2: a fit within the first needs no other beside it, one beyond the second is not believed."""
+"""Standard deviations of chi2: a fit within the first ends the search, one beyond the second is a misfit."""
 
 _LEAST = 0.05  # electrons squared: the variance of a pixel that is neither lit nor noisily read
 
@@ -27,7 +27,8 @@ class Scores(NamedTuple):
     """How well each of several sets of parameters fits.
 
     `deviance` (s,) is minus the logarithm of the likelihood, `slope` (s, p) minus its gradient, `information`
-    (s, p, p) Fisher's; `chi2` (s,) is Pearson's, summed, and `spread` (s,) its variance where the model is right.
+    (s, p, p) Fisher's; `chi2` (s,) is Pearson's over its expectation, and `spread` (s,) its standard deviation where
+    the model is right.
     """
 
     deviance: Array
@@ -72,7 +73,8 @@ class StarImages:
     ) -> None:
         self.count = count = len(electrons)
         self.valid = valid.reshape(count, -1).astype(np.float64)
-        self.read = np.maximum(variance.reshape(count, -1), _LEAST)
+        self.recorded = variance.reshape(count, -1)
+        self.read = np.maximum(self.recorded, _LEAST)
         self.counted = np.where(valid, electrons, 0.0).reshape(count, -1)
         self.pupil, self.unknowns, self.plan = pupil, unknowns, plan
         self.tilt_of_pixel = math.pi * pixel / pupil.scale
@@ -184,12 +186,12 @@ class StarImages:
         variance = self.variance(mean)
         residual = self.counted - mean
         weight = self.valid / variance
+        expected, scatter = self.expected(mean, weight)
         deviance = np.einsum("ip,sip->s", self.valid, variance)
         deviance -= np.einsum("ip,sip->s", (self.counted + self.read) * self.valid, np.log(variance))
-        spread = 2.0 * self.valid.sum() + weight.sum(axis=(1, 2))
         root = np.sqrt(weight)
         residual *= root  # 0 where not valid
-        chi2 = np.einsum("sip,sip->s", residual, residual)
+        chi2 = np.einsum("sip,sip->s", residual, residual) / expected
         small = root.astype(dtype)
         rows = np.empty((len(x), self.count, len(self.unknowns.asked) + 2, mean.shape[-1]), dtype)
         for k, name in enumerate(self.unknowns.asked):
@@ -201,11 +203,26 @@ class StarImages:
         chain = self.chain(x)
         slope = (chain @ local)[..., 0].sum(axis=1)
         information = (chain @ squares @ chain.swapaxes(-1, -2)).sum(axis=1)
-        return Scores(deviance, slope, information, chi2, spread)
+        return Scores(deviance, slope, information, chi2, scatter / expected)
+
+    def expected(self, mean: Array, weight: Array) -> tuple[Array, Array]:
+        """Return the mean and the standard deviation (s,) of Pearson's chi2 where the model is right.
+
+        They are of expected electrons `mean` and weights, 1 / variance, both of shape (s, n, pixels). The square of
+        ``Poisson(mu) + N(0, read^2) - mu`` has the mean ``v = mu + read^2`` and the variance ``mu + 2 v^2``, exactly.
+        ``v`` times the weight is less than 1 where `_LEAST` bounds the weight of dark pixels. Each fitted parameter
+        takes the share of a mean pixel.
+        """
+        light = np.maximum(mean, 0.0)
+        exact = light + self.recorded
+        total = np.einsum("sip,sip->s", weight, exact)
+        variance = np.einsum("sip,sip->s", weight * weight, light + 2.0 * exact * exact)
+        # Where nothing is expected, of images below 0 that are read without noise, any square is a misfit.
+        return np.maximum(total * (self.tested / (self.tested + self.size)), 1.0), np.sqrt(variance)
 
     def limit(self, scores: Scores, deviations: float = MOST) -> Array:
         """Return what chi2 stays below where the model is right, but for so many deviations."""
-        return self.tested + deviations * np.sqrt(scores.spread)
+        return 1.0 + deviations * scores.spread
 
     def chain(self, x: Array) -> Array:
         """Return how derivatives of PSFs, and flux and background, make those of images, (s, n, p, rows)."""

@@ -1,8 +1,10 @@
 """Wavefronts from three defocused images of a star: how often, how exactly and how fast, beside what is possible.
 
 Random wavefronts of 15 Zernike terms; 33 x 33 pixels of lambda*N/2; defocus -4, 0, 4 radians; 5 electrons a pixel of
-background, reading noise 2. Images are computed to 1e-9, apart from what fits them. `python benchmarks/retrieval.py
---help` has the options; with --peers, solvephase fits the very same images, in turns with lommel.
+background, reading noise 2. Images are computed to 1e-9, apart from what fits them. A second table has dim stars on
+several backgrounds, 25 x 25 pixels: how often standard errors hold where the verdict says so. `python
+benchmarks/retrieval.py --help` has the options; with --peers, solvephase fits the very same images, in turns with
+lommel.
 """
 
 from __future__ import annotations
@@ -39,14 +41,22 @@ class Case(NamedTuple):
         return [f"noll {j}" for j in range(self.first, self.first + len(self.terms))]
 
 
-def case(draw: np.random.Generator, rms: float, photons: float, first: int) -> Case:
+def case(
+    draw: np.random.Generator,
+    rms: float,
+    photons: float,
+    first: int,
+    *,
+    side: int = SIDE,
+    background: float = BACKGROUND,
+) -> Case:
     """Return a random case; without tilts among its terms, each image has a place of its own."""
     terms = draw.normal(size=COUNT)
     terms *= rms / np.linalg.norm(terms)
     wavefront = lm.Wavefront.zernike(dict(enumerate(terms, first)), order="noll") + lm.Wavefront(defocus=DEFOCUS)
     shift = draw.uniform(-0.5, 0.5, (2, 3)) if first > 3 else np.zeros((2, 3))
-    center = (SIDE // 2 + shift[0], SIDE // 2 + shift[1])
-    mean = photons * lm.psf(lm.Pupil(wavefront), SIDE, PIXEL, center=center, tol=1e-9).values + BACKGROUND
+    center = (side // 2 + shift[0], side // 2 + shift[1])
+    mean = photons * lm.psf(lm.Pupil(wavefront), side, PIXEL, center=center, tol=1e-9).values + background
     return Case(terms, first, NOISE.record(np.maximum(mean, 0.0), draw))
 
 
@@ -64,6 +74,7 @@ class Statistics(NamedTuple):
     fits: int
     converged: int
     wrong: int
+    reliable: int
     over_bound: float
     scatter: float
     median_ms: float
@@ -72,13 +83,13 @@ class Statistics(NamedTuple):
     def line(self, name: str) -> str:
         """Return a row of a table in Markdown."""
         return (
-            f"| {name} | {self.converged} of {self.fits} | {self.wrong} | {self.over_bound:.3f} | "
+            f"| {name} | {self.converged} of {self.fits} | {self.wrong} | {self.reliable} | {self.over_bound:.3f} | "
             f"{self.scatter:.3f} | {self.median_ms:.1f} | {self.mean_ms:.1f} |"
         )
 
 
-HEAD = """| wavefronts | converged | of these wrong | error / bound | std of z | ms, median | mean |
-|---|---|---|---|---|---|---|"""
+HEAD = """| wavefronts | converged | of these wrong | reliable | error / bound | std of z | ms, median | mean |
+|---|---|---|---|---|---|---|---|"""
 
 
 def sweep(rms: float, photons: float, first: int, fits: int, seed: int = 0) -> Statistics:
@@ -86,11 +97,12 @@ def sweep(rms: float, photons: float, first: int, fits: int, seed: int = 0) -> S
     draw = np.random.default_rng(seed)
     cases = [case(draw, rms, photons, first) for _ in range(fits)]
     ours(cases[0])
-    errors, spreads, seconds, wrong = [], [], [], 0
+    errors, spreads, seconds, wrong, reliable = [], [], [], 0, 0
     for one in cases:
         start = time.process_time()
         found = ours(one)
         seconds.append(time.process_time() - start)
+        reliable += found.reliable
         if not found.converged:
             continue
         error = np.array([found.coefficients[name] for name in one.names]) - one.terms
@@ -103,8 +115,48 @@ def sweep(rms: float, photons: float, first: int, fits: int, seed: int = 0) -> S
     ratio = float(np.sqrt((e**2).sum() / (s**2).sum()))
     times = 1e3 * np.array(seconds)
     return Statistics(
-        fits, len(errors), wrong, ratio, float(np.std(e / s)), float(np.median(times)), float(times.mean())
+        fits, len(errors), wrong, reliable, ratio, float(np.std(e / s)), float(np.median(times)), float(times.mean())
     )
+
+
+class Dim(NamedTuple):
+    """Of many fits to dim stars, half of 0.3 and half of 0.7 radians rms."""
+
+    fits: int
+    converged: int
+    reliable: int
+    off: int  # converged, with an error above four standard errors
+    reliable_off: int
+    chi2: float
+
+    def line(self, name: str) -> str:
+        """Return a row of a table in Markdown."""
+        return (
+            f"| {name} | {self.converged} of {self.fits} | {self.off} | {self.reliable} | {self.reliable_off} | "
+            f"{self.chi2:.3f} |"
+        )
+
+
+DIM_HEAD = """| electrons an image, background | converged | beyond 4 sigma | reliable | beyond 4 sigma | mean chi2 |
+|---|---|---|---|---|---|"""
+
+
+def dim(photons: float, background: float, fits: int, seed: int = 0) -> Dim:
+    """Fit so many dim stars."""
+    draw = np.random.default_rng([seed, int(photons), int(background)])
+    converged, off, chi2 = [], [], []
+    for k in range(fits):
+        one = case(draw, (0.3, 0.7)[k % 2], photons, 4, side=25, background=background)
+        found = ours(one)
+        if found.converged:
+            error = np.array([found.coefficients[name] for name in one.names]) - one.terms
+            spread = np.array([found.deviation[name] for name in one.names])
+            converged.append(found.reliable)
+            off.append(np.abs(error / spread).max() > 4.0)
+            chi2.append(found.chi2)
+    sure, wrong = np.array(converged, dtype=bool), np.array(off, dtype=bool)
+    mean = float(np.mean(chi2)) if chi2 else np.nan
+    return Dim(fits, len(converged), int(sure.sum()), int(wrong.sum()), int((wrong & sure).sum()), mean)
 
 
 class Duel(NamedTuple):
@@ -180,6 +232,10 @@ def main() -> None:
         for photons in (1e4, 1e5):
             own = "Noll 4 to 18, own places" if first > 3 else "Noll 2 to 16"
             print(sweep(rms, photons, first, options.fits).line(f"{own}, {rms:g} rad, {photons:.0e} e"), flush=True)
+    print(f"\n{DIM_HEAD}")
+    for photons in (500, 1000, 2000, 3000, 10_000, 100_000):
+        for background in (0.0, 5.0, 20.0):
+            print(dim(photons, background, options.fits).line(f"{photons}, {background:g}"), flush=True)
     if options.peers is not None:
         sys.path.append(str(options.peers))
         for photons in (1e4, 1e5):

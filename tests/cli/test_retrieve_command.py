@@ -67,6 +67,21 @@ def test_the_same_images_have_the_same_answer_whatever_holds_them(files, folder,
     assert found["deviation"]["row"][0] > 0.0
 
 
+def test_doubtful_standard_errors_are_said_in_the_verdict(folder, call_lommel):
+    light = lm.Pupil(lm.Wavefront([-4.0, 0.0, 4.0], nonradial={(3, 1): 0.6}), wavelength=550e-9, f_number=4.0)
+    mean = 1000.0 * lm.psf(light, 25, 1.1e-6).values + 20.0
+    np.save(folder / "dim.npy", lm.Noise(read=2.0).record(mean, seed=4))
+    options = ["dim.npy", "lens.toml", "--defocus=-4 0 4", "--read", 2]
+    shown = " ".join(call_lommel("retrieve", *options, folder=folder).stdout.split())
+    said = "converged, but the standard errors are not to be trusted: "
+    assert said in shown
+    found = json.loads(call_lommel("retrieve", *options, "--json", folder=folder).stdout)
+    assert found["converged"]
+    assert not found["reliable"]
+    assert found["message"].startswith(said)
+    assert shown.endswith(found["message"])
+
+
 def test_what_images_do_not_tell_is_null(folder, call_lommel):
     options = [*NOISE, "--terms", "spherical", "--also", "f_number, wavelength", "--json", "--starts", 1]
     found = json.loads(call_lommel("retrieve", "star-2.tif", "lens.toml", *options, folder=folder).stdout)

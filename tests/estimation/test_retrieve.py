@@ -10,6 +10,8 @@ from numpy.testing import assert_allclose
 from scipy.stats import poisson
 
 import lommel as lm
+from lommel.estimation.linearity import changes, uncertainty
+from lommel.estimation.scoring import covariance
 from lommel.estimation.star_images import StarImages
 from lommel.estimation.unknowns import Unknowns
 
@@ -54,7 +56,7 @@ def test_errors_are_those_that_the_noise_of_the_images_makes_unavoidable(photons
         found = lm.retrieve(
             stars(true, photons=photons, center=tuple(centers), seed=seed), lm.Pupil(), defocus=DEFOCUS, **ASKED
         )
-        assert found.converged
+        assert found.reliable
         assert found.message.startswith("converged: chi2 ")
         spread = np.array([found.deviation[name] for name in found.coefficients])
         error = np.array(list(found.coefficients.values())) - c
@@ -184,6 +186,72 @@ def test_progress_tells_chi2_of_a_degree_of_freedom():
     assert told[-1] == pytest.approx(found.chi2, rel=1e-3)
 
 
+def test_a_verdict_of_converged_means_that_standard_errors_hold():
+    """Dim stars on a background, from hopeless to good; further cases in benchmarks/retrieval.py."""
+    off, sure = [], []
+    for photons, background, seeds in ((500.0, 5.0, 9), (1000.0, 20.0, 6), (3000.0, 5.0, 8), (1e4, 20.0, 8)):
+        for seed in range(seeds):
+            true, c = random_wavefront(seed, 0.7)
+            light = lm.Pupil(true + lm.Wavefront(defocus=DEFOCUS))
+            mean = photons * np.maximum(lm.psf(light, 25, 0.5, tol=1e-8).values, 0.0) + background
+            found = lm.retrieve(NOISE.record(mean, seed), lm.Pupil(), defocus=DEFOCUS, **ASKED)
+            assert found.message.startswith("converged: ") == found.reliable
+            assert found.message.startswith("converged") == found.converged
+            if found.converged:
+                error = np.array(list(found.coefficients.values())) - c
+                off.append(np.abs(error / [found.deviation[name] for name in found.coefficients]).max() > 4.0)
+                sure.append(found.reliable)
+    off, sure = np.array(off), np.array(sure)
+    assert off.sum() >= 4  # chi2 does not see these
+    assert not (off & sure).any()
+    assert sure[-16:].all()
+
+
+def test_in_focus_the_standard_error_of_defocus_is_named_as_doubtful():
+    """The image does not change with defocus to first order there, and its phases are known to 0.2 rad."""
+    light = {"wavelength": 550e-9, "f_number": 8.0}
+    for seed, also in ((1, ("center",)), (2, ("center", "f_number"))):
+        spot = stars(lm.Wavefront(0.0, 0.5), photons=1e4, defocus=0.0, seed=seed, **light)
+        options = {"pixel": 2e-6, "noise": NOISE, "terms": ("defocus", "spherical"), "also": also}
+        found = lm.retrieve(spot, lm.Pupil(lm.Wavefront(1.0), **light), **options)
+        assert found.converged
+        assert not found.reliable
+        assert "standard errors of" in found.message
+        assert "defocus" in found.message
+        bright = stars(lm.Wavefront(2.0, 0.5), photons=1e5, defocus=0.0, seed=seed, **light)
+        assert lm.retrieve(bright, lm.Pupil(lm.Wavefront(1.0), **light), **options).reliable
+
+
+@pytest.mark.parametrize("terms", [7, ("defocus", "spherical", "noll 8")])
+def test_the_uncertainty_of_a_wavefront_is_that_of_draws_from_the_covariance(terms):
+    made, x = model(terms)
+    inverse = covariance(made.judged(x, np.float64).information[0])
+    error, axes = uncertainty(made, inverse)
+    assert_allclose(axes.T @ axes, inverse, rtol=1e-8, atol=1e-12 * inverse.max())
+    drawn = np.random.default_rng(1).multivariate_normal(np.zeros(made.size), inverse, 20_000)
+    # Draws of the wavefront by itself, at random points of the pupil.
+    draw = np.random.default_rng(2)
+    points = np.sqrt(draw.random(400)), draw.uniform(0.0, 2.0 * np.pi, 400)
+    basis = np.array([made.wavefront(row).phase(*points) for row in np.eye(made.size)[: made.shared]])
+    phases = drawn[:, : made.shared] @ (basis - basis.mean(axis=1, keepdims=True))
+    rows, columns = made.own_of(drawn)[:, :2].swapaxes(0, 1)
+    slopes = points[0] * np.sin(points[1]), points[0] * np.cos(points[1])
+    of_images = [phases + np.outer(rows[:, k], slopes[0]) + np.outer(columns[:, k], slopes[1]) for k in range(3)]
+    assert error == pytest.approx(max(np.sqrt((each**2).mean()) for each in of_images), rel=0.08)
+
+
+def test_a_parameter_of_infinite_variance_is_held():
+    made, x = model(3)
+    inverse = covariance(made.judged(x, np.float64).information[0])
+    inverse[1], inverse[:, 1] = 0.0, 0.0
+    inverse[1, 1] = np.inf
+    _, axes = uncertainty(made, inverse)
+    assert not axes[:, 1].any()
+    found = changes(made, x, inverse, axes)
+    assert found[1] == 1.0
+    assert (found[[0, 2]] > 1.0).all()
+
+
 def test_wavefronts_of_three_radians_are_found_from_other_starts():
     found = [
         lm.retrieve(stars(random_wavefront(seed, 3.0)[0], seed=seed), lm.Pupil(), defocus=DEFOCUS, also=(), **ASKED)
@@ -309,6 +377,7 @@ def test_what_does_not_fit_is_told():
     options = ASKED | {"defocus": DEFOCUS, "terms": 8, "starts": 2}
     wide = lm.retrieve(images, lm.Pupil(), **options | {"pixel": 0.6})
     assert not wide.converged
+    assert not wide.reliable
     assert wide.message.startswith("misfit: ")
     assert wide.chi2 > 2.0
     quiet = lm.retrieve(images, lm.Pupil(), **options | {"noise": lm.Noise(read=60.0)})
@@ -328,6 +397,7 @@ def test_what_the_images_do_not_tell_has_no_deviation_but_infinity():
     assert np.isinf([found.deviation["f_number"], found.deviation["wavelength"]]).all()
     assert "do not tell" in found.message
     assert "wavelength" in found.message
+    assert found.reliable  # of what else is solved for
 
 
 def test_one_seed_makes_one_answer():

@@ -205,6 +205,7 @@ def _facts(found: Retrieval) -> dict[str, Any]:
 
     return {
         "converged": found.converged,
+        "reliable": found.reliable,
         "message": found.message,
         "chi2": found.chi2,
         "coefficients": named(found.coefficients),

@@ -12,6 +12,7 @@ from lommel import show
 from lommel.base import validation
 from lommel.base.arrays import Array
 from lommel.base.units import LENGTHS
+from lommel.estimation import linearity
 from lommel.estimation.noise import Noise
 from lommel.estimation.scoring import Fits, covariance
 from lommel.estimation.star_images import StarImages
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _UNITS = {"f_number": "", "obscuration": "", "wavelength": "m"}
+_SEEN = 5.0  # standard errors of its flux, of a star that is there
 _OWN = {"row": "pixels", "column": "pixels", "flux": "electrons", "background": "electrons/pixel"}
 
 
@@ -44,17 +46,24 @@ class Retrieval:
         What all images share, by the names that were asked for: Zernike terms in radians rms, "defocus" and powers
         of rho in radians (of the wavelength that was given), "f_number", "obscuration", "wavelength" in metres.
     deviation : dict of name to float or ndarray
-        Standard deviation of each, and of "flux", "background", and "row", "column" where solved for, shape (n,):
-        what noise alone makes of them. inf where the images do not tell.
+        Standard error of each, and of "flux", "background", and "row", "column" where solved for, shape (n,): what
+        noise alone makes of them. inf where the images do not determine it. See `reliable`.
     covariance : ndarray, shape (k, k)
         Of `coefficients`, in their order, whatever flux, background and places are.
     units : dict of name to str
     chi2 : float
-        Of all pixels, over its degrees of freedom: about 1 where pupil, pixel and noise are right.
+        Pearson's, of all pixels, over its expectation for the fitted model: about 1 where pupil, pixel and noise are
+        right, however few the electrons; see the notes.
     converged : bool
         Whether the steps settled where chi2 allows to believe the fit.
+    reliable : bool
+        Whether it converged and its standard errors hold. They assume images that are linear in the parameters.
+        False where those of terms and place add up to more than 0.25 radians rms of phase in an image, for then other
+        wavefronts may fit as well, or where that of a coefficient changes by more than an eighth within one standard
+        deviation. `message` is then "converged, but the standard errors ... are not to be trusted: ...".
     message : str
-        What to know about it, in a sentence or several.
+        The verdict, in a sentence or several: "converged", "converged, but the standard errors ... are not to be
+        trusted", "the steps did not settle", "no star" or "misfit", and why.
     flux, background : ndarray, shape (n,)
         Electrons of a star in an infinite window, and electrons a pixel.
     center : ndarray, shape (n, 2)
@@ -66,6 +75,13 @@ class Retrieval:
         deviations of the noise.
     steps, starts : int
         How many were taken, of all starts, and how many starts.
+
+    Notes
+    -----
+    The expectation of chi2 is ``(1 - p / n) sum((mu + read^2) / v)`` over n pixels that expect mu electrons, for p
+    parameters; v, the variance in its denominator, is ``mu + read^2``, but that reading counts as no less than 0.05
+    electrons squared. That sum is exact; of the p, each takes the share of a mean pixel.
+    In simulations its mean is 0.96 to 1.02 from 100 electrons an image on.
     """
 
     wavefront: Wavefront
@@ -76,6 +92,7 @@ class Retrieval:
     units: dict[Name, str]
     chi2: float
     converged: bool
+    reliable: bool
     message: str
     flux: Array
     background: Array
@@ -175,8 +192,10 @@ def answered(model: StarImages, fits: Fits, values: Array, noise: Noise, tried: 
     chi2, limit = float(scores.chi2[0]), float(model.limit(scores)[0])
     optics: dict[str, Any] = model.optics_of(x)
     wavefront = model.wavefront(x[0])
-    converged = bool(fits.settled[0] and chi2 < limit)
-    told = _told(model, x[0], chi2, limit, converged, deviations, tried)
+    settled, bright = bool(fits.settled[0]), own[-2] / spread["flux"]
+    converged = bool(settled and chi2 < limit and bright.min() >= _SEEN)
+    doubt = _doubt(model, x, inverse) if converged else ""
+    work = f"after {steps} steps from {starts} start{'s' * (starts > 1)}"
     return Retrieval(
         wavefront=wavefront,
         pupil=replace(model.pupil, wavefront=wavefront, geometry=None, **optics),
@@ -185,8 +204,9 @@ def answered(model: StarImages, fits: Fits, values: Array, noise: Noise, tried: 
         covariance=inverse[:shared, :shared],
         units={name: _UNITS.get(name, "rad") for name in names} | {name: _OWN[name] for name in spread},
         chi2=chi2,
-        converged=converged and not told[1],
-        message=told[0],
+        converged=converged,
+        reliable=converged and not doubt,
+        message=_told(model, chi2, limit, settled, bright, doubt, deviations, work),
         flux=own[-2].copy(),
         background=own[-1].copy(),
         center=center,
@@ -225,24 +245,50 @@ def _nearer(model: StarImages, fits: Fits) -> Array:
     return x
 
 
+def _doubt(model: StarImages, x: Array, inverse: Array) -> str:
+    """Return why the standard errors of the answer `x` are not to be trusted, or nothing."""
+    error, axes = linearity.uncertainty(model, inverse)
+    if error > linearity.CERTAIN:
+        return (
+            f"the standard errors are not to be trusted: together they make {error:.2g} rad rms of phase in an "
+            "image, and other wavefronts may fit as well"
+        )
+    changes = linearity.changes(model, x, inverse, axes)
+    worst = [k for k in np.argsort(-changes) if changes[k] > linearity.STEADY]
+    if not worst:
+        return ""
+    names = ", ".join(label(model.unknowns.shared[k]) for k in worst[:3])
+    more = f" and {len(worst) - 3} more" if len(worst) > 3 else ""
+    return (
+        f"the standard errors of {names}{more} are not to be trusted: within one standard deviation of the answer "
+        f"they change by a factor of up to {changes[worst[0]]:.3g}"
+    )
+
+
 def _told(
-    model: StarImages, x: Array, chi2: float, limit: float, converged: bool, deviations: Array, tried: tuple[int, int]
-) -> tuple[str, bool]:
-    """Return what to say, and whether there is no star at all."""
-    steps, starts = tried
-    work = f"chi2 {chi2:.3g} a degree of freedom after {steps} steps from {starts} start{'s' * (starts > 1)}"
-    flux, level = model.own_of(x[None])[0, -2], deviations[model.own].reshape(-1, model.count)[-2]
-    dark = bool(np.any(flux < 5.0 * level))
-    if dark and chi2 < limit:
-        said = [f"no star: {work}, but the flux of image {int(np.argmin(flux / level))} is within the noise"]
-    elif converged:
-        said = [f"converged: {work}"]
-    elif chi2 < limit:
-        said = [f"the steps did not settle: {work}"]
-    else:
+    model: StarImages,
+    chi2: float,
+    limit: float,
+    settled: bool,
+    bright: Array,
+    doubt: str,
+    deviations: Array,
+    work: str,
+) -> str:
+    """Return the verdict, and what else to say; `bright` are fluxes over their standard errors."""
+    work = f"chi2 {chi2:.3g} a degree of freedom {work}"
+    if chi2 >= limit:
         said = [
             f"misfit: {work}; pupil, pixel or noise do not fit, or terms are missing, or no start was near enough"
         ]
+    elif bright.min() < _SEEN:
+        said = [f"no star: {work}, but the flux of image {int(np.argmin(bright))} is within the noise"]
+    elif not settled:
+        said = [f"the steps did not settle: {work}"]
+    elif doubt:
+        said = [f"converged, but {doubt}; {work}"]
+    else:
+        said = [f"converged: {work}"]
     if chi2 < 2.0 - limit:
         said.append("the images are less noisy than white, read and offset of the noise say")
     if model.twins:
@@ -253,4 +299,4 @@ def _told(
     if unknown.any():
         names = [label(n) for n, blind in zip(model.unknowns.shared, unknown[: model.shared], strict=True) if blind]
         said.append(f"the images do not tell {', '.join(names) or 'all of their places and light'}")
-    return "; ".join(said), dark and chi2 < limit
+    return "; ".join(said)

@@ -94,7 +94,8 @@ def retrieve(
     Returns
     -------
     Retrieval
-        The best that was found; `converged` and `message` say whether the images bear it out.
+        The best that was found; `converged`, `reliable` and `message` say whether the images bear it out, and whether
+        its standard errors hold.
 
     Raises
     ------
@@ -106,7 +107,15 @@ def retrieve(
     Fisher scoring, damped as Levenberg and Marquardt do, on the likelihood of ``y + read^2 ~ Poisson(mu + read^2)``
     (Snyder et al. 1993, doi:10.1364/JOSAA.10.001014), ``mu = flux h + background`` electrons. The first start is
     `pupil`, others follow until chi2 exceeds 1 by no more than three standard deviations. The best of all is believed
-    where these are no more than six.
+    where these are no more than six. Chi2 is Pearson's over its expectation; see :class:`lommel.Retrieval`.
+
+    Standard errors are the Cramér-Rao bound at the answer. They hold where images are linear in the parameters as far
+    as these are uncertain. Dim stars on a background are not, and other wavefronts may fit them at the same chi2: the
+    verdict is then "converged, but the standard errors ... are not to be trusted". Tested with 900 random wavefronts,
+    0.3 and 0.7 radians rms, 15 terms, in three images of 25 x 25 pixels at C_d -4, 0, 4 with 500 to 10^5 electrons
+    each, backgrounds of 0, 5 and 20 a pixel, read noise 2: of 633 fits whose verdict is plain "converged", 4 have any
+    parameter off by more than four standard errors, of the 185 in doubt 31. From 10^4 electrons on no fit is doubted.
+    At 3 radians rms a plain "converged" can be another wavefront altogether.
 
     Images at one defocus do not change when the even part of the phase changes its sign, ``Phi(x) -> -Phi(-x)``.
     Several known defoci tell the two apart (Gonsalves 1982, doi:10.1117/12.7972989; Paxman et al. 1992,

@@ -312,9 +312,12 @@ class PSF(Measured, Pictured):
         """Where the stage is in each plane of a stack over z, metres; see :func:`lommel.measures.axial.stage`."""
         return measures.axial.stage(self)
 
-    def axial_fwhm(self) -> Numbers:
-        """Return the width at half along z, metres of the stage; see :func:`lommel.measures.axial.axial_fwhm`."""
-        return measures.axial.axial_fwhm(self)
+    def axial_fwhm(self, *, of: str = "image") -> Numbers:
+        """Return the width at half along z, metres of the stage, `of` the image or the optics without the pixel.
+
+        See :func:`lommel.measures.axial.axial_fwhm`.
+        """
+        return measures.axial.axial_fwhm(self, of=of)
 
     def pullback(self, g: ArrayLike, of: Sequence[Name] | None = None) -> dict[Name, NDArray[np.float64]]:
         """Return the gradient of a number from its derivative `g` by the values; see `derivatives` of :func:`psf`.

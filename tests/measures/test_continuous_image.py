@@ -327,6 +327,15 @@ def test_a_dipole_that_wobbles_all_but_freely_is_as_wide_as_one_that_does():
     assert nearly.fwhm() == pytest.approx(free.fwhm(), rel=1e-4)
     assert nearly.encircled_energy(20e-6) == pytest.approx(free.encircled_energy(20e-6), abs=1e-5)
     assert nearly.mtf(20e3) == pytest.approx(free.mtf(20e3), abs=1e-5)
+    z = np.linspace(-1e-6, 1e-6, 15)
+    deep = [
+        lm.psf(objective.pupil(depth=1e-6, z=z, wavelength=520e-9, emitter=emitter), 9, 6.5e-6)
+        for emitter in ("isotropic", lm.Dipole(0.4, 0.3, wobble=0.999999))
+    ]
+    assert deep[1].axial_fwhm() == pytest.approx(deep[0].axial_fwhm(), rel=1e-4)
+    assert deep[1].axial_fwhm(of="optics") == pytest.approx(deep[0].axial_fwhm(of="optics"), rel=1e-4)
+    # Pixels mix light of rings with that of the axis.
+    assert deep[0].axial_fwhm() != pytest.approx(deep[0].axial_fwhm(of="optics"), rel=1e-3)
 
 
 def test_a_dark_middle_does_not_make_the_width_jump():

@@ -7,8 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.measures.answer import Answer, checked
+from lommel.measures.continuous_image import ImageModel, cartesian_images
+from lommel.measures.spot import brightest_place
 from lommel.optics.objective_pupil import ObjectivePupil
 
 
@@ -41,32 +44,36 @@ def stage(answer: Answer) -> Array:
     return pupil.z
 
 
-def axial_fwhm(answer: Answer) -> Numbers:
+def axial_fwhm(answer: Answer, *, of: str = "image") -> Numbers:
     """Return the full width at half of the largest value along z, between the crossings beside it.
 
     Parameters
     ----------
     answer : PSF
         A stack over z along its last axis, of 4 planes or more.
+    of : {"image", "optics"}, default "image"
+        The image that the values are samples of, with pixels that average, or without them.
 
     Returns
     -------
     float or ndarray, shape ``pupil.shape[:-1]``
-        Metres of the stage. Of the light on the axis, where pupil and method are radial; else of the pixel that is
+        Metres of the stage. Of the light on the axis, where pupil and method are radial; else where the image is
         brightest in all of the stack. By cubic splines through the planes: within about 1 % where these are no
         farther apart than half of ``axial`` of :meth:`lommel.Objective.nyquist`.
 
     Raises
     ------
     ValueError
-        If it is no such stack, or its values do not fall to half of the largest on both sides within it.
+        If it is no such stack, `of` is neither, or its values do not fall to half of the largest on both sides within
+        it.
     """
     from scipy.interpolate import CubicSpline
 
+    validation.choice("of", of, ("image", "optics"))
     z = stage(answer)
     if z.shape[-1] < 4:
         raise ValueError(f"the width along z takes at least 4 planes, got {z.shape[-1]}")
-    lines = _lines(answer).reshape(-1, z.shape[-1])
+    lines = _lines(answer, of).reshape(-1, z.shape[-1])
     out = []
     for places, line in zip(z.reshape(lines.shape), lines, strict=True):
         spline = CubicSpline(places, line)
@@ -81,12 +88,20 @@ def axial_fwhm(answer: Answer) -> Numbers:
     return numbers(out, z.shape[:-1])
 
 
-def _lines(answer: Answer) -> Array:
+def _lines(answer: Answer, of: str) -> Array:
     """Return the light along z, of the shape of the stack."""
-    pupil = answer.pupil
-    if answer.radial_method is not None:
+    pupil, model = answer.pupil, ImageModel.of(answer, of)
+    if answer.radial_method is not None and model.plain:
         found = answer.radial_method.profile(pupil, np.zeros(1)).values
         return np.asarray(answer.scale * found.reshape(pupil.shape))
-    stacks = answer.values.reshape(-1, pupil.shape[-1], math.prod(answer.grid.shape)).astype(np.float64)
-    brightest = stacks.max(axis=1).argmax(axis=1)
-    return np.take_along_axis(stacks, brightest[:, None, None], axis=2)[..., 0]
+    planes = pupil.shape[-1]
+    brightest = answer.values.reshape(-1, planes, math.prod(answer.grid.shape)).max(axis=2).argmax(axis=1)
+    lines = []
+    for k, stack in enumerate(np.ndindex(pupil.shape[:-1])):
+        here = model._replace(pupil=pupil[stack]) if stack else model
+        place = (0.0, 0.0)
+        if answer.radial_method is None:
+            place = brightest_place(here._replace(pupil=here.pupil[brightest[k]]))
+        images = cartesian_images(here, float(np.abs(place).max()))
+        lines.append([float(image.derivatives(*place)[0, 0]) for image in images])
+    return np.array(lines).reshape(pupil.shape)

@@ -187,7 +187,7 @@ def width(model: ImageModel, along: str = "mean") -> float:
         step = 0.125 / image.band
         places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
         values = image.on(places, places)
-        half = 0.5 * _maximum(image, values, places, step)
+        half = 0.5 * _maximum(image, values, places, step)[0]
         bright = values >= half
         if not (bright[[0, -1]].any() or bright[:, [0, -1]].any()):
             break
@@ -201,8 +201,19 @@ def width(model: ImageModel, along: str = "mean") -> float:
     return model.pupil.scale * sum(found) / len(found)
 
 
-def _maximum(image: CartesianImage, values: Array, places: Array, step: float) -> float:
-    """Return the largest light per area: by Newton's method from the brightest of samples eight to a period."""
+def brightest_place(model: ImageModel) -> tuple[float, float]:
+    """Return where a single image is brightest, (x, y) in lambda*N; of several such places one."""
+    from lommel.measures.continuous_image import cartesian_images
+
+    reach = model.extent
+    (image,) = cartesian_images(model, reach)
+    step = 0.125 / image.band
+    places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
+    return _maximum(image, image.on(places, places), places, step)[1]
+
+
+def _maximum(image: CartesianImage, values: Array, places: Array, step: float) -> tuple[float, tuple[float, float]]:
+    """Return the largest light per area, and where: by Newton's method from the brightest of samples."""
     inner = values[1:-1, 1:-1]
     tops = np.ones(inner.shape, dtype=bool)
     for i, j in ((0, 1), (1, 0), (1, 2), (2, 1)):
@@ -210,7 +221,8 @@ def _maximum(image: CartesianImage, values: Array, places: Array, step: float) -
     # Between samples an image is larger by a sixth at most.
     rows, columns = np.nonzero(tops & (inner > 0.85 * values.max()))
     order = np.argsort(inner[rows, columns])[::-1][:6]
-    best = float(values.max())
+    row, column = np.unravel_index(int(values.argmax()), values.shape)
+    best, place = float(values.max()), (float(places[column]), float(places[row]))
     for x, y in zip(places[columns[order] + 1], places[rows[order] + 1], strict=True):
         for _ in range(8):
             (_, right, twice_right), (down, cross, _), (twice_down, _, _) = image.derivatives(x, y)
@@ -220,8 +232,9 @@ def _maximum(image: CartesianImage, values: Array, places: Array, step: float) -
             x, y = x + away[0], y + away[1]
             if np.abs(away).max() < 1e-7 * step:
                 break
-        best = max(best, float(image.derivatives(x, y)[0, 0]))
-    return best
+        if (top := float(image.derivatives(x, y)[0, 0])) > best:
+            best, place = top, (float(x), float(y))
+    return best, place
 
 
 def _end(image: CartesianImage, values: Array, places: Array, half: float, sign: float, *, turned: bool) -> float:

@@ -175,8 +175,8 @@ def test_a_lens_file_that_names_what_is_no_file_is_told_so(tmp_path):
 
 def test_a_text_has_a_limit(tmp_path):
     with (tmp_path / "lens.toml").open("wb") as file:
-        file.truncate(reading.MAX_TEXT + 1)
-    with pytest.raises(OSError, match="16777217 bytes; the limit is 16777216") as caught:
+        file.truncate(reading.MAX_TOML + 1)
+    with pytest.raises(OSError, match="262145 bytes; the limit is 262144") as caught:
         lm.load_instrument(tmp_path / "lens.toml")
     assert caught.value.errno == errno.EFBIG
 

@@ -48,6 +48,19 @@ def test_more_values_than_asked_for_are_refused():
         fits_images.read(twice, 23)
 
 
-def test_what_unpacks_to_more_than_any_such_file_is_refused():
-    with pytest.raises(ValueError, match="it unpacks to more than"):
-        fits_images.read(gzip.compress(bytes(17 * 2**20), 1), 10)
+def test_a_header_without_an_end_is_refused_before_all_of_it_is_unpacked():
+    with pytest.raises(ValueError, match="a header of it has no END within 1051200 bytes"):
+        fits_images.read(gzip.compress(b"SIMPLE  =" + b" " * (17 * 2**20), 1), 10)
+
+
+def test_no_more_is_unpacked_than_a_small_file_may_take():
+    head = FILE[:2880].replace(b"NAXIS1  =                    4", b"NAXIS1  =             30000000")
+    assert head != FILE[:2880]
+    with pytest.raises(ValueError, match=r"it would take .* bytes of memory; the limit for a file of"):
+        fits_images.read(gzip.compress(head + bytes(2**20), 1), 2**31)
+
+
+def test_values_that_compress_too_well_to_be_read_are_stored_plainly():
+    made = fits_images.packed(fits_images.write)([(np.zeros((2**12, 2**12)), {})])
+    assert len(made) > 2**27
+    assert fits_images.read(made, 2**24)[0].values.shape == (2**12, 2**12)

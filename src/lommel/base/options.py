@@ -8,6 +8,8 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
+from lommel.base.validation import shown
+
 _Door = TypeVar("_Door", bound=Callable[..., Any])
 
 
@@ -69,7 +71,7 @@ def require_known(door: Callable[..., Any], given: Mapping[str, Any], keywords: 
     """Raise TypeError if an option is none of these keywords; it names all that `door` takes by keyword."""
     if stray := [name for name in given if name not in keywords.__annotations__]:
         known = [p.name for p in inspect.signature(door).parameters.values() if p.kind is p.KEYWORD_ONLY]
-        raise TypeError(f"{door.__qualname__}() has no option {stray[0]!r}; {near(stray[0], known)}")
+        raise TypeError(f"{door.__qualname__}() has no option {shown(stray[0])}; {near(stray[0], known)}")
 
 
 def near(name: str, known: Iterable[str]) -> str:

@@ -1,4 +1,8 @@
-"""What the file of a stranger may cost: looked up in its header before anything in it is decoded."""
+"""The one place where files are opened and parsed: what each may cost is looked up before anything is decoded.
+
+Reading a file takes at most ten times its size or 256 MB of memory, whichever is more, and a second of processor time
+a megabyte. Of compressed files, which may well hold pictures a hundred times as large, it is a hundred times.
+"""
 
 from __future__ import annotations
 
@@ -6,33 +10,61 @@ import errno
 import io
 import logging
 import math
+import re
 import stat
 import struct
 import warnings
-import zipfile
 import zlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from lommel.base import validation
 
+if TYPE_CHECKING:
+    import zipfile
+
 MAX_PIXELS = validation.MAX_SIDE**2
 """Most pixels of a picture, and most characters of a description."""
 
-MAX_TEXT = 2**24
-"""Most bytes of a lens file or a table."""
+MAX_PICTURE_SIDE = 2**16
+"""Most pixels along one side of a picture."""
 
+MAX_TEXT = 2**23
+"""Most bytes of a table with a row for each position."""
+
+MAX_LIST = 2**19
+"""Most bytes of a list, such as that of the terms of one wavefront."""
+
+MAX_TOML = 2**18
+"""Most bytes of a lens file, of whose every second byte the parser may make a table of half a kilobyte."""
+
+MEMORY = 2**28
+"""Bytes that any file may take to read."""
+
+NPZ_TIMES = 4
+"""How many times as much as the arrays of a .npz file hold it takes to read them."""
+
+_TIMES, _COMPRESSED = 10, 100  # its size, that it may take else
 _HEADER = 2**16  # bytes; that of an array is a line
 _TIFF_TYPES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12: 8, 13: 4, 16: 8, 17: 8, 18: 8}
+_TIFF_INTEGERS = {1: "u1", 3: "u2", 4: "u4", 16: "u8"}
+_TIFF_PAGE = 2**14  # bytes that tifffile takes for a page
 _DEFLATE = (8, 32946)
-# Of these the size of what comes out is known, or at most 64 times that of what goes in.
+_BEST = 1032  # times as much comes out of what deflate makes
+# Of these the size of what comes out is known.
 _COMPRESSIONS = {1: "none", 5: "LZW", 8: "deflate", 32773: "PackBits", 32946: "deflate"}
+_CHUNKS = 1000  # of a PNG beside those of its image; of a camera there are ten
+_SCANS = 100  # of a JPEG; cameras write one, progressive ones have ten
+_MEMBERS = 1000  # of an archive
+_PARTS = 16  # of a key with dots; lens files have four
+_KEY = r"(?:[\w-]+|\"[^\"\n]*\"|'[^'\n]*')"
+_DOTTED = re.compile(rf"(?<![\w-]){_KEY}(?:[ \t]*\.[ \t]*{_KEY}){{{_PARTS}}}")
 
 
 def contents(path: Path, most: int = 8 * validation.MAX_VALUES + MAX_PIXELS) -> bytes:
@@ -54,9 +86,24 @@ def size(path: Path) -> int:
     return status.st_size
 
 
-def text(path: Path) -> str:
-    """Return a text in UTF-8 of at most :data:`MAX_TEXT` bytes; ValueError if it is another."""
-    return decoded(contents(path, MAX_TEXT))
+def affords(memory: float, size: int, times: int = _COMPRESSED) -> bool:
+    """Return whether a file of `size` bytes may take so much memory to read."""
+    return memory <= max(MEMORY, times * size)
+
+
+def afford(memory: float, size: int, times: int = _COMPRESSED) -> None:
+    """Refuse what would take more memory to read than a file of `size` bytes may."""
+    if not affords(memory, size, times):
+        most = max(MEMORY, times * size)
+        hint = "; save it without compression" if times == _COMPRESSED else ""
+        raise ValueError(
+            f"it would take {memory:.3g} bytes of memory; the limit for a file of {size} bytes is {most:.3g}{hint}"
+        )
+
+
+def text(path: Path, most: int = MAX_TEXT) -> str:
+    """Return a text in UTF-8 of at most so many bytes; ValueError if it is another."""
+    return decoded(contents(path, most))
 
 
 def decoded(data: bytes) -> str:
@@ -65,6 +112,33 @@ def decoded(data: bytes) -> str:
         return data.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
         raise ValueError(f"not UTF-8 text: {error}") from None
+
+
+def toml(text: str) -> dict[str, Any]:
+    """Return what a text in TOML holds; ValueError if it is none, or is nested more deeply than files here are."""
+    import tomllib
+
+    if len(text) > MAX_TOML:
+        raise ValueError(f"it has {len(text)} characters; the limit is {MAX_TOML}")
+    if found := _DOTTED.search(text):
+        raise ValueError(f"a key must have at most {_PARTS} parts, got {validation.shown(found[0])}")
+    try:
+        return tomllib.loads(text)
+    except (RecursionError, MemoryError) as error:
+        raise ValueError(f"its tables are too many or too deep ({type(error).__name__})") from None
+
+
+def json(data: bytes | str, pairs: Callable[[list[tuple[str, Any]]], Any] | None = None) -> Any:
+    """Return what a text in JSON holds; ValueError if it is none, or would take too much memory."""
+    from json import loads
+
+    text = data.decode() if isinstance(data, bytes) else data
+    marks = (("[", 128), ("{", 320), (",", 32), (":", 96), ('"', 28))  # bytes that Python takes for what each makes
+    afford(2 * len(text) + sum(each * text.count(mark) for mark, each in marks), len(text), _TIMES)
+    try:
+        return loads(text, object_pairs_hook=pairs)
+    except (RecursionError, MemoryError) as error:
+        raise ValueError(f"its objects are too many or too deep ({type(error).__name__})") from None
 
 
 def reason(error: Exception) -> str:
@@ -76,6 +150,8 @@ def pixels(width: int, height: int) -> None:
     """Refuse a picture that is larger than any that this package makes."""
     if not 0 < width * height <= MAX_PIXELS:
         raise ValueError(f"it has {width} x {height} pixels; the limit is {MAX_PIXELS} in all")
+    if max(width, height) > MAX_PICTURE_SIDE:
+        raise ValueError(f"it has {width} x {height} pixels; the limit of a side is {MAX_PICTURE_SIDE}")
 
 
 def npy(data: bytes, most: int = validation.MAX_VALUES) -> tuple[NDArray[Any], bytes]:
@@ -107,6 +183,7 @@ def _npy_header(data: bytes, most: int) -> tuple[int, tuple[int, ...], bool, np.
 
 def npz(data: bytes) -> dict[str, Callable[[int], NDArray[Any]]]:
     """Return what reads the arrays of a .npz file, by name, each with a limit on its values."""
+    import zipfile
 
     def read(member: zipfile.ZipInfo, most: int) -> NDArray[Any]:
         with archive.open(member) as file:
@@ -117,35 +194,124 @@ def npz(data: bytes) -> dict[str, Callable[[int], NDArray[Any]]]:
                 raise ValueError(f"{validation.shown(member.filename)} takes {size} bytes, got {member.file_size}")
             return npy(head + file.read(), most)[0]
 
+    if data.count(b"PK\1\2") > _MEMBERS:
+        raise ValueError(f"it has more than {_MEMBERS} members")
     archive = zipfile.ZipFile(io.BytesIO(data))
     members = {member.filename.removesuffix(".npy"): member for member in archive.infolist()}
     if any(member.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED) for member in members.values()):
         raise ValueError("it is compressed in an unknown way")
+    afford(NPZ_TIMES * sum(member.file_size for member in members.values()), len(data))
     return {name: partial(read, member) for name, member in members.items()}
 
 
-def tiff(data: bytes) -> None:
+def png(data: bytes) -> Any:
+    """Return a PNG file as Pillow opens it, none of it decoded, if its image may be what its header says."""
+    from PIL.PngImagePlugin import PngImageFile
+
+    at, held, others = 8, 0, 0
+    while at + 8 <= len(data):
+        size, name = struct.unpack_from(">I4s", data, at)
+        held, others = (held + size, others) if name == b"IDAT" else (held, others + 1)
+        at += 12 + size
+    if others > _CHUNKS:
+        raise ValueError(f"it has {others} parts beside its image; the limit is {_CHUNKS}")
+    width, height, bits, kind = struct.unpack_from(">IIBB", data.ljust(26, b"\0"), 16)
+    pixels(width, height)
+    samples = {2: 3, 4: 2, 6: 4}.get(kind, 1)
+    needed = (width * bits * samples + 7) // 8 * height
+    if needed > _BEST * held:
+        raise ValueError(f"{width} x {height} pixels take {needed} bytes, more than its {held} can inflate to")
+    afford(png_takes(width * height, bits, kind in (2, 6)), len(data))
+    # Opened as what it is: Pillow's limit on the size of pictures from strangers is not for one's own.
+    return PngImageFile(io.BytesIO(data))
+
+
+def png_takes(count: int, bits: int, colour: bool) -> int:
+    """Return how many bytes of memory so many pixels of a PNG take to read: Pillow's, ours, and depth in float64."""
+    return count * ((14 if bits == 16 else 8) if colour else 13)
+
+
+def jpeg(data: bytes) -> Any:
+    """Return a JPEG file as Pillow opens it, none of it decoded."""
+    from PIL.JpegImagePlugin import JpegImageFile
+
+    scans = data.count(b"\xff\xda")
+    if scans > _SCANS:
+        raise ValueError(f"it has {scans} scans; the limit is {_SCANS}")
+    file = JpegImageFile(io.BytesIO(data))
+    width, height = file.size
+    pixels(width, height)
+    # All coefficients of an image of several scans are kept, of 16 bits.
+    sampled = [across * down for _, across, down, _ in getattr(file, "layer", [])] or [1]
+    kept = 2.0 * sum(sampled) / max(sampled) if scans > 1 else 0.0
+    afford(width * height * (7.0 + kept), len(data))
+    if scans > 20 and width * height * scans > 2**28 + 2**10 * len(data):
+        raise ValueError(f"it has {width} x {height} pixels in {scans} scans")
+    return file
+
+
+@contextmanager
+def tiff(data: bytes) -> Iterator[Any]:
+    """Open a TIFF file by tifffile, whose pages, tags and compressed parts claim no more than it holds."""
+    import tifffile
+
+    check_tiff(data)
+    with quietly(), tifffile.TiffFile(io.BytesIO(data)) as file:
+        yield file
+
+
+def is_raw(data: bytes) -> bool:
+    """Return whether a TIFF file is a raw photograph: a DNG, or its first page a mosaic or a preview of a larger."""
+    first = next(_tiff_pages(data), {})
+    preview = _one(first, 254, 0) & 1 or data[8:10] == b"CR"
+    return bool(preview or 50706 in first or _one(first, 262, 1) in (32803, 34892) or _larger_below(data, first))
+
+
+def _larger_below(data: bytes, first: dict[int, NDArray[Any]]) -> bool:
+    """Return whether a page below the first is larger."""
+    order = "<" if data[:2] == b"II" else ">"
+    big = struct.unpack_from(f"{order}H", data, 2)[0] == 43
+    below = [_tiff_tags(data, int(at), order, big)[0] for at in first.get(330, ())[:16]]
+    return any(_one(page, 256, 0) * _one(page, 257, 0) > _one(first, 256, 0) * _one(first, 257, 0) for page in below)
+
+
+def check_tiff(data: bytes) -> None:
     """Refuse a TIFF file whose pages are too large or whose tags and compressed parts claim more than it holds."""
+    count, memory = 0, 0
+    for tags in _tiff_pages(data):
+        count += 1
+        memory += _tiff_page(data, tags)
+        afford(_TIFF_PAGE * count, len(data), _TIMES)
+        afford(memory, len(data))
+    if not count:
+        raise ValueError("it has no page")
+
+
+def _tiff_pages(data: bytes) -> Iterator[dict[int, NDArray[Any]]]:
+    """Yield of each page the integers that its tags hold."""
     order = {b"II": "<", b"MM": ">"}.get(data[:2])
     if order is None or len(data) < 16:
         raise ValueError("its header is not that of a TIFF file")
     big = struct.unpack_from(f"{order}H", data, 2)[0] == 43
     seen: set[int] = set()
+    claimed = 0
     (at,) = struct.unpack_from(f"{order}Q" if big else f"{order}I", data, 8 if big else 4)
     while at:
         if at in seen:
             raise ValueError("its pages run in a circle")
         seen.add(at)
-        tags, at = _tiff_tags(data, at, order, big)
-        _tiff_page(data, tags)
-    if not seen:
-        raise ValueError("it has no page")
+        tags, at, size = _tiff_tags(data, at, order, big)
+        claimed += size
+        if claimed > 2 * len(data):
+            raise ValueError(f"its tags claim {claimed} bytes of a file of {len(data)}")
+        yield tags
 
 
-def _tiff_tags(data: bytes, at: int, order: str, big: bool) -> tuple[dict[int, Sequence[int]], int]:
-    """Return the integers that the tags of a page hold, and where the next page is."""
-    tags: dict[int, Sequence[int]] = {}
+def _tiff_tags(data: bytes, at: int, order: str, big: bool) -> tuple[dict[int, NDArray[Any]], int, int]:
+    """Return the integers that the tags of a page hold, where the next page is, and how many bytes the tags claim."""
+    tags: dict[int, NDArray[Any]] = {}
     head, entry, word = ("Q", "HHQ", "Q") if big else ("H", "HHI", "I")
+    claimed = 0
     try:
         (count,) = struct.unpack_from(order + head, data, at)
         at += struct.calcsize(head)
@@ -155,24 +321,28 @@ def _tiff_tags(data: bytes, at: int, order: str, big: bool) -> tuple[dict[int, S
             place, size = at + struct.calcsize("=" + entry), number * _TIFF_TYPES.get(kind, 1)
             if size > inline:
                 (place,) = struct.unpack_from(order + word, data, place)
+                claimed += size
             if place + size > len(data):
                 raise ValueError(f"its tag {tag} claims {size} bytes of a file of {len(data)}")
-            code = {1: "B", 3: "H", 4: "I", 16: "Q"}.get(kind)
-            if code and tag not in tags:
-                tags[tag] = struct.unpack_from(f"{order}{number}{code}", data, place)
+            if tag not in tags:
+                integers = _TIFF_INTEGERS.get(kind)
+                tags[tag] = np.frombuffer(data, order + (integers or "u1"), number if integers else 0, place)
             at += struct.calcsize("=" + entry) + inline
-        return tags, int(struct.unpack_from(order + word, data, at)[0])
+        return tags, int(struct.unpack_from(order + word, data, at)[0]), claimed
     except struct.error:
         raise ValueError("its pages go beyond its end") from None
 
 
-def _tiff_page(data: bytes, tags: dict[int, Sequence[int]]) -> None:
-    def one(tag: int, default: int) -> int:
-        return tags[tag][0] if tags.get(tag) else default
+def _one(tags: dict[int, NDArray[Any]], tag: int, default: int) -> int:
+    return int(tags[tag][0]) if tag in tags and tags[tag].size else default
 
+
+def _tiff_page(data: bytes, tags: dict[int, NDArray[Any]]) -> int:
+    """Refuse a page that claims more than there is; return how much memory it takes to decode if it is compressed."""
+    one, nothing = partial(_one, tags), np.zeros(0, np.uint8)
     width, height, samples = one(256, 0), one(257, 0), one(277, 1)
     pixels(width, height)
-    compression, bits = one(259, 1), max(tags.get(258, (1,)), default=1)
+    compression, bits = one(259, 1), int(tags.get(258, nothing).max(initial=1))
     if one(32997, 1) != 1 or samples > 64 or bits > 64:
         raise ValueError(f"it has {samples} samples of {bits} bits a pixel, or pages of several layers")
     if compression not in _COMPRESSIONS:
@@ -186,19 +356,59 @@ def _tiff_page(data: bytes, tags: dict[int, Sequence[int]]) -> None:
     if compression == 1 and (width * samples * bits + 7) // 8 * height > len(data):
         raise ValueError(f"{width} x {height} pixels without compression are more than the file holds")
     parts = math.ceil(width / across) * math.ceil(height / down) * (samples if one(284, 1) == 2 else 1)
-    places, sizes = (tags.get(324, ()), tags.get(325, ())) if tiled else (tags.get(273, ()), tags.get(279, ()))
+    places, sizes = (tags.get(part, nothing) for part in ((324, 325) if tiled else (273, 279)))
     if len(places) < parts or (compression != 1 and len(sizes) < parts):
         raise ValueError(f"it has {min(len(places), len(sizes))} parts; {width} x {height} pixels take {parts}")
-    for place, size in zip(places[:parts], sizes[:parts], strict=False):
-        if compression in _DEFLATE and not _inflates_within(data[place : place + size], most):
+    for place, size in zip(places[:parts].tolist(), sizes[:parts].tolist(), strict=False):
+        if compression in _DEFLATE and not inflates_within(data[place : place + size], most):
             raise ValueError(f"a part of it inflates to more than its {most} bytes")
+    return 0 if compression == 1 else width * height * (13 + 2 * samples * ((bits + 7) // 8))
 
 
-def _inflates_within(part: bytes, most: int) -> bool:
+def inflates_within(part: bytes, most: int) -> bool:
+    """Return whether deflated bytes hold at most so many; also where they are damaged, which is told elsewhere."""
     try:
         return len(zlib.decompressobj().decompress(part, most + 1)) <= most
     except zlib.error:
-        return True  # told where it is read
+        return True
+
+
+def hdf5(data: bytes) -> Any:
+    """Return an HDF5 file as h5py opens it, of whose arrays :func:`hdf5_values` reads those that may be read."""
+    import h5py
+
+    return h5py.File(io.BytesIO(data), "r")
+
+
+def hdf5_values(found: Any, size: int) -> NDArray[Any]:
+    """Return an array of a file of `size` bytes; ValueError if it is not in the file itself, or more than that holds.
+
+    A chunk may be compressed once, by deflate.
+    """
+    import h5py
+
+    if not isinstance(found, h5py.Dataset) or found.external or found.is_virtual or found.dtype.kind not in "iufS":
+        raise ValueError("it must be an array of numbers in the file itself")
+    if found.chunks is None:
+        if found.nbytes > size:
+            raise ValueError(f"it must be stored in one piece, got {found.nbytes} bytes of {size}")
+        return np.asarray(found[()])
+    # What it takes as float64, with masks; and no part of it unpacks to more than it should.
+    afford(3 * max(found.nbytes, 8 * found.size), size)
+    chunk = math.prod(found.chunks) * found.dtype.itemsize
+    filters = found.id.get_create_plist()
+    kinds = [filters.get_filter(k)[0] for k in range(filters.get_nfilters())]
+    deflate, shuffle, sums = h5py.h5z.FILTER_DEFLATE, h5py.h5z.FILTER_SHUFFLE, h5py.h5z.FILTER_FLETCHER32
+    if len(kinds) != len(set(kinds)) or not {deflate, shuffle, sums}.issuperset(kinds):
+        raise ValueError("it is compressed in an unknown way")
+    count = math.prod(math.ceil(side / part) for side, part in zip(found.shape, found.chunks, strict=True))
+    if count > size // 16 + 16 or chunk > max(4 * found.nbytes, 2**20):
+        raise ValueError(f"it has {count} chunks of {chunk} bytes, of a file of {size}")
+    for k in range(found.id.get_num_chunks() if deflate in kinds else 0):
+        _, part = found.id.read_direct_chunk(found.id.get_chunk_info(k).chunk_offset)
+        if not inflates_within(part[:-4] if kinds[-1] == sums else part, chunk + 4):
+            raise ValueError(f"a part of it inflates to more than its {chunk} bytes")
+    return np.asarray(found[()])
 
 
 @contextmanager

@@ -51,6 +51,11 @@ def brief(text: str, most: int = _SHOWN) -> str:
     return text if len(text) <= most else f"{text[: most - 20]}...{text[-17:]}"
 
 
+def key(text: str) -> str:
+    """Return a name that a file made up, of a key or a column, as a message shows it: on one line, and short."""
+    return brief(line(text), 60)
+
+
 def line(text: object) -> str:
     """Return a text, such as the name of a file, with its breaks of lines written out."""
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(text))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Iterator
 
 
@@ -11,11 +12,13 @@ def rows(text: str, between: str = ",") -> Iterator[tuple[int, list[str]]]:
 
     ValueError if a cell has no end.
     """
-    for place, line in enumerate(text.splitlines(), 1):
+    for place, line in enumerate(io.StringIO(text), 1):  # not all of them at once: the text may be long
         try:
-            cells = [cell.strip() for cell in next(csv.reader([line], delimiter=between), [])]
+            quoted = '"' in line or len(line) > csv.field_size_limit()
+            cells = next(csv.reader([line], delimiter=between), []) if quoted else line.split(between)
         except csv.Error as error:  # of an endless cell
             raise ValueError(f"{error} in line {place}") from None
+        cells = list(map(str.strip, cells))
         if any(cells) and not line.lstrip().startswith("#"):
             yield place, cells
 

@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+import io
+import math
+import re
+from array import array
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from lommel.base import validation
+from lommel.base.arrays import Array
 
 _SIZES = {"GRD": 2, "ZRN": 1, "ZFR": 1}
 _NUMBERS = ("WVL", "SSZ", "NDA", "XSC")
@@ -23,17 +31,17 @@ class Interferogram(NamedTuple):
         Columns and rows of a grid, or the number of terms.
     wavelength : float
         Metres.
-    values : list of float
+    values : ndarray
         In waves at `wavelength`.
-    missing : list of bool
+    missing : ndarray of bool
         Which of the values are none (NDA).
     """
 
     kind: str
     size: tuple[int, ...]
     wavelength: float
-    values: list[float]
-    missing: list[bool]
+    values: Array
+    missing: NDArray[np.bool_]
 
 
 def parse(text: str) -> Interferogram:
@@ -42,10 +50,12 @@ def parse(text: str) -> Interferogram:
     The first line is a title, the second says what follows, such as ``ZFR 37 WFR WVL 0.6328 SSZ 1000 NDA 32767``;
     lines that begin with ``!`` are comments. A value over SSZ is waves at WVL micrometres.
     """
-    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("!")]
-    if len(lines) < 3:
+    lines = (line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("!"))
+    title, sizes = next(lines, ""), next(lines, "")
+    stored = array("d", (_number(word[0], "a value") for line in lines for word in re.finditer(r"\S+", line)))
+    if not title or not sizes or not stored:
         raise ValueError("it has no title, line of sizes and values")
-    words = lines[1].upper().split()
+    words = sizes.upper().split()
     kind = words[0]
     if kind not in _SIZES:
         raise ValueError(f"its second line must begin with {', '.join(_SIZES)}, got {validation.shown(words[0])}")
@@ -68,14 +78,13 @@ def parse(text: str) -> Interferogram:
     if missing := [word for word in ("WVL", "SSZ") if not told.get(word, 0.0) > 0.0]:
         raise ValueError(f"it does not state {' and '.join(missing)}, the wavelength and the value of one wave")
     wavelength = validation.wavelength(1e-6 * told["WVL"])
-    stored = [_number(word, "a value") for line in lines[2:] for word in line.split()]
     wanted = size[0] * size[-1] if count == 2 else size[0]
     if len(size) != count or len(stored) != wanted:
         raise ValueError(f"it says {' x '.join(map(str, size))} values, got {len(stored)}")
     nothing = told.get("NDA")
-    return Interferogram(
-        kind, size, wavelength, [value / told["SSZ"] for value in stored], [value == nothing for value in stored]
-    )
+    values = np.array(stored)
+    missing = np.zeros(values.shape, np.bool_) if nothing is None else values == nothing
+    return Interferogram(kind, size, wavelength, values / told["SSZ"], missing)
 
 
 def term(index: int) -> tuple[int, int]:
@@ -94,6 +103,7 @@ def _whole(word: str) -> int:
 
 def _number(word: str, name: str) -> float:
     try:
-        return validation.real(name, float(word.replace("D", "E")))
+        value = float(word.replace("D", "E"))
+        return value if math.isfinite(value) else validation.real(name, value)
     except ValueError:
         raise ValueError(f"{name} must be a finite number, got {validation.shown(word)}") from None

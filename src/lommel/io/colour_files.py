@@ -63,7 +63,7 @@ def load(path: str | PathLike[str], kind: type[Made]) -> tuple[Channels, tuple[M
     data = reading.contents(source)
     with psf_files.told(source, "a PSF in channels"):
         arrays, text = form.read(data)
-        return rebuild(arrays["values"], json.loads(text), kind)
+        return rebuild(arrays["values"], reading.json(text), kind)
 
 
 def require_plain(answer: AnswerChannels[Any]) -> None:

@@ -55,6 +55,7 @@ def read_depth(path: str | PathLike[str], *, scale: float | None = None, zero_is
         raise PhotoError(f"{validation.line(source)} is a JPEG, whose losses no depth map survives")
     with told(source, "depth map", data) as form:
         values = form.read(data, scale)
+    del data  # or it would lie beside what it becomes
     return _metres(validation.line(source), values, scale is not None, factor, zero_is_unknown)
 
 
@@ -97,17 +98,18 @@ def _metres(source: str, values: NDArray[Any], scaled: bool, factor: float, zero
     if values.dtype.kind != "f" and not scaled:
         raise PhotoError(f"{source} holds levels ({values.dtype}); say by `scale` how many metres one is")
     with np.errstate(over="ignore", invalid="ignore"):  # of a NaN that signals
-        metres = values.astype(np.float64) * factor
-    zero = values == 0
-    if zero.any():
+        metres = values.astype(np.float64)
+        metres *= factor
+    zeros = values.size - np.count_nonzero(values)
+    if zeros:
         if not zero_is_unknown:
             raise ValueError(
-                f"{source} is 0 at {zero.sum()} of {zero.size} points; if that means unknown, say so by "
+                f"{source} is 0 at {zeros} of {values.size} points; if that means unknown, say so by "
                 "`zero_is_unknown`"
             )
-        metres[zero] = np.nan
-    if np.any(metres < 0.0):
-        raise ValueError(f"{source} must hold distances > 0 metres, got {metres[metres < 0.0][0]:g}")
+        metres[values == 0] = np.nan
+    if (least := np.fmin.reduce(metres, axis=None)) < 0.0:
+        raise ValueError(f"{source} must hold distances > 0 metres, got {least:g}")
     return metres
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Callable
 from functools import partial
@@ -121,7 +120,7 @@ def _read(source: Path, kind: type[Made]) -> tuple[Any, dict[str, Any]]:
     form, data = psf_files.find(source, verb="read"), reading.contents(source)
     with psf_files.told(source, "a grid of PSFs"):
         arrays, text = form.read(data)
-        return _rebuilt(arrays, json.loads(text), kind)
+        return _rebuilt(arrays, reading.json(text), kind)
 
 
 def _rebuilt(arrays: dict[str, Any], description: dict[str, Any], kind: type[Made]) -> tuple[Any, dict[str, Any]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import io
 import math
+import re
 import warnings
 import zlib
 from collections.abc import Callable, Mapping, Sequence
@@ -21,6 +22,10 @@ PACKED = (".fits.gz", ".fit.gz")
 
 _GZIP = b"\x1f\x8b"
 _MOST_AXES = 16
+_BLOCK, _MOST_HEADER = 2880, 2**20  # bytes
+_SIZE = re.compile(rb"(BITPIX  |NAXIS\d* *|PCOUNT  |GCOUNT  )= +(-?\d{1,12})\b")
+_END = re.compile(rb"^(?:.{80})*END {77}", re.DOTALL)
+_TIMES = 4  # of a file unpacked are in memory while its values are read
 
 
 class Image(NamedTuple):
@@ -48,14 +53,20 @@ def write(images: Sequence[tuple[NDArray[Any], Mapping[str, Any]]]) -> bytes:
 
 def packed(write: Callable[..., bytes]) -> Callable[..., bytes]:
     """Return what writes the same, compressed, and the same bytes at any time of the day."""
-    return lambda *args: gzip.compress(write(*args), 6, mtime=0)
+
+    def made(*args: Any) -> bytes:
+        plain = write(*args)
+        small = gzip.compress(plain, 6, mtime=0)
+        return small if reading.affords(_TIMES * len(plain), len(small)) else gzip.compress(plain, 0, mtime=0)
+
+    return made
 
 
 def read(data: bytes, most: int) -> list[Image]:
     """Return the images of a file that have values, of at most so many in all; ValueError if there is none."""
     from astropy.io import fits
 
-    plain = _inflated(data, 8 * most + reading.MAX_TEXT) if data.startswith(_GZIP) else data
+    plain = _looked_at(data)
     found, total = [], 0
     with warnings.catch_warnings():
         warnings.simplefilter("error")  # of a file that is cut, say
@@ -88,11 +99,54 @@ def _cards(header: Any) -> dict[str, Any]:
     return found
 
 
-def _inflated(data: bytes, most: int) -> bytes:
-    try:
-        plain = zlib.decompressobj(31).decompress(data, most + 1)
-    except zlib.error as error:
-        raise ValueError(f"it cannot be unpacked: {error}") from None
-    if len(plain) > most:
-        raise ValueError(f"it unpacks to more than {most} bytes")
+def _looked_at(data: bytes) -> bytes:
+    """Return what a file holds, unpacked no farther than its headers say; ValueError if one has no end."""
+    source, plain = _Unpacked(data), data
+    at = 0
+    while not at or source.part(at, at + 8) == b"XTENSION":
+        start = at
+        cards: dict[str, int] = {}
+        while True:
+            block = source.part(at, at + _BLOCK)
+            at += _BLOCK
+            for card in (block[k : k + 80] for k in range(0, _BLOCK, 80)):
+                if size := _SIZE.match(card):
+                    cards[size[1].decode().strip()] = int(size[2])
+            if _END.search(block):
+                break
+            if len(block) < _BLOCK or at - start > _MOST_HEADER:
+                raise ValueError(f"a header of it has no END within {at - start} bytes")
+        sides = [abs(cards.get(f"NAXIS{k + 1}", 0)) for k in range(min(cards.get("NAXIS", 0), _MOST_AXES))]
+        values = math.prod(sides) if sides else 0
+        values = abs(cards.get("GCOUNT", 1)) * (abs(cards.get("PCOUNT", 0)) + values)
+        at += -(-values * abs(cards.get("BITPIX", 8)) // 8 // _BLOCK) * _BLOCK
+        reading.afford(_TIMES * at if source.packed else 0, len(data))
+    if source.packed:
+        plain = source.part(0, at)
     return plain
+
+
+class _Unpacked:
+    """The bytes of a file, those of one that is compressed as far as they are asked for."""
+
+    def __init__(self, data: bytes) -> None:
+        self.packed = data.startswith(_GZIP)
+        self._plain, self._rest = (bytearray(), data) if self.packed else (data, b"")
+        self._inflate = zlib.decompressobj(31)
+
+    def upto(self, end: int) -> bool:
+        """Return whether there are so many bytes."""
+        while len(self._plain) < end and self._rest:
+            try:
+                more = self._inflate.decompress(self._rest, max(end - len(self._plain), _BLOCK))
+            except zlib.error as error:
+                raise ValueError(f"it cannot be unpacked: {error}") from None
+            self._rest = self._inflate.unconsumed_tail
+            assert isinstance(self._plain, bytearray)
+            self._plain += more
+        return len(self._plain) >= end
+
+    def part(self, start: int, end: int) -> bytes:
+        """Return some of them, as far as there are."""
+        self.upto(end)
+        return bytes(self._plain[start:end])

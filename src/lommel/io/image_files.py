@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from os import PathLike
 from typing import Any
@@ -71,10 +70,7 @@ def _fits(data: bytes) -> NDArray[Any]:
 
 
 def _tiff(data: bytes) -> NDArray[Any]:
-    import tifffile
-
-    reading.tiff(data)
-    with reading.quietly(), tifffile.TiffFile(io.BytesIO(data)) as file:
+    with reading.tiff(data) as file:
         pages = [page for page in list[Any](file.pages) if not page.is_reduced]
         if wrong := [page.axes for page in pages if page.axes not in ("YX", "SYX")]:
             raise ValueError(f"a page has the axes {wrong[0]}, which is no grey image")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import math
+from array import array
 from collections.abc import Mapping
 from functools import partial
 from os import PathLike
@@ -182,15 +184,22 @@ def _read_csv(data: bytes) -> Measured:
     said = _settings(text)
     if others := [key for key in said if key not in ("unit", "spacing", "wavelength")]:
         raise ValueError(f"it states {', '.join(map(validation.shown, others[:3]))}, which is unknown")
-    rows = [[math.nan if cell == "" else cells.number(cell) for cell in row] for _, row in cells.rows(text)]
-    if len({len(row) for row in rows}) != 1 or any(isinstance(cell, str) for row in rows for cell in row):
+    values, width, wrong = array("d"), 0, False
+    for _, row in cells.rows(text):
+        wrong |= bool(width) and len(row) != width
+        width = len(row)
+        try:
+            values.extend(math.nan if cell == "" else float(cell) for cell in row)
+        except ValueError:
+            wrong = True
+    if wrong or not width:
         raise ValueError("it must hold rows of equally many numbers")
     spacing, wavelength = (parse_length(said[name]) if name in said else None for name in ("spacing", "wavelength"))
-    return Measured(np.array(rows, dtype=np.float64), _unit(said.get("unit", "")), spacing, wavelength)
+    return Measured(np.array(values).reshape(-1, width), _unit(said.get("unit", "")), spacing, wavelength)
 
 
 def _settings(text: str) -> Mapping[str, str]:
-    lines = (line.lstrip()[1:].partition(":") for line in text.splitlines() if line.lstrip().startswith("#"))
+    lines = (line.lstrip()[1:].partition(":") for line in io.StringIO(text) if line.lstrip().startswith("#"))
     return {key.strip(): value.strip() for key, colon, value in lines if colon}
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import struct
 from typing import Any, NamedTuple
 
@@ -92,13 +91,12 @@ def read_datx(data: bytes) -> Measured:
     """Return the map in a file of Mx: the surface, in fringes or in a unit of length."""
     import h5py
 
-    with h5py.File(io.BytesIO(data), "r") as file:
+    with reading.hdf5(data) as file:
         found = _surface(file, h5py)
         said = found.attrs
-        limit = min(8 * reading.MAX_PIXELS, 1024 * len(data))  # deflate makes no more
-        if found.ndim != 2 or found.dtype.kind not in "iuf" or found.external or found.nbytes > limit:
+        if found.ndim != 2 or found.dtype.kind not in "iuf" or found.size > reading.MAX_PIXELS:
             raise ValueError(f"its surface holds {found.dtype} of the shape {found.shape}, which is no map")
-        values = np.asarray(found[()], dtype=np.float64)
+        values = np.asarray(reading.hdf5_values(found, len(data)), dtype=np.float64)
         if "No Data" in said:
             values[values >= _number(said["No Data"])] = np.nan
         wavelength = _number(said["Wavelength"]) if "Wavelength" in said else None
@@ -129,7 +127,7 @@ def _surface(file: Any, h5py: Any) -> Any:
     folder = below(file, "Data", "Surface")
     first = next(iter(folder), "") if isinstance(folder, h5py.Group) else ""
     for found in (below(file, "Measurement", "Surface"), below(file, "Data", "Surface", first)):
-        if isinstance(found, h5py.Dataset) and not found.is_virtual:
+        if isinstance(found, h5py.Dataset):
             return found
     raise ValueError("it holds no surface")
 

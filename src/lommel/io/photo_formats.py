@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import struct
 import zlib
 from typing import Any
@@ -13,32 +12,21 @@ from numpy.typing import NDArray
 from lommel.base import atomic, reading
 from lommel.base.version import version
 
+_BAND = 2**20  # pixels of a picture that are turned into an array at once
 
-# Both are opened as what they are: Pillow's limit on the size of pictures from strangers is not for one's own.
+
 def read_png(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
     """Return the values, the tags and the ICC profile of a PNG file, with all of 16 bits."""
-    from PIL.PngImagePlugin import PngImageFile
-
-    return _read(data, PngImageFile)
+    return _read(data, reading.png)
 
 
 def read_jpeg(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
     """Return the values, the tags and the ICC profile of a JPEG file."""
-    from PIL.JpegImagePlugin import JpegImageFile
-
-    return _read(data, JpegImageFile)
+    return _read(data, reading.jpeg)
 
 
 def _read(data: bytes, opener: Any) -> tuple[NDArray[Any], Any, bytes | None]:
-    def load(rawmode: str | None = None) -> NDArray[Any]:
-        with opener(io.BytesIO(data)) as again:
-            if rawmode is not None:
-                again.tile = [(*again.tile[0][:3], rawmode)]
-            again.load()
-            return np.asarray(again.convert(plain) if (plain := {"P": "RGB", "1": "L"}.get(again.mode)) else again)
-
-    with opener(io.BytesIO(data)) as file:
-        reading.pixels(*file.size)
+    with opener(data) as file:
         if getattr(file, "is_animated", False):
             raise ValueError(f"it is an animation of {file.n_frames} frames")
         if "A" in file.mode or "transparency" in file.info:
@@ -48,14 +36,36 @@ def _read(data: bytes, opener: Any) -> tuple[NDArray[Any], Any, bytes | None]:
         deep, grey, mode = file.format == "PNG" and data[24] == 16, file.mode != "RGB", file.tile[0][3]
         # That of a PNG may stand behind the image, and is looked for there.
         tags, profile = file.getexif(), file.info.get("icc_profile")
+        values = _array(file)
     if not deep:
-        return load(), tags, profile
+        return values, tags, profile
     if grey:
-        return load().astype(np.uint16), tags, profile
+        return values.astype(np.uint16, copy=False), tags, profile
     if mode != "RGB;16B":
         raise ValueError(f"this Pillow reads 16-bit colour as {mode}; save it as TIFF")
+    del file  # or its pixels would lie beside those that follow
     # Pillow keeps the high bytes of 16-bit colour; read as if bytes were swapped, the low ones.
-    return load().astype(np.uint16) << 8 | load("RGB;16L"), tags, profile
+    values = values.astype(np.uint16)
+    values <<= 8
+    with opener(data) as again:
+        again.tile = [(*again.tile[0][:3], "RGB;16L")]
+        values |= _array(again)
+    return values, tags, profile
+
+
+def _array(image: Any) -> NDArray[Any]:
+    """Return the values of an image of Pillow, band by band: it makes two copies of what it is asked for."""
+    width, height = image.size
+    step, plain = max(1, _BAND // width), {"P": "RGB", "1": "L"}.get(image.mode)
+    made: NDArray[Any] | None = None
+    for top in range(0, height, step):
+        part = image.crop((0, top, width, min(top + step, height)))
+        band = np.asarray(part.convert(plain) if plain else part)
+        if made is None:
+            made = np.empty((height, *band.shape[1:]), band.dtype)
+        made[top : top + step] = band
+    assert made is not None
+    return made
 
 
 def read_tiff(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
@@ -63,8 +73,7 @@ def read_tiff(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
     import tifffile
     from PIL import Image
 
-    reading.tiff(data)
-    with tifffile.TiffFile(io.BytesIO(data)) as file:
+    with reading.tiff(data) as file:
         pages = [page for page in list[Any](file.pages) if not page.is_reduced]
         if len(pages) != 1:
             raise ValueError(f"it has {len(pages)} pages; give a file of one")
@@ -91,8 +100,15 @@ def read_tiff(data: bytes) -> tuple[NDArray[Any], Any, bytes | None]:
 
 
 def write_png(values: NDArray[Any], _quality: int, profile: bytes | None) -> bytes:
-    """Return a PNG file; without losses, whatever the quality."""
-    return _png_of_16_bits(values, profile) if values.dtype.itemsize == 2 else _by_pillow(values, profile, "png")
+    """Return a PNG file; without losses, whatever the quality. It is compressed as far as it may be to be read."""
+    bits = 8 * values.dtype.itemsize
+    takes = reading.png_takes(values.shape[0] * values.shape[1], bits, values.ndim == 3)
+    for level in (6, 0):
+        write = _png_of_16_bits if bits == 16 else _png_of_8_bits
+        made = write(values, profile, level)
+        if reading.affords(takes, len(made)):
+            break
+    return made
 
 
 def write_jpeg(values: NDArray[Any], quality: int, profile: bytes | None) -> bytes:
@@ -114,7 +130,11 @@ def _by_pillow(values: NDArray[Any], profile: bytes | None, form: str, **options
     return atomic.contents(Image.fromarray(values).save, form, icc_profile=profile, **options)
 
 
-def _png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None) -> bytes:
+def _png_of_8_bits(values: NDArray[np.uint8], profile: bytes | None, level: int) -> bytes:
+    return _by_pillow(values, profile, "png", compress_level=level)
+
+
+def _png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None, level: int) -> bytes:
     """Return a PNG, which Pillow writes in 16 bits for grey only; each row as its difference from the one above."""
     height, width = values.shape[:2]
     rows = values.astype(">u2").view(np.uint8).reshape(height, -1)
@@ -124,6 +144,6 @@ def _png_of_16_bits(values: NDArray[np.uint16], profile: bytes | None) -> bytes:
     chunks = [(b"IHDR", struct.pack(">IIBBBBB", width, height, 16, 2 if values.ndim == 3 else 0, 0, 0, 0))]
     if profile is not None:
         chunks.append((b"iCCP", b"ICC Profile\0\0" + zlib.compress(profile)))
-    chunks += [(b"IDAT", zlib.compress(lines.tobytes())), (b"IEND", b"")]
+    chunks += [(b"IDAT", zlib.compress(lines.tobytes(), level)), (b"IEND", b"")]
     parts = [struct.pack(">I", len(d)) + name + d + struct.pack(">I", zlib.crc32(name + d)) for name, d in chunks]
     return b"\x89PNG\r\n\x1a\n" + b"".join(parts)

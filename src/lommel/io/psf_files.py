@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
@@ -109,7 +108,7 @@ def load_described(path: str | PathLike[str], kind: type[Made]) -> tuple[Made, d
     data = [reading.contents(place) for place in form.places(source)]
     with told(source, "a PSF"):
         arrays, text = form.read(*data)
-        description = json.loads(text)
+        description = reading.json(text)
         return rebuild(arrays, description, kind), description
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import io
 import json
+import math
 from typing import Any
 
 import numpy as np
@@ -42,21 +42,21 @@ def write(psf: Answer, description: dict[str, Any]) -> bytes:
     info = PngImagePlugin.PngInfo()
     info.add_text("Software", description["software"])
     info.add_text("lommel", json.dumps(sealed(description | picture, {"values": grey})))
-    return atomic.contents(Image.fromarray(_enlarged(grey, scale(psf))).save, format="png", pnginfo=info)
+    image = Image.fromarray(_enlarged(grey, scale(psf)))
+    small = atomic.contents(image.save, format="png", pnginfo=info)
+    if reading.affords(reading.png_takes(math.prod(image.size), 16, colour=False), len(small)):
+        return small
+    return atomic.contents(image.save, format="png", pnginfo=info, compress_level=0)
 
 
 def read(data: bytes) -> tuple[dict[str, Any], str]:
     """Return one grey value for each of the PSF, and the description as it stands."""
-    from PIL import PngImagePlugin
-
-    # Opened as what it is: Pillow's limit on the size of pictures from strangers is not for a PSF.
-    with PngImagePlugin.PngImageFile(io.BytesIO(data)) as file:
+    with reading.png(data) as file:
         text = str(file.info["lommel"])  # which stands before the picture
-        description = json.loads(text)
+        description = reading.json(text)
         times = validation.integer("scale", description["png"]["scale"], least=1, most=_SIDE)
         if list(file.size[::-1]) != [times * side for side in description["shape"]]:
             raise ValueError(f"it has {file.size[0]} x {file.size[1]} pixels, other than it says")
-        reading.pixels(*file.size)
         file.load()
         grey = np.asarray(file, dtype=np.uint16)
     values = np.ascontiguousarray(grey[::times, ::times])

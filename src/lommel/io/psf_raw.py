@@ -37,7 +37,7 @@ def read(data: bytes, beside: bytes) -> tuple[dict[str, Any], str]:
     """Return the values, and the description as it stands."""
     if len(beside) > reading.MAX_PIXELS:
         raise ValueError(f"the .json beside it has {len(beside)} bytes; the limit is {reading.MAX_PIXELS}")
-    description = json.loads(beside)["lommel"]
+    description = reading.json(beside)["lommel"]
     kind = validation.choice("dtype", description["dtype"], ("float32", "float64"))
     values = np.frombuffer(data, np.dtype(kind).newbyteorder("<"))
     if values.size != math.prod(description["shape"]):

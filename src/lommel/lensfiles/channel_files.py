@@ -18,6 +18,7 @@ from lommel.optics.channels import Channels
 _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
 _PERCENT = re.compile(r"(.*?)[\s_(\[]*(?:%|percent|per cent)[\s)\]]*", re.IGNORECASE)
+_MOST_FAULTS = 1000  # after which a file is no table
 _LEAST = -0.01  # of the largest value: what measurements of nothing may be, which counts as 0
 
 
@@ -93,7 +94,7 @@ def _table(path: _PATH) -> tuple[list[str], Array, Array]:
     """Return names of columns, wavelengths in metres, rising, and the values, shape (columns, wavelengths)."""
     source = validation.path("path", path)
     try:
-        text = reading.text(source).removeprefix("\ufeff")
+        text = reading.text(source, reading.MAX_LIST).removeprefix("\ufeff")
         if ";" in text:
             text = text.replace(",", ".").replace(";", ",")
         lines = list(cells.rows(text.replace("\t", ",")))
@@ -127,8 +128,11 @@ def _columns(lines: list[tuple[int, list[str]]]) -> tuple[list[str], Array, Arra
             faults.append(f"line {place} must hold numbers, got {validation.shown(bad[0])}")
         else:
             found.append(numbers)
+        if len(faults) > _MOST_FAULTS:
+            break
     if faults:
-        more = f"; and {len(faults) - TOLD} more" if len(faults) > TOLD else ""
+        several = "more" if len(faults) <= _MOST_FAULTS else "or more"
+        more = f"; and {len(faults) - TOLD} {several}" if len(faults) > TOLD else ""
         raise ValueError("; ".join(faults[:TOLD]) + more)
     if len(found) < 2:
         raise ValueError(f"must have two wavelengths or more, got {len(found)}")

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from array import array
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from os import PathLike
 from typing import Any
 
@@ -19,6 +21,9 @@ from lommel.lensfiles.messages import TOLD
 from lommel.optics.pupil import Pupil, checked
 from lommel.optics.wavefront import Wavefront
 from lommel.special import zernike
+
+_MOST_COLUMNS = 1000  # more than there are terms
+_MOST_FAULTS = 1000  # after which a file is no table
 
 
 @dataclass(frozen=True)
@@ -120,14 +125,11 @@ def read_csv(path: str | PathLike[str], order: str) -> FieldTable:
     source = validation.path("path", path)
     validation.choice("order", order, ("noll", "ansi", "fringe"))
     try:
-        numbered = list(cells.rows(reading.text(source)))
-    except ValueError as error:
-        raise ValueError(f"{source.name}: {reading.reason(error)}") from None
-    if not numbered:
-        raise ValueError(f"{source.name} is empty; its first line must name the columns")
-    rows = [(f"{source.name} line {number}", row) for number, row in numbered[1:]]
-    try:
-        return _table(numbered[0][1], rows, order)
+        numbered = cells.rows(reading.text(source))
+        _, columns = next(numbered, (0, None))
+        if columns is None:
+            raise ValueError(f"{source.name} is empty; its first line must name the columns")
+        return _table(columns, numbered, order, f"{source.name} line")
     except ValueError as error:
         raise error if source.name in str(error) else ValueError(f"{source.name}: {error}") from None
 
@@ -164,16 +166,19 @@ def read_rows(columns: Sequence[str], rows: Sequence[Sequence[Any]], order: str)
     if not all(isinstance(row, list | tuple) for row in rows):
         raise TypeError(f"rows must be lists of cells, got {validation.shown(rows)}")
     validation.choice("order", order, ("noll", "ansi", "fringe"))
-    return _table(columns, [(f"row {k}", row) for k, row in enumerate(rows, 1)], order)
+    return _table(columns, enumerate(rows, 1), order, "row")
 
 
-def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], order: str) -> FieldTable:
+def _table(columns: Sequence[str], rows: Iterable[tuple[int, Sequence[Any]]], order: str, called: str) -> FieldTable:
+    """Return a table of rows, each with its number, that faults are told with behind what it is `called`."""
     places = ("height",) if columns and columns[0] == "height" else ("x", "y")
     if tuple(columns[: len(places)]) != places:
         got = validation.brief(validation.line(", ".join(columns[:2]))) or "none"
         raise ValueError(f"the first columns must be height, or x and y, got {got}")
     faults: list[str] = []
     indices: list[int] = []
+    if len(columns) > _MOST_COLUMNS:
+        raise ValueError(f"there must be at most {_MOST_COLUMNS} columns, got {len(columns)}")
     for name in columns[len(places) :]:
         try:
             if not (found := re.fullmatch(r"Z(\d{1,5})", name)):
@@ -186,23 +191,27 @@ def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], or
             faults.append(str(error))
     if len(columns) == len(places):
         faults.append("there must be a column for a Zernike coefficient, such as Z4")
-    kinds = [*(("length", name) for name in places), *(("number", name) for name in columns[len(places) :])]
-    read: list[list[float]] = [[] for _ in columns]
-    for where, row in rows:
+    kinds = [*(_length for _ in places), *(_coefficient for _ in columns[len(places) :])]
+    # A byte of a file may be a cell: as numbers of Python they would take thirty times as much.
+    read = [array("d") for _ in columns]
+    number = 0
+    for number, row in rows:
+        if len(faults) > _MOST_FAULTS:
+            break
         if len(row) != len(columns):
-            faults.append(f"{where} must have {len(columns)} cells, as there are columns, got {len(row)}")
+            faults.append(f"{called} {number} must have {len(columns)} cells, as there are columns, got {len(row)}")
             continue
-        for values, cell, (kind, name) in zip(read, row, kinds, strict=True):
+        for values, cell, convert, name in zip(read, row, kinds, columns, strict=True):
             try:
-                values.append(_cell(cell, kind))
+                values.append(convert(cell))
             except ValueError as error:
-                faults.append(f"{where}, {name}: {error}")
-    if not rows:
+                faults.append(f"{called} {number}, {name}: {error}")
+    if not number:
         faults.append("there must be a row for each position, got none")
     if faults:
-        faults = [validation.brief(fault, 200) for fault in faults[:TOLD]] + faults[TOLD:]
-        more = f"; and {len(faults) - TOLD} more" if len(faults) > TOLD else ""
-        raise ValueError("; ".join(faults[:TOLD]) + more)
+        several = "more" if len(faults) <= _MOST_FAULTS else "or more"
+        more = f"; and {len(faults) - TOLD} {several}" if len(faults) > TOLD else ""
+        raise ValueError("; ".join(validation.brief(fault, 200) for fault in faults[:TOLD]) + more)
     whole = [tuple(values) for values in read]
     count = len(places)
     return FieldTable(
@@ -210,11 +219,21 @@ def _table(columns: Sequence[str], rows: Sequence[tuple[str, Sequence[Any]]], or
     )
 
 
-def _cell(cell: Any, kind: str) -> float:
-    """Return a length in metres or a number, given as such or as a text."""
-    if kind == "length":
-        return validation.real("a position", parse_length(cell), unit="metres")
+def _length(cell: Any) -> float:
+    """Return a length in metres, given as such or as a text."""
+    return _known(cell) if isinstance(cell, str) else validation.real("a position", parse_length(cell), unit="metres")
+
+
+@lru_cache(maxsize=1024)  # positions on a grid repeat
+def _known(cell: str) -> float:
+    return validation.real("a position", parse_length(cell), unit="metres")
+
+
+def _coefficient(cell: Any) -> float:
+    """Return a number, given as such or as a text."""
     value = cells.number(cell) if isinstance(cell, str) else cell
+    if isinstance(value, float) and math.isfinite(value):
+        return value
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ValueError(f"must be a number, got {validation.shown(cell)}")
     return validation.real("a coefficient", value)

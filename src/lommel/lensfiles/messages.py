@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import itertools
 import re
+from collections import Counter
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
 
-from lommel.base.validation import line
+from lommel.base.validation import key, line
 
 TOLD = 12
 """How many faults of a file are told at once."""
@@ -22,15 +22,16 @@ def line_of(text: str, keys: Sequence[str]) -> int | None:
 @lru_cache(maxsize=2)
 def _lines(text: str) -> dict[tuple[str, ...], int]:
     found: dict[tuple[str, ...], int] = {}
+    numbers: Counter[tuple[str, ...]] = Counter()
     section: tuple[str, ...] = ()
     for number, written in enumerate(text.splitlines(), 1):
         if header := re.match(r"\s*\[(\[?)\s*([\w.\"-]+)\s*\]", written):
             section = tuple(header[2].replace('"', "").split("."))
             found.setdefault(section, number)
             if header[1]:  # one of several, each with its number
-                each = (k for k in itertools.count() if (*section, str(k)) not in found)
-                section = (*section, str(next(each)))
-                found[section] = number
+                numbers[section] += 1
+                section = (*section, str(numbers[section] - 1))
+                found.setdefault(section, number)
         elif entry := re.match(r"\s*(\"[^\"]*\"|[\w-]+)\s*=", written):
             found.setdefault((*section, entry[1].strip('"')), number)
     return found
@@ -40,7 +41,7 @@ def place(text: str, keys: Sequence[str]) -> str:
     """Return ``"lens.wavelength (line 8)"``; the line is that of the table around it where a key has none."""
     lines = (line_of(text, keys[:count]) for count in range(len(keys), 0, -1))
     line = next((number for number in lines if number), None)
-    return f"{'.'.join(keys)}{f' (line {line})' if line else ''}"
+    return f"{'.'.join(map(key, keys))}{f' (line {line})' if line else ''}"
 
 
 def together(path: Path, faults: Sequence[str], count: int | None = None) -> str:

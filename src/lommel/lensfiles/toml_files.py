@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
 from types import UnionType
@@ -28,9 +27,9 @@ class LensFileError(ValueError):
 def parsed(source: Path) -> tuple[str, dict[str, Any]]:
     """Return the text of a TOML file, and what it holds; LensFileError if it is none."""
     try:
-        text = reading.text(source)
-        return text, tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
+        text = reading.text(source, reading.MAX_TOML)
+        return text, reading.toml(text)
+    except ValueError as error:
         raise LensFileError(f"{validation.line(source)}: not valid TOML: {reading.reason(error)}") from None
 
 
@@ -80,7 +79,7 @@ def _described(fault: Any, text: str, model: type[Section]) -> str:
         return str(message)
     # A table of several has lines of its own, and a number to be told by.
     line = messages.line_of(text, place) or messages.line_of(text, keys)
-    return f"{'.'.join(keys)}{f' (line {line})' if line else ''}: {message}"
+    return f"{'.'.join(map(validation.key, keys))}{f' (line {line})' if line else ''}: {message}"
 
 
 def _elsewhere(model: type[Section], keys: list[str]) -> str | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 from collections.abc import Sequence
 
@@ -26,18 +27,21 @@ def read(text: str) -> tuple[ZernikeTable | None, list[str]]:
     settings: dict[str, str] = {}
     lines: dict[str, int] = {}
     found: list[str] = []
-    for place, line in enumerate(text.splitlines(), 1):
+    for place, line in enumerate(io.StringIO(text), 1):
         comment, colon, value = line.partition(":")
         key = comment.strip().removeprefix("#").strip()
         if colon and comment.lstrip().startswith("#"):
             if key in settings:
-                found.append(f"{key} (line {place}): is given twice, first in line {lines[key]}")
+                found.append(f"{validation.key(key)} (line {place}): is given twice, first in line {lines[key]}")
             else:
                 settings[key], lines[key] = value.strip(), place
 
     def stated(key: str, value: str, place: int) -> None:
         if settings.setdefault(key, value) != value:
-            found.append(f"line {place}: the columns say the {key} {value}, line {lines[key]} {settings[key]}")
+            found.append(
+                f"line {place}: the columns say the {key} {value}, line {lines[key]} "
+                f"{validation.shown(settings[key])}"
+            )
         lines.setdefault(key, place)
 
     if "unit" in settings:
@@ -51,7 +55,7 @@ def read(text: str) -> tuple[ZernikeTable | None, list[str]]:
     index, value, unit = _told([plain[k] for k in kept], settings.get("order"))
     if columns and not index:
         wanted = "n,m,value" if settings.get("order") == "nm" else "index,value"
-        found.append(f"line {head}: the columns must be {wanted}, got {', '.join(columns)}")
+        found.append(f"line {head}: the columns must be {wanted}, got {_brief(columns)}")
         rows = []
     if index == ["n", "m"]:
         stated("order", "nm", head)
@@ -62,14 +66,14 @@ def read(text: str) -> tuple[ZernikeTable | None, list[str]]:
     terms = []
     for place, row in rows:
         if len(row) != len(plain):
-            found.append(f"line {place}: must have {len(plain)} cells, got {len(row)}: {', '.join(row)}")
+            found.append(f"line {place}: must have {len(plain)} cells, got {len(row)}: {_brief(row)}")
             continue
         *at, number = (row[k] for k in kept)
         numbered = _NUMBERED.fullmatch(at[0])
         terms.append((numbered[1] if numbered else ",".join(at), cells.number(number), f"line {place}"))
 
     def where(key: str) -> str:
-        return f"{key} (line {lines[key]})" if key in lines else key
+        return f"{validation.key(key)} (line {lines[key]})" if key in lines else validation.key(key)
 
     table, more = build(settings, terms, where)
     return (None if found else table), [*found, *more]
@@ -87,9 +91,13 @@ def _told(columns: Sequence[str], order: str | None) -> tuple[list[str], str, st
     return (index, value[1], unit) if not unit or unit in UNITS else ([], "", "")
 
 
+def _brief(row: Sequence[str]) -> str:
+    return validation.brief(", ".join(row[:60]))
+
+
 def _between(text: str) -> str:
     """Return what separates cells: a semicolon or a tab where the first row has it and no comma."""
-    first = next((line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")), "")
+    first = next((line for line in io.StringIO(text) if line.strip() and not line.lstrip().startswith("#")), "")
     return next((mark for mark in ";\t" if mark in first and "," not in first), ",")
 
 
@@ -99,5 +107,5 @@ def _standing(rows: Sequence[_Row], names: Sequence[str], found: list[str]) -> l
         found.append(f"line {place}: one row of values is a table, got another: {validation.shown(', '.join(row))}")
     for place, row in rows[:1]:
         if len(row) != len(names):
-            found.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {', '.join(row)}")
+            found.append(f"line {place}: must have {len(names)} cells, got {len(row)}: {_brief(row)}")
     return [(place, [name, cell]) for place, row in rows[:1] for name, cell in zip(names, row, strict=False)]

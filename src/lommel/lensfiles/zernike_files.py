@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import tomllib
 from collections import Counter
 from functools import partial
 from os import PathLike
@@ -75,7 +73,7 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
     form, source = registry.find("zernike", path, verb="read"), Path(path)
     table: ZernikeTable | None
     try:
-        table, found = form.read(reading.contents(source, reading.MAX_TEXT))
+        table, found = form.read(reading.contents(source, reading.MAX_LIST))
     except ValueError as error:
         raise ZernikeFileError(f"{validation.line(source)}: {reading.reason(error)}") from None
     if table is None:
@@ -86,8 +84,8 @@ def load_zernike(path: str | PathLike[str]) -> ZernikeTable:
 def _read_toml(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     text = reading.decoded(data)
     try:
-        raw = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
+        raw = reading.toml(text)
+    except ValueError as error:
         return None, [f"not valid TOML: {reading.reason(error)}"]
     return build_section(raw, lambda keys: messages.place(text, keys))
 
@@ -97,12 +95,12 @@ def _read_json(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         counts = Counter(key for key, _ in pairs)
-        twice.extend(f"{key}: is given twice" for key, count in counts.items() if count > 1)
+        twice.extend(f"{validation.key(key)}: is given twice" for key, count in counts.items() if count > 1)
         return dict(pairs)
 
     try:
-        raw = json.loads(reading.decoded(data), object_pairs_hook=once)
-    except (ValueError, RecursionError) as error:
+        raw = reading.json(reading.decoded(data), once)
+    except ValueError as error:
         return None, [f"not valid JSON: {reading.reason(error)}"]
     if not isinstance(raw, dict):
         return None, [f"must hold an object, got {type(raw).__name__}"]

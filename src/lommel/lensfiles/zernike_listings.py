@@ -70,9 +70,9 @@ def read_code_v(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
     held = code_v.parse(_text(data))
     if held.kind == "GRD":
         raise ValueError("it holds a grid, no coefficients; load_opd reads it")
-    if any(held.missing):
-        raise ValueError(f"the term {held.missing.index(True) + 1} has no value (NDA)")
-    indexed = dict(enumerate(held.values, 1))
+    if held.missing.any():
+        raise ValueError(f"the term {held.missing.argmax() + 1} has no value (NDA)")
+    indexed = dict(enumerate(held.values.tolist(), 1))
     if held.kind == "ZFR":
         return ZernikeTable(indexed, "fringe", "waves", "edge", held.wavelength), []
     pairs = {code_v.term(j): c for j, c in indexed.items()}

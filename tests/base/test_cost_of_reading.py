@@ -1,0 +1,109 @@
+"""What files cost to read, measured: hostile ones of every kind, and that all are opened where that is limited."""
+
+from __future__ import annotations
+
+import ast
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import hostile_files
+import rooms
+
+COMPRESSED = (".png", ".jpg", ".tif", ".npz", ".fits.gz", ".datx")
+FILES = hostile_files.files()
+
+
+@pytest.fixture(scope="module")
+def costs() -> dict[str, tuple[int, float, int, str]]:
+    """Bytes of each file, seconds and bytes of memory that it takes, and what is told of it."""
+    command = [sys.executable, "-W", "error", hostile_files.__file__]
+    result = subprocess.run(command, capture_output=True, text=True, timeout=900, check=False)
+    assert result.returncode == 0, result.stderr
+    return {name: tuple(rest) for name, *rest in map(json.loads, result.stdout.splitlines())}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_a_hostile_file_costs_little_and_is_told_in_short(name, costs):
+    size, seconds, memory, told = costs[name]
+    times = 100 if FILES[name][0] in COMPRESSED else 10
+    assert memory <= max(hostile_files.ENOUGH, times * size) + 2**24, told  # and what libraries take the first time
+    assert seconds <= max(1.5, 1.5e-6 * size), told  # of a machine at work
+    assert not told.startswith("ESCAPED")
+    assert len(told) < 2200
+
+
+# Files are opened and parsed in base/reading.py, and besides only so:
+ARGUED = {
+    ("__init__.py", "open"): "the package's own list of names",
+    ("page/module.py", "read_text"): "the package's own live page",
+    ("page/server.py", "read_bytes"): "the package's own live page",
+    ("cli/examples_command.py", "read_bytes"): "the package's own examples",
+    ("cli/parts.py", "open"): "the null device, to write to",
+    ("cli/live_command.py", "open"): "a browser",
+    ("base/atomic.py", "open"): "to write",
+    ("base/atomic.py", "fdopen"): "to write",
+    ("io/fits_images.py", "open"): "of what reading has looked at: bytes in memory, no longer than their headers say",
+    ("io/fits_images.py", "decompressobj"): "no farther than the headers say",
+    ("io/psf_tiff.py", "fromstring"): "of a text whose elements were counted",
+    ("io/psf_hdf5.py", "File"): "to write, in memory",
+    ("io/psf_numpy.py", "ZipFile"): "to write, in memory",
+    ("io/field_files.py", "open_group"): "zarr, once all files of the folder were looked at",
+    ("optics/aperture.py", "decompressobj"): "piece by piece, up to the side of the mask",
+}
+# What opens or parses a file, whatever it is called on.
+OPENING = {
+    *("open", "fdopen", "read_text", "read_bytes", "fromfile", "memmap", "mmap", "loadtxt", "genfromtxt", "loadmat"),
+    *("loads", "TiffFile", "imread", "memmap", "ZipFile", "GzipFile", "decompress", "decompressobj", "PngImageFile"),
+    *("JpegImageFile", "File", "open_group", "open_array", "fromstring", "XML", "iterparse", "frombytes", "getdata"),
+}
+LOADING = {"json", "np", "numpy", "pickle", "tomllib", "marshal", "yaml", "ET"}
+
+
+def opened(tree: ast.AST) -> set[str]:
+    """Return the names of the calls in a module that open or parse files."""
+    found = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and node.module in ("json", "tomllib", "pickle", "gzip", "zipfile"):
+            found |= {name.name for name in node.names if name.name in ("load", "loads", "ZipFile", "open")}
+        if not isinstance(node, ast.Call):
+            continue
+        called = node.func
+        name = getattr(called, "attr", getattr(called, "id", ""))
+        owner = getattr(getattr(called, "value", None), "id", "")
+        if name in OPENING or (name in ("load", "parse") and owner in LOADING):
+            found.add(name)
+    return found
+
+
+def test_files_are_opened_where_their_cost_is_limited():
+    source = Path(rooms.PACKAGE)
+    found = {}
+    for path in sorted(source.rglob("*.py")):
+        name = path.relative_to(source).as_posix()
+        if name == "base/reading.py" or name.startswith("stacks/"):
+            continue
+        found |= {(name, call): True for call in opened(ast.parse(path.read_text(encoding="utf-8")))}
+    assert found.keys() == ARGUED.keys()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "open(path)",
+        "path.read_bytes()",
+        "import json\njson.load(file)",
+        "from tomllib import load",
+        "np.load(path)",
+        "with tifffile.TiffFile(file) as f: pass",
+        "h5py.File(path)",
+        "def f():\n    return Image.open(path)",
+        "zlib.decompress(data)",
+        "zipfile.ZipFile(path).read('a')",
+    ],
+)
+def test_a_new_way_to_open_a_file_is_found(text):
+    assert opened(ast.parse(text))

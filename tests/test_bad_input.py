@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.imaging.blur import Points
 from lommel.methods import METHODS
 from lommel.optics.geometry import Geometry
 
@@ -305,6 +307,73 @@ def test_a_wavelength_that_has_no_meaning_is_looked_at_all_the_same(value):
 )
 def test_what_is_of_the_wrong_kind_is_refused_by_name(call, name):
     refuses(call, name, "")
+
+
+CAMERA = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+BLUR = lm.imaging.DepthBlur(np.full((6, 7), 2.02), CAMERA, 8e-6, largest=20)
+PLANE = np.zeros((6, 7), np.float32)
+AT = Points(BLUR.positions(0))
+HUGE = np.full((3, 3), 1.7e308)
+NOISE = lm.Noise(white=1e4, read=3.0)
+
+
+@pytest.mark.parametrize(
+    ("call", "told"),
+    [
+        (lambda: PUPIL.in_light(10**400), "wavelength must be finite"),
+        (lambda: PUPIL.in_light(-0.0), "wavelength must be > 0"),
+        (lambda: lm.Pupil().in_light(5e-7), "wavelength and f_number of the pupil must be given"),
+        (lambda: PUPIL.carrying(0.5, None), "wavefront must be a Wavefront, got 0.5"),
+        (lambda: PUPIL.radial_phase("a"), "t must hold real numbers, got 'a'"),
+        (lambda: PUPIL.radial_phase(math.nan), "t must be finite"),
+        (lambda: PUPIL.broadcast(2**63), "shape must be a tuple of integers"),
+        (lambda: PUPIL.broadcast((2**40,)), "shape must be from 0 to"),
+        (lambda: PUPIL.broadcast((2**15, 2**15)), "shape must hold at most"),
+        (lambda: PUPIL.wavefront.broadcast((2**40,)), "shape must be from 0 to"),
+        (lambda: CAMERA.pupil([1.0, 2.0]).broadcast((3,)), "shape must be one that (2,) broadcasts to, got (3,)"),
+        (lambda: BLUR.positions(16385), "channel must be from 0 to 0, got 16385"),
+        (lambda: BLUR.positions(0.5), "channel must be an integer, got 0.5"),
+        (lambda: BLUR.spread(1, []), "channel must be from 0 to 0, got 1"),
+        (lambda: BLUR.spread(0, 5), "sources must be a sequence of planes and points, got 5"),
+        (lambda: BLUR.spread(0, [(PLANE, 5)]), "points must be a Points, got 5"),
+        (lambda: BLUR.spread(0, [(PLANE[1:], AT)]), "plane must be an array of float32 of the shape (6, 7)"),
+        (lambda: BLUR.spread(0, [(PLANE.astype(float), AT)]), "plane must be an array of float32"),
+        (lambda: next(BLUR.collect(0, 5, [AT])), "plane must be an array of float32"),
+        (lambda: next(BLUR.collect(1, PLANE, [AT])), "channel must be from 0 to 0"),
+        (lambda: BLUR.by_channel(PLANE, 5), "make must be callable, got 5"),
+        (lambda: BLUR.by_channel(PLANE, lambda channel, plane: np.zeros(3)), "make must return planes of the shape"),
+        (lambda: BLUR.apart(np.ma.masked_equal(PLANE, 0)), "image must not be masked"),
+        (lambda: BLUR.apart(CAMERA), "image must hold floats in proportion to light, got Lens("),
+        (lambda: BLUR.apart(PLANE[1:]), "image must have the shape (6, 7, 1), got (5, 7)"),
+        (lambda: BLUR.forward(np.full((6, 7), 1e300)), "image must be at most 3.4e+38, as sums are, got 1e+300"),
+        (lambda: CAMERA.phase(1e308), "must be finite"),
+        (lambda: CAMERA.phase([1.0, 1e308]), "must be finite"),
+        (lambda: replace(CAMERA, model="aplanatic").phase(1e308), "model 'aplanatic' is not possible"),
+        (lambda: lm.Wavefront.zernike({11: 1e308}, order="noll"), "must be finite"),
+        (lambda: lm.mse(HUGE, np.ones((3, 3))), "values and reference differ by more than the range of numbers"),
+        (lambda: lm.mse(-HUGE, HUGE), "values and reference differ by more than the range of numbers"),
+        (lambda: lm.measures.errors.peak_error(HUGE, np.full((3, 3), 1e-300)), "values and reference differ"),
+        (lambda: lm.psf(PUPIL, 5, 1e-6, derivatives=0.5, blur=lm.Jitter(1e-6)), "derivatives must be a sequence"),
+        (lambda: lm.ColourPSF(lm.Channels.rgb(), 1e9), "psfs must be a PSF for each of the 3 channels, got 1"),
+        (lambda: NOISE.record(np.ones((2, 2)), seed="a" * 10000), "seed must be an integer >= 0 or a Generator"),
+        (lambda: NOISE.record(np.ones((2, 2)), seed=-1), "seed must be an integer >= 0 or a Generator, got -1"),
+        (lambda: lm.imaging.write_depth(CAMERA, np.ones((2, 2))), "path must be a path, got Lens("),
+        (lambda: lm.imaging.restore(np.full((6, 7), 0.5), np.full((6, 7), 2.1), CAMERA, 8e-6, encoding="linear",
+                                    noise=NOISE, saturation=np.ones(2)), "saturation must be a real number"),
+    ],
+)  # fmt: skip
+def test_what_is_below_the_front_doors_is_checked_too(call, told):
+    with pytest.raises((TypeError, ValueError)) as caught:
+        call()
+    assert told in str(caught.value)
+    assert len(str(caught.value)) < 300
+
+
+def test_errors_of_large_values_are_those_of_small_ones():
+    rng = np.random.default_rng(3)
+    a, b = rng.random((2, 5, 5))
+    for scale in (1e300, 1e-200):
+        assert lm.mse(scale * a, scale * b) == pytest.approx(lm.mse(a, b), rel=1e-12)
 
 
 def test_no_radii_give_no_energies():

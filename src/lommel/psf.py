@@ -243,7 +243,7 @@ class Plan(Traceable):
     def _spread(self, pupil: BasePupil, derivatives: Sequence[Name], out: NDArray[Any] | None) -> PSF:
         from lommel.sensor.recorded import recorded
 
-        if len(derivatives):
+        if wanted.names(derivatives):
             raise ValueError("derivatives need square pixels without fill and blur; take differences of such images")
         asked = self.method, self.tol, self.normalize, self.dtype, self.threads
         return PSF(**recorded(pupil, self.grid(pupil), self.blur, asked, out))

@@ -57,10 +57,12 @@ ARGUED = {
 # What opens or parses a file, whatever it is called on.
 OPENING = {
     *("open", "fdopen", "read_text", "read_bytes", "fromfile", "memmap", "mmap", "loadtxt", "genfromtxt", "loadmat"),
-    *("loads", "TiffFile", "imread", "memmap", "ZipFile", "GzipFile", "decompress", "decompressobj", "PngImageFile"),
-    *("JpegImageFile", "File", "open_group", "open_array", "fromstring", "XML", "iterparse", "frombytes", "getdata"),
+    *("loads", "TiffFile", "imread", "ZipFile", "GzipFile", "decompressobj", "PngImageFile", "JpegImageFile"),
+    *("File", "open_group", "open_array", "fromstring", "XML", "iterparse"),
 }
-LOADING = {"json", "np", "numpy", "pickle", "tomllib", "marshal", "yaml", "ET"}
+# Of what else has such names, only these modules do.
+OF_MODULES = {"load", "parse", "decompress"}
+MODULES = {"json", "np", "numpy", "pickle", "tomllib", "marshal", "yaml", "ET", "zlib", "gzip", "bz2", "lzma"}
 
 
 def opened(tree: ast.AST) -> set[str]:
@@ -74,7 +76,7 @@ def opened(tree: ast.AST) -> set[str]:
         called = node.func
         name = getattr(called, "attr", getattr(called, "id", ""))
         owner = getattr(getattr(called, "value", None), "id", "")
-        if name in OPENING or (name in ("load", "parse") and owner in LOADING):
+        if name in OPENING or (name in OF_MODULES and owner in MODULES):
             found.add(name)
     return found
 

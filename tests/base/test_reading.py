@@ -191,6 +191,45 @@ def test_of_many_faults_twelve_are_told(tmp_path):
     assert len(str(caught.value)) < 3000
 
 
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("a.toml", "{key} = 1"),
+        ("a.toml", "[lens.{key}]\na = 1"),
+        ("table.toml", "{key} = 1"),
+        ("table.json", '{{"{key}": 1, "{key}": 2}}'),
+        ("table.csv", "# {key}: 1\n# {key}: 2\n"),
+        ("table.csv", "{key},value\n1,2"),
+        ("table.csv", "# order: noll\nindex,value,{key}\n1,2"),
+        ("table.csv", "# order: {key}\nnoll,value\n1,2"),
+    ],
+)
+def test_a_long_key_is_told_in_short(name, text, tmp_path):
+    (tmp_path / name).write_text(text.format(key="a" * 5000))
+    with pytest.raises(ValueError, match="aaa") as caught:
+        (lm.load_instrument if name == "a.toml" else lm.load_zernike)(tmp_path / name)
+    assert max(map(len, str(caught.value).splitlines())) < 300
+
+
+@pytest.mark.parametrize("text", ["a = 1\n" + ".".join("a" * 17) + " = 1", "[" + ".".join("a" * 17) + "]",
+                                  'b = {"a"' + ". 'a'" * 16 + " = 1}"])  # fmt: skip
+def test_a_key_of_many_parts_is_refused_and_one_of_few_is_not(text):
+    with pytest.raises(ValueError, match="a key must have at most 16 parts"):
+        reading.toml(text)
+    assert reading.toml(".".join("a" * 16) + " = 1\nb = '1.2.3'\nc = [" + "1.5, " * 100 + "]")["b"] == "1.2.3"
+
+
+def test_what_takes_all_memory_is_no_text(monkeypatch):
+    import tomllib
+
+    def full(_: str) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr(tomllib, "loads", full)
+    with pytest.raises(ValueError, match=r"too many or too deep \(MemoryError\)"):
+        reading.toml("a = 1")
+
+
 def test_a_lens_file_of_a_stranger_may_be_kept_to_its_folder(tmp_path):
     (tmp_path / "secret.csv").write_text("root:x:0:0\n")
     (tmp_path / "lenses").mkdir()

@@ -41,11 +41,12 @@ def test_depth_deviation_sharp_image_and_picture_are_written_and_told(folder, ca
     )  # fmt: skip
     assert result.returncode == 0, result.stderr
     lines = result.stdout.splitlines()
-    assert lines[0] == "80 x 80 pixels of 4 um; focus 1.35 m at f/8, 1.8 m at f/8"
-    assert lines[1] == "61 distances from 1.2 m to 2 m, windows of 4 pixels rms"
-    assert lines[2].startswith("depth known at 100 % of the pixels: 1.4")
-    assert "(about 1 where" in lines[3]
-    assert lines[4:] == [f"wrote {name}" for name in ("depth.tif", "deviation.npy", "sharp.tif", "found.png")]
+    assert lines[0] == "values of floats, taken for linear; if they are sRGB, give --encoding srgb"
+    assert lines[1] == "80 x 80 pixels of 4 um; focus 1.35 m at f/8, 1.8 m at f/8"
+    assert lines[2] == "61 distances from 1.2 m to 2 m, windows of 4 pixels rms"
+    assert lines[3].startswith("depth known at 100 % of the pixels: 1.4")
+    assert "(about 1 where" in lines[4]
+    assert lines[5:] == [f"wrote {name}" for name in ("depth.tif", "deviation.npy", "sharp.tif", "found.png")]
     depth, deviation = lm.imaging.read_depth(folder / "depth.tif"), lm.imaging.read_depth(folder / "deviation.npy")
     assert np.median(depth) == pytest.approx(1.5, abs=2e-3)
     assert 5e-4 < np.median(deviation) < 1e-2

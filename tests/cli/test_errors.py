@@ -242,3 +242,18 @@ def test_a_size_is_written_in_plain_digits(size, call_lommel, lenses, tmp_path):
     result = call_lommel("psf", lenses["phone"], f"--shape={size}", folder=tmp_path)
     assert result.returncode == 2
     assert "is not a size; write 65 or 64x128" in result.stderr
+
+
+LONG = "a" * 5000
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [[LONG], ["compare", "x", f"--zzz{LONG}"], ["info", "x", LONG], ["info", "x", "--shape", LONG],
+     ["blur", "a", "b", "--border", LONG, "-o", "o.png"], ["psf", "x", "--tol", LONG], ["info", LONG]],
+)  # fmt: skip
+def test_what_is_long_is_told_in_short(call_lommel, arguments, tmp_path):
+    result = call_lommel(*arguments, folder=tmp_path)
+    assert result.returncode == 2
+    (error,) = [line for line in result.stderr.splitlines() if line.startswith("Error: ")]
+    assert len(error) <= 320

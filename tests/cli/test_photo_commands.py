@@ -165,8 +165,27 @@ def ran(result: subprocess.CompletedProcess[str]) -> str:
 
 def test_a_shell_blurs_a_photo_as_python_does(run_lommel, folder):
     told = ran(run_lommel("blur", "photo.png", "depth.npy", *GIVEN, "-o", "out.png", folder=folder))
+    assert told.splitlines()[0] == "values of 8 bits, taken for sRGB; if they are linear, give --encoding linear"
     assert told.splitlines()[-1] == "wrote out.png"
     np.testing.assert_array_equal(np.asarray(Image.open(folder / "out.png")), expected())
+
+
+@pytest.mark.parametrize(
+    ("options", "line"),
+    [
+        ((), "values of 16 bits, taken for sRGB; if they are linear, give --encoding linear"),
+        (("--encoding", "linear"), "values of 16 bits, linear"),
+    ],
+)
+def test_what_a_photo_was_taken_for_is_said_first(call_lommel, folder, options, line):
+    Image.fromarray((257 * PHOTO[..., 0].astype(int)).astype(np.uint16)).save(folder / "deep.png")
+    for command, more in (("blur", ()), ("focus-pull", ("--from", "1.9 m", "--to", "2 m", "--frames", 2))):
+        given = ("--focal-length", "50mm", "--f-number", 2, "--pixel", "40um")
+        focus = ("--focus", "2 m") if command == "blur" else ()
+        out = "a.png" if command == "blur" else "a-%d.png"
+        told = ran(call_lommel(command, "deep.png", "depth.npy", *given, *focus, *more, *options, "-o", out,
+                               folder=folder))  # fmt: skip
+        assert told.splitlines()[0] == line
 
 
 def test_all_of_the_light_is_held_where_that_is_asked_for(call_lommel, folder):

@@ -65,6 +65,7 @@ def test_a_shell_restores_a_photo_as_python_does(call_lommel, folder, way):
     assert f"discrepancy {same.before:.3g} of the photo, {same.discrepancy:.3g} of the result" in told
     assert f"stopped after {same.steps} steps: the rest is noise" in told
     assert ("strength of the total variation" in told) == isinstance(way, TotalVariation)
+    assert told.splitlines()[0] == "values of floats, taken for linear; if they are sRGB, give --encoding srgb"
     assert told.splitlines()[-1] == "wrote sharp.tif"
     facts = json.loads(ran(call_lommel(*arguments, "--json", "-o", "sharp.tif", folder=folder)))
     assert facts["discrepancy"] == pytest.approx(

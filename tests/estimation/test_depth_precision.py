@@ -110,6 +110,12 @@ def test_the_best_foci_are_better_than_those_beside_them():
         ({"noise": lm.Noise(white=1.0, read=np.ones((2, 2)))}, "noise must be the same for all pixels"),
         ({"photons": [1.0, 2.0, 3.0]}, "photons must be a number or 2 of them"),
         ({"contrast": -0.1}, "contrast must be"),
+        ({"contrast": 1e308}, "contrast must be"),
+        ({"window": 1e308}, "window must be"),
+        ({"photons": 1e308}, "photons must be at most"),
+        ({"pixel": 1e-9}, r"windows would need \d+ x \d+ pixels; the limit is 1025 x 1025"),
+        ({"distance": 1e-9}, "windows would need .* pixels; the limit is 1025 x 1025"),
+        ({"distance": [1.5, 0.036]}, "windows would need .* pixels; the limit is 1025 x 1025"),
         ({"window": 0.5}, "window must be >= 1"),
         ({"known_texture": 1}, "known_texture must be True or False"),
     ],
@@ -126,6 +132,8 @@ def test_lenses_that_are_not_round_and_foci_that_there_are_none_of_are_told():
     )
     with pytest.raises(ValueError, match="radially symmetric"):
         lm.depth_precision([astigmatic, astigmatic], 1.5, PIXEL, noise=NOISE)
+    with pytest.raises(ValueError, match=r"windows would need .* pixels; the limit is 1025 x 1025"):
+        lm.best_foci(LENS, 1.5, 1e-9, noise=NOISE)
     with pytest.raises(ValueError, match="no pair of foci"):
         lm.best_foci(LENS, 1.5, PIXEL, noise=NOISE, contrast=0.0)
 

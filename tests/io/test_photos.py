@@ -13,8 +13,10 @@ import pytest
 import tifffile
 from PIL import Image, ImageOps
 
+from lommel import imaging
 from lommel.base.encoding import from_light, to_light
 from lommel.imaging import Exif, PhotoError, read_depth, read_photo, write_photo
+from lommel.io.image_files import read_images
 from lommel.io.photos import stored
 
 RNG = np.random.default_rng(4)
@@ -296,3 +298,46 @@ def test_what_is_no_depth_map_is_refused_by_name(tmp_path, data, options, messag
     with pytest.raises(ValueError, match=message) as refused:
         read_depth(tmp_path / "depth.bin", **options)
     assert "\n" not in str(refused.value)
+
+
+def raw_photograph(**first) -> bytes:
+    """A TIFF as cameras write them: a preview, and below it the mosaic."""
+    buffer = io.BytesIO()
+    with tifffile.TiffWriter(buffer) as file:
+        file.write(np.zeros((12, 16, 3), np.uint8), photometric="rgb", subifds=1, metadata=None, **first)
+        file.write(np.zeros((48, 64), np.uint16), photometric=32803, metadata=None, subfiletype=0)
+    return buffer.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("name", "data"),
+    [
+        ("a.tif", raw_photograph(subfiletype=1)),
+        ("a.tif", raw_photograph()),
+        ("a.tif", raw_photograph(extratags=[(50706, 1, 4, b"\1\4\0\0", True)])),
+        ("a.nef", raw_photograph()),
+        ("a.RW2", b"IIU\0" + bytes(99)),
+        ("a.raf", b"junk"),
+        ("a.jpg", b"FUJIFILMCCD-RAW 0201"),
+        ("a.jpg", bytes(4) + b"ftypcrx " + bytes(99)),
+    ],
+)
+def test_a_raw_photograph_is_refused_with_the_way_out_and_never_read_as_its_preview(name, data, tmp_path):
+    (tmp_path / name).write_bytes(data)
+    for read in (imaging.read_photo, imaging.read_depth, lambda path: read_images([path])):
+        with pytest.raises(PhotoError, match=r"is a raw photograph.*rawpy.imread\(path\).postprocess\(gamma="):
+            read(tmp_path / name)
+
+
+def test_a_picture_with_smaller_ones_below_it_is_no_raw_photograph(tmp_path):
+    with tifffile.TiffWriter(tmp_path / "a.tif") as file:
+        file.write(np.full((48, 64), 7, np.uint16), subifds=1, metadata=None)
+        file.write(np.zeros((24, 32), np.uint16), subfiletype=1, metadata=None)
+    assert np.all(imaging.read_photo(tmp_path / "a.tif").values == 7)
+
+
+def test_a_black_photograph_that_compresses_too_well_is_stored_plainly(tmp_path):
+    for name, dtype, shape in (("a.png", np.uint8, (4600, 4600)), ("b.png", np.uint16, (4600, 4600))):
+        imaging.write_photo(tmp_path / name, np.zeros(shape, np.float32), dtype=dtype)
+        assert (tmp_path / name).stat().st_size > 4600**2
+        assert imaging.read_photo(tmp_path / name).values.shape == shape

@@ -94,6 +94,9 @@ def test_filters_and_light_multiply(tmp_path, sensor):
         ("nm,red\n400,1\n500,-1", "red must be >= 0, got -1"),
         ("nm,red\n400,0\n500,0", "channels must have light, got none for red"),
         ("m,red\n400,1\n500,1", "wavelength"),
+        ("nm,red\n99,1\n500,1", "wavelength 99 nm must be from 100 nm to 20 um"),
+        ("um,red\n0.4,1\n21,1", "wavelength 21 um must be from 100 nm to 20 um"),
+        ("nm,red\n100,1\n20000,1", "tol=0.001 takes more than 256 wavelengths|weights of .* are not found"),
     ],
 )
 def test_damaged_files_are_told_in_one_line(tmp_path, text, message):
@@ -102,6 +105,15 @@ def test_damaged_files_are_told_in_one_line(tmp_path, text, message):
     with pytest.raises(ValueError, match=message) as told:
         lm.load_channels(path)
     assert "\n" not in str(told.value)
+    assert "bad.csv" in str(told.value)
+
+
+def test_a_slip_in_one_line_is_told_with_the_file(tmp_path):
+    waves = [400 + 20 * k for k in range(16)]
+    path = tmp_path / "slip.csv"
+    path.write_text("nm,red\n" + "".join(f"{16384 if k == 4 else wave},1\n" for k, wave in enumerate(waves)))
+    with pytest.raises(ValueError, match=r"slip\.csv: "):
+        lm.load_channels(path)
 
 
 def test_tables_that_do_not_meet_are_told(tmp_path, sensor):

@@ -30,6 +30,41 @@ def server(made) -> Iterator[PageServer]:
         running.shutdown()
 
 
+def raw(server, text) -> str:
+    with socket.create_connection(server.server_address, timeout=5) as connection:
+        connection.sendall(text.encode())
+        return b"".join(iter(lambda: connection.recv(65536), b"")).decode()
+
+
+def test_a_second_name_is_refused_whichever_comes_first(server):
+    right, wrong = f"Host: 127.0.0.1:{server.server_port}", "Host: example.org"
+    for names in ((right, wrong), (wrong, right), (right, right)):
+        assert " 403 " in raw(server, "\r\n".join(["GET / HTTP/1.0", *names, "", ""])).splitlines()[0]
+    assert " 200 " in raw(server, f"GET / HTTP/1.0\r\n{right}\r\n\r\n").splitlines()[0]
+
+
+@pytest.mark.parametrize(
+    ("first", "host", "status"),
+    [
+        ("GET /x HTTP/1.0", "", 404),
+        ("GET / HTTP/1.0", "example.org", 403),
+        ("BREW / HTTP/1.0", "", 501),
+        ("junk", "", 400),
+    ],
+)
+def test_pages_of_errors_may_do_as_little_as_others(server, first, host, status):
+    told = raw(server, f"{first}\r\nHost: {host or f'127.0.0.1:{server.server_port}'}\r\n\r\n")
+    assert f" {status} " in told.splitlines()[0]
+    head = told.partition("\r\n\r\n")[0]
+    assert "Content-Security-Policy: default-src 'none'" in head
+    assert "X-Content-Type-Options: nosniff" in head
+    assert head.count("Content-Security-Policy") == 1
+
+
+def test_many_may_knock_at_once(server):
+    assert server.request_queue_size >= 100
+
+
 def ask(server, path, *, host=None, method="GET"):
     connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
     connection.putrequest(method, path, skip_host=True)

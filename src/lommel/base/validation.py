@@ -241,6 +241,22 @@ def image_shape(shape: Any) -> tuple[int, int]:
     return height, width
 
 
+def stack_shape(shape: Any, own: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the shape that a stack of shape `own` is to be broadcast to; TypeError or ValueError if it is none."""
+    if not isinstance(shape, tuple | list):
+        raise TypeError(f"shape must be a tuple of integers, got {shown(shape)}")
+    sides = tuple(integer("shape", side, least=0, most=MAX_VALUES) for side in shape)
+    if math.prod(sides) > MAX_SIDE**2:
+        raise ValueError(f"shape must hold at most {MAX_SIDE**2} pupils, got {shown(sides)}")
+    try:
+        fits = np.broadcast_shapes(own, sides) == sides
+    except ValueError:
+        fits = False
+    if not fits:
+        raise ValueError(f"shape must be one that {own} broadcasts to, got {shown(sides)}")
+    return sides
+
+
 def position(name: str, value: Any) -> tuple[float, float]:
     """Return ``(row, column)`` from a pair of finite numbers within 1e6 pixels."""
     if not isinstance(value, tuple | list | np.ndarray) or getattr(value, "ndim", 1) == 0 or len(value) != 2:

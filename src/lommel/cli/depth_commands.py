@@ -119,6 +119,7 @@ def depth(
       lommel depth near.tif far.tif lens.toml --focus 1.35m --focus 1.8m --between 1.2m 2m --white 5000 --read 3
       lommel depth near.tif far.tif lens.toml --f-number 4 --f-number 16 --between 2m inf --white 5000 --read 3
     """  # noqa: D301 (\b is meant)
+    from lommel.cli.photo_job import read_as
     from lommel.estimation.noise import Noise
     from lommel.imaging import depth_from_defocus, read_photo, write_depth, write_photo
     from lommel.io import depthmaps
@@ -167,6 +168,7 @@ def depth(
             save_figure(found.plot(), figure)
     files = [path for path in (*outputs, sharp, figure) if path is not None]
     facts = _facts(found, lenses, seconds) | {"pixel": instrument.side, "files": [str(path) for path in files]}
+    facts["read"] = read_as(pictures[0], encoding)
     if as_json:
         print_json(facts)
         return
@@ -215,6 +217,7 @@ def _finite(distance: float) -> float | str:
 
 
 def _tell(facts: dict[str, Any], options: dict[str, Any]) -> None:
+    click.echo(facts["read"])
     height, width = facts["shape"]
     foci = [_length(float(each) if each != "infinity" else math.inf) for each in facts["focus_distances"]]
     each = ", ".join(f"{focus} at f/{stop:.3g}" for focus, stop in zip(foci, facts["f_numbers"], strict=True))

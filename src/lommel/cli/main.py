@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from lommel.base.optional import how_to_get
-from lommel.base.validation import shown
+from lommel.base.validation import brief, shown
 from lommel.methods import METHODS, ClosedForm
 
 try:
@@ -53,7 +54,15 @@ _BESIDE = {
 
 
 class _Commands(click.Group):
-    """Those of this file, and those beside it."""
+    """Those of this file, and those beside it; errors are short, whatever they were given."""
+
+    def make_context(self, *args: Any, **extra: Any) -> click.Context:
+        with _brief():
+            return super().make_context(*args, **extra)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        with _brief():
+            return super().invoke(ctx)
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return all names."""
@@ -92,6 +101,17 @@ def _psf_command(command: Callable[..., None]) -> Callable[..., None]:
                      help="Average over the area of each pixel, as a sensor does and is the default, or sample its "
                      "centre; instead of the file's."),
     )  # fmt: skip
+
+
+@contextmanager
+def _brief() -> Iterator[None]:
+    """Shorten what Click repeats of a command line."""
+    try:
+        yield
+    except click.ClickException as error:
+        if not isinstance(error, click.exceptions.NoArgsIsHelpError):  # whose message is the help
+            error.message = brief(error.message, 240)
+        raise
 
 
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})

@@ -104,7 +104,7 @@ _CAUSED = (ValueError, TypeError, ArithmeticError, OSError, ImportError, MemoryE
 
 def _told(error: Exception) -> str:
     if isinstance(error, OSError) and error.strerror:
-        return f"{line(error.filename)}: {error.strerror}" if error.filename else error.strerror
+        return f"{brief(line(error.filename), 240)}: {error.strerror}" if error.filename else error.strerror
     if isinstance(error, _CAUSED):
         return _with_options(str(error) or type(error).__name__)
     return (

@@ -167,11 +167,24 @@ class Job:
         return {
             "shape": list(self.light.shape),
             "encoding": {"photo": self.picture.encoding, "output": self.encoding},
+            "read": read_as(self.picture, self.request.encoding),
             "bits": "float" if self.dtype.kind == "f" else str(8 * self.dtype.itemsize),
             "focal_length": lens.focal_length,
             "f_number": lens.f_number,
             "pixel": self.pixel,
         }
+
+
+def read_as(picture: Picture, given: str | None) -> str:
+    """Return what the values of a photograph are taken for, by what is `given` or by default."""
+    kind = "floats" if picture.values.dtype.kind == "f" else f"{8 * picture.values.dtype.itemsize} bits"
+    names = {"srgb": "sRGB", "linear": "linear"}
+    if given is not None:
+        return f"values of {kind}, {names[given]}"
+    other = "linear" if picture.encoding == "srgb" else "srgb"
+    return (
+        f"values of {kind}, taken for {names[picture.encoding]}; if they are {names[other]}, give --encoding {other}"
+    )
 
 
 def _bits(stored: np.dtype[Any], suffix: str) -> str:

@@ -139,6 +139,7 @@ def _tell(facts: dict[str, Any], as_json: bool) -> None:
     if as_json:
         print_json(facts)
         return
+    click.echo(facts["read"])
     height, width, *_ = facts["shape"]
     click.echo(
         f"{width} x {height} pixels of {format_length(facts['pixel'])}; "

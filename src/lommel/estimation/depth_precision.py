@@ -24,10 +24,11 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.arrays import Array, Numbers, numbers
 from lommel.estimation.noise import Noise
-from lommel.estimation.pixel_transfer import half_window, multiplicity, pixel_transfer, squared_frequency
+from lommel.estimation.pixel_transfer import WindowError, half_window, multiplicity, pixel_transfer, squared_frequency
 from lommel.optics.geometry import object_distances
 from lommel.optics.lens import Lens
 
+_MOST_PHOTONS = 1e12
 _SIDE = 128
 """Texture is of structures of up to so many pixels, which contrast is stated for."""
 _STEP = 0.02
@@ -83,7 +84,8 @@ def depth_precision(
     Raises
     ------
     TypeError, ValueError
-        If an argument is out of range or of another type, or a lens has no round, radially symmetric pupil.
+        If an argument is out of range or of another type, if a lens has no round, radially symmetric pupil, or if the
+        blur takes windows of more than 1025 x 1025 pixels.
 
     Notes
     -----
@@ -181,11 +183,16 @@ def best_foci(
 
     def cost(spans: Array) -> float:
         pair = focused(spans)
-        return math.inf if pair is None else _deviation(pair, metres, pitch, settings)
+        try:
+            return math.inf if pair is None else _deviation(pair, metres, pitch, settings)
+        except WindowError:
+            return math.inf
 
     starts = [np.log([each, each]) for each in _SPANS]
     first = min(starts, key=cost)
     if not math.isfinite(cost(first)):
+        if (pair := focused(starts[0])) is not None:
+            _deviation(pair, metres, pitch, settings)  # which says so if it is the window
         raise ValueError(
             f"distance {metres:g} m has no pair of foci that tells it: there is no texture, no light, or no room "
             "between the focal length and infinity"
@@ -218,13 +225,15 @@ def _settings(
     light = validation.real_array("photons", photons, least=0.0)
     if light.shape not in ((), (count,)):
         raise ValueError(f"photons must be a number or {count} of them, got shape {light.shape}")
+    if light.max() > _MOST_PHOTONS:
+        raise ValueError(f"photons must be at most {_MOST_PHOTONS:g}, got {light.max():g}")
     light = np.broadcast_to(light, count)
     with np.errstate(divide="ignore", invalid="ignore"):
-        over = np.where(light > 0.0, noise.variance(light) / light**2, np.inf)
+        over = np.where(light > 0.0, noise.variance(light) / light / light, np.inf)
     return _Settings(
         over,
-        validation.real("contrast", contrast, least=0.0),
-        validation.real("window", window, least=1.0, unit="pixels"),
+        validation.real("contrast", contrast, least=0.0, below=1e3),
+        validation.real("window", window, least=1.0, below=1e6, unit="pixels"),
         validation.truth("known_texture", known),
     )
 

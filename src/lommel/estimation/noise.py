@@ -117,10 +117,14 @@ class Noise:
         Returns
         -------
         ndarray
-            In the image's own unit, not rounded. ValueError if a mean is negative or not finite.
+            In the image's own unit, not rounded. TypeError or ValueError if a mean is negative or not finite, or
+            `seed` is none.
         """
         mean = validation.real_array("electrons", electrons, least=0.0)
-        draw = np.random.default_rng(seed)
+        try:
+            draw = np.random.default_rng(seed)
+        except (TypeError, ValueError):  # which repeats all that was given
+            raise TypeError(f"seed must be an integer >= 0 or a Generator, got {validation.shown(seed)}") from None
         return self.image(draw.poisson(mean) + draw.normal(0.0, 1.0, mean.shape) * self._for("read", mean.shape))
 
     def _for(self, name: str, shape: tuple[int, ...]) -> float | Array:

@@ -25,11 +25,29 @@ _MARGIN, _LEAST_MARGIN = 20, 4
 """Pixels of a window beyond the cone of rays, where they are at most 3 lambda*N wide; fewer of larger ones."""
 
 
+class WindowError(ValueError):
+    """Windows that would be too large."""
+
+
+MOST_HALF = 512
+"""Pixels from the middle of a window to its edge, at most."""
+
+
 def half_window(lenses: Sequence[Lens], distances: Array, pixel: float) -> int:
-    """Return half of a window, in pixels, that shows the blur of all lenses at all distances."""
+    """Return half of a window, in pixels, that shows the blur of all lenses at all distances.
+
+    ValueError if it is more than :data:`MOST_HALF`.
+    """
     radius = max(float(lens.pupil(distances).geometric_radius().max()) for lens in lenses)
     widest = max(lens.wavelength * lens.working_f_number for lens in lenses)
     margin = max(_LEAST_MARGIN, math.ceil(_MARGIN * min(1.0, 3.0 * widest / pixel)))
+    half = 1.1 * radius / pixel + margin
+    if not half <= MOST_HALF:
+        side, most = f"{2.0 * half + 1.0:.5g}", 2 * MOST_HALF + 1
+        raise WindowError(
+            f"distance: windows would need {side} x {side} pixels; the limit is {most} x {most}. Stop down, take "
+            "larger pixels, or distances nearer to the focus"
+        )
     return math.ceil(1.1 * radius / pixel) + margin
 
 

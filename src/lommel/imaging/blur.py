@@ -252,8 +252,17 @@ class DepthBlur(LinearBlur):
         Returns
         -------
         ndarray, shape (height, width)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If there is no such channel, or a plane is none of the type of the sums.
         """
         rows, columns, around = self._room(channel)
+        if not isinstance(sources, Sequence):
+            raise TypeError(f"sources must be a sequence of planes and points, got {validation.shown(sources)}")
+        for plane, points in sources:
+            self._require(plane, points)
         room = np.zeros([side + sum(more) for side, more in zip(self.shape, around, strict=True)], dtype=self.dtype)
         shown = self._shown(seen, around)
         used = bank or self.banks[channel]
@@ -293,8 +302,15 @@ class DepthBlur(LinearBlur):
         Yields
         ------
         ndarray, shape (height, width)
+
+        Raises
+        ------
+        TypeError, ValueError
+            As :meth:`spread`.
         """
         rows, columns, around = self._room(channel)
+        for points in sources:
+            self._require(plane, points)
         room = np.pad(plane, around, mode="symmetric" if self.border == "reflect" else "constant")
         shown = self._shown(seen, around)
         for points in sources:
@@ -306,9 +322,21 @@ class DepthBlur(LinearBlur):
             # What points beyond the edges took goes to those that they are copies of.
             yield gathered(gathered(taken, rows, self.shape[0]).T, columns, self.shape[1]).T
 
+    def _at(self, channel: int) -> int:
+        """Return the place of a channel among `banks`; TypeError or ValueError if there is none."""
+        return validation.integer("channel", channel, least=0, most=len(self.banks) - 1)
+
+    def _require(self, plane: Any, points: Any) -> None:
+        """Refuse a plane and points that are none of this shape, or of another type than the sums."""
+        validation.instance("points", points, Points)
+        if not isinstance(plane, np.ndarray) or plane.shape != self.shape or plane.dtype != self.dtype:
+            raise TypeError(
+                f"plane must be an array of {self.dtype} of the shape {self.shape}, got {validation.shown(plane)}"
+            )
+
     def _room(self, channel: int) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[int, int]]]:
         """Return rows and columns of the image with copies of its edges, and what their windows need around it."""
-        bank = self.banks[channel]
+        bank = self.banks[self._at(channel)]
         margin = bank.half if self.border == "extend" else 0
         rows, columns = (np.pad(np.arange(side, dtype=np.int64), margin, mode="edge") for side in self.shape)
         return rows, columns, [(margin + more,) * 2 for more in bank.beyond]
@@ -337,7 +365,13 @@ class DepthBlur(LinearBlur):
         Returns
         -------
         ndarray, shape (height, width)
+
+        Raises
+        ------
+        TypeError, ValueError
+            If there is no such channel.
         """
+        channel = self._at(channel)
         placed = self._placed
         if placed is None or placed[0] is not self.defocus or placed[1] is not self.banks:
             known = {(bank.start, bank.spacing): bank.positions(self.defocus) for bank in self.banks}

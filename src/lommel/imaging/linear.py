@@ -148,10 +148,14 @@ class LinearBlur(ABC):
         Raises
         ------
         TypeError, ValueError
-            As :meth:`require`.
+            As :meth:`require`, or if it holds more light than the type of the sums does.
         """
         self.require(image)
-        return self.apart(image)
+        made = self.apart(image)
+        if made.dtype != np.asarray(image).dtype and not np.all(np.isfinite(made)):
+            most = float(np.abs(image).max())
+            raise ValueError(f"image must be at most {np.finfo(self.dtype).max:.3g}, as sums are, got {most:g}")
+        return made
 
     def apart(self, image: NDArray[Any]) -> NDArray[Any]:
         """Return the channels of what :meth:`require` need not see again, as :meth:`planes`.
@@ -165,8 +169,19 @@ class LinearBlur(ABC):
         -------
         ndarray
             A view, if of the type of the sums and aligned.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If it is masked, holds anything but floats, or has another shape.
         """
-        array = np.require(np.asarray(image), self.dtype, "A")  # without a mask
+        given = validation.array("image", image)
+        if given.dtype.kind != "f":
+            raise TypeError(f"image must hold floats in proportion to light, got {validation.shown(image)}")
+        if given.size != self.shape[0] * self.shape[1] * self.channels or given.shape[:2] != self.shape:
+            raise ValueError(f"image must have the shape {(*self.shape, self.channels)}, got {given.shape}")
+        with np.errstate(over="ignore"):
+            array = np.require(given, self.dtype, "A")
         return np.moveaxis(array.reshape(*self.shape, self.channels), 2, 0)
 
     def by_channel(self, image: NDArray[Any], make: Callable[[int, NDArray[Any]], NDArray[Any]]) -> NDArray[Any]:
@@ -187,9 +202,14 @@ class LinearBlur(ABC):
         Raises
         ------
         TypeError, ValueError
-            As :meth:`require`, before anything is made.
+            As :meth:`require`, before anything is made; and if what is made is no such plane.
         """
+        if not callable(make):
+            raise TypeError(f"make must be callable, got {validation.shown(make)}")
         out = np.empty((*self.shape, self.channels), dtype=self.dtype)
         for channel, plane in enumerate(self.planes(image)):
-            out[..., channel] = make(channel, plane)
-        return out.reshape(image.shape)
+            made = np.asarray(make(channel, plane))
+            if made.shape != self.shape:
+                raise ValueError(f"make must return planes of the shape {self.shape}, got {made.shape}")
+            out[..., channel] = made
+        return out.reshape(np.shape(image))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from functools import partial
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -78,7 +77,7 @@ def write_depth(path: str | PathLike[str], depth: ArrayLike) -> None:
     OSError
         If the file cannot be written.
     """
-    target = Path(path)
+    target = validation.path("path", path)
     write = find(target).write
     metres = validation.array("depth", depth)
     if metres.dtype.kind not in "iuf" or metres.ndim != 2 or 0 in metres.shape:

@@ -25,6 +25,12 @@ _pillow, _tifffile = (partial(Format, library=name, extra="images") for name in 
 PNG, JPEG, TIFF = (b"\x89PNG\r\n\x1a\n",), (b"\xff\xd8\xff",), (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
 """What files begin with."""
 
+_RAW = (b"FUJIFILMCCD-RAW", b"IIRO", b"IIRS", b"MMOR", b"IIU\0", b"FOVb", b"\0MRM")
+_RAW_SUFFIXES = (
+    *(".3fr", ".arw", ".cr2", ".cr3", ".crw", ".dcr", ".dng", ".erf", ".fff", ".iiq", ".kdc", ".mef", ".mos", ".mrw"),
+    *(".nef", ".nrw", ".orf", ".pef", ".raf", ".rw2", ".rwl", ".sr2", ".srf", ".srw", ".x3f"),
+)
+
 _8, _16, _FLOAT = "of uint8", "of uint16", "of float32"
 registry.register(
     _pillow("photo", (".png",), formats.write_png, formats.read_png, PNG, (_8, _16)),
@@ -153,8 +159,9 @@ def read_photo(path: str | PathLike[str], encoding: str | None = None) -> Pictur
     Raises
     ------
     PhotoError
-        If the file is damaged, of another format, animated, has more than 16384^2 pixels, or has alpha, a colour
-        space but grey and RGB, or values but uint8, uint16 and floats.
+        If the file is damaged, of another format, a raw photograph, animated, has more than 16384^2 pixels or a side
+        of more than 65536, takes 256 MB of memory and a hundred times its size, or has alpha, a colour space but grey
+        and RGB, or values but uint8, uint16 and floats.
     ImportError
         If Pillow or tifffile is not installed.
     OSError
@@ -177,6 +184,12 @@ def read_raster(path: str | PathLike[str]) -> tuple[NDArray[Any], Exif, bytes | 
 @contextmanager
 def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
     """Yield the format of the contents of a file; PhotoError if there is none, or if what reads it fails."""
+    if _is_raw(source, data):
+        raise PhotoError(
+            f"{validation.line(source)} is a raw photograph, of which a preview is all that could be read. Develop "
+            "it first, for example by rawpy.imread(path).postprocess(gamma=(1, 1), no_auto_bright=True, "
+            "output_bps=16), and save it as TIFF"
+        )
     try:
         form = registry.identify(kind, data)
     except ValueError as error:
@@ -188,6 +201,15 @@ def told(source: Path, kind: str, data: bytes) -> Iterator[Format]:
         raise
     except Exception as error:
         raise PhotoError(f"{validation.line(source)} cannot be read as {what}: {reading.reason(error)}") from error
+
+
+def _is_raw(source: Path, data: bytes) -> bool:
+    if source.suffix.lower() in _RAW_SUFFIXES or data.startswith(_RAW) or data[4:12] == b"ftypcrx ":
+        return True
+    try:
+        return data.startswith(TIFF) and reading.is_raw(data)
+    except ValueError:
+        return False  # damaged, which is told where it is read
 
 
 def upright(form: Format, data: bytes) -> tuple[NDArray[Any], Exif, bytes | None]:

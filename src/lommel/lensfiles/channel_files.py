@@ -14,11 +14,13 @@ from lommel.base.units import LENGTHS
 from lommel.io import cells
 from lommel.lensfiles.messages import TOLD
 from lommel.optics.channels import Channels
+from lommel.optics.resampling import checked_paths
 
 _PATH = str | PathLike[str]
 _HEAD = re.compile(r"(?:wavelengths?|wave|lambda|wl|λ)?[\s_(\[]*([^\s_()\[\]]+)[\s)\]]*", re.IGNORECASE)
 _PERCENT = re.compile(r"(.*?)[\s_(\[]*(?:%|percent|per cent)[\s)\]]*", re.IGNORECASE)
 _MOST_FAULTS = 1000  # after which a file is no table
+_SHORTEST, _LONGEST = 1e-7, 2e-5  # metres; what sensors see, and what lies beyond is a slip of the pen
 _LEAST = -0.01  # of the largest value: what measurements of nothing may be, which counts as 0
 
 
@@ -86,8 +88,12 @@ def load_channels(
         product *= np.stack([np.interp(every, at, row) for row in values])
     dark = [name for name, row in zip(names, product, strict=True) if not row.max() > 0.0]
     if dark:
-        raise ValueError(f"channels must have light, got none for {', '.join(dark)}")
-    return Channels.from_curves(every, product, names, tol=tol, paths=paths)
+        raise ValueError(f"{validation.line(path)}: channels must have light, got none for {', '.join(dark)}")
+    checked_paths(paths, tol)  # which are no fault of the file
+    try:
+        return Channels.from_curves(every, product, names, tol=tol, paths=paths)
+    except ValueError as error:
+        raise ValueError(f"{validation.line(path)}: {reading.reason(error)}") from None
 
 
 def _table(path: _PATH) -> tuple[list[str], Array, Array]:
@@ -141,8 +147,9 @@ def _columns(lines: list[tuple[int, list[str]]]) -> tuple[list[str], Array, Arra
     waves, curves = table[:, 0] * LENGTHS[unit[1].lower()], np.ascontiguousarray(table[:, 1:].T)
     if same := np.flatnonzero(np.diff(waves) <= 0.0).tolist():
         raise ValueError(f"wavelength {table[same[0], 0]:g} {unit[1]} comes twice")
-    for wave in (waves[0], waves[-1]):
-        validation.wavelength(float(wave))
+    for wave, said in ((waves[0], table[0, 0]), (waves[-1], table[-1, 0])):
+        if not _SHORTEST * (1.0 - 1e-9) <= wave <= _LONGEST * (1.0 + 1e-9):
+            raise ValueError(f"wavelength {said:g} {unit[1]} must be from 100 nm to 20 um")
     for name, row in zip(names, curves, strict=True):
         if row.min() < _LEAST * abs(row.max()):
             raise ValueError(f"{name} must be >= 0, got {row.min():g}")

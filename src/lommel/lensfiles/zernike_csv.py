@@ -39,8 +39,7 @@ def read(text: str) -> tuple[ZernikeTable | None, list[str]]:
     def stated(key: str, value: str, place: int) -> None:
         if settings.setdefault(key, value) != value:
             found.append(
-                f"line {place}: the columns say the {key} {value}, line {lines[key]} "
-                f"{validation.shown(settings[key])}"
+                f"line {place}: the columns say the {key} {value}, line {lines[key]} {validation.key(settings[key])}"
             )
         lines.setdefault(key, place)
 

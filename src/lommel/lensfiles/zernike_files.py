@@ -104,7 +104,7 @@ def _read_json(data: bytes) -> tuple[ZernikeTable | None, list[str]]:
         return None, [f"not valid JSON: {reading.reason(error)}"]
     if not isinstance(raw, dict):
         return None, [f"must hold an object, got {type(raw).__name__}"]
-    table, found = build_section(raw, ".".join)
+    table, found = build_section(raw, lambda keys: ".".join(map(validation.key, keys)))
     return (None if twice else table), [*twice, *found]
 
 

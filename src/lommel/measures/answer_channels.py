@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Generic, Self, TypeVar
 
@@ -28,7 +28,7 @@ class AnswerChannels(Generic[One]):
 
     def __post_init__(self) -> None:
         validation.instance("channels", self.channels, Channels)
-        psfs = tuple(self.psfs)
+        psfs: tuple[One, ...] = tuple(self.psfs) if isinstance(self.psfs, Iterable) else ()
         if len(psfs) != len(self.channels) or not all(isinstance(psf, Answer) for psf in psfs):
             raise TypeError(
                 f"psfs must be a PSF for each of the {len(self.channels)} channels, got {validation.shown(self.psfs)}"

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -20,9 +24,14 @@ def mse(values: ArrayLike, reference: ArrayLike) -> float:
     Returns
     -------
     float
+
+    Raises
+    ------
+    TypeError, ValueError
+        If these are not finite numbers of one shape, the reference has no positive peak, or the error exceeds the
+        range of numbers.
     """
-    a, b = _pair(values, reference)
-    return float(np.mean((a - b) ** 2) / b.max() ** 2)
+    return _finite(lambda a, b: np.mean(((a - b) / b.max()) ** 2), values, reference)
 
 
 def peak_error(values: ArrayLike, reference: ArrayLike) -> float:
@@ -36,9 +45,25 @@ def peak_error(values: ArrayLike, reference: ArrayLike) -> float:
     Returns
     -------
     float
+
+    Raises
+    ------
+    TypeError, ValueError
+        As :func:`mse`.
     """
+    return _finite(lambda a, b: np.abs(a - b).max() / b.max(), values, reference)
+
+
+def _finite(error: Callable[[Array, Array], Any], values: ArrayLike, reference: ArrayLike) -> float:
     a, b = _pair(values, reference)
-    return float(np.abs(a - b).max() / b.max())
+    with np.errstate(over="ignore"):
+        found = float(error(a, b))
+    if not math.isfinite(found):
+        raise ValueError(
+            "values and reference differ by more than the range of numbers, got a largest of "
+            f"{np.abs(a).max():g} and {b.max():g}"
+        )
+    return found
 
 
 def _pair(values: ArrayLike, reference: ArrayLike) -> tuple[Array, Array]:

@@ -121,7 +121,8 @@ def expansion(radius: float, sphere: float, vergence: Array, wavelength: float) 
     """
     wavenumber = 2.0 * math.pi / wavelength
     size = float(np.abs(vergence).max())
-    bend = 2.0 * float(np.abs((sphere + vergence) * vergence).max())
+    with np.errstate(over="ignore"):  # told, as all that is too large
+        bend = 2.0 * float(np.abs((sphere + vergence) * vergence).max())
     nearest = radius**2 * max(sphere**2, bend)  # one over the t within which neither root can vanish
     if nearest >= 1.0:
         if radius * abs(sphere) >= 1.0:

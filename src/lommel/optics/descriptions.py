@@ -87,7 +87,9 @@ class Descriptions(views.Shown, Terms):
             if (n, m) in found:
                 raise ValueError(f"the Zernike term {index!r}, (n, m) = ({n}, {m}), comes twice")
             factor = scale * (zernike.rms_factor(n, m) if normalization == "rms" else 1.0)
-            found[n, m] = factor * coefficients(f"the Zernike coefficient {index!r}", value)
+            given = coefficients(f"the Zernike coefficient {index!r}", value)
+            with np.errstate(over="ignore"):  # told, as all that is not finite
+                found[n, m] = factor * given
         return cls.from_edge(found, validation.real("error", error, least=0.0))
 
     def to_zernike(

@@ -105,6 +105,7 @@ class FieldPupil(BasePupil):
 
     def broadcast(self, shape: tuple[int, ...]) -> FieldPupil:
         """Return a stack of another `shape`, which this one is broadcast to."""
+        shape = validation.stack_shape(shape, self.shape)
         which = np.broadcast_to(np.arange(len(self.pupils)).reshape(self.shape), shape)
         return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), shape)
 

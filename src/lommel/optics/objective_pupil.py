@@ -118,7 +118,8 @@ class ObjectivePupil(BasePupil):
 
     def broadcast(self, shape: tuple[int, ...]) -> ObjectivePupil:
         """Return a stack of another `shape`, which this one is broadcast to."""
-        return self._planes(lambda part: _broadcast(part, shape))
+        wanted = validation.stack_shape(shape, self.shape)
+        return self._planes(lambda part: _broadcast(part, wanted))
 
     def _planes(self, of: Callable[[Any], Any]) -> ObjectivePupil:
         planes: dict[str, Any] = {name: np.asarray(of(getattr(self, name))) for name in PLANES}

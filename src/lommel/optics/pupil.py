@@ -188,9 +188,12 @@ class Pupil(BasePupil):
         """Return the pupil in light of another `wavelength`, metres.
 
         Its aperture, distances and f-number stay, and so do the paths of light (``same_path`` in
-        lommel.optics.wavefront) but for what the colour of its lens changes, see :class:`lommel.Colour`.
+        lommel.optics.wavefront) but for what the colour of its lens changes, see :class:`lommel.Colour`. TypeError
+        or ValueError if it is no wavelength, or if the pupil has none itself.
         """
-        assert self.wavelength is not None
+        wavelength = validation.wavelength(wavelength)
+        if self.wavelength is None:
+            raise ValueError("wavelength and f_number of the pupil must be given, to see it in other light; got None")
         there = same_path(self.wavefront, self.wavelength, wavelength)
         if self.colour is None:
             return self.carrying(there, self.geometry, wavelength)
@@ -208,8 +211,11 @@ class Pupil(BasePupil):
         return terms[None] if terms.ndim == 1 else terms.reshape(-1, terms.shape[-1])
 
     def radial_phase(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the radially symmetric part of the phase at `t`, rho^2, 0 at t = 0, shape ``(n, ...)``."""
-        return zernike.legendre_sum(self.radial_terms(), 2.0 * t - 1.0)
+        """Return the radially symmetric part of the phase at `t`, rho^2, 0 at t = 0, shape ``(n, ...)``.
+
+        TypeError or ValueError if `t` is not real and finite.
+        """
+        return zernike.legendre_sum(self.radial_terms(), 2.0 * validation.real_array("t", t) - 1.0)
 
     def values(self, x: ArrayLike, y: ArrayLike) -> NDArray[np.complex128]:
         """Return the pupil function at pupil coordinates, ``A exp(i phase)`` where light passes, else 0.
@@ -280,8 +286,9 @@ class Pupil(BasePupil):
     def carrying(self, wavefront: Wavefront, geometry: Geometry | None, wavelength: float | None = None) -> Pupil:
         """Return the aperture with another `wavefront` and `geometry`, and in another `wavelength` if one is named.
 
-        Nothing is checked that was checked before.
+        Nothing is checked that was checked before; TypeError if `wavefront` is none.
         """
+        validation.instance("wavefront", wavefront, Wavefront)
         return changed(
             self,
             wavefront=wavefront,
@@ -307,6 +314,7 @@ class Pupil(BasePupil):
         """Return a stack of another `shape`, which this one is broadcast to."""
         if self.shape == shape:
             return self
+        shape = validation.stack_shape(shape, self.shape)
         geometry = self.geometry
         if geometry is not None:
             distances = np.broadcast_to(np.reshape(geometry.distances, self.shape), shape)

@@ -119,7 +119,10 @@ def _fitted(waves: Array, exact: Array, nodes: Array, mean: float) -> Array:
     goal = exact[:: max(1, len(waves) // (8 * nodes.size + 32))]
     scale = mean / nodes**2
     rows = np.concatenate([thin.real * scale, thin.imag * scale, math.sqrt(len(thin)) * np.ones((1, nodes.size))])
-    found = np.asarray(nnls(rows, np.concatenate([goal.real, goal.imag, [math.sqrt(len(thin))]]))[0])
+    try:
+        found = np.asarray(nnls(rows, np.concatenate([goal.real, goal.imag, [math.sqrt(len(thin))]]))[0])
+    except RuntimeError as error:  # of iterations without end
+        raise ValueError(f"the weights of {nodes.size} wavelengths are not found: {error}") from None
     return np.asarray(found / found.sum())
 
 

@@ -39,7 +39,8 @@ class Terms:
     ) -> None:
         """Take what was checked. Of powers that are given the radial terms are made, into `edge`."""
         if powers is not None:
-            edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
+            with np.errstate(over="ignore", invalid="ignore"):  # what is not finite then is told
+                edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
         if edge.size == 0:
             raise ValueError(f"the coefficients of a wavefront must not be empty, got shape {edge.shape[:-1]}")
         if not np.isfinite(edge).all():
@@ -160,7 +161,8 @@ class Terms:
 
     def broadcast(self, shape: tuple[int, ...]) -> Self:
         """Return a stack of another `shape`, which this one is broadcast to."""
-        return self._each(lambda c: np.broadcast_to(c, (*shape, c.shape[-1])).copy())
+        wanted = validation.stack_shape(shape, self.shape)
+        return self._each(lambda c: np.broadcast_to(c, (*wanted, c.shape[-1])).copy())
 
     def _each(self, change: Callable[[Array], Array], growth: float = 1.0) -> Self:
         """Return the wavefront whose coefficients went through `change`, its error `growth` times as large."""

@@ -112,10 +112,7 @@ class Wavefront(Descriptions):
             powers[..., k] = c
         for j, c in enumerate(others.values(), len(columns)):
             edge[..., j] = c
-        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite then is told
-            self._set(
-                (*symmetric_terms(len(columns)), *others), edge, validation.real("error", error, least=0.0), powers
-            )
+        self._set((*symmetric_terms(len(columns)), *others), edge, validation.real("error", error, least=0.0), powers)
 
     @classmethod
     def of_defocus(cls, defocus: float | Array) -> Self:
@@ -130,7 +127,8 @@ class Wavefront(Descriptions):
             return made(cls, parts)
         defocus = np.asarray(defocus)
         powers = np.zeros((*defocus.shape, 2))
-        powers[..., 0] = 2.0 * defocus
+        with np.errstate(over="ignore"):  # told, as all that is not finite
+            powers[..., 0] = 2.0 * defocus
         return cls.trusted(symmetric_terms(2), np.empty_like(powers), 0.0, powers)
 
     @cached_property

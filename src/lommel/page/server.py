@@ -13,6 +13,11 @@ _POLICY = (
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
     "img-src data: blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
+_ALWAYS = (
+    ("Cache-Control", "no-store"),
+    ("Content-Security-Policy", _POLICY),
+    ("X-Content-Type-Options", "nosniff"),
+)
 
 
 class PageServer(ThreadingHTTPServer):
@@ -27,6 +32,7 @@ class PageServer(ThreadingHTTPServer):
     """
 
     daemon_threads = True
+    request_queue_size = 128  # connections that wait: a browser opens several, and others may come with it
 
     def __init__(self, state: Mapping[str, Any], title: str, port: int = 0) -> None:
         page = module.html(state, title).encode()
@@ -46,6 +52,7 @@ class PageServer(ThreadingHTTPServer):
 class _Handler(BaseHTTPRequestHandler):
     server: PageServer
     server_version, sys_version = "lommel", ""
+    default_request_version = "HTTP/1.0"  # of what cannot be read: answers have headers then too
     timeout = 10.0  # for who connects and says nothing
 
     def do_GET(self) -> None:
@@ -57,7 +64,9 @@ class _Handler(BaseHTTPRequestHandler):
     def _answer(self, *, body: bool) -> None:
         # A page of elsewhere whose name is pointed here by its DNS is still called by that name.
         port = self.server.server_port
-        if self.headers.get("Host") not in {f"127.0.0.1:{port}", f"localhost:{port}"}:
+        # A second name could be the one that others on the way go by.
+        named = self.headers.get_all("Host", [])
+        if len(named) != 1 or named[0] not in {f"127.0.0.1:{port}", f"localhost:{port}"}:
             return self.send_error(403)
         found = self.server.served.get(self.path.partition("?")[0])
         if found is None:
@@ -66,13 +75,16 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_response(200)
         self.send_header("Content-Type", f"{kind}; charset=utf-8")
         self.send_header("Content-Length", str(len(content)))
-        self.send_header("Cache-Control", "no-store")
-        self.send_header("Content-Security-Policy", _POLICY)
-        self.send_header("X-Content-Type-Options", "nosniff")
         self.end_headers()
         if body:
             self.wfile.write(content)
         return None
+
+    def end_headers(self) -> None:
+        """Send what every answer has, that of an error too."""
+        for name, value in _ALWAYS:
+            self.send_header(name, value)
+        super().end_headers()
 
     def log_message(self, *_: Any) -> None:
         """Write nothing: who has the page open knows."""

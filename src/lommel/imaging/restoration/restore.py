@@ -137,7 +137,7 @@ def recorded(photo: NDArray[Any], encoding: str, saturation: float | None = None
         raise ValueError(f"photo must have the shape (height, width) or (height, width, channels), got {photo.shape}")
     limit = 1.0
     if saturation is not None:
-        limit = np.inf if saturation == np.inf else validation.real("saturation", saturation, above=0.0)
+        limit = validation.real("saturation", saturation, above=0.0, infinite=True)
     unknown = np.isnan(photo) if photo.dtype.kind == "f" else np.zeros(photo.shape, dtype=bool)
     light = to_light("photo", np.where(unknown, np.asarray(0, photo.dtype), photo), encoding, np.float64)
     if photo.dtype.kind == "u":

@@ -135,7 +135,7 @@ def restore_with(
     wanted = (*blur.shape, blur.channels) if recorded.ndim == 3 or blur.channels > 1 else blur.shape
     if recorded.shape != wanted:
         raise ValueError(f"light must have the shape of the blur, {wanted}, got {recorded.shape}")
-    limit = saturation if saturation == math.inf else validation.real("saturation", saturation)
+    limit = validation.real("saturation", saturation, infinite=True)
     observed = Observed.of(blur, recorded, noise, limit)
     before = _discrepancies(observed, observed.image)
     found = way.solve(observed, progress or (lambda *_: None))

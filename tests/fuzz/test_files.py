@@ -16,6 +16,8 @@ from PIL import Image
 
 import lommel as lm
 from lommel import imaging
+from lommel.io import fits_images
+from lommel.io.image_files import read_images
 from lommel.lensfiles.field_tables import read_csv
 
 DEPTH = np.linspace(1.0, 3.0, 12 * 15).reshape(12, 15).astype(np.float32)
@@ -150,6 +152,7 @@ def kinds(folder: Path) -> dict[str, tuple[Path, object, object]]:
     (folder / "lens.toml").write_text(LENS)
     found["lens.toml"] = (folder / "lens.toml", lambda path: lm.load_instrument(path).pupil(), False)
     (folder / "field.csv").write_text("x,y,Z4,Z8\n0,0,0.1,0.2\n1 mm,0,0.3,0.4\n0,1 mm,0.5,0.6\n")
+    found |= _more(folder, grid, of_psf, of_grid)
     found["field.csv"] = (folder / "field.csv", lambda path: read_csv(path, "noll"), False)
     grid.save(folder / "grid.zarr")
     found["grid.zarr"] = (folder / "grid.zarr", of_grid, True)
@@ -170,6 +173,41 @@ def mutate(path: Path, parts: dict[Path, bytes], draw: random.Random) -> None:
         draw.choice((lambda: os.mkfifo(part), lambda: part.symlink_to("/dev/zero"), part.mkdir, lambda: None))()
     else:
         part.write_bytes(mutated(parts[part], draw))
+
+
+def _more(folder: Path, grid: lm.PSFGrid, of_psf, of_grid) -> dict[str, tuple[Path, object, object]]:
+    """Grids in FITS and HDF5, PSFs in channels, curves of channels, EXIF, depth of 16 bits, images of stars."""
+    found = {}
+    for suffix in (".fits", ".fits.gz", ".h5", ".mat"):
+        grid.save(folder / f"grid{suffix}")
+        found[f"grid{suffix}"] = (folder / f"grid{suffix}", of_grid, True)
+    lens = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=550e-9)
+    colour = lm.colour_psf(lens.pupil(1.9), 5, 4e-6)
+
+    def of_colour(path: Path) -> object:
+        loaded = lm.ColourPSF.load(path)
+        return loaded.values.tobytes(), repr(loaded), repr(loaded.channels)
+
+    for suffix in (".npz", ".tif"):
+        colour.save(folder / f"colour{suffix}")
+        found[f"colour{suffix}"] = (folder / f"colour{suffix}", of_colour, True)
+    rows = "".join(f"{400 + 20 * k},{0.1 + 0.05 * k},{0.9 - 0.05 * k}\n" for k in range(16))
+    (folder / "channels.csv").write_text(f"wavelength (nm),red,blue\n{rows}")
+    found["channels.csv"] = (folder / "channels.csv", lm.load_channels, False)
+    tags = Image.Exif()
+    tags[0x0112] = 6
+    tags[0x8769] = {0x920A: 50.0, 0x829D: 2.0, 0xA405: 75}
+    for suffix in (".jpg", ".png"):
+        Image.fromarray(GREY).save(folder / f"exif{suffix}", exif=tags)
+        found[f"exif{suffix}"] = (folder / f"exif{suffix}", imaging.read_photo, False)
+    Image.fromarray((1000 * DEPTH).astype(np.uint16)).save(folder / "levels.png")
+    found["levels.png"] = (folder / "levels.png", lambda path: imaging.read_depth(path, scale=1e-3), False)
+    stars = np.random.default_rng(1).poisson(50, (2, 9, 11)).astype(np.uint16)
+    (folder / "stars.fits").write_bytes(fits_images.write([(stars.astype(np.float32), {})]))
+    tifffile.imwrite(folder / "stars.tif", stars, photometric="minisblack")
+    for suffix in (".fits", ".tif"):
+        found[f"stars{suffix}"] = (folder / f"stars{suffix}", lambda path: read_images([path]), False)
+    return found
 
 
 def mutated(data: bytes, draw: random.Random) -> bytes:
@@ -239,6 +277,8 @@ KINDS = [
     "grid.zarr",
     "store.h5",
     "store.zarr",
+    *("grid.fits", "grid.fits.gz", "grid.h5", "grid.mat", "colour.npz", "colour.tif", "channels.csv"),
+    *("exif.jpg", "exif.png", "levels.png", "stars.fits", "stars.tif"),
 ]
 
 

@@ -110,7 +110,7 @@ def _brief() -> Iterator[None]:
         yield
     except click.ClickException as error:
         if not isinstance(error, click.exceptions.NoArgsIsHelpError):  # whose message is the help
-            error.message = brief(error.message, 240)
+            vars(error).update(message=brief(error.message, 240))
         raise
 
 

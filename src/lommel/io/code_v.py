@@ -83,8 +83,8 @@ def parse(text: str) -> Interferogram:
         raise ValueError(f"it says {' x '.join(map(str, size))} values, got {len(stored)}")
     nothing = told.get("NDA")
     values = np.array(stored)
-    missing = np.zeros(values.shape, np.bool_) if nothing is None else values == nothing
-    return Interferogram(kind, size, wavelength, values / told["SSZ"], missing)
+    none = np.zeros(values.shape, np.bool_) if nothing is None else values == nothing
+    return Interferogram(kind, size, wavelength, values / told["SSZ"], none)
 
 
 def term(index: int) -> tuple[int, int]:

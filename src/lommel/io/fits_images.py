@@ -131,7 +131,8 @@ class _Unpacked:
 
     def __init__(self, data: bytes) -> None:
         self.packed = data.startswith(_GZIP)
-        self._plain, self._rest = (bytearray(), data) if self.packed else (data, b"")
+        self._plain: bytes | bytearray = bytearray() if self.packed else data
+        self._rest = data if self.packed else b""
         self._inflate = zlib.decompressobj(31)
 
     def upto(self, end: int) -> bool:

@@ -29,7 +29,7 @@ def costs() -> dict[str, tuple[int, float, int, str]]:
 @pytest.mark.parametrize("name", FILES)
 def test_a_hostile_file_costs_little_and_is_told_in_short(name, costs):
     size, seconds, memory, told = costs[name]
-    times = 100 if FILES[name][0] in COMPRESSED else 10
+    times = 100 if FILES[name][0] in COMPRESSED and "pages" not in name else 10
     assert memory <= max(hostile_files.ENOUGH, times * size) + 2**24, told  # and what libraries take the first time
     assert seconds <= max(1.5, 1.5e-6 * size), told  # of a machine at work
     assert not told.startswith("ESCAPED")

@@ -77,6 +77,8 @@ SWOLLEN = changed(changed(BOMB, 273, len(BOMB)), 279, len(zlib.compress(bytes(2*
     [
         (png(20000, 20000), "20000 x 20000 pixels; the limit is 268435456"),
         (png(2**31 - 1, 1), "pixels; the limit"),
+        (png(15, 16056332), "15 x 16056332 pixels; the limit of a side is 65536"),
+        (png(16384, 16384), "16384 x 16384 pixels take 268435456 bytes, more than its 12 can inflate to"),
         (changed(PLAIN, 256, 20000), "more than the file holds"),
         (changed(changed(PLAIN, 256, 20000), 257, 20000), "20000 x 20000 pixels; the limit is 268435456"),
         (changed(PLAIN, 273, 8, 2**30), "claims 4294967296 bytes"),
@@ -84,7 +86,7 @@ SWOLLEN = changed(changed(BOMB, 273, len(BOMB)), 279, len(zlib.compress(bytes(2*
         (PLAIN[:4] + struct.pack("<I", 2**31) + PLAIN[8:], "pages go beyond its end"),
         (changed(PLAIN, 259, 34925), "its compression is of the kind 34925; save it with none, LZW, deflate"),
     ],
-    ids=["png", "png-row", "tiff-row", "tiff", "tags", "inflates", "pages", "lzma"],
+    ids=["png", "png-row", "png-side", "png-bytes", "tiff-row", "tiff", "tags", "inflates", "pages", "lzma"],
 )
 @pytest.mark.parametrize("read", [imaging.read_photo, imaging.read_depth], ids=["photo", "depth"])
 def test_a_picture_that_promises_too_much_is_refused_before_it_is_decoded(read, data, why, tmp_path, little_memory):

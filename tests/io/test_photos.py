@@ -300,6 +300,13 @@ def test_what_is_no_depth_map_is_refused_by_name(tmp_path, data, options, messag
     assert "\n" not in str(refused.value)
 
 
+def preview(**options) -> bytes:
+    """A TIFF of one page, as some raw photographs begin."""
+    buffer = io.BytesIO()
+    tifffile.imwrite(buffer, np.zeros((12, 16), np.uint8), metadata=None, **options)
+    return buffer.getvalue()
+
+
 def raw_photograph(**first) -> bytes:
     """A TIFF as cameras write them: a preview, and below it the mosaic."""
     buffer = io.BytesIO()
@@ -315,6 +322,9 @@ def raw_photograph(**first) -> bytes:
         ("a.tif", raw_photograph(subfiletype=1)),
         ("a.tif", raw_photograph()),
         ("a.tif", raw_photograph(extratags=[(50706, 1, 4, b"\1\4\0\0", True)])),
+        ("a.tif", preview(subfiletype=1)),
+        ("a.tif", preview(extratags=[(50706, 1, 4, b"\1\4\0\0", True)])),
+        ("a.tif", preview(photometric=32803)),
         ("a.nef", raw_photograph()),
         ("a.RW2", b"IIU\0" + bytes(99)),
         ("a.raf", b"junk"),

@@ -35,6 +35,8 @@ from lommel.io.image_files import read_images
 from lommel.lensfiles.field_tables import read_csv
 
 ENOUGH = 2**28  # bytes that any file may take
+# Tags of a TIFF.
+ONE_PIXEL = ((256, 1), (257, 1), (258, 8), (259, 1), (262, 1), (273, 8), (277, 1), (278, 1), (279, 1))
 
 
 def png(
@@ -72,14 +74,15 @@ def tiff(values: Any, **options: Any) -> bytes:
 def overlapping_tags(count: int) -> bytes:
     """Return a TIFF whose tags all name the same bytes, which are nearly all of the file."""
     body = 2**20
-    entries = b"".join(struct.pack("<HHII", 40000 + k, 3, body // 2, 8) for k in range(count))
+    entries = b"".join(struct.pack("<HHII", tag, 4, 1, value) for tag, value in ONE_PIXEL)
+    entries += b"".join(struct.pack("<HHII", 40000 + k, 3, body // 2, 8) for k in range(count))
     head = b"II*\0" + struct.pack("<I", 8 + body)
-    return head + bytes(body) + struct.pack("<H", count) + entries + bytes(4)
+    return head + bytes(body) + struct.pack("<H", len(ONE_PIXEL) + count) + entries + bytes(4)
 
 
 def many_pages(count: int) -> bytes:
     """Return a TIFF of many pages of one pixel."""
-    tags = ((256, 1), (257, 1), (258, 8), (259, 1), (262, 1), (273, 8), (277, 1), (278, 1), (279, 1))
+    tags = ONE_PIXEL
     out = bytearray(b"II*\0" + struct.pack("<I", 16) + bytes(8))
     for k in range(count):
         out += struct.pack("<H", len(tags)) + b"".join(struct.pack("<HHII", t, 4, 1, v) for t, v in tags)
@@ -124,7 +127,14 @@ def sealed(fill: Callable[[Any], object]) -> bytes:
 def swollen_chunk(file: Any) -> None:
     """Store a small chunk that inflates to much."""
     made = file.create_dataset("Measurement/Surface", shape=(64, 64), chunks=(64, 64), dtype="f4", compression="gzip")
-    made.id.write_direct_chunk((0, 0), zlib.compress(bytes(2**27), 9))
+    made.id.write_direct_chunk((0, 0), zlib.compress(bytes(2**29), 9))
+
+
+def large_chunk(file: Any) -> None:
+    """Store a small array in a chunk that is large, and deflated."""
+    shape = {"shape": (1, 1), "maxshape": (None, None), "chunks": (2**13, 2**13)}
+    made = file.create_dataset("Measurement/Surface", dtype="f8", compression="gzip", **shape)
+    made.id.write_direct_chunk((0, 0), zlib.compress(bytes(2**29), 9))
 
 
 def linked(file: Any) -> None:
@@ -239,20 +249,12 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
             ".datx",
             lambda: hdf5(
                 lambda f: f.create_dataset(
-                    "Measurement/Surface", shape=(2**12, 2**12), dtype="f4", chunks=(1, 1), compression="gzip"
+                    "Measurement/Surface", shape=(1500, 1500), dtype="f4", chunks=(1, 1), compression="gzip"
                 )
             ),
             opd,
         ),
-        "opd, datx, huge chunk": (
-            ".datx",
-            lambda: hdf5(
-                lambda f: f.create_dataset(
-                    "Measurement/Surface", shape=(1, 1), maxshape=(None, None), dtype="f4", chunks=(2**14, 2**13)
-                )
-            ),
-            opd,
-        ),
+        "opd, datx, large chunk": (".datx", lambda: hdf5(large_chunk), opd),
         "opd, datx, swollen chunk": (".datx", lambda: hdf5(swollen_chunk), opd),
         "opd, fits.gz of blanks": (".fits.gz", lambda: gzip.compress(b"SIMPLE  =" + b" " * 2**27, 9), opd),
         "opd, fits of blanks": (".fits", lambda: b"SIMPLE  =" + b" " * 2**24, opd),
@@ -276,7 +278,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
             ),
             opd,
         ),
-        "psf, fits.gz of blanks": (".fits.gz", lambda: gzip.compress(b"SIMPLE  =" + b" " * 2**27, 9), psf),
+        "psf, fits.gz of blanks": (".fits.gz", lambda: gzip.compress(b"SIMPLE  =" + b" " * 2**29, 9), psf),
         "psf, fits.gz of heads": (
             ".fits.gz",
             lambda: gzip.compress(
@@ -352,11 +354,11 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
         ),
         "photo, black deep png": (".png", lambda: png(2**13, 2**12, 16, 2, black(2**13, 2**12, 6)), photo),
         "photo, black jpeg": (".jpg", lambda: jpeg(2**13, 1), photo),
-        "photo, jpeg of scans": (".jpg", lambda: jpeg(2**12, 90), photo),
+        "photo, jpeg of scans": (".jpg", lambda: jpeg(2**12, 1500), photo),
         "photo, jpeg of many scans": (".jpg", lambda: jpeg(2**9, 9000), photo),
         "photo, deflated tif": (".tif", lambda: tiff(np.zeros((2**13, 2**13), np.uint16), compression="zlib"), photo),
         "photo, tags of tif": (".tif", lambda: overlapping_tags(2000), photo),
-        "photo, pages of tif": (".tif", lambda: many_pages(30000), photo),
+        "photo, pages of tif": (".tif", lambda: many_pages(110000), photo),
         "depth, png": (".png", lambda: png(2**13, 2**12, 16, 0, black(2**13, 2**12, 2)), depth_of_levels),
         "depth, grey png": (".png", lambda: png(2**13, 2**12, 8, 0, black(2**13, 2**12)), depth_of_levels),
         "depth, deflated tif": (

@@ -1,18 +1,15 @@
-"""A specimen as a microscope records it plane by plane, as a linear operator, and the way back."""
+"""A specimen as a microscope records it plane by plane, as a linear operator."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from lommel.base import validation
-from lommel.estimation.noise import Noise
+from lommel.base.arrays import Array
 from lommel.imaging.linear import LinearBlur
-from lommel.imaging.restoration.restore_with import Progress, Restoration, restore_with
-from lommel.imaging.restoration.richardson_lucy import RichardsonLucy
 from lommel.measures.axial import stage
 from lommel.psf import PSF
 
@@ -40,26 +37,15 @@ class StackBlur(LinearBlur):
     def __init__(self, psf: PSF, shape: tuple[int, int, int], dtype: DTypeLike = np.float32) -> None:
         from scipy.fft import next_fast_len, rfftn
 
-        validation.instance("psf", psf, PSF)
-        z = stage(psf)
-        steps = np.diff(z)
-        if z.ndim != 1 or np.ptp(steps) > 1e-6 * np.abs(steps).max():
-            raise ValueError(f"psf must be one stack over even steps of z, got steps {np.unique(steps)[:3]} metres")
-        origin = int(np.abs(z).argmin())
-        if abs(z[origin]) > 1e-6 * abs(steps[0]):
-            raise ValueError(f"psf must have a plane at z = 0, the nearest is at {z[origin]:g} metres")
-        if not psf.grid.centered:
-            raise ValueError(f"psf must have its axis in the middle pixel, got center={psf.grid.center}")
+        values, middle = kernel_of(psf)
         if not isinstance(shape, tuple | list) or len(shape) != 3:
             raise ValueError(f"shape must be (planes, height, width), got {validation.shown(shape)}")
         sides = [validation.integer("shape", side, least=1, most=validation.MAX_SIDE) for side in shape]
         self.dtype = validation.kind("dtype", dtype, np.float32, np.float64)
         self._planes, self._side = sides[0], (sides[1], sides[2])
-        values = psf.values / psf.values.sum(dtype=np.float64)
         size = [next_fast_len(n + k - 1, real=True) for n, k in zip(sides, values.shape, strict=True)]
         kernel = np.zeros(size, self.dtype)
         kernel[tuple(slice(k) for k in values.shape)] = values
-        middle = (origin, values.shape[1] // 2, values.shape[2] // 2)
         self._size, self._transfer = size, rfftn(np.roll(kernel, [-m for m in middle], axis=(0, 1, 2)))
 
     @property
@@ -94,57 +80,34 @@ class StackBlur(LinearBlur):
         return np.ascontiguousarray(np.moveaxis(made, 0, 2), self.dtype).reshape(image.shape)
 
 
-def deconvolve(
-    stack: ArrayLike,
-    psf: PSF,
-    noise: Noise,
-    *,
-    method: RichardsonLucy | None = None,
-    margin: tuple[int, int] | None = None,
-    progress: Progress | None = None,
-) -> Restoration:
-    """Restore a stack of planes that a microscope recorded, by its PSF and its noise.
+def kernel_of(psf: PSF) -> tuple[Array, tuple[int, int, int]]:
+    """Return the share of the light of a point that each voxel receives, and which of these is that of the point.
 
     Parameters
     ----------
-    stack : array_like of float, shape (planes, height, width)
-        As it was recorded, in the unit of `noise`; NaN where a value is unknown.
     psf : PSF
-        As :class:`lommel.microscopy.StackBlur` takes it, in the steps and pixels of the recording.
-    noise : Noise
-        Of one number each: maps of pixels have no margin.
-    method : RichardsonLucy, optional
-        By default ``lm.imaging.RichardsonLucy()``, which the noise stops.
-    margin : (int, int), optional
-        How many planes and pixels are restored beyond each face of the recording, of which nothing is known but the
-        light that comes in; by default half of those of the PSF. With (0, 0) all outside is dark, and light that
-        comes from there a misfit.
-    progress : callable, optional
-        As of :func:`lommel.imaging.restore_with`.
+        As :class:`StackBlur` takes it.
 
     Returns
     -------
-    Restoration
-        Its `values` and `light` are of the shape of the stack.
+    kernel : ndarray, shape (planes, height, width)
+        Its sum is 1.
+    middle : (int, int, int)
 
     Raises
     ------
     TypeError, ValueError
-        If an argument is none of these.
+        As :class:`StackBlur`.
     """
-    validation.optional("method", method, RichardsonLucy)
-    recorded = validation.array("stack", stack)
-    if recorded.dtype.kind != "f" or recorded.ndim != 3:
-        raise TypeError(f"stack must hold floats, (planes, height, width), got {validation.shown(stack)}")
     validation.instance("psf", psf, PSF)
-    asked = (psf.shape[0] // 2, max(psf.grid.shape) // 2) if margin is None else margin
-    if not isinstance(asked, tuple | list) or len(asked) != 2:
-        raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
-    planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in asked)
-    sides = [(planes, planes), (pixels, pixels), (pixels, pixels)]
-    wide = np.moveaxis(np.pad(recorded, sides, constant_values=np.nan), 0, -1)
-    blur = StackBlur(psf, (wide.shape[-1], *wide.shape[:2]))
-    found = restore_with(wide if blur.channels > 1 else wide[..., 0], blur, noise, method=method, progress=progress)
-    whole = np.moveaxis(found.values.reshape(*blur.shape, blur.channels), -1, 0)
-    inside = tuple(slice(low, size - low) for (low, _), size in zip(sides, whole.shape, strict=True))
-    return replace(found, values=whole[inside], light=whole[inside])
+    z = stage(psf)
+    steps = np.diff(z)
+    if z.ndim != 1 or np.ptp(steps) > 1e-6 * np.abs(steps).max():
+        raise ValueError(f"psf must be one stack over even steps of z, got steps {np.unique(steps)[:3]} metres")
+    origin = int(np.abs(z).argmin())
+    if abs(z[origin]) > 1e-6 * abs(steps[0]):
+        raise ValueError(f"psf must have a plane at z = 0, the nearest is at {z[origin]:g} metres")
+    if not psf.grid.centered:
+        raise ValueError(f"psf must have its axis in the middle pixel, got center={psf.grid.center}")
+    values = psf.values / psf.values.sum(dtype=np.float64)
+    return values.astype(np.float64), (origin, values.shape[1] // 2, values.shape[2] // 2)

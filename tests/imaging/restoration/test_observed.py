@@ -102,3 +102,11 @@ def test_a_photograph_of_which_nothing_is_known_is_refused() -> None:
         Observed.of(_blur(), np.ones((20, 24)), Noise(read=1.0), 0.5)
     with pytest.raises(ValueError, match="read"):
         Observed.of(_blur(), np.ones((20, 24)), Noise(read=np.ones((3, 3))))
+
+
+def test_a_channel_of_which_nothing_is_known_begins_as_bright_as_the_others() -> None:
+    light = np.full((20, 24, 3), [0.2, np.nan, 0.4])
+    light[:10, :, 2] = np.nan
+    found = Observed.of(_blur(channels=3), light, Noise(white=1000.0, read=2.0))
+    # Steps that multiply would never leave 0.
+    np.testing.assert_allclose(found.flat[0, 0], [0.2, (2 * 0.2 + 0.4) / 3, 0.4], rtol=1e-9)

@@ -20,7 +20,8 @@ NOISE, STEPS, MISFIT = "noise", "steps", "misfit: depth, lens or noise do not fi
 Tell = Callable[[int, float, float], object]
 """Takes the number of a step, its discrepancy, and about how many seconds are left."""
 
-_TINY = 1e-30  # keeps what is divided by from 0: an observed 0 has then a ratio of 0
+TINY = 1e-30
+"""Keeps what is divided by from 0: an observed 0 has then a ratio of 0."""
 
 
 class Solution(NamedTuple):
@@ -126,12 +127,12 @@ class Observed:
     @property
     def smallest(self) -> float:
         """Light that takes the place of none, so that it may grow."""
-        return 1e-6 * max(float(self._means(self.counts).max()), _TINY)
+        return 1e-6 * max(float(self._means(self.counts).max()), TINY)
 
     @property
     def slack(self) -> float:
-        """Three times the deviation of the discrepancy of what is right."""
-        return 3.0 * math.sqrt(2.0 / float(self.known.sum()))
+        """By how much the discrepancy of what is right may exceed 1."""
+        return slack_of(self.known)
 
     @property
     def image(self) -> NDArray[Any]:
@@ -142,7 +143,7 @@ class Observed:
         """Return what would be counted of light on average."""
         made = self.blur.forward(light)
         made += self.added
-        np.maximum(made, _TINY, out=made)
+        np.maximum(made, TINY, out=made)
         return made
 
     def ratio(self, model: NDArray[Any]) -> NDArray[Any]:
@@ -154,7 +155,7 @@ class Observed:
 
     def discrepancies(self, model: NDArray[Any], ratio: NDArray[Any]) -> NDArray[np.float64]:
         """Return the Poisson deviance a known pixel of each channel: about 1 where the model is right."""
-        terms = np.maximum(ratio, _TINY)
+        terms = np.maximum(ratio, TINY)
         np.log(terms, out=terms)
         # m - y + y ln(y/m), by q = y/m: what cancels, 1 - q, is exact where q is near 1.
         terms *= ratio
@@ -169,9 +170,16 @@ class Observed:
         return float((self.discrepancies(model, ratio) * self.known).sum() / self.known.sum())
 
     def _means(self, image: NDArray[Any]) -> NDArray[Any]:
-        """Return the weighted mean of each channel."""
+        """Return the weighted mean of each channel; of one of which nothing is known that of the others."""
         planes = (image * self.weight).reshape(*self.blur.shape, -1)
         weights = self.weight.reshape(*self.blur.shape, -1)
-        total = np.maximum(weights.sum(axis=(0, 1), dtype=np.float64), _TINY)
-        means = np.asarray(planes.sum(axis=(0, 1), dtype=np.float64) / total, dtype=self.counts.dtype)
+        total, seen = planes.sum(axis=(0, 1), dtype=np.float64), weights.sum(axis=(0, 1), dtype=np.float64)
+        # Not 0, which steps that multiply would never leave.
+        each = np.where(seen > 0.0, total / np.maximum(seen, TINY), total.sum() / seen.sum())
+        means = np.asarray(each, dtype=self.counts.dtype)
         return means if image.ndim == 3 else means.reshape(())
+
+
+def slack_of(known: NDArray[np.int64]) -> float:
+    """Return three times the deviation of the discrepancy of what is right, of so many known pixels a channel."""
+    return 3.0 * math.sqrt(2.0 / float(known.sum()))

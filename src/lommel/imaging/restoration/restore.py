@@ -73,7 +73,7 @@ def restore(
         Light, 1 being white, from which on pixels are saturated: they tell only that there was at least so much. By
         default 1; of integers the largest value always is. Infinity for floats that are right beyond.
     progress : callable, optional
-        Called as ``progress(step, discrepancy, seconds_left)`` at each step; what it raises ends the work.
+        As of :func:`lommel.imaging.restore_with`.
     {options}
 
     Returns

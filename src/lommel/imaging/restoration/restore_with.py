@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,11 +16,13 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from lommel.base import validation
 from lommel.estimation.noise import Noise
 from lommel.imaging.linear import LinearBlur
-from lommel.imaging.restoration.observed import Method, Observed
+from lommel.imaging.restoration.observed import Method, Observed, Tell
 from lommel.imaging.restoration.richardson_lucy import RichardsonLucy
 from lommel.imaging.restoration.total_variation import TotalVariation
 
 Progress = Callable[[int, float, float], object]
+
+_QUIET, _PAUSE = 1.5, 0.2  # seconds until a line is shown, and from one to the next
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -27,21 +32,22 @@ class Restoration:
     Attributes
     ----------
     values : ndarray
-        Of the shape, type and encoding of the photograph, without the offset of its noise.
+        Of the shape, type and encoding of the photograph, without the offset of its noise; of a stack float32.
     light : ndarray of float, or None
         The same in proportion to light; what is brighter than white is kept here. None of an image done by tiles.
     discrepancy : float
         Poisson deviance a pixel of what the blur makes of the result: about 1 for the scene itself, a little less for
         a good result, which follows some of the noise.
     by_channel : tuple of float
-        That of each channel.
+        That of each channel, or plane of a stack.
     before : float
         That of the photograph, were it the sharp scene.
     steps : int
         Taken in all; each applies the blur and its transpose once.
     stopped : str
         Why: "noise", when the result agrees with the photograph as well as its noise lets it; "steps", when there
-        were as many as allowed before that; "misfit: depth, lens or noise do not fit", when it will not.
+        were as many as allowed before that; "misfit: ..." with what may not fit, when it will not: depth, lens or
+        noise of a photograph, the PSF or the noise of a stack.
     strength : float or None
         Of the total variation.
     unknown : float
@@ -99,7 +105,8 @@ def restore_with(
     saturation : float, default infinity
         Values from here on are saturated: they tell that there was at least so much.
     progress : callable, optional
-        Called as ``progress(step, discrepancy, seconds_left)`` at each step; what it raises ends the work.
+        Called as ``progress(step, discrepancy, seconds_left)`` at each step; what it raises ends the work. By default
+        the same is written to standard error from the second second on, where that is a terminal.
 
     Returns
     -------
@@ -137,8 +144,9 @@ def restore_with(
         raise ValueError(f"light must have the shape of the blur, {wanted}, got {recorded.shape}")
     limit = validation.real("saturation", saturation, infinite=True)
     observed = Observed.of(blur, recorded, noise, limit)
-    before = _discrepancies(observed, observed.image)
-    found = way.solve(observed, progress or (lambda *_: None))
+    with shown(progress) as tell:
+        before = _discrepancies(observed, observed.image)
+        found = way.solve(observed, tell)
     after = _discrepancies(observed, found.light)
     return Restoration(
         found.light,
@@ -169,6 +177,31 @@ def checked_progress(progress: Any) -> None:
     """Raise TypeError unless `progress` can be called, or is None."""
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
+
+
+@contextmanager
+def shown(progress: Progress | None) -> Iterator[Tell]:
+    """Give what tells of each step: what was given, or else a line on standard error, where that is a terminal."""
+    checked_progress(progress)
+    if progress is not None or sys.stderr is None or not sys.stderr.isatty():
+        yield progress or (lambda *_: None)
+        return
+    line, due = sys.stderr, time.monotonic() + _QUIET
+
+    def write(step: int, discrepancy: float, left: float) -> None:
+        nonlocal due
+        if (now := time.monotonic()) >= due:
+            line.write(f"\rstep {step}, discrepancy {discrepancy:.3g}, about {left:.0f} s left\x1b[K")
+            line.flush()
+            due = now + _PAUSE
+
+    start = due
+    try:
+        yield write
+    finally:
+        if due > start:
+            line.write("\r\x1b[K")
+            line.flush()
 
 
 def _discrepancies(observed: Observed, light: NDArray[Any]) -> NDArray[np.float64]:

@@ -73,23 +73,18 @@ class RichardsonLucy:
         some_unseen, smallest = bool(unseen.any()), observed.smallest
         # Kept for all steps: new memory costs more than what is done in it.
         extrapolated, change, earlier = (np.empty_like(light) for _ in range(3))
-        size = overlap = 0.0  # of the squares of the earlier change; and of its products with the last one
-        history: list[float] = []
-        start = time.perf_counter()
+        course = Course(self, observed.slack, tell)
         while True:
-            step, guess = len(history), light
-            pace = min(max(overlap / size, 0.0), 0.999) if size > 0.0 else 0.0
-            if pace > 0.0:
+            guess = light
+            if course.pace > 0.0:
                 guess = np.subtract(light, before, out=extrapolated)
-                guess *= pace
+                guess *= course.pace
                 guess += light
                 np.maximum(guess, smallest, out=guess)
             model = observed.model(guess)
             ratio = observed.ratio(model)
-            history.append(observed.discrepancy(model, ratio))
-            tell(step, history[-1], self._left(history, time.perf_counter() - start))
-            if (stopped := self._stopped(history, observed.slack)) or step == self.steps:
-                return Solution(guess, step, stopped or STEPS)
+            if stopped := course.judge(observed.discrepancy(model, ratio)):
+                return Solution(guess, course.steps, stopped)
             ratio *= observed.weight
             found = observed.blur.adjoint(ratio)
             found *= per
@@ -100,26 +95,66 @@ class RichardsonLucy:
             before, light = light, found
             if self.accelerate:
                 earlier, change = change, np.subtract(found, guess, out=earlier)
-                if step > 0:
-                    size, overlap = float(np.vdot(earlier, earlier)), float(np.vdot(change, earlier))
+                if course.steps > 0:
+                    course.go_on(float(np.vdot(earlier, earlier)), float(np.vdot(change, earlier)))
 
-    def _stopped(self, history: list[float], slack: float) -> str | None:
-        """Return why to stop here, if there is a reason."""
-        step, found = len(history) - 1, history[-1]
-        if self.target == 0.0:
+
+class Course:
+    """Where an iteration is: the discrepancies so far, whether it is done, and how far steps are extrapolated.
+
+    Parameters
+    ----------
+    method : RichardsonLucy
+    slack : float
+        As of :class:`lommel.imaging.restoration.observed.Observed`.
+    tell : callable
+        As of :meth:`RichardsonLucy.solve`.
+
+    Attributes
+    ----------
+    pace : float
+        Of the last step, by how much the next one begins farther on.
+    """
+
+    def __init__(self, method: RichardsonLucy, slack: float, tell: Tell) -> None:
+        self._method, self._slack, self._tell = method, slack, tell
+        self._history: list[float] = []
+        self._start = time.perf_counter()
+        self.pace = 0.0
+
+    @property
+    def steps(self) -> int:
+        """How many were taken."""
+        return len(self._history) - 1
+
+    def judge(self, discrepancy: float) -> str | None:
+        """Return why to stop where the discrepancy is this one, if there is a reason, and tell of it."""
+        self._history.append(discrepancy)
+        self._tell(self.steps, discrepancy, self._left(time.perf_counter() - self._start))
+        return self._stopped() or (STEPS if self.steps == self._method.steps else None)
+
+    def go_on(self, size: float, overlap: float) -> None:
+        """Set the pace, from the square of the last change but one, and its product with the last."""
+        self.pace = min(max(overlap / size, 0.0), 0.999) if size > 0.0 else 0.0
+
+    def _stopped(self) -> str | None:
+        """Return why to stop here, if the discrepancy is a reason."""
+        step, history, target = self.steps, self._history, self._method.target
+        found = history[-1]
+        if target == 0.0:
             return None
         # A flat scene that explains all has nothing to be found in it.
-        if found <= self.target or (step == 0 and found <= 1.0 + slack):
+        if found <= target or (step == 0 and found <= 1.0 + self._slack):
             return NOISE
-        if step >= _FIRST and found > 1.0 + slack and 2.0 * found - history[step // 2] > self.target:
+        if step >= _FIRST and found > 1.0 + self._slack and 2.0 * found - history[step // 2] > target:
             return MISFIT
         return None
 
-    def _left(self, history: list[float], spent: float) -> float:
+    def _left(self, spent: float) -> float:
         """Return about how many seconds the rest takes, as the discrepancy fell until now."""
-        step = len(history) - 1
-        total = float(self.steps)
-        if step >= 2 and self.target > 0.0 and history[step] < history[step // 2]:
+        step, history, target = self.steps, self._history, self._method.target
+        total = float(self._method.steps)
+        if step >= 2 and target > 0.0 and history[step] < history[step // 2]:
             rate = np.log(history[step // 2] / history[step]) / np.log(step / (step // 2))
-            total = min(total, step * max(history[step] / self.target, 1.0) ** min(1.0 / rate, 8.0))
+            total = min(total, step * max(history[step] / target, 1.0) ** min(1.0 / rate, 8.0))
         return max(total - step, 0.0) * spent / max(step, 1)

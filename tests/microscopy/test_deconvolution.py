@@ -1,0 +1,265 @@
+"""Stacks restored: what is flat stays flat, light is kept, and what comes in from outside is found there."""
+
+from __future__ import annotations
+
+import io
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import lommel as lm
+
+OBJECTIVE = lm.Objective(
+    NA=1.3,
+    magnification=60,
+    immersion=1.515,
+    working_distance=0.2e-3,
+    coverslip=lm.Layer(1.5255, 170e-6),
+    sample=1.33,
+)
+STEP, PIXEL = 0.3e-6, 6e-6
+NOISE = lm.Noise(read=1.5, offset=100.0)
+
+
+def kernel(planes=11, side=17, depth=5e-6):
+    z = (np.arange(planes) - planes // 2) * STEP
+    return lm.psf(OBJECTIVE.pupil(depth=depth, z=z, wavelength=520e-9), side, PIXEL, tol=1e-4)
+
+
+PSF = kernel()
+AROUND = (6, 9, 9)  # voxels beyond the faces of the recording that light comes from
+
+
+def record(specimen, seed=0, psf=PSF):
+    """Return the recording of the middle of a specimen."""
+    blur = lm.microscopy.StackBlur(psf, specimen.shape)
+    light = np.moveaxis(blur.forward(np.moveaxis(specimen, 0, -1).astype(np.float32)), -1, 0)
+    inside = tuple(slice(more, side - more) for more, side in zip(AROUND, light.shape, strict=True))
+    return NOISE.record(np.maximum(light[inside], 0.0), seed=seed)
+
+
+def level(shape, light):
+    """Return a flat specimen that is a recording of this shape and what is around it."""
+    return np.full([side + 2 * more for side, more in zip(shape, AROUND, strict=True)], float(light))
+
+
+BEADS = {(5, 12, 13): 1e5, (2, 20, 7): 2e5, (8, 6, 19): 5e4}
+
+
+def beads(light=20.0, shape=(11, 26, 26)):
+    specimen = level(shape, light)
+    for place, photons in BEADS.items():
+        specimen[tuple(np.add(place, AROUND))] += photons
+    return specimen
+
+
+@pytest.mark.parametrize(("planes", "margin"), [(11, None), (11, (8, 12)), (5, None), (1, None), (4, (0, 8))])
+def test_a_flat_stack_stays_flat(planes, margin):
+    flat = np.random.default_rng(planes).poisson(200.0, (planes, 40, 40)) + 100.0
+    found = lm.microscopy.deconvolve(flat, PSF, NOISE, margin=margin)
+    assert found.stopped == "noise"
+    assert found.discrepancy == pytest.approx(1.0, abs=0.05)
+    np.testing.assert_allclose(found.values.mean(axis=(1, 2)), 200.0, rtol=0.01)
+
+
+def test_steps_that_are_taken_in_spite_of_it_leave_it_flat():
+    flat = np.full((7, 24, 24), 300.0)
+    way = lm.imaging.RichardsonLucy(steps=30, target=0.0)
+    found = lm.microscopy.deconvolve(flat, PSF, NOISE, method=way)
+    assert found.steps == 30
+    np.testing.assert_allclose(found.values, 200.0, rtol=1e-3)
+
+
+def test_beads_on_a_background_keep_their_photons_and_all_light():
+    specimen = beads()
+    found = lm.microscopy.deconvolve(record(specimen), PSF, NOISE)
+    assert found.stopped == "noise"
+    inside = specimen[tuple(slice(more, -more) for more in AROUND)]
+    assert found.values.sum(dtype=float) == pytest.approx(inside.sum(), rel=0.02)
+    for place, photons in BEADS.items():
+        part = tuple(slice(k - 2, k + 3) for k in place)
+        assert found.values[part].sum() == pytest.approx(photons + 125 * 20.0, rel=0.05)
+
+
+def test_a_larger_margin_changes_nothing_to_speak_of():
+    stack = record(beads())
+    usual, larger = (lm.microscopy.deconvolve(stack, PSF, NOISE, margin=margin).values for margin in (None, (9, 14)))
+    assert abs(larger - usual).sum() < 0.01 * usual.sum()
+
+
+@pytest.mark.parametrize("away", [1, 3])
+def test_light_from_planes_beyond_the_faces_is_found_in_these(away):
+    specimen = level((14, 26, 26), 20.0)
+    specimen[AROUND[0] + 3 - away, 22, 20] += 1e6
+    stack = record(specimen)
+    stack[:3] = np.nan  # so that the result shows the margin
+    found = lm.microscopy.deconvolve(stack, PSF, NOISE)
+    assert found.stopped == "noise"
+    assert found.values[3 - away, 12:15, 10:13].sum() == pytest.approx(1e6, rel=0.1)
+    # Without these planes it stays outside, where a margin of none has no place for it.
+    assert lm.microscopy.deconvolve(stack[3:], PSF, NOISE).values.sum() < 1.2 * 20.0 * stack[3:].size
+    assert lm.microscopy.deconvolve(stack[3:], PSF, NOISE, margin=(0, 8)).stopped.startswith("misfit")
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.uint16, np.int16, np.int64, np.float32, np.float64])
+def test_integers_of_a_camera_are_taken_as_floats_are(kind):
+    counts = (np.random.default_rng(3).poisson(60.0, (5, 20, 20)) + 20).astype(np.uint8)
+    noise, way = lm.Noise(read=1.0, offset=20.0), lm.imaging.RichardsonLucy(steps=4, target=0.0)
+    plain, found = (lm.microscopy.deconvolve(s, PSF, noise, method=way) for s in (counts * 1.0, counts.astype(kind)))
+    assert found.values.dtype == np.float32
+    np.testing.assert_array_equal(found.values, plain.values)
+    assert found.discrepancy == plain.discrepancy
+
+
+def test_it_is_the_iteration_of_richardson_and_lucy():
+    # Against the operator of photographs, of a recording with so much of nothing around that no margin matters.
+    specimen = np.zeros((25, 50, 50))
+    specimen[[11, 13], [22, 30], [25, 24]] = 3e5
+    blur = lm.microscopy.StackBlur(PSF, specimen.shape, np.float64)
+    light = np.moveaxis(blur.forward(np.moveaxis(specimen, 0, -1)), -1, 0)
+    stack = NOISE.record(np.maximum(light, 0.0), seed=5)
+    way = lm.imaging.RichardsonLucy(steps=8, target=0.0, accelerate=False)
+    found = lm.microscopy.deconvolve(stack, PSF, NOISE, method=way, margin=(0, 0))
+    other = lm.imaging.restore_with(np.moveaxis(stack, 0, -1), blur, NOISE, method=way)
+    near = (slice(7, 18), slice(12, 40), slice(12, 40))
+    np.testing.assert_allclose(found.values[near].sum(), np.moveaxis(other.light, -1, 0)[near].sum(), rtol=0.01)
+    np.testing.assert_allclose(found.before, other.before, rtol=0.02)
+    assert found.discrepancy == pytest.approx(other.discrepancy, rel=0.02)
+    assert len(found.by_channel) == 25
+    assert np.mean(found.by_channel) == pytest.approx(found.discrepancy)
+
+
+def test_extrapolation_saves_more_than_half_of_the_steps():
+    stack = record(beads())
+    each = [
+        lm.microscopy.deconvolve(
+            stack, PSF, NOISE, method=lm.imaging.RichardsonLucy(steps=30, target=0, accelerate=a)
+        )
+        for a in (True, False)
+    ]
+    way = lm.imaging.RichardsonLucy(steps=75, target=0.0, accelerate=False)
+    assert each[0].discrepancy < lm.microscopy.deconvolve(stack, PSF, NOISE, method=way).discrepancy
+    assert each[0].discrepancy < each[1].discrepancy
+
+
+def test_unknown_voxels_are_filled_from_the_light_of_the_others():
+    stack = record(beads())
+    hidden = stack.copy()
+    hidden[4:7, 11:14, 12:14] = np.nan
+    found = lm.microscopy.deconvolve(hidden, PSF, NOISE)
+    assert found.unknown == pytest.approx(18 / stack.size)
+    assert found.stopped == "noise"
+    assert found.values[4:7, 11:14, 12:15].sum() == pytest.approx(1e5, rel=0.1)
+
+
+def test_pixels_may_have_gains_and_noise_of_their_own():
+    rng = np.random.default_rng(7)
+    maps = lm.Noise(white=rng.uniform(0.4, 2.0, (26, 26)), read=rng.uniform(1.0, 5.0, (26, 26)), offset=100.0)
+    specimen = beads()
+    stack = (record(specimen) - 100.0) / 1.0
+    recorded = maps.image(stack * maps.white)  # as bright in light as with a gain of 1
+    found = lm.microscopy.deconvolve(recorded, PSF, maps, method=lm.imaging.RichardsonLucy(steps=40))
+    for place, photons in BEADS.items():
+        part = tuple(slice(k - 1, k + 2) for k in place)
+        assert found.values[part].sum() == pytest.approx(photons, rel=0.15)
+
+
+def test_a_stack_whose_z_runs_the_other_way_is_told_in_words_of_microscopes():
+    psf = kernel(depth=10e-6)
+    stack = record(beads(), psf=psf)
+    assert lm.microscopy.deconvolve(stack, psf, NOISE).stopped == "noise"
+    found = lm.microscopy.deconvolve(stack[::-1], psf, NOISE)
+    assert found.stopped.startswith("misfit")
+    assert "direction of z" in found.stopped
+    assert "lens" not in found.stopped
+    assert "photo" not in found.stopped
+
+
+class _Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+@pytest.mark.parametrize("terminal", [True, False])
+def test_a_long_job_shows_where_it_is_in_terminals_only(monkeypatch, terminal):
+    from lommel.imaging.restoration import restore_with
+
+    shown = _Terminal() if terminal else io.StringIO()
+    monkeypatch.setattr(sys, "stderr", shown)
+    stack, way = np.full((3, 12, 12), 200.0), lm.imaging.RichardsonLucy(steps=3, target=0.0)
+    lm.microscopy.deconvolve(stack, PSF, NOISE, method=way)
+    assert shown.getvalue() == ""  # it was too quick to be worth a word
+    monkeypatch.setattr(restore_with, "_QUIET", 0.0)
+    monkeypatch.setattr(restore_with, "_PAUSE", 0.0)
+    lm.microscopy.deconvolve(stack, PSF, NOISE, method=way)
+    if terminal:
+        lines = shown.getvalue().split("\r")
+        assert [line[:7] for line in lines[1:-1]] == ["step 0,", "step 1,", "step 2,", "step 3,"]
+        assert "s left" in lines[1]
+        assert lines[-1] == "\x1b[K"
+    else:
+        assert shown.getvalue() == ""
+
+
+def test_progress_is_told_of_each_step_and_may_end_the_work():
+    stack, told = np.full((3, 12, 12), 200.0), []
+    way = lm.imaging.RichardsonLucy(steps=3, target=0.0)
+    lm.microscopy.deconvolve(stack, PSF, NOISE, method=way, progress=lambda *at: told.append(at[0]))
+    assert told == [0, 1, 2, 3]
+
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        lm.microscopy.deconvolve(stack, PSF, NOISE, progress=stop)
+
+
+_MEMORY = """
+import numpy as np
+import lommel as lm
+def most():  # of this process alone, unlike ru_maxrss, which it has from its parent
+    return next(int(line.split()[1]) for line in open("/proc/self/status") if line.startswith("VmHWM"))
+z = (np.arange(32) - 16) * 0.2e-6
+objective = lm.Objective(NA=1.3, magnification=60, immersion=1.515, working_distance=0.2e-3,
+                         coverslip=lm.Layer(1.5255, 170e-6), sample=1.33)
+psf = lm.psf(objective.pupil(depth=5e-6, z=z, wavelength=520e-9), 49, 6e-6, tol=1e-4)
+stack = np.full((32, 256, 256), 120, np.uint16)
+stack[16, 20::40, 20::40] = 5000
+noise, way = lm.Noise(read=1.0, offset=100.0), lm.imaging.RichardsonLucy(steps=2, target=0.0)
+lm.microscopy.deconvolve(stack[:4, :20, :20], psf, noise, method=way)
+before = most()
+lm.microscopy.deconvolve(stack, psf, noise, method=way)
+print((most() - before) * 1024 / (4 * stack.size))
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="there is no /proc elsewhere")
+def test_memory_is_at_most_eight_times_the_stack_in_float32():
+    found = subprocess.run([sys.executable, "-c", _MEMORY], capture_output=True, text=True, check=True)
+    assert 2.0 < float(found.stdout) < 8.0
+
+
+@pytest.mark.parametrize(
+    ("changes", "kind", "said"),
+    [
+        ({"stack": np.zeros((4, 5))}, TypeError, r"stack must hold real numbers, .*float64 of the shape \(4, 5\)"),
+        ({"stack": np.zeros((4, 5, 5), complex)}, TypeError, "got complex128"),
+        ({"stack": "stack"}, TypeError, "stack must hold real numbers"),
+        ({"stack": np.zeros((4, 0, 5))}, ValueError, "stack must have planes, rows and columns"),
+        ({"stack": np.full((4, 5, 5), np.inf)}, ValueError, "stack must be finite"),
+        ({"stack": np.full((4, 5, 5), np.nan)}, ValueError, "voxels that are known"),
+        ({"psf": PSF.values}, TypeError, "psf must be a PSF"),
+        ({"noise": 1.0}, TypeError, "noise must be a Noise"),
+        ({"noise": lm.Noise(read=np.ones((3, 3)))}, ValueError, r"read, of shape \(3, 3\)"),
+        ({"method": lm.imaging.TotalVariation()}, TypeError, "method must be of the type RichardsonLucy, or None"),
+        ({"margin": 3}, ValueError, r"margin must be \(planes, pixels\)"),
+        ({"margin": (-1, 3)}, ValueError, "margin"),
+        ({"progress": 3}, TypeError, "progress must be callable"),
+    ],
+)
+def test_bad_arguments_are_refused_by_name(changes, kind, said):
+    given = {"stack": np.ones((4, 5, 5)), "psf": PSF, "noise": NOISE} | changes
+    with pytest.raises(kind, match=said):
+        lm.microscopy.deconvolve(given.pop("stack"), given.pop("psf"), given.pop("noise"), **given)

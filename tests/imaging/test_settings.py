@@ -18,9 +18,8 @@ LENS = lm.Lens(focal_length=50e-3, f_number=4.0, focus_distance=2.0, wavelength=
 IMAGE, DEPTH = np.random.default_rng(0).random((20, 24)).astype(np.float32), np.full((20, 24), 2.1)
 WHOLE, PARTS = (depth_of_field, FocusPlan), (TileBlur, depth_of_field_by_tiles, depth_of_field_of_chunks)
 DEFAULTS = {field.name: field.default for field in fields(Settings)}
-# What a door has by its nature: parts do not hide one another, and chunks are computed side by side.
-OWN = {DepthBlur: {}} | {door: {} for door in WHOLE} | {door: {"occlusion": False} for door in PARTS}
-OWN[depth_of_field_of_chunks] = {"occlusion": False, "threads": 1}
+# What a door has by its nature: chunks are computed side by side.
+OWN = {door: {} for door in (DepthBlur, *WHOLE, *PARTS)} | {depth_of_field_of_chunks: {"threads": 1}}
 
 
 def options(door):

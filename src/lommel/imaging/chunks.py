@@ -15,7 +15,7 @@ from lommel.imaging.tiles import TileBlur
 from lommel.optics.lens import Lens
 
 
-@shares(Keywords, Settings, occlusion=False, threads=1)
+@shares(Keywords, Settings, threads=1)
 def depth_of_field_of_chunks(
     image: Any,
     depth: Any,
@@ -63,7 +63,7 @@ def depth_of_field_of_chunks(
     # Typed in part only.
     dask, da = (library(name, "chunks need", "dask") for name in ("dask", "dask.array"))
 
-    settings = Settings.of(depth_of_field_of_chunks, {"occlusion": False, **options}, Keywords)
+    settings = Settings.of(depth_of_field_of_chunks, options, Keywords)
     require_lens(lens, "image, depth, lens, pixel")
     for name, array in (("image", image), ("depth", depth)):
         if not isinstance(array, da.Array):

@@ -23,7 +23,7 @@ from lommel.optics.lens import Lens
 _STRIP = 2**20  # points whose depths are looked at together
 
 
-@shares(Keywords, Settings, occlusion=False)
+@shares(Keywords, Settings)
 class TileBlur:
     """:func:`lommel.imaging.depth_of_field` of any part of a scene, with windows that are made once for all parts.
 
@@ -57,7 +57,7 @@ class TileBlur:
         **options: Unpack[Keywords],
     ) -> None:
         require_lens(lens, "shape, depths, lens, pixel")
-        settings = Settings.of(TileBlur, {"occlusion": False, **options}, Keywords)
+        settings = Settings.of(TileBlur, options, Keywords)
         if settings.energy == 1.0:
             raise ValueError(
                 "energy must be below 1 for tiles and chunks, since with all of its light a point reaches the whole "
@@ -121,7 +121,7 @@ class TileBlur:
         return photograph(values, self._whole, clipped)
 
 
-@shares(Keywords, Settings, occlusion=False)
+@shares(Keywords, Settings)
 def depth_of_field_by_tiles(
     image: NDArray[Any],
     depth: NDArray[Any],
@@ -129,7 +129,7 @@ def depth_of_field_by_tiles(
     pixel: float,
     *,
     encoding: str,
-    side: int = 512,
+    side: int = 1024,
     out: NDArray[Any] | None = None,
     progress: Callable[[int, int], object] | None = None,
     **options: Unpack[Keywords],
@@ -146,8 +146,9 @@ def depth_of_field_by_tiles(
         May be memory maps, of which no more than a tile is read at a time; depth is read once more before.
     lens, pixel, encoding
         As of :func:`lommel.imaging.depth_of_field`.
-    side : int, default 512
-        Of the tiles, pixels, 16 to 16384. Memory beyond input and output is some hundred bytes a pixel of a tile.
+    side : int, default 1024
+        Of the tiles, pixels, 16 to 16384. Memory beyond input and output is some hundred bytes a pixel of a tile, and
+        with `occlusion` several hundred a channel.
     out : ndarray, optional
         Where to write the values, of the shape and type of `image`; may be a memory map. Shares none with them.
     progress : callable, optional
@@ -174,7 +175,7 @@ def depth_of_field_by_tiles(
         raise ValueError(f"depth must have the shape of the image, {image.shape[:2]}, got {shapes[1]}")
     tile = validation.integer("side", side, least=16, most=validation.MAX_SIDE)
     out = output(out, "image", image, depth)
-    settings = Settings.of(depth_of_field_by_tiles, {"occlusion": False, **options}, Keywords)
+    settings = Settings.of(depth_of_field_by_tiles, options, Keywords)
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be callable, got {validation.shown(progress)}")
     if settings.missing == "nearest":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple, Unpack
 
@@ -70,7 +71,8 @@ class DepthBlur(LinearBlur):
         Largest share of light beyond the windows, of any point and channel; 0 for the whole PSF.
     error : float
         Largest error of interpolated windows over their peak that was found. For the whole PSF the sum over pixels of
-        the most that K is off there: no pixel is off by more than this times the brightest point.
+        the most that K is off there, at the distances of the scene: no pixel is off by more than this times the
+        brightest point. A warning says where that is more than twice `tol`.
 
     Raises
     ------
@@ -125,6 +127,14 @@ class DepthBlur(LinearBlur):
         known = dict(zip(distinct, side_by_side(bank, distinct, self.threads), strict=True))
         self.banks = tuple(known[spectrum] for spectrum in self.spectra)
         self.beyond = Beyond(self.banks, settings.tol) if settings.energy == 1.0 else None
+        if self.beyond is not None and (error := self.error) > 2.0 * settings.tol:
+            rounding = "for dtype=float64, " if 2.0 * self.beyond.rounding(self.dtype) > error else ""
+            warnings.warn(
+                f"with energy=1 a pixel may be off by {error:.2g} of the brightest point, more than "
+                f"tol={settings.tol:g}; ask {rounding}for a tol of that size, or for energy=0.9999, whose windows "
+                "err by less than tol",
+                stacklevel=3,
+            )
 
     def place(self, depth: ArrayLike) -> None:
         """Put the points at other depths, within the range of those given first.

@@ -61,7 +61,8 @@ class Settings:
         times the cost. Tiles and chunks take no 1.
     tol : float, default 1e-4
         Bound on the error of interpolated windows over their peak, 1e-7 to 1e-1, checked half-way between windows.
-        If energy is 1, what is off beyond the windows sums to no more, or little more, too.
+        If energy is 1, what is off beyond the windows sums to no more, or little more, too, but for the finest rings
+        far away: `error` of the blur bounds it, and a warning says where it is more than twice `tol`.
     largest : int, optional
         Largest half width of a window, pixels, 1 to 2048; by default half of the smaller side of the image.
     dtype : float32 or float64, default float32

@@ -118,6 +118,53 @@ def test_other_borders_are_those_of_an_image_that_goes_on(border, mode):
     assert off <= blur.error * image.max()
 
 
+def rows_off(blur, depths, chosen, size):
+    """The sums over all points of what the blur of an image in darkness is off, at some of its pixels."""
+    known = windows(blur.lens, depths, ((blur.lens.wavelength, 1.0),), size - 1)
+    row, column = np.mgrid[:size, :size]
+    found = []
+    for y, x in [(size // 2, size // 2), (0, 0), (size - 1, size // 3), (size // 4, 0)]:
+        point = np.zeros((size, size))
+        point[y, x] = 1.0
+        true = known[chosen, y - row + size - 1, x - column + size - 1]
+        found.append(np.abs(blur.adjoint(point) - true).sum())
+    return max(found)
+
+
+@pytest.mark.filterwarnings("ignore:with energy=1")
+@pytest.mark.parametrize("tol", [1e-3, 1e-4, 1e-5])
+@pytest.mark.parametrize(
+    ("f_number", "between"), [(2.8, (2.0, 2.5)), (4.0, (1.8, 3.0)), (8.0, (2.1, 6.0)), (16.0, (1.0, 9.0))]
+)
+def test_the_error_bounds_what_the_worst_scene_is_off_and_is_no_ten_times_that(f_number, between, tol):
+    size, rng = 24, np.random.default_rng(int(10 * f_number))
+    depths = rng.uniform(*between, 5)
+    chosen = rng.integers(len(depths), size=(size, size))
+    given = {"energy": 1.0, "tol": tol, "border": "zero", "largest": 60, "dtype": np.float64}
+    blur = DepthBlur(depths[chosen], lens(f_number), PIXEL, **given)
+    off = rows_off(blur, depths, chosen, size)
+    assert off <= blur.error <= 10.0 * off
+
+
+def test_the_error_is_that_of_the_distances_of_the_scene():
+    given = {"energy": 1.0, "tol": 1e-3, "largest": 60, "dtype": np.float64}
+    blur = DepthBlur(np.array([[2.0, 6.0]] * 2), lens(), PIXEL, **given)
+    every = blur.error
+    blur.place(np.full((2, 2), 3.0))
+    assert blur.error < every
+
+
+@pytest.mark.parametrize(
+    ("border", "dtype", "hint"), [("zero", np.float32, "dtype=float64"), ("reflect", np.float64, "energy=0.9999")]
+)
+def test_an_error_of_more_than_twice_the_tolerance_is_told_with_a_way_out(border, dtype, hint):
+    depth = scene(3)[1]
+    given = {"energy": 1.0, "border": border, "largest": 40, "dtype": dtype}
+    with pytest.warns(UserWarning, match=f"with energy=1 a pixel may be off .* than tol=1e-07; .*{hint}"):
+        assert DepthBlur(depth, lens(), PIXEL, tol=1e-7, **given).error > 2e-7
+    assert DepthBlur(depth, lens(), PIXEL, tol=1e-3, **given).error <= 2e-3
+
+
 SPECTRUM = ((480e-9, 0.4), (600e-9, 0.6))
 KINDS = {
     "two wavelengths": (lens(4.0), SPECTRUM),

@@ -25,7 +25,7 @@ def remainder() -> Remainder:
 @pytest.mark.parametrize("shape", [(6, 9), (7, 7), (1, 5), (1, 1), (13, 2)])
 def test_a_kernel_acts_on_an_image_between_mirrors_that_are_mirrored_without_end(remainder, shape):
     kernels = MirroredKernels(remainder, shape, "reflect", np.dtype(np.float64), 1e-4)
-    assert kernels.error == remainder.error
+    assert kernels.error == 0.0
     image = np.random.default_rng(0).random(shape)
     half = 160
     away = np.abs(np.arange(-half, half + 1))
@@ -59,7 +59,7 @@ def test_darkness_is_as_wide_as_the_tolerance_asks_for(remainder):
     sides = {}
     for tol in (1e-3, 1e-5):
         kernels = MirroredKernels(remainder, (40, 50), "zero", np.dtype(np.float32), tol)
-        assert remainder.error < kernels.error <= remainder.error + 0.5 * tol
+        assert 0.05 * tol < kernels.error <= 0.5 * tol
         sides[tol] = kernels.eigenvalues.shape
     assert sides[1e-5][1] > 2 * sides[1e-3][1] > 200
     assert sides[1e-3][0] == remainder.rank

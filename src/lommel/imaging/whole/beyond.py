@@ -52,9 +52,20 @@ class Beyond:
         self._factors: dict[int, tuple[NDArray[np.float64], NDArray[Any]]] = {}
 
     def error(self, blur: Blur) -> float:
-        """Return the sum over pixels of the most that K is off there, of any channel."""
-        found = max(self._kernels_of(blur, channel).error for channel in range(len(self._remainders)))
-        return found + _ROUNDING * float(np.finfo(blur.dtype).eps)
+        """Return the sum over pixels of the most that K is off there, of any channel, for this scene."""
+        # In darkness nothing comes from farther away than the image is large.
+        shape = blur.shape if blur.border == "zero" else None
+        found = max(
+            bank.remainder.error(blur.positions(channel), shape) + self._kernels_of(blur, channel).error
+            for channel, bank in enumerate(self._banks)
+            if bank.remainder is not None
+        )
+        return found + self.rounding(blur.dtype)
+
+    @staticmethod
+    def rounding(dtype: np.dtype[Any]) -> float:
+        """Return what sums of this type may be off, of the brightest point."""
+        return _ROUNDING * float(np.finfo(dtype).eps)
 
     def apart(self, channel: int) -> tuple[Bank, Bank]:
         """Return banks of what a PSF is within its windows, and of what the remainder holds there."""

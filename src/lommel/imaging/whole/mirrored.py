@@ -44,13 +44,13 @@ class MirroredKernels:
     Attributes
     ----------
     error : float
-        As of the remainder, with the light from mirrors beyond darkness.
+        Light from mirrors beyond darkness, of white: what is off beside the remainder.
     """
 
     def __init__(
         self, remainder: Remainder, shape: tuple[int, int], border: str, dtype: np.dtype[Any], tol: float
     ) -> None:
-        self.remainder, self.border, self.dtype, self.error = remainder, border, dtype, remainder.error
+        self.remainder, self.border, self.dtype, self.error = remainder, border, dtype, 0.0
         self._around = [(0, 0), (0, 0)]
         if border == "extend":
             self._around = [(max(1, side // 2),) * 2 for side in shape]
@@ -61,7 +61,7 @@ class MirroredKernels:
             light = _COPIES * math.prod(shape) * tail
             dark = max(math.ceil(0.5 * math.cbrt(light / (0.5 * tol))), remainder.table.shape[1])
             self._around = [(dark, next_fast_len(side + 2 * dark, real=True) - side - dark) for side in shape]
-            self.error += light / (2.0 * dark) ** 3
+            self.error = light / (2.0 * dark) ** 3
         (top, _), (left, _) = self._around
         self._image = slice(top, top + shape[0]), slice(left, left + shape[1])
         self._sides = [side + sum(more) for side, more in zip(shape, self._around, strict=True)]

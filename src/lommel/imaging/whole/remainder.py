@@ -30,7 +30,7 @@ from lommel.methods.pixel_rule import cells_alike, octant, quarters
 
 _GAP = 3.0  # pixels between the shadow of the aperture and the edges of windows, about
 _MOST = 16  # products
-_LOOSE = 2.0  # tolerances that products may be off together: one more costs a twentieth of a photograph
+_LOOSE = 1.2  # tolerances that products may be off together: one more costs a twentieth of a photograph
 _TURNS = 4  # of the alternation: more change the error by less than one product more does
 _SAMPLES = 4  # defocus that the products are found from, for each pixel that windows reach
 _FINE = 32  # steps of a table of factors between two windows
@@ -69,9 +69,14 @@ class Remainder:
         Of ``s^(2 j) (r^2 + s^2)^(-3/2 - j)``, r in pixels.
     scale : float
         s, pixels.
-    error : float
-        Sum over all pixels of the most that K is off there, of any defocus, as checked at each window and half-way
-        between windows: times the brightest point of a scene, it bounds what any pixel is off.
+    off : ndarray, shape (count - 3, near)
+        The most that K is off where windows reach, on the first pixels of the octant: around each gap between windows
+        in which defocus may lie, as checked at the windows and half-way between them.
+    far : ndarray
+        The same of the pixels after these up to the reach, of any defocus.
+    rings, held : float
+        Sums over all pixels beyond the reach, of any defocus: of the fine rings, which are left out there, estimated;
+        and of the light, as it differs from what it should be.
     """
 
     knots: Array
@@ -79,7 +84,45 @@ class Remainder:
     table: Array
     smooth: Array
     scale: float
-    error: float
+    off: NDArray[np.float32]
+    far: Array
+    rings: float
+    held: float
+
+    def error(self, positions: ArrayLike | None = None, shape: tuple[int, int] | None = None) -> float:
+        """Return the sum of the most that K is off, over all pixels that points are from each other.
+
+        Times the brightest point of a scene, it bounds what any pixel is off.
+
+        Parameters
+        ----------
+        positions : array_like, optional
+            As of :meth:`factors`: those of the points of a scene; by default all are possible.
+        shape : (int, int), optional
+            Height and width of an image with nothing beyond its edges; by default light comes from everywhere.
+
+        Returns
+        -------
+        float
+        """
+        off = self.off
+        if positions is not None:
+            gaps = np.clip(np.asarray(positions).astype(np.int32).ravel() - 1, 0, len(off) - 1)
+            off = off[np.flatnonzero(np.bincount(gaps))]
+        reach = self.table.shape[1] - 1
+        table = quarters(np.append(off.max(axis=0), self.far)[None], reach)[0]
+        once = np.where(np.arange(reach + 1) == 0, 1.0, 2.0)
+        height, width = (reach + 1, reach + 1) if shape is None else shape
+        near = float(once[:height] @ table[:height, :width] @ once[:width])
+        if shape is None:
+            return near + self.rings + self.held
+        if max(shape) - 1 <= reach:
+            return near
+        # Rings fall as the tail does: the integral of r^-3 outside of a rectangle of a by b is hypot(a, b) / a b.
+        sides = height - 0.5, width - 0.5
+        known = min(sides[0], reach + 0.5), min(sides[1], reach + 0.5)
+        some, others, all_ = (math.hypot(a, b) / (a * b) for a, b in (known, sides, (reach + 0.5,) * 2))
+        return near + self.rings * (some - others) / all_ + self.held
 
     @property
     def rank(self) -> int:
@@ -169,8 +212,8 @@ def fit(
     reach : int
         Pixels.
     tol : float
-        There are as many products as it takes for what a PSF is off beyond its window to sum to less than twice this,
-        up to 16.
+        There are as many products as it takes for the most that PSFs are off beyond their windows to sum to little
+        more than this, up to 16.
 
     Returns
     -------
@@ -209,22 +252,30 @@ def fit(
     # What is off is looked for at each window and half-way between them; far away, where all is smooth, at some.
     within, halfway = knots @ first, _halfway(knots)
     missed = left * (within - exact)
-    wrong = _sum_of_largest(alike[:near], missed, _halfway(exact + missed) - middle)
+    between = np.abs(_halfway(exact + missed) - middle)
+    np.abs(missed, out=missed)
+    off = _of_neighbours(np.maximum(np.maximum(missed[1:-2], missed[2:-1]), between)).astype(np.float32)
     inner = some[(some > 0) & (some < len(at) - 2)]
     there = nodes.values(at[inner] + 0.5 * spacing)
-    far = (knots[some] @ last - shown[:, near:], halfway[inner - 1] @ last - there[:, near:])
-    wrong += _sum_of_largest(alike[near:], *far)
+    off_far = _largest(knots[some] @ last - shown[:, near:], halfway[inner - 1] @ last - there[:, near:])
     # Beyond the reach the misfit falls with r as the tail does, or faster: its sum is to that of a ring as 1 / reach
     # to 1 / begin - 1 / reach.
     misfit = knots[some] @ (smooth @ _smooth(squared[ring], scale)) - shown[:, ring]
-    wrong += _sum_of_largest(alike[ring], misfit) * begin / (reach - begin)
-    wrong += float(np.abs(knots[some] @ held - beyond).max())
-    return Remainder(knots, spacing, table, smooth, scale, wrong), within
+    # Points so far away are of many defocus, whose rings differ: no one of them is the worst everywhere.
+    rings = float((np.abs(misfit) @ alike[ring]).max()) * begin / (reach - begin)
+    lacking = float(np.abs(knots[some] @ held - beyond).max())
+    return Remainder(knots, spacing, table, smooth, scale, off, off_far, rings, lacking), within
 
 
-def _sum_of_largest(alike: Array, *wrong: Array) -> float:
-    """Return the sum over pixels of the most that each is wrong by, of all defocus."""
-    return float(np.max([np.abs(part).max(axis=0) for part in wrong if len(part)], axis=0) @ alike)
+def _of_neighbours(values: Array) -> Array:
+    """Return the largest of each row, the one before and the one after."""
+    padded = np.pad(values, ((1, 1), (0, 0)), mode="edge")
+    return np.asarray(np.maximum(np.maximum(padded[:-2], padded[2:]), values))
+
+
+def _largest(*wrong: Array) -> Array:
+    """Return the most that each pixel is wrong by, of all defocus."""
+    return np.asarray(np.max([np.abs(part).max(axis=0) for part in wrong if len(part)], axis=0))
 
 
 def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float) -> tuple[Array, Array]:
@@ -247,7 +298,7 @@ def _products(shown: Array, left: Array, scales: Array, alike: Array, tol: float
             # Turn by turn the one is linear in the other.
             found = _solved(_normal(weights.T, factors.T, 1e-10), (weights * values).T @ factors).T
             factors = _solved(_normal(weights, found, 1e-14), (weights * values) @ found.T)
-            wrong = float((np.abs((factors @ found - values) * parts) @ many).max())
+            wrong = float(np.abs((factors @ found - values) * parts).max(axis=0) @ many)
             if wrong <= tol:
                 break
             factors = np.linalg.qr(factors)[0]

@@ -33,7 +33,6 @@ _MOST = 16  # products
 _LOOSE = 1.2  # tolerances that products may be off together: one more costs a twentieth of a photograph
 _TURNS = 4  # of the alternation: more change the error by less than one product more does
 _SAMPLES = 4  # defocus that the products are found from, for each pixel that windows reach
-_FINE = 32  # steps of a table of factors between two windows
 
 
 def inner_energy(step: float) -> float:
@@ -149,7 +148,7 @@ class Remainder:
         -------
         ndarray, shape ``(rank, *positions.shape)``
         """
-        return _looked_up(_refined(self.knots, 0), positions, dtype)
+        return _between(self.knots, positions, 0, dtype)
 
     def slopes(self, positions: ArrayLike, dtype: DTypeLike = np.float64) -> NDArray[Any]:
         """Return the derivatives of the a_r by defocus, a radian.
@@ -164,7 +163,7 @@ class Remainder:
         -------
         ndarray, shape ``(rank, *positions.shape)``
         """
-        return _looked_up(_refined(self.knots, 1) / self.spacing, positions, dtype)
+        return _between(self.knots / self.spacing, positions, 1, dtype)
 
     def values(self, half: int) -> Array:
         """Return the g_r from the middle row and column on, up to `half` pixels; shape (rank, half + 1, half + 1).
@@ -333,7 +332,7 @@ def _all_light(normal: Array, right: Array, sums: Array, light: Array) -> Array:
 
 def _far(kernels: Array, held: Array, ring: NDArray[np.bool_], alike: Array, reach: int) -> tuple[Array, float]:
     """Return the smooth parts that are least off on a ring, of those that hold the light beyond the reach; and s."""
-    scale = max(6.0, reach / 8.0)
+    scale = max(8.0, reach / 8.0)  # so large that sums over pixels are integrals
     first, second = octant(reach)
     smooth = _smooth((first**2 + second**2).astype(np.float64), scale)
     totals = smooth_transforms(np.zeros(1), scale)[:, 0] - smooth @ alike
@@ -379,12 +378,18 @@ def _halfway(knots: Array) -> Array:
     return (9.0 * (knots[1:-2] + knots[2:-1]) - knots[:-3] - knots[3:]) / 16.0
 
 
-def _refined(knots: Array, order: int) -> Array:
-    """Return cubics through four windows each, or their slopes, at `_FINE` steps a window; shape (rank, n)."""
-    at = np.arange((len(knots) - 1) * _FINE + 1) / _FINE
-    first = np.clip(at.astype(np.int64) - 1, 0, len(knots) - 4)
-    weights = np.stack([weight.deriv(order)(at - first) for weight in _lagrange()])
-    return np.asarray(np.einsum("jn,jnr->rn", weights, np.stack([knots[first + j] for j in range(4)])))
+def _between(knots: Array, positions: ArrayLike, order: int, dtype: DTypeLike) -> NDArray[Any]:
+    """Return cubics through four windows each, or their derivatives by the position; shape (rank, ...)."""
+    at = np.clip(np.asarray(positions, dtype=np.float64), 0.0, len(knots) - 1.0)
+    first = np.clip(at.astype(np.int32) - 1, 0, len(knots) - 4)
+    at = at - first
+    weights = [weight.deriv(order)(at).astype(dtype) for weight in _lagrange()]
+    rows = np.ascontiguousarray(knots.T, dtype=dtype)
+    out = np.zeros((len(rows), *at.shape), dtype=dtype)
+    for r, row in enumerate(rows):
+        for j, weight in enumerate(weights):
+            out[r, ...] += weight * row[j:][first]
+    return out
 
 
 @lru_cache(maxsize=1)
@@ -397,15 +402,3 @@ def _lagrange() -> list[Any]:
         others = [k for k in range(4) if k != j]
         made.append(Polynomial.fromroots(others) / math.prod(j - k for k in others))
     return made
-
-
-def _looked_up(table: Array, positions: ArrayLike, dtype: DTypeLike) -> NDArray[Any]:
-    """Return rows of a table, linearly between its columns."""
-    at = np.clip(np.asarray(positions, dtype=np.float64) * _FINE, 0.0, table.shape[1] - 1)
-    column = np.minimum(at.astype(np.int32), table.shape[1] - 2)
-    part = (at - column).astype(dtype)
-    rows, steps = table.astype(dtype), np.diff(table).astype(dtype)
-    out = np.empty((len(table), *at.shape), dtype=dtype)
-    for r in range(len(table)):
-        out[r] = rows[r][column] + steps[r][column] * part
-    return out

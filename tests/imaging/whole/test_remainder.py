@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -123,3 +124,18 @@ def test_windows_hold_less_than_without_a_remainder_and_are_divided_by_nothing()
     true = lm.psf(pupil, 2 * made.half + 1, PIXEL, integrate=True, dtype=np.float64).values
     kept = shares_used(made.cuts, made.half)[0] * true[made.half :, made.half :]
     np.testing.assert_allclose(within[0, : made.half + 1, : made.half + 1], kept, atol=2e-6 * true.max())
+
+
+@pytest.mark.parametrize("shape", [(80, 80), (45, 200), (20, 90), (1, 150), (130, 400)])
+def test_of_the_rings_an_image_has_what_falls_as_the_cube_within_its_sides(shape):
+    remainder = bank().remainder
+    reach = remainder.table.shape[1] - 1
+    assert max(shape) - 1 > reach
+    row, column = np.mgrid[: shape[0], : shape[1]]
+    many = np.where(row == 0, 1, 2) * np.where(column == 0, 1, 2) * (np.maximum(row, column) > reach)
+    inside = (many / np.maximum(np.hypot(row, column), 1.0) ** 3).sum()
+    everywhere = 4.0 * math.sqrt(2.0) / (reach + 0.5)  # the integral outside of the square that is known
+    near = replace(remainder, rings=0.0).error(shape=shape)
+    assert remainder.error(shape=shape) - near == pytest.approx(remainder.rings * inside / everywhere, rel=0.05)
+    known = (reach + 1, reach + 1)
+    assert remainder.error(shape=known) == replace(remainder, rings=1.0, held=1.0).error(shape=known)

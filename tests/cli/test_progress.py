@@ -58,7 +58,7 @@ def folder(tmp_path):
 @pytest.mark.parametrize("command", LONG)
 def test_every_long_command_tells_rising_shares_of_its_work(call_lommel, folder, monkeypatch, command):
     seen, console = [], Console(file=io.StringIO(), force_terminal=True, width=120)
-    monkeypatch.setattr(bars, "Console", lambda **_: console)
+    monkeypatch.setattr("rich.console.Console", lambda **_: console)
     monkeypatch.setattr(blur_module, "_BAND", 1)
     monkeypatch.setattr(tiles, "_CORE", 48)
     tell = bars.Steps.__call__

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from lommel.cli.main import main
+from lommel.cli.main import commands
 from lommel.imaging.settings import Settings
 
 EXCEPTIONS: dict[tuple[str, str], str] = {
@@ -60,9 +60,9 @@ def functions() -> Iterator[tuple[str, Any]]:
                     yield name, found
 
 
-def commands() -> Iterator[tuple[str, Any]]:
+def photo_commands() -> Iterator[tuple[str, Any]]:
     """Yield the commands that take photographs with their depth, or of different focus."""
-    for name, command in main.commands.items():
+    for name, command in commands().items():
         if {p.name for p in command.params} & {"photo", "photos"}:
             yield f"lommel {name}", command
 
@@ -77,7 +77,7 @@ def defaults() -> dict[str, dict[str, Any]]:
                 if parameter.name == "dtype":
                     value = np.dtype(value)
                 out.setdefault(parameter.name, {})[name] = value
-    for name, command in commands():
+    for name, command in photo_commands():
         parsed = command.make_context(name, [], resilient_parsing=True).params
         for parameter in command.params:
             if parameter.param_type_name == "option" and not parameter.required:
@@ -90,7 +90,7 @@ DEFAULTS = defaults()
 
 
 def test_all_ways_are_found():
-    found = {name for name, _ in functions()} | {name for name, _ in commands()}
+    found = {name for name, _ in functions()} | {name for name, _ in photo_commands()}
     known = {
         "depth_of_field", "depth_of_field_by_tiles", "depth_of_field_of_chunks", "FocusPlan", "restore",
         "restore_by_tiles", "restore_with", "DepthBlur", "FieldBlur", "traced_blur", "TileBlur", "Settings",

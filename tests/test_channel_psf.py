@@ -77,6 +77,13 @@ def test_light_that_lateral_colour_moves_has_no_profile():
     assert found == pytest.approx(np.dot([1.0, 4.0, 1.0], ones) / 6.0, abs=2e-3)
 
 
+@pytest.mark.parametrize("suffix", [".npz", ".tif"])
+def test_a_file_in_channels_is_read_by_its_own_loader(tmp_path, suffix):
+    lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6).save(tmp_path / f"colour{suffix}")
+    with pytest.raises(ValueError, match=r"it has channels; ColourPSF\.load, or PSFGrid\.load, reads it"):
+        lm.PSF.load(tmp_path / f"colour{suffix}")
+
+
 def test_wavelengths_are_an_axis():
     answer = lm.colour_psf(LENS.pupil(1.95), 21, 3e-6, WAVES)
     assert answer.names == ("450 nm", "550 nm", "650 nm")

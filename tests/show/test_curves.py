@@ -114,6 +114,15 @@ def test_a_psf_that_samples_has_no_pixel_and_one_in_white_light_its_spectrum():
     assert f[-1] == pytest.approx(sampled.pupil.cutoff * 550 / 450)
 
 
+def test_blur_is_in_the_curve_without_aberration_too():
+    seen = lm.psf(lm.Pupil(COMA, **CAMERA), 33, 0.5e-6, blur=lm.Jitter(2e-6), tol=1e-4)
+    found = lines(seen.plot_mtf())
+    f = 1e3 * found["without aberration"][0]
+    exact = lm.mtf(lm.Pupil(**CAMERA), f, pixel=0.5e-6, blur=lm.Jitter(2e-6))
+    np.testing.assert_allclose(found["without aberration"][1], exact, atol=2e-6)
+    assert np.all(found["along x"][1] <= exact + 2e-6)
+
+
 def test_of_other_apertures_the_curves_are_drawn_from_samples():
     star = lm.Pupil(COMA, spider=lm.Spider.equal(3, width=0.1))
     psf = lm.psf(star, 65, 0.25)
@@ -124,6 +133,8 @@ def test_of_other_apertures_the_curves_are_drawn_from_samples():
     some = slice(0, None, 16)
     np.testing.assert_allclose(found["along x"][1][some], psf.mtf(f[some]), atol=1e-3)
     np.testing.assert_allclose(found["along y"][1][some], psf.mtf(0.0, f[some]), atol=1e-3)
+    clear = lm.Pupil(spider=star.spider)
+    np.testing.assert_allclose(found["without aberration"][1][some], lm.mtf(clear, f[some], tol=1e-6), atol=2e-3)
     assert axes.get_title() == "modulation transfer function"
     assert axes.get_xlabel() == "spatial frequency (cycles/λN)"
     with pytest.raises(ValueError, match="pupil must be a disc or an annulus"):

@@ -97,9 +97,9 @@ def rebuild(values: Any, description: dict[str, Any], kind: type[Made]) -> tuple
     if description.get("checksum") != checksum(description, {"values": values}):
         raise ValueError("its checksum is another: it is damaged, or was changed after it was written")
     channels, each = Channels.from_dict(description["channels"]), description["each"]
-    made = []
+    made, shared = [], {name: said for name, said in description.items() if name not in ("channels", "each")}
     for part, own in zip(np.moveaxis(values, -3, 0), each, strict=True):
-        said = description | {name: own[name] for name in _EACH} | {"shape": list(part.shape)}
+        said = shared | {name: own[name] for name in _EACH} | {"shape": list(part.shape)}
         arrays = {"values": np.ascontiguousarray(part)}
         made.append(psf_files.rebuild(arrays, sealed(said, arrays), kind))
     return channels, tuple(made)

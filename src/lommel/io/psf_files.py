@@ -161,6 +161,8 @@ def describe(psf: Answer) -> dict[str, Any]:
 
 def rebuild(arrays: dict[str, NDArray[Any]], description: dict[str, Any], kind: type[Made]) -> Made:
     """Return the PSF of the arrays of a file, by name, and of their sealed description."""
+    if "channels" in description:
+        raise ValueError("it has channels; ColourPSF.load, or PSFGrid.load, reads it")
     pupil, method = _pupil(description["pupil"]), method_from_dict(description["method"])
     method.require(pupil)
     bound, picture = description["error_bound"], description.get("png")

@@ -31,7 +31,7 @@ from scipy import fft
 from scipy.special import erfc, j0, j1
 
 from lommel.base.arrays import Array
-from lommel.core.answers import Images, Wanted
+from lommel.core.answers import Images, ToleranceError, Wanted
 from lommel.measures.answer import Answer
 from lommel.measures.overlap import autocorrelation
 from lommel.methods.choice import candidates, first_proven
@@ -240,12 +240,10 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
     short, seen = model.spread
     half = reach + _SEAM / band + short
     if seen:
-        half = max(3.0 * reach, reach + 20.0 * seen) + _SEAM / band + short
-    if 2.0 * half / pitch > MOST_SIDE:
-        raise ValueError(
-            f"a circle or square that reaches {reach:.4g} lambda*N from the axis must be smaller for this pupil: it "
-            f"takes {2.0 * half / pitch:.0f} samples a side, more than the limit of {MOST_SIDE}"
-        )
+        # Light from beyond, and what wraps around, is 1e-5 of all at most.
+        half += min(max(2.0 * reach, 20.0 * seen), 30.0 * seen)
+    if half > (most := 0.5 * pitch * MOST_SIDE):
+        raise _too_far(pupil, reach, reach - (half - most))
     side = fft.next_fast_len(2 * math.ceil(half / pitch) + 1, real=True)
     grid = Grid(side, pitch * pupil.scale, integrate=model.method.sampling == "pixel")
     fy, fx = fft.fftfreq(side, pitch), fft.rfftfreq(side, pitch)
@@ -261,7 +259,10 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
         error: Array | None = np.zeros(block.size)
         for share, stretch, part in parts:
             some = part[np.unravel_index(block, part.shape)] if part.shape else part
-            images = _sampled(some, model.method, grid, whole=len(parts) == 1)
+            try:
+                images = _sampled(some, model.method, grid, whole=len(parts) == 1)
+            except (ValueError, ToleranceError) as fault:
+                raise ValueError(f"{_too_far(pupil, reach)}: {fault}") from fault
             factor = share * stretch**2 * math.pi / (4.0 * part.transmission)
             response = model.response(fx[None, :], fy[:, None], part.wavelength) * (factor * cut)
             for k, image in enumerate(images.values):
@@ -274,6 +275,15 @@ def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage
                 error = error + factor * images.error * tops
         for k, table in enumerate(found):
             yield CartesianImage(table, fy, fx, band, None if error is None else float(error[k]))
+
+
+def _too_far(pupil: BasePupil, reach: float, most: float | None = None) -> ValueError:
+    """Return the error for a circle, or a square, whose samples would be too many."""
+    least = "" if most is None or most <= 0.0 else f" of at most {most * pupil.scale:.3g} {pupil.unit}"
+    return ValueError(
+        f"what reaches {reach * pupil.scale:.4g} {pupil.unit} from the axis ({reach:.4g} lambda*N) is too far for a "
+        f"pupil that is not a radially symmetric lens; ask for less{least}"
+    )
 
 
 def sampled_transfer(model: ImageModel, fx: Array, fy: Array) -> NDArray[np.complex128]:

@@ -48,8 +48,9 @@ def encircled_energy(answer: Answer, radius: ArrayLike, *, about: str = "axis", 
     Raises
     ------
     TypeError, ValueError
-        If a radius is no number, negative, not finite, or larger than some 700 lambda*N for a pupil that is not
-        radially symmetric; or `about` or `of` is none of these.
+        If a radius is no number, negative, not finite, or too large for a pupil that is not radially symmetric: more
+        than some 700 lambda*N, less by how far blur carries light, with vanes and seeing some 500; or `about` or `of`
+        is none of these.
     """
     checked(answer)
     at = validation.real_array("radius", radius, least=0.0)

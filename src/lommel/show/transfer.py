@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,7 +12,6 @@ from lommel.base.arrays import Array
 from lommel.measures import transfer
 from lommel.measures.answer import Answer
 from lommel.measures.continuous_image import ImageModel, sampled_transfer
-from lommel.methods.polychromatic import Polychromatic
 from lommel.optics.base_pupil import BasePupil
 from lommel.optics.pupil import Pupil, checked
 from lommel.show.drawing import frequencies, new_axes
@@ -81,11 +81,11 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
             continue
         axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=f"{name}along x")
         axes.plot(factor * f, _curve(one, zero, f, sides), "--", color=f"C{k}", label=f"{name}along y")
-    if isinstance(pupil, Pupil) and pupil.circular:
-        spectrum = thing.method if isinstance(thing, Answer) and isinstance(thing.method, Polychromatic) else None
-        one = pupil[(0,) * len(pupil.shape)] if pupil.shape else pupil
-        ideal = transfer.mtf(one.unaberrated(), f, spectrum=spectrum, tol=_TOL)
-        axes.plot(factor * f, ideal * _of_pixel(f, sides[1]), color="0.5", linewidth=1.0, label="without aberration")
+    if isinstance(pupil, Pupil):
+        one: Any = thing[(0,) * len(pupil.shape)] if pupil.shape else thing
+        of_psf = isinstance(one, Answer)
+        ideal = replace(one, pupil=one.pupil.unaberrated(), derivatives={}) if of_psf else one.unaberrated()
+        axes.plot(factor * f, _curve(ideal, f, zero, sides), color="0.5", linewidth=1.0, label="without aberration")
     if sides[1]:
         axes.plot(factor * f, _of_pixel(f, sides[1]), ":", color="0.5", label="pixel alone")
         nyquist = 0.5 / (thing.grid.pitch[1] if isinstance(thing, Answer) else sides[1])

@@ -209,6 +209,10 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
 	sanitized address,undefined tables -DLOMMEL_WIDE=double
 	sanitized address,undefined measures
+	# Each header with nothing included before it.
+	for header in $(wildcard cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp); do
+		$(CXX) -std=c++17 -O0 -fsyntax-only -Wall -Wextra -Wno-psabi -Icpp/include -x c++ /dev/null -include "$$header"
+	done
 
 # What Sphinx needs comes on top of what is in .venv, and only when the pages are asked for.
 .venv/docs.stamp: .venv/env.stamp docs/requirements.lock

@@ -396,4 +396,11 @@ LOMMEL_INLINE void dispatch(const Kernel& kernel) {
     kernel(Portable{});
 }
 
+// Doubles in a vector of this processor.
+inline std::size_t vector_lanes() {
+    std::size_t lanes = Portable::lanes;
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { lanes = decltype(isa)::lanes; });
+    return lanes;
+}
+
 }  // namespace lommel

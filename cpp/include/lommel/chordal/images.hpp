@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/bounds/settle.hpp"
 #include "lommel/chordal/batch.hpp"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/sharp.hpp"
 #include "lommel/chordal/tables.hpp"
@@ -31,13 +32,6 @@ struct ChordDisk {
 
     ChordSide& of(Sum sum) { return sum == Sum::chords ? chords : nodes; }
 };
-
-// Doubles in a vector.
-inline std::size_t vector_lanes() {
-    std::size_t lanes = Portable::lanes;
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { lanes = decltype(isa)::lanes; });
-    return lanes;
-}
 
 class ChordLines {
    public:

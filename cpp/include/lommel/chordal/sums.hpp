@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/simd.hpp"
 #include "lommel/chordal/batch.hpp"
 #include "lommel/chordal/derivatives.hpp"
 

@@ -183,7 +183,8 @@ lowest: ## run the tests with the oldest versions of all dependencies, in .tools
 		--deselect tests/test_core.py::test_the_stub_is_what_the_compiled_module_says_of_itself \
 		--deselect tests/test_import.py::test_type_checkers_see_every_name_and_no_other
 
-# Hours of work for one processor; ONLY="ellipse.hpp psf.py:2" takes some, FLAGS=--subject the tests of their subject only.
+# Hours of work for one processor; ONLY="ellipse.hpp psf.py:2" takes some, FLAGS=--subject the tests of their subject only,
+# FLAGS="--random 200 --seed 1" faults that chance draws.
 mutants: build ## put faults into a copy of the code, one by one, and see that the tests notice
 	@.venv/bin/python tests/mutants/run.py $(FLAGS) $(ONLY)
 

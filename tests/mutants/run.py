@@ -1,16 +1,24 @@
 """Deliberate faults, one at a time, against the tests: `make mutants`, or `make mutants ONLY="ellipse psf.py:2"`.
 
+Or faults that chance draws from all of the code: `make mutants FLAGS="--random 200 --seed 1 --only python"`.
+
 The faults are in cpp.toml and python.toml beside this file: for each file of the project the tests of its subject and
 a list of (old, new), old occurring once. Nothing is changed but copies below build/mutants. Those in C++ are compiled
 together into one build, `(lommel_mutant(k) ? new : old)`, and chosen by the environment; those in Python are written
 into a copy of src. For each the tests of its subject run first, and where these pass the rest of the suite. A fault
-that nothing notices must be argued in its list; fewer than 95 % noticed is a failure.
+that nothing notices must be argued in its list; fewer than 95 % noticed is a failure, of random ones fewer than 90 %.
+
+What was found of random faults is kept in build/mutants/random-*.jsonl. The same command goes on with those that were
+not judged, and judges again those that were not noticed.
 """
 
 from __future__ import annotations
 
 import argparse
+import ast
+import importlib.util
 import itertools
+import json
 import os
 import queue
 import re
@@ -21,9 +29,16 @@ import sys
 import threading
 import time
 import tomllib
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
+
+import draw
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs"))
+import rooms
 
 ROOT = Path(__file__).resolve().parents[2]
 LISTS = [Path(__file__).with_name(name) for name in ("cpp.toml", "python.toml")]
@@ -35,6 +50,9 @@ inline const int lommel_mutant_on = lommel_mutant_chosen();
 inline bool lommel_mutant(int k) { return lommel_mutant_on == k; }
 """
 NOTICED = 0.95
+NOTICED_AT_RANDOM = 0.9
+# Tests of a subject that is not in the lists: so many files, those that name it most often.
+NEAREST = 4
 
 
 @dataclass(frozen=True)
@@ -48,6 +66,17 @@ class Fault:
     new: str
     tests: tuple[str, ...]
     argued: str
+    start: int = -1  # where `old` is, if it need not be there once
+
+    def span(self, text: str) -> tuple[int, int]:
+        """Return where it is in the text of its file."""
+        start = self.start if self.start >= 0 else text.index(self.old)
+        return start, start + len(self.old)
+
+    def applied(self, text: str) -> str:
+        """Return the text of its file with the fault."""
+        start, end = self.span(text)
+        return text[:start] + self.new + text[end:]
 
     @property
     def compiled(self) -> bool:
@@ -86,11 +115,133 @@ def misfits(faults: list[Fault]) -> list[str]:
     return wrong
 
 
+@cache
+def _mentions() -> dict[str, Counter[str]]:
+    """Return how often each file of tests names what is in each module."""
+    stub = (rooms.PACKAGE / "__init__.pyi").read_text(encoding="utf-8")
+    homes = dict(_imported_names(ast.parse(stub)))
+    mentions = {}
+    for path in sorted((ROOT / "tests").rglob("test_*.py")):
+        text = path.read_text(encoding="utf-8")
+        found = mentions[path.relative_to(ROOT).as_posix()] = Counter[str]()
+        for name in re.findall(r"\blm\.(\w+)", text):
+            found[homes.get(name, "")] += 1
+        for name, module in _imported_names(ast.parse(text)):
+            found[module] += len(re.findall(rf"\b{name}\b", text))
+    return mentions
+
+
+def _imported_names(tree: ast.Module) -> list[tuple[str, str]]:
+    """Return the names that are imported from the package, each with its module."""
+    return [
+        (alias.asname or alias.name.split(".")[-1], module)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Import | ast.ImportFrom)
+        for alias in node.names
+        for _, module in rooms.imported(ast.Module([type(node)(**{**node.__dict__, "names": [alias]})], []))
+    ]
+
+
+@cache
+def _users() -> dict[str, set[str]]:
+    """Return which files import or include each."""
+    users: dict[str, set[str]] = {}
+    for path in sorted((ROOT / "src" / "lommel").rglob("*.py")):
+        name = path.relative_to(ROOT).as_posix()
+        for _, module in rooms.imported(ast.parse(path.read_text(encoding="utf-8"))):
+            users.setdefault(f"src/lommel/{module}.py", set()).add(name)
+    for path in sorted((ROOT / "cpp" / "include").rglob("*.hpp")):
+        name = path.relative_to(ROOT).as_posix()
+        for header in re.findall(r'^#include "(.*)"$', path.read_text(encoding="utf-8"), re.MULTILINE):
+            users.setdefault(f"cpp/include/{header}", set()).add(name)
+    return users
+
+
+def subject(file: str, listed: dict[str, list[str]]) -> tuple[str, ...]:
+    """Return the tests of a file's subject, the nearest first: those of its list, its mirror, and those that name it.
+
+    Where there are none, those of what imports or includes it; last, of what is in its folder.
+    """
+    around, seen = {file}, {file}
+    while around:
+        found = [test for one in sorted(around) for test in listed.get(one, [])]
+        for one in sorted(around):
+            module = one.removeprefix("src/lommel/").removesuffix(".py")
+            mirror = f"tests/{Path(module).with_name('test_' + Path(module).name)}.py"
+            found += [mirror] if mirror in _mentions() else []
+            naming = sorted(((-names[module], test) for test, names in _mentions().items() if names[module]))
+            found += [test for _, test in naming[:NEAREST]]
+        if found:
+            return tuple(dict.fromkeys(found))[: 2 * NEAREST]
+        around = {user for one in around for user in _users().get(one, ())} - seen
+        seen |= around
+    folder = str(Path(file).parent)
+    found = [test for one in sorted(listed) if str(Path(one).parent) == folder for test in listed[one]]
+    return tuple(dict.fromkeys(found)) or ("tests",)
+
+
+def drawn(count: int, seed: int, only: str | None) -> list[Fault]:
+    """Return faults that chance draws from the code, each with the tests of its subject; those in C++ compile."""
+    folders = {"python": "src/lommel/**/*.py", "cpp": "cpp/include/**/*.hpp"}
+    paths = [path for language, glob in folders.items() if only in (None, language) for path in ROOT.glob(glob)]
+    texts = {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8") for path in sorted(paths)}
+    entries = [tomllib.loads(listing.read_text(encoding="utf-8")) for listing in LISTS]
+    listed = {file: entry["tests"] for listing in entries for file, entry in listing.items()}
+    argued = {(fault.file, fault.applied(texts[fault.file])): fault.argued for fault in load() if fault.file in texts}
+    chances = draw.draw(texts, seed)
+    faults: list[Fault] = []
+    for number, (file, (start, end, new)) in enumerate(chances, 1):
+        text = texts[file]
+        name = f"{Path(file).parent.name}/{Path(file).name}:{text.count(chr(10), 0, start) + 1}"
+        fault = Fault(number, name, file, text[start:end], new, subject(file, listed), "", start)
+        fault = replace(fault, argued=argued.get((file, fault.applied(text)), ""))
+        beside = [other.span(text) for other in faults if other.file == file and other.compiled]
+        # Two switches in one place are none in another.
+        if all((start, end) == span or end <= span[0] or span[1] <= start for span in beside):
+            faults.append(fault)
+        if len(faults) == count:
+            broken = uncompiled([fault for fault in faults if fault.compiled])
+            faults = [fault for fault in faults if fault not in broken]
+            if len(faults) == count:
+                break
+    return faults
+
+
+def uncompiled(faults: list[Fault]) -> list[Fault]:
+    """Return the faults that the compiler refuses where they stand, all being looked at together."""
+    refused: list[Fault] = []
+    while left := [fault for fault in faults if fault not in refused]:
+        build = configured(left, PLACE / "checked", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+        said = ""
+        for unit in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
+            if "/bindings/" in unit["file"]:
+                command = f"{unit['command']} -fsyntax-only"
+                done = subprocess.run(command, shell=True, cwd=build, capture_output=True, text=True, check=False)
+                said += done.stderr if done.returncode else ""
+        if not said:
+            break
+        places = set(re.findall(r"(cpp/include/\S+?):(\d+):\d+: error", said))
+        hit = _at(places, left) or _at(set(re.findall(r"(cpp/include/\S+?):(\d+):\d+:", said)), left)
+        if not hit:
+            sys.exit(f"no fault is where the compiler says that one is:\n{said[:6000]}")
+        refused += hit
+    return refused
+
+
+def _at(places: set[tuple[str, str]], faults: list[Fault]) -> list[Fault]:
+    """Return the faults that are on such lines of files."""
+    found = []
+    for fault in faults:
+        start, end = fault.span(text := (ROOT / fault.file).read_text(encoding="utf-8"))
+        lines = range(text.count("\n", 0, start) + 1, text.count("\n", 0, end) + 2)
+        found += [fault] if any((fault.file, str(line)) in places for line in lines) else []
+    return found
+
+
 def _spans(faults: list[Fault], text: str) -> dict[tuple[int, int], list[Fault]]:
     spans: dict[tuple[int, int], list[Fault]] = {}
     for fault in faults:
-        start = text.index(fault.old)
-        spans.setdefault((start, start + len(fault.old)), []).append(fault)
+        spans.setdefault(fault.span(text), []).append(fault)
     return spans
 
 
@@ -114,9 +265,9 @@ def write(path: Path, content: bytes) -> None:
         path.write_bytes(content)
 
 
-def compiled(faults: list[Fault]) -> Path:
-    """Build the core with every fault in it; return the folder that it is in."""
-    source, build = PLACE / "cpp", PLACE / "cmake"
+def configured(faults: list[Fault], place: Path, *options: str) -> Path:
+    """Write the core with every fault in it, ready to be built; return the folder where it will be."""
+    source, build = place / "cpp", place / "cmake"
     by_file = {file: [f for f in faults if f.file == file] for file in {f.file for f in faults}}
     needed = ("CMakeLists.txt", "pyproject.toml", "cmake/*", "cpp/**/*.[ch]pp")
     for path in itertools.chain.from_iterable(ROOT.glob(pattern) for pattern in needed):
@@ -127,12 +278,22 @@ def compiled(faults: list[Fault]) -> Path:
     tools = Path(sys.executable).parent
     configure = [tools / "cmake", "-S", source, "-B", build, "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={tools / 'ninja'}"]
     configure += [f"-DPython_EXECUTABLE={sys.executable}", "-DCMAKE_BUILD_TYPE=Release", "-DLOMMEL_PYTHON=ON"]
-    configure += [f"-DCMAKE_CXX_FLAGS=-include {source / 'switch.hpp'}"]
-    for command in (configure, [tools / "cmake", "--build", build]):
-        done = subprocess.run([str(part) for part in command], capture_output=True, encoding="utf-8", check=False)
-        if done.returncode:
-            sys.exit(f"the faults in C++ do not compile:\n{done.stdout[-6000:]}{done.stderr[-2000:]}")
+    configure += [f"-DCMAKE_CXX_FLAGS=-include {source / 'switch.hpp'}", *options]
+    _run(*configure)
     return build
+
+
+def compiled(faults: list[Fault], place: Path, jobs: int, *options: str) -> Path:
+    """Build the core with every fault in it; return the folder that it is in."""
+    build = configured(faults, place, *options)
+    _run(Path(sys.executable).with_name("cmake"), "--build", build, "--parallel", jobs)
+    return build
+
+
+def _run(*command: object) -> None:
+    done = subprocess.run([str(part) for part in command], capture_output=True, encoding="utf-8", check=False)
+    if done.returncode:
+        sys.exit(f"the faults in C++ do not compile:\n{done.stdout[-6000:]}{done.stderr[-2000:]}")
 
 
 class Workplace:
@@ -187,34 +348,89 @@ class Workplace:
         path, number = self.tree / fault.file, fault.number if fault.compiled else 0
         before = path.read_text(encoding="utf-8")
         if not fault.compiled:
-            path.write_text(before.replace(fault.old, fault.new), encoding="utf-8")
+            path.write_text(fault.applied(before), encoding="utf-8")
         try:
             return self.pytest(number, tests, limit)
         finally:
             path.write_text(before, encoding="utf-8")
 
 
+class Found:
+    """What was found of each fault, in a file that a later run reads; without one, nothing is kept."""
+
+    def __init__(self, path: Path | None) -> None:
+        self.path, self.known, self.lock = path, dict[tuple[str, ...], str](), threading.Lock()
+        if path and path.exists():
+            for line in path.read_text(encoding="utf-8").splitlines():
+                entry = json.loads(line)
+                self.known[tuple(entry["fault"])] = entry["found"]
+
+    def _key(self, fault: Fault) -> tuple[str, ...]:
+        return (fault.file, str(fault.start), fault.old, fault.new)
+
+    def noticed(self, fault: Fault) -> str:
+        """Return which test noticed a fault in an earlier run, or ""."""
+        return self.known.get(self._key(fault), "")
+
+    def keep(self, fault: Fault, found: str) -> None:
+        """Write down which test noticed a fault, or that none did."""
+        if self.path:
+            with self.lock, self.path.open("a", encoding="utf-8") as file:
+                file.write(json.dumps({"fault": self._key(fault), "found": found}) + "\n")
+
+
+def shown(fault: Fault) -> str:
+    """Return where a fault is, and the lines that it changes."""
+    text = (ROOT / fault.file).read_text(encoding="utf-8")
+    start, end = fault.span(text)
+    first, last = text.rfind("\n", 0, start) + 1, (text.find("\n", end) + 1 or len(text) + 1) - 1
+    old, new = text[first:last], text[first:start] + fault.new + text[end:last]
+    why = fault.argued or "NOT ARGUED"
+    return f"{fault.file}:{text.count(chr(10), 0, start) + 1}: {why}\n  - {old.strip()}\n  + {new.strip()}"
+
+
 def main() -> None:
-    """Judge the faults that are named, or all."""
+    """Judge the faults that are named, or all, or random ones."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("only", nargs="*", help="names, or parts of names, of faults (file.py:3)")
+    parser.add_argument("names", nargs="*", help="names, or parts of names, of faults (file.py:3)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--subject", action="store_true", help="run the tests of the subject only")
     parser.add_argument(
         "--trust", action="store_true", help="do not first make sure that the tests pass without a fault"
     )
+    parser.add_argument("--random", type=int, metavar="N", help="draw so many faults instead of those in the lists")
+    parser.add_argument("--seed", type=int, default=1, help="of what is drawn")
+    parser.add_argument("--only", choices=("python", "cpp"), help="draw from one language")
+    parser.add_argument("--limit", type=float, default=1200.0, help="seconds for the tests of a subject")
+    parser.add_argument("--show", action="store_true", help="show the faults, and judge none")
     given = parser.parse_args()
-    faults = load()
-    if wrong := misfits(faults):
-        sys.exit("\n".join(wrong))
+    if given.random:
+        faults, least, place = drawn(given.random, given.seed, given.only), NOTICED_AT_RANDOM, PLACE / "random"
+        # That the code is slow is no fault, and what compiles in half the time is judged sooner.
+        options = ["-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"]
+    else:
+        faults, least, place, options = load(), NOTICED, PLACE, []
+        if wrong := misfits(faults):
+            sys.exit("\n".join(wrong))
     chosen = [
         f
         for f in faults
-        if not given.only or any(f"/{f.name}".endswith(f"/{o}") or (":" not in o and o in f.name) for o in given.only)
+        if not given.names
+        or any(f"/{f.name}".endswith(f"/{o}") or (":" not in o and o in f.name) for o in given.names)
     ]
-    build = compiled([f for f in faults if f.compiled])
+    if given.show:
+        print("\n".join(shown(fault).replace("NOT ARGUED", " ".join(fault.tests)) for fault in chosen))
+        return
+    PLACE.mkdir(parents=True, exist_ok=True)
+    listing = f"random-{given.seed}{f'-{given.only}' if given.only else ''}.jsonl"
+    before = Found(PLACE / listing if given.random else None)
+    open_ = [fault for fault in chosen if not before.noticed(fault)]
+    switches = [f for f in faults if f.compiled]
+    # Without a fault in C++ the core of the environment will do.
+    core = importlib.util.find_spec("lommel._core")
+    build = compiled(switches, place, given.jobs, *options) if switches else Path(core.origin).parent
     idle: queue.SimpleQueue[Workplace] = queue.SimpleQueue()
-    for number in range(min(given.jobs, len(chosen))):
+    for number in range(min(given.jobs, len(open_))):
         idle.put(Workplace(number, build))
 
     def make_sure(workplace: Workplace, *tests: str) -> None:
@@ -222,15 +438,18 @@ def main() -> None:
         if not given.trust and (found := workplace.pytest(0, tests, 7200)):
             sys.exit(f"without a fault there is one already: {found}")
 
-    first = idle.get()
-    make_sure(first, *sorted({test for f in chosen for test in f.tests}))
-    idle.put(first)
+    if open_:
+        first = idle.get()
+        make_sure(first, *sorted({test for f in open_ for test in f.tests}))
+        idle.put(first)
     lock, sure = threading.Lock(), []
 
     def judge(fault: Fault) -> tuple[Fault, str]:
+        if found := before.noticed(fault):
+            return fault, found
         workplace, start = idle.get(), time.monotonic()
         try:
-            found = workplace.judge(fault, fault.tests, 1200)
+            found = workplace.judge(fault, fault.tests, given.limit)
             if not found and not given.subject:
                 with lock:
                     if not sure:
@@ -239,6 +458,7 @@ def main() -> None:
                 found = workplace.judge(fault, ("tests",), 7200)
         finally:
             idle.put(workplace)
+        before.keep(fault, found)
         said = found or (f"NOT NOTICED, argued: {fault.argued}" if fault.argued else "NOT NOTICED")
         print(f"{fault.name:36} {time.monotonic() - start:6.1f} s  {said}", flush=True)
         return fault, found
@@ -250,8 +470,8 @@ def main() -> None:
     share = 1.0 - len(missed) / max(1, len(chosen))
     print(f"\n{len(chosen) - len(missed)} of {len(chosen)} noticed ({share:.1%}) in {time.monotonic() - start:.0f} s")
     for fault in missed:
-        print(f"{fault.name}: {fault.old!r} -> {fault.new!r}: {fault.argued or 'NOT ARGUED'}")
-    if share < NOTICED or any(not fault.argued for fault in missed):
+        print(shown(fault))
+    if share < least or any(not fault.argued for fault in missed):
         sys.exit(1)
 
 

@@ -220,3 +220,9 @@ def test_pixels_of_two_sides_and_what_spreads_the_light_are_those_of_each_channe
         light = lm.Polychromatic([w for w, _ in pairs], [share for _, share in pairs])
         wanted = lm.psf(lens.pupil(1.99), 9, (3e-6, 4e-6), method=light, **how)
         np.testing.assert_allclose(one.values, wanted.values, rtol=0, atol=2e-5 * wanted.values.max())
+
+
+def test_a_pupil_without_a_wavelength_is_refused_by_name():
+    for derivatives in ((), ("defocus",)):
+        with pytest.raises(ValueError, match=r"^pupil must have a wavelength, .* such as that of a Lens$"):
+            lm.colour_psf(lm.Pupil(lm.Wavefront(1.0)), 9, 0.5, lm.Channels.rgb(), derivatives=derivatives)

@@ -8,6 +8,7 @@ say.
 from __future__ import annotations
 
 import ast
+import contextlib
 import functools
 import inspect
 import re
@@ -180,3 +181,79 @@ def test_what_a_docstring_lacks_is_found():
     assert untold(int, some) == ["b", "Returns", "Raises"]
     assert {"psf", "Pupil", "measures.energy.window_energy", "special.zernike.polynomial"} <= THINGS.keys()
     assert {"Wavefront.rotated", "PSF.pullback", "NijboerZernike.images"} <= METHODS.keys()
+
+
+# Defaults, by their syntax: adapters too, whose packages need not be there.
+
+DEFAULT = re.compile(r"^ *([\w, ]+?) : .*?, default (.+)$", re.MULTILINE)
+AS_OF = re.compile(r"^ *([\w, ]+?)(?: : .*)?\n +As of :func:`(\w+)`", re.MULTILINE)
+
+
+def defaults(node: ast.FunctionDef | ast.ClassDef) -> dict[str, ast.expr]:
+    """The defaults of parameters, or of the fields of a dataclass."""
+    if isinstance(node, ast.ClassDef):
+        inside = [part for part in node.body if isinstance(part, ast.FunctionDef) and part.name == "__init__"]
+        fields = [part for part in node.body if isinstance(part, ast.AnnAssign) and part.value]
+        return defaults(inside[0]) if inside else {ast.unparse(part.target): part.value for part in fields}
+    given = node.args
+    positional = [*given.posonlyargs, *given.args]
+    pairs = [*zip(positional[len(positional) - len(given.defaults) :], given.defaults, strict=True)]
+    pairs += [(name, value) for name, value in zip(given.kwonlyargs, given.kw_defaults, strict=True) if value]
+    return {name.arg: value for name, value in pairs}
+
+
+def constants(tree: ast.Module) -> dict[str, Any]:
+    """The numbers and texts that a module names."""
+    found = {}
+    for part in tree.body:
+        if isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Name):
+            with contextlib.suppress(ValueError):
+                found[part.targets[0].id] = ast.literal_eval(part.value)
+    return found
+
+
+def wrong_defaults(text: str) -> Iterator[str]:
+    """Which defaults are not those that the docstring states, or not those of the function that it refers to."""
+    tree = ast.parse(text)
+    nodes = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef | ast.ClassDef)]
+    named = {node.name: defaults(node) for node in nodes}
+    known = constants(tree)
+    for node in nodes:
+        stated, here = ast.get_docstring(node) or "", defaults(node)
+        for names, default in DEFAULT.findall(stated):
+            with contextlib.suppress(ValueError, SyntaxError):  # of those that a sentence states
+                each = names.split(", ")
+                value = ast.literal_eval(default)
+                values = value if isinstance(value, tuple) and len(each) == len(value) > 1 else (value,) * len(each)
+                for name, value in zip(each, values, strict=True):
+                    given = here.get(name, ast.Name("inherited"))
+                    found = known.get(given.id, value) if isinstance(given, ast.Name) else ast.literal_eval(given)
+                    # None stands for a default that can be changed.
+                    if found != value and (found, value) != (None, {}):
+                        yield f"{node.name}: {name} is {ast.unparse(given)}, not {value}"
+        for names, other in AS_OF.findall(stated):
+            for name in names.split(", "):
+                if other in named and name in here and name in named[other]:
+                    mine, its = ast.unparse(here[name]), ast.unparse(named[other][name])
+                    if mine != its:
+                        yield f"{node.name}: {name} is {mine}, not {its} as of {other}"
+
+
+def test_defaults_are_those_that_docstrings_state():
+    wrong = {
+        path.name: told
+        for path in sorted((Path(lm.__file__).parent).rglob("*.py"))
+        if (told := list(wrong_defaults(path.read_text(encoding="utf-8"))))
+    }
+    assert wrong == {}
+
+
+def test_a_default_that_is_not_the_stated_one_is_found():
+    function = 'def f({}):\n    """Return it.\n\n    Parameters\n    ----------\n    a, b : int, default 3\n    """\n'
+    assert not list(wrong_defaults(function.format("a=3, *, b=3")))
+    assert list(wrong_defaults(function.format("a=4, *, b=3"))) == ["f: a is 4, not 3"]
+    assert list(wrong_defaults(function.format("a=3, *, b=2"))) == ["f: b is 2, not 3"]
+    other = (
+        'def g(a=4):\n    """Return it.\n\n    Parameters\n    ----------\n    a\n        As of :func:`f`.\n    """\n'
+    )
+    assert list(wrong_defaults(function.format("a=3, b=3") + other)) == ["g: a is 4, not 3 as of f"]

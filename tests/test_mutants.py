@@ -192,6 +192,8 @@ def test_every_file_has_tests_of_its_subject_and_its_own_come_first(mutants):
     assert mutants.subject("src/lommel/optics/grid.py", {})[0] == own
     listed = {"src/lommel/optics/grid.py": ["tests/x.py"]}
     assert mutants.subject("src/lommel/optics/grid.py", listed)[:2] == ("tests/x.py", own)
+    # Of what a package hands on.
+    assert "tests/io/test_depth_files.py" in mutants.subject("src/lommel/io/depthmaps.py", {})
     # Which no test names: that of what imports it.
     assert mutants.subject("src/lommel/optics/geometry.py", {})
     header = "cpp/include/lommel/base/wide.hpp"

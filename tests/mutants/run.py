@@ -118,16 +118,18 @@ def misfits(faults: list[Fault]) -> list[str]:
 @cache
 def _mentions() -> dict[str, Counter[str]]:
     """Return how often each file of tests names what is in each module."""
-    stub = (rooms.PACKAGE / "__init__.pyi").read_text(encoding="utf-8")
-    homes = dict(_imported_names(ast.parse(stub)))
+    # Where names live that packages hand on.
+    entries = (path for suffix in ("py", "pyi") for path in sorted(rooms.PACKAGE.rglob(f"__init__.{suffix}")))
+    homes = dict(name for path in entries for name in _imported_names(ast.parse(path.read_text(encoding="utf-8"))))
     mentions = {}
     for path in sorted((ROOT / "tests").rglob("test_*.py")):
         text = path.read_text(encoding="utf-8")
         found = mentions[path.relative_to(ROOT).as_posix()] = Counter[str]()
-        for name in re.findall(r"\blm\.(\w+)", text):
+        for name in re.findall(r"\.(\w+)", text):
             found[homes.get(name, "")] += 1
         for name, module in _imported_names(ast.parse(text)):
-            found[module] += len(re.findall(rf"\b{name}\b", text))
+            home = homes.get(name, module) if module.endswith("__init__") else module
+            found[home] += len(re.findall(rf"\b{name}\b", text))
     return mentions
 
 

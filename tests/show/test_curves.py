@@ -344,3 +344,16 @@ def test_dark_styles_change_the_colour_of_what_is_written_and_of_lines_in_ink():
         grid = field.grid(1, 2, sensor=(2, 4), shape=5, pixel=0.5).plot()
     assert curves.get_lines()[0].get_color() == "white"
     assert grid.get_lines()[0].get_color() == "white"
+
+
+def test_the_axes_of_the_light_within_circles_hold_all_of_it_and_lines_lead_to_what_the_title_says(psf):
+    axes = psf.plot_encircled_energy()
+    assert axes.get_ylim() == (0.0, pytest.approx(1.05))
+    dotted = [np.transpose(line.get_data()) for line in axes.get_lines() if line.get_linestyle() == ":"]
+    radius, values = lines(axes)["PSF"]
+    told = [float(part.split()[2]) for part in axes.get_title().split(", ")[1:]]
+    assert len(dotted) == len(told) == 2
+    for share, half, corners in zip((0.5, 0.8), told, dotted, strict=True):
+        found = np.interp(share, values, radius)
+        np.testing.assert_allclose(corners, [[0.0, share], [found, share], [found, 0.0]])
+        assert half == pytest.approx(found, rel=5e-3)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 import subprocess
 import sys
+import types
 
 import numpy as np
 import pytest
@@ -154,3 +155,13 @@ def test_wavefronts_refuse_tensors_and_name_what_takes_them():
 def test_what_no_twin_has_is_refused(given):
     with pytest.raises(ValueError, match="one number for a twin, and fill and blur left out"):
         lm.Plan(**{"shape": 9, "pixel": 0.5} | given).traced(lm.Pupil(lm.Wavefront([0.0, 1.0])))
+
+
+@pytest.mark.parametrize(("precision", "bits"), [("highest", None), ("high", 11), ("medium", 8)])
+def test_products_of_pytorch_round_operands_to_the_bits_of_their_type(monkeypatch, precision, bits):
+    # TF32 and bfloat16 have so many bits, with the leading one: numbers of these are off by half of the last.
+    torch = types.SimpleNamespace(get_float32_matmul_precision=lambda: precision)
+    monkeypatch.setitem(sys.modules, "torch", torch)
+    namespace = Namespace("torch", None)
+    assert namespace.coarseness(2.0**-53) == 0.0
+    assert namespace.coarseness(2.0**-24) == (0.0 if bits is None else 0.5 * 2.0 ** (1 - bits))

@@ -74,3 +74,14 @@ def test_images_of_pupils_far_beyond_the_stack_are_within_their_bounds(tol, low)
     assert known.sum() > 20
     assert np.all(error[known] <= bound[known] + 1e-11)
     assert bound.max() > 10 * tol
+
+
+@pytest.mark.parametrize("name", ["chords", "nodes"])
+@pytest.mark.parametrize("b", [0.1, 0.5])
+def test_the_size_of_terms_on_a_curve_bounds_their_imaginary_parts_and_is_reached(name, b):
+    _, tables = means.make(TERMS, 2.0, (V, V), name, b, 31)
+    largest = np.abs(tables[f"{name} 0 samples"]).max(axis=0)
+    ratio = tables[f"{name} 0 size"][0] / largest
+    assert np.all(ratio >= 1.0 - 1e-12)
+    assert ratio.min() <= 1.01
+    assert ratio.max() <= 6.0

@@ -36,3 +36,10 @@ def test_beyond_the_ends_of_a_gate_little_is_left(error):
         x = shift - gate.h * k
         g = np.sinc(x / gate.h) / gate.h * np.exp(-0.25 * (gate.width * x) ** 2)
         assert gate.h * np.abs(g[np.abs(x) > far]).sum() <= cut
+
+
+@pytest.mark.parametrize("error", [1e-4, 1e-13])
+def test_the_largest_gain_of_samples_anywhere_is_bounded_and_nearly_reached(error):
+    gate = Gate.of(0.8, error)
+    largest = readout(np.linspace(0.0, gate.h, 1001), 0.0, gate).gain
+    assert largest <= gained(gate) <= 1.05 * largest

@@ -128,3 +128,18 @@ def test_of_several_axes_the_farthest_counts():
     with pytest.raises(ValueError, match=r"around the farthest center=\(1.0, 400000.0\) reaches v = 1.26e\+06"):
         lm.Grid((3, 4), 1.0, center=(1.0, [0.0, 4e5, -3e5])).require_reach(pupil)
     lm.Grid((3, 4), 1.0, center=(1.0, [0.0, 3e5, -3e5])).require_reach(pupil)
+
+
+@pytest.mark.parametrize(
+    ("options", "symmetric"),
+    [
+        ({}, True),
+        ({"center": (2, 3)}, True),
+        ({"integrate": True}, False),
+        ({"center": (2.5, 3.0)}, False),
+        ({"integrate": True, "center": (2.5, 3.0)}, False),
+        ({"center": (2.0, [3.0, 3.0])}, False),
+    ],
+)
+def test_a_window_is_symmetric_where_it_samples_around_the_default_axis(options, symmetric):
+    assert lm.Grid((5, 6), 0.5, **options).symmetric is symmetric

@@ -190,9 +190,8 @@ def drawn(count: int, seed: int, only: str | None) -> list[Fault]:
     entries = [tomllib.loads(listing.read_text(encoding="utf-8")) for listing in LISTS]
     listed = {file: entry["tests"] for listing in entries for file, entry in listing.items()}
     argued = {(fault.file, fault.applied(texts[fault.file])): fault.argued for fault in load() if fault.file in texts}
-    chances = draw.draw(texts, seed)
     faults: list[Fault] = []
-    for number, (file, (start, end, new)) in enumerate(chances, 1):
+    for number, (file, (start, end, new)) in enumerate(draw.draw(texts, seed), 1):
         text = texts[file]
         name = f"{Path(file).parent.name}/{Path(file).name}:{text.count(chr(10), 0, start) + 1}"
         fault = Fault(number, name, file, text[start:end], new, subject(file, listed), "", start)
@@ -201,33 +200,38 @@ def drawn(count: int, seed: int, only: str | None) -> list[Fault]:
         # Two switches in one place are none in another.
         if all((start, end) == span or end <= span[0] or span[1] <= start for span in beside):
             faults.append(fault)
-        if len(faults) == count:
-            broken = uncompiled([fault for fault in faults if fault.compiled])
-            faults = [fault for fault in faults if fault not in broken]
-            if len(faults) == count:
+        # Of those in C++ a few do not compile.
+        if len(faults) >= count + sum(fault.compiled for fault in faults) // 4:
+            refused = uncompiled([fault for fault in faults if fault.compiled])
+            faults = [fault for fault in faults if fault not in refused]
+            if len(faults) >= count:
                 break
-    return faults
+    return faults[:count]
 
 
 def uncompiled(faults: list[Fault]) -> list[Fault]:
     """Return the faults that the compiler refuses where they stand, all being looked at together."""
     refused: list[Fault] = []
-    while left := [fault for fault in faults if fault not in refused]:
-        build = configured(left, PLACE / "checked", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
-        said = ""
-        for unit in json.loads((build / "compile_commands.json").read_text(encoding="utf-8")):
-            if "/bindings/" in unit["file"]:
-                command = f"{unit['command']} -fsyntax-only"
-                done = subprocess.run(command, shell=True, cwd=build, capture_output=True, text=True, check=False)
-                said += done.stderr if done.returncode else ""
-        if not said:
-            break
-        places = set(re.findall(r"(cpp/include/\S+?):(\d+):\d+: error", said))
-        hit = _at(places, left) or _at(set(re.findall(r"(cpp/include/\S+?):(\d+):\d+:", said)), left)
-        if not hit:
-            sys.exit(f"no fault is where the compiler says that one is:\n{said[:6000]}")
-        refused += hit
+    if not faults:
+        return refused
+    build = configured(faults, PLACE / "checked", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+    units = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    for unit in units:
+        # A unit that compiles does so without some of the faults, too.
+        while "/bindings/" in unit["file"] and (said := _complaint(f"{unit['command']} -fsyntax-only", build)):
+            places = set(re.findall(r"(cpp/include/\S+?):(\d+):\d+: error", said))
+            left = [fault for fault in faults if fault not in refused]
+            hit = _at(places, left) or _at(set(re.findall(r"(cpp/include/\S+?):(\d+):\d+:", said)), left)
+            if not hit:
+                sys.exit(f"no fault is where the compiler says that one is:\n{said[:6000]}")
+            refused += hit
+            configured([fault for fault in left if fault not in hit], PLACE / "checked")
     return refused
+
+
+def _complaint(command: str, folder: Path) -> str:
+    done = subprocess.run(command, shell=True, cwd=folder, capture_output=True, text=True, check=False)
+    return done.stderr if done.returncode else ""
 
 
 def _at(places: set[tuple[str, str]], faults: list[Fault]) -> list[Fault]:

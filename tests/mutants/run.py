@@ -218,7 +218,9 @@ def uncompiled(faults: list[Fault]) -> list[Fault]:
     units = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     for unit in units:
         # A unit that compiles does so without some of the faults, too.
-        while "/bindings/" in unit["file"] and (said := _complaint(f"{unit['command']} -fsyntax-only", build)):
+        while "/bindings/" in unit["file"] and (
+            said := _complaint(f"{unit['command']} -fsyntax-only -Werror=vla", build)
+        ):
             places = set(re.findall(r"(cpp/include/\S+?):(\d+):\d+: error", said))
             left = [fault for fault in faults if fault not in refused]
             hit = _at(places, left) or _at(set(re.findall(r"(cpp/include/\S+?):(\d+):\d+:", said)), left)

@@ -220,3 +220,11 @@ def test_a_survivor_is_shown_with_its_line(mutants):
     line = text.count("\n", 0, match.start()) + 1
     assert shown.startswith(f"{file}:{line}: NOT ARGUED\n  - constexpr std::size_t widest_step = 32;")
     assert "\n  + constexpr std::size_t widest_step = 33;" in shown
+
+
+def test_faults_of_cpp_are_of_headers_that_are_compiled(mutants):
+    bound = mutants._bound()
+    assert "cpp/include/lommel/radial/field.hpp" in bound
+    # What the page alone has.
+    assert "cpp/include/lommel/imaging/convolution.hpp" not in bound
+    assert all((ROOT / header).exists() for header in bound)

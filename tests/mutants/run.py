@@ -182,11 +182,24 @@ def subject(file: str, listed: dict[str, list[str]]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found)) or ("tests",)
 
 
+def _bound() -> set[str]:
+    """Return the headers that the bindings include, and those that these do."""
+    found, now = set[str](), set((ROOT / "cpp" / "bindings").iterdir())
+    while now:
+        text = "".join(path.read_text(encoding="utf-8") for path in now)
+        headers = {f"cpp/include/{name}" for name in re.findall(r'^#include "(lommel/.*)"$', text, re.MULTILINE)}
+        now = {ROOT / header for header in headers - found}
+        found |= headers
+    return found
+
+
 def drawn(count: int, seed: int, only: str | None) -> list[Fault]:
     """Return faults that chance draws from the code, each with the tests of its subject; those in C++ compile."""
     folders = {"python": "src/lommel/**/*.py", "cpp": "cpp/include/**/*.hpp"}
     paths = [path for language, glob in folders.items() if only in (None, language) for path in ROOT.glob(glob)]
     texts = {path.relative_to(ROOT).as_posix(): path.read_text(encoding="utf-8") for path in sorted(paths)}
+    # Headers that the page alone includes are not in the module.
+    texts = {file: text for file, text in texts.items() if file.endswith(".py") or file in _bound()}
     entries = [tomllib.loads(listing.read_text(encoding="utf-8")) for listing in LISTS]
     listed = {file: entry["tests"] for listing in entries for file, entry in listing.items()}
     argued = {(fault.file, fault.applied(texts[fault.file])): fault.argued for fault in load() if fault.file in texts}

@@ -228,3 +228,10 @@ def test_faults_of_cpp_are_of_headers_that_are_compiled(mutants):
     # What the page alone has.
     assert "cpp/include/lommel/imaging/convolution.hpp" not in bound
     assert all((ROOT / header).exists() for header in bound)
+
+
+def test_what_is_listed_for_its_argument_has_one_and_need_be_no_expression(mutants):
+    file = "cpp/include/lommel/base/simd.hpp"
+    entry = mutants.Fault(1, "x:1", file, "constexpr std::size_t widest_step = 32", "+ 1", (), "because", drawn=True)
+    assert mutants.misfits([entry]) == []
+    assert "has none" in mutants.misfits([mutants.replace(entry, argued="")])[0]

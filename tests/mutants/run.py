@@ -67,6 +67,7 @@ class Fault:
     tests: tuple[str, ...]
     argued: str
     start: int = -1  # where `old` is, if it need not be there once
+    drawn: bool = False  # in the lists for its argument only, for runs whose faults are random
 
     def span(self, text: str) -> tuple[int, int]:
         """Return where it is in the text of its file."""
@@ -93,7 +94,8 @@ def load() -> list[Fault]:
                 extra = more[0] if more else {}
                 tests = tuple(extra.get("tests", entry["tests"]))
                 name = f"{Path(file).parent.name}/{Path(file).name}:{place}"
-                faults.append(Fault(len(faults) + 1, name, file, old, new, tests, extra.get("argued", "")))
+                argued, drawn = extra.get("argued", ""), extra.get("drawn", False)
+                faults.append(Fault(len(faults) + 1, name, file, old, new, tests, argued, drawn=drawn))
     return faults
 
 
@@ -105,12 +107,16 @@ def misfits(faults: list[Fault]) -> list[str]:
         count = path.read_text(encoding="utf-8").count(fault.old) if path.exists() else 0
         if count != 1 or fault.old == fault.new:
             wrong.append(f"{fault.name}: {fault.old!r} is {count} times in {fault.file}")
-        if fault.compiled and fault.old.startswith(("+ ", "- ", "* ", "/ ", "&& ", "|| ")):
+        if fault.drawn and not fault.argued:
+            wrong.append(f"{fault.name} is there for its argument, and has none")
+        if fault.compiled and not fault.drawn and fault.old.startswith(("+ ", "- ", "* ", "/ ", "&& ", "|| ")):
             wrong.append(f"{fault.name}: {fault.old!r} is no expression that a switch could stand for")
         wrong += [f"{fault.name}: no {test}" for test in fault.tests if not (ROOT / test.split("::")[0]).exists()]
     if not wrong:
-        for file in sorted({f.file for f in faults if f.compiled}):
-            spans = sorted(_spans([f for f in faults if f.file == file], (ROOT / file).read_text(encoding="utf-8")))
+        switches = [fault for fault in faults if fault.compiled and not fault.drawn]
+        for file in sorted({fault.file for fault in switches}):
+            text = (ROOT / file).read_text(encoding="utf-8")
+            spans = sorted(_spans([fault for fault in switches if fault.file == file], text))
             wrong += [f"{file}: faults overlap at {b!r}" for a, b in itertools.pairwise(spans) if b[0] < a[1]]
     return wrong
 
@@ -430,9 +436,10 @@ def main() -> None:
         # That the code is slow is no fault, and what compiles in half the time is judged sooner.
         options = ["-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"]
     else:
-        faults, least, place, options = load(), NOTICED, PLACE, []
-        if wrong := misfits(faults):
+        listed, least, place, options = load(), NOTICED, PLACE, []
+        if wrong := misfits(listed):
             sys.exit("\n".join(wrong))
+        faults = [fault for fault in listed if not fault.drawn]
     chosen = [
         f
         for f in faults

@@ -244,3 +244,13 @@ def test_what_has_no_derivatives_says_so():
     measured = OIL.pupil(depth=DEPTH, z=Z, wavelength=WAVE, aberrations=lm.Wavefront.zernike({(2, 2): 0.1}))
     with pytest.raises(ValueError, match=r"'wavelength' are not available .* with aberrations; take differences"):
         lm.psf(measured, 9, PIXEL, derivatives=("z", "wavelength"))
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 3), (2, 5), (5, 5)])
+def test_bounds_of_derivatives_grow_by_what_storing_them_rounds(shape):
+    bounds, asked = {}, pupil()[1]
+    for dtype in (np.float32, np.float64):
+        made = lm.psf(asked, shape, PIXEL, integrate=False, dtype=dtype, derivatives=("z",))
+        bounds[dtype] = made.derivative_bounds["z"]
+    most = np.abs(made.derivatives["z"]).max() / made.values.max()
+    assert 0.99 * 2.0**-24 * most <= bounds[np.float32] - bounds[np.float64] <= 1.1 * 2.0**-24 * most

@@ -226,3 +226,10 @@ def test_a_pupil_without_a_wavelength_is_refused_by_name():
     for derivatives in ((), ("defocus",)):
         with pytest.raises(ValueError, match=r"^pupil must have a wavelength, .* such as that of a Lens$"):
             lm.colour_psf(lm.Pupil(lm.Wavefront(1.0)), 9, 0.5, lm.Channels.rgb(), derivatives=derivatives)
+
+
+@pytest.mark.parametrize("channels", [lm.Channels.rgb(), [550e-9]], ids=["colours", "wavelengths"])
+def test_a_picture_without_such_a_stretch_is_refused_by_name(channels):
+    answer = lm.colour_psf(LENS.pupil(1.9), 9, 3e-6, channels)
+    with pytest.raises(ValueError, match="stretch must be"):
+        answer.plot(stretch="cubic")

@@ -167,3 +167,11 @@ def test_a_pixel_that_was_meant_in_micrometres_is_refused_with_the_fix(value, fi
     with pytest.raises(ValueError, match=f"pixel is in metres .* got {value:g}; .*{fix}"):
         validation.pixel(value, metric=True)
     assert validation.pixel(value, metric=False) == value
+
+
+def test_the_active_part_of_a_pixel_is_a_part_of_its_area_or_of_both_sides():
+    assert validation.fill("fill", 0.25) == (0.5, 0.5)
+    assert validation.fill("fill", (0.9, 1.0)) == (0.9, 1.0)
+    for wrong in ((0.9,), (0.9, 0.8, 0.7), []):
+        with pytest.raises(ValueError, match=r"fill must be one number, or \(of height, of width\)"):
+            validation.fill("fill", wrong)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import inspect
+
 import numpy as np
 import pytest
 
 import lommel as lm
 from lommel.base.units import LENGTHS
+from lommel.lensfiles.colour_section import ChannelsSection
 
 WAVES = np.arange(400, 701, 20)
 
@@ -122,3 +125,9 @@ def test_tables_that_do_not_meet_are_told(tmp_path, sensor):
         lm.load_channels(sensor, filters=far)
     with pytest.raises(ValueError, match=r"sensor.csv must have one column beside the wavelength"):
         lm.load_channels(sensor, illuminant=sensor)
+
+
+def test_a_lens_file_asks_of_channels_what_the_function_does_by_default():
+    section, function = ChannelsSection.model_fields, inspect.signature(lm.load_channels).parameters
+    for name in ("tol", "paths"):
+        assert section[name].default == function[name].default

@@ -209,3 +209,12 @@ def test_the_strehl_ratio_of_an_obscured_lens_is_relative_to_itself():
     assert float(lm.psf(lm.Pupil(obscuration=0.6), 3, 0.7, method=lm.Hankel()).strehl) == pytest.approx(
         1.0, rel=1e-13
     )
+
+
+def test_of_long_pixels_a_diameter_may_reach_the_corners_of_the_window():
+    psf = lm.psf(lm.Pupil(lm.Wavefront(nonradial={(3, 1): 1.0})), (9, 33), (0.25, 1.5), integrate=True)
+    for radius in (1.0, 24.0):
+        within = float(energy.encircled_energy(psf, radius))
+        found = float(spot.energy_diameter(psf, within))
+        assert energy.encircled_energy(psf, 0.5 * found) == pytest.approx(within, rel=1e-9)
+        assert found == pytest.approx(2.0 * radius, rel=0.05)

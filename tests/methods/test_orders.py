@@ -9,6 +9,7 @@ import pytest
 from scipy.special import jv
 
 import lommel as lm
+from lommel.methods.disc_means import between
 from lommel.methods.orders import Orders, Table, light, product
 from lommel.optics.emitter import Absorbed
 from plane_waves import intensity
@@ -139,3 +140,13 @@ def test_vortices_have_no_derivatives():
     for name in ("z", "row"):
         with pytest.raises(ValueError, match=r"not available of the light of Beam\(polarization='vortex'\)"):
             lm.psf(pupil, 5, 6.5e-6, derivatives=(name,))
+
+
+@pytest.mark.parametrize("ends", [(0.0, 5.0), (2.95, 3.05), (3.3, 9.1), (40.0, 40.0)])
+def test_a_table_has_what_each_pixel_needs_and_no_more(ends):
+    radius = np.linspace(*ends, 301)
+    table = Table.around(radius, 1e-6, 1.3)
+    first, weights = between(radius / table.step)
+    assert table.places[0] == first.min()
+    assert table.places[-1] <= first.max() + weights.shape[-1]
+    assert table.places[-1] >= first.max() + weights.shape[-1] - 1

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.special import j1, jvp
 
 import lommel as lm
 from lommel.methods import Bead, Confocal, TwoPhoton
+from lommel.methods.layered import BRIGHT_RING
 from lommel.special.legendre import gauss_legendre
 from plane_waves import intensity
 
@@ -108,3 +110,8 @@ def test_what_has_no_answer_is_refused(way):
         lm.psf(pupil, 5, PIXEL, method=way, center=([2.0, 2.1], [2.0, 2.0]), integrate=False)
     with pytest.raises(ValueError, match="derivatives"):
         lm.psf(pupil, 5, PIXEL, method=way, derivatives=("z",), normalize="energy")
+
+
+def test_the_ring_that_is_bright_where_the_axis_is_dark_is_the_maximum_of_j1():
+    assert jvp(1, BRIGHT_RING) == pytest.approx(0.0, abs=2e-5)
+    assert j1(BRIGHT_RING) > j1(np.linspace(0.0, 20.0, 999)).max() - 1e-5

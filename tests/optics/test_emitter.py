@@ -126,3 +126,11 @@ def test_the_wobble_is_the_share_that_turns_freely():
 def test_what_is_no_emitter_is_refused_in_a_sentence(make, message):
     with pytest.raises((TypeError, ValueError), match=message):
         make()
+
+
+def test_a_jones_vector_may_be_of_any_sequence():
+    beam = lm.Beam((1.0, 0.5j))
+    for given in ([1, 0.5j], np.array([1.0, 0.5j]), (np.float32(1.0), 0.5j)):
+        other = lm.Beam(given)
+        assert other == beam
+        assert hash(other) == hash(beam)

@@ -394,3 +394,15 @@ def test_wavefronts_and_what_holds_them_hash_as_they_compare(lenses):
 def test_an_aberration_by_name_is_told_how_it_is_made():
     with pytest.raises(TypeError, match=r"has no argument 'coma'; .*Wavefront\.zernike\(.*Wavefront\.from_seidel\("):
         lm.Wavefront(1.0, coma=1.0)
+
+
+def test_the_radius_that_is_out_of_range_is_named_and_no_other():
+    with pytest.raises(ValueError, match=r"radius must be > 0 and <= 1, got 1\.5$"):
+        Wavefront(1.0).scaled([1.0, 1.5])
+    assert Wavefront(1.0).scaled([0.5, 1.0]).defocus == pytest.approx([0.25, 1.0])
+
+
+@pytest.mark.parametrize("given", [{"defocus": []}, {"spherical": np.zeros((2, 0))}, {"nonradial": {(3, 1): []}}])
+def test_wavefronts_of_no_pupil_are_refused(given):
+    with pytest.raises(ValueError, match="the coefficients of a wavefront must not be empty"):
+        Wavefront(**given)

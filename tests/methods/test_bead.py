@@ -9,6 +9,7 @@ import pytest
 
 import lommel as lm
 from lommel.methods import Bead, DebyeWolf, method_from_dict
+from lommel.methods.disc_means import ellipses
 from lommel.special.legendre import gauss_legendre
 from objectives import OIL
 from plane_waves import intensity
@@ -114,3 +115,17 @@ def test_a_bead_in_the_glass_is_refused():
     with pytest.raises(ValueError, match="needs a depth of at least the radius of the bead, 5e-08 metres, got 4e-08"):
         lm.microscopy.bead(pupil, 100e-9, 9, 6.5e-6)
     lm.microscopy.bead(pupil, 80e-9, 9, 6.5e-6)
+
+
+@pytest.mark.parametrize("diameter", [50e-9, 400e-9])
+def test_light_that_fades_into_the_sample_grows_towards_the_glass_as_its_fastest_wave(diameter):
+    pupil = OIL.pupil(depth=1e-6, z=1e-6, wavelength=520e-9)
+    layers = pupil.layers
+    assert layers.sample < layers.NA
+    # From the middle to the top of a ball, for which ellipses shrink to its heights: of |exp(-kappa h)|^2.
+    kappa = layers.wavenumber * np.sqrt(layers.NA**2 - layers.sample**2)
+    growth = Bead(diameter)._growth(pupil)
+    eta = ellipses()
+    assert np.all(growth >= kappa * diameter * np.cosh(eta))
+    across = layers.wavenumber * 2.0 * layers.NA * 0.5 * diameter * np.sinh(eta)
+    assert np.all(growth <= kappa * diameter * np.cosh(eta) + 1.5 * across)

@@ -15,7 +15,7 @@ from lommel.base.checksums import sealed
 from lommel.base.encoding import clipped_share
 from lommel.imaging.layers import _behind
 from lommel.io import psf_files
-from lommel.measures import aperture_means, spot
+from lommel.measures import aperture_means
 
 
 def test_a_pixel_may_be_as_wide_and_as_narrow_as_the_message_says():
@@ -110,17 +110,6 @@ def test_the_rms_over_an_ellipse_counts_the_middle_as_it_is(a, b):
     pupil = lm.Pupil(lm.Wavefront(3.0), vignetting=lm.Ellipse(a, b))
     variance = (a**4 + b**4) / 8 + a**2 * b**2 / 12 - (a**2 + b**2) ** 2 / 16
     assert lm.rms(pupil) == pytest.approx(6.0 * math.sqrt(variance), rel=1e-11)
-
-
-@pytest.mark.parametrize("line", [[0.0, 0.1, 0.2, 0.5, 1.0, 0.9], [0.9, 1.0, 0.5, 0.2, 0.1, 0.0]])
-def test_a_width_needs_both_edges(line):
-    with pytest.raises(ValueError, match="do not fall to half of the largest along x"):
-        spot._width(np.array(line), "x")
-    whole = np.array([0.0, 0.1, 0.2, 0.5, 1.0, 0.5, 0.2, 0.1, 0.0])
-    assert spot._width(whole, "x") == pytest.approx(2.0, rel=1e-9)
-    # Dark rings inside do not count.
-    ringed = np.array([0.0, 0.1, 0.8, 0.3, 1.0, 0.3, 0.8, 0.1, 0.0])
-    assert 5.0 < spot._width(ringed, "x") < 6.0
 
 
 def test_the_axis_of_a_window_that_is_not_square_is_centred_where_both_coordinates_are():

@@ -105,7 +105,7 @@ def test_the_json_is_about_the_lens_and_the_psf_that_python_knows(printed, lense
     for key, number in {
         "rms_waves": lm.rms(psf.pupil, unit="waves"),
         "marechal": lm.marechal(psf.pupil),
-        "fwhm": psf.fwhm(),
+        "fwhm": psf.fwhm(of="optics"),
         "cutoff": 1 / (lens.wavelength * lens.working_f_number),
         "mtf50": lm.mtf_frequency(psf.pupil),
         "nyquist": 250e3,
@@ -120,8 +120,8 @@ def test_the_json_is_about_the_lens_and_the_psf_that_python_knows(printed, lense
     assert printed["psf"]["energy"] == pytest.approx(psf.energy)
     assert printed["psf"]["error_bound"] == pytest.approx(psf.error_bound)
     for row in printed["encircled_energy"]:
-        assert row["fraction"] == pytest.approx(psf.encircled_energy(row["radius"]), abs=1e-6)
-        ideal = lm.psf(psf.pupil.unaberrated(), 1, 2e-6).encircled_energy(row["radius"])
+        assert row["fraction"] == pytest.approx(psf.encircled_energy(row["radius"], of="optics"), abs=1e-6)
+        ideal = lm.psf(psf.pupil.unaberrated(), 1, 2e-6).encircled_energy(row["radius"], of="optics")
         assert row["unaberrated"] == pytest.approx(ideal, abs=1e-6)
 
 

@@ -81,7 +81,7 @@ def test_every_long_command_tells_rising_shares_of_its_work(call_lommel, folder,
 def drawn(*calls, total=None):
     console = Console(file=io.StringIO(), force_terminal=True, width=120)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(bars, "Console", lambda **_: console)
+        patch.setattr("rich.console.Console", lambda **_: console)
         with bars.progress("first", total) as started:
             for call in calls:
                 started(*call)

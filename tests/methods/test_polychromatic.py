@@ -121,7 +121,7 @@ def test_the_energy_of_white_light_within_any_radius_is_that_of_its_parts():
     for radius in (20e-6, 200e-6, 1e-3):
         v = np.pi * radius / (np.array(waves) * 2.8)
         exact = np.mean(1.0 - j0(v) ** 2 - j1(v) ** 2)
-        assert answer.encircled_energy(radius) == pytest.approx(exact, abs=1e-7)
+        assert answer.encircled_energy(radius, of="optics") == pytest.approx(exact, abs=1e-7)
     far = lm.psf(lm.Pupil(wavelength=1e-6, f_number=2.8), 257, 1e-6, method=lm.Polychromatic([400e-9], [1]))
     alone = lm.psf(lm.Pupil(wavelength=400e-9, f_number=2.8), 257, 1e-6)
     assert far.energy == pytest.approx(alone.energy, abs=1e-7)

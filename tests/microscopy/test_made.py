@@ -35,7 +35,7 @@ def test_widths_are_those_that_quadrature_gave():
     wide = lm.psf(emission, 9, PIXEL)
     sharp = lm.microscopy.confocal(excitation, emission, 9, PIXEL)
     twice = lm.microscopy.two_photon(infrared, 9, PIXEL)
-    found = [1e9 * float(made.fwhm()) / 60 for made in (wide, sharp, twice)]
+    found = [1e9 * float(made.fwhm(of="optics")) / 60 for made in (wide, sharp, twice)]
     assert found == pytest.approx([246.7, 219.5, 267.4], abs=0.15)
 
 

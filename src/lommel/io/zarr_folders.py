@@ -155,7 +155,7 @@ def attributes(folder: Path) -> dict[str, Any]:
 
 def _meta(folder: Path) -> dict[str, Any]:
     _size(folder / META)
-    found: dict[str, Any] = json.loads(reading.contents(folder / META, reading.MAX_PIXELS))
+    found: dict[str, Any] = reading.json(reading.contents(folder / META, reading.MAX_PIXELS))
     return found
 
 

@@ -104,4 +104,5 @@ def _lines(answer: Answer, of: str) -> Array:
             place = brightest_place(here._replace(pupil=here.pupil[brightest[k]]))
         images = cartesian_images(here, float(np.abs(place).max()))
         lines.append([float(image.derivatives(*place)[0, 0]) for image in images])
-    return np.array(lines).reshape(pupil.shape)
+    # A sheet of light, among others, is in what values are multiplied by.
+    return np.asarray(answer.scale * np.array(lines).reshape(pupil.shape))

@@ -11,10 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from lommel.base import validation
 from lommel.measures.continuous_image import OWN_ERROR, SEAM_NORM, ImageModel, cartesian_images
 from lommel.measures.energy import radial_energy
-from lommel.methods.choice import of_profiles
+from lommel.methods.choice import candidates, of_profiles
 from lommel.methods.method import Method
-from lommel.methods.nijboer_zernike import NijboerZernike
-from lommel.methods.nonuniform_fft import NonuniformFFT
+from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil, checked
 
 MAX_RADIUS = 250.0
@@ -83,7 +82,7 @@ def encircled(pupil: Pupil, radius: ArrayLike, *, method: Method | None = None) 
 
 def optics(pupil: Pupil, method: Method | None = None) -> ImageModel:
     """Return the model of the image of a pupil alone, by a method or by what serves it."""
-    return ImageModel(pupil, method or (NijboerZernike() if pupil.circular else NonuniformFFT()))
+    return ImageModel(pupil, method or candidates(pupil, Grid(3, 0.25 * pupil.scale))[0])
 
 
 __all__ = ["MAX_RADIUS", "Encircled", "encircled", "optics"]

@@ -89,7 +89,7 @@ class Hdf5Store(Store):
             mark = file.read(_HEAD).split()
             if mark[:2] != [b"lommel", b"stack"] or len(mark) != 4 or int(mark[3]) > min(size, reading.MAX_PIXELS):
                 raise ValueError("no description before HDF5 begins")
-            said, found = checked(json.loads(file.read(int(mark[3]))))
+            said, found = checked(reading.json(file.read(int(mark[3]))))
             offsets = {name: int(said[_PLACES][name]) for name in found}
             ends = [offsets[name] + layout.nbytes for name, layout in found.items()]
             if min(offsets.values()) < 0 or max(*ends, int(said[_BYTES])) > size:

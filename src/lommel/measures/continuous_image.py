@@ -21,7 +21,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -31,6 +30,7 @@ from scipy import fft
 from scipy.special import erfc, j0, j1
 
 from lommel.base.arrays import Array
+from lommel.base.cached import cached_property
 from lommel.core.answers import Images, ToleranceError, Wanted
 from lommel.measures.answer import Answer
 from lommel.measures.overlap import autocorrelation
@@ -189,13 +189,21 @@ class CartesianImage:
         """Return the light within each radius of a point."""
         x, y = center
         turned = (np.exp(2j * math.pi * y * self.fy)[:, None] * self.table) * np.exp(2j * math.pi * x * self.fx)
-        squares, ring = _rings(*self.table.shape)
+        squares, ring = self._rings
         light = np.bincount(ring, turned.real.ravel())
         f = np.sqrt(squares[1:]) * (self.fx[1] - self.fx[0])
         out = np.empty(radius.size)
         for i, r in enumerate(radius):
             out[i] = math.pi * r * r * light[0] + (r * j1(2.0 * math.pi * r * f) / f) @ light[1:]
         return out
+
+    @cached_property
+    def _rings(self) -> tuple[NDArray[np.int64], NDArray[np.intp]]:
+        """The distinct squared distances on the lattice of frequencies, and which of them each point has."""
+        rows, columns = self.table.shape
+        half = np.fft.fftfreq(rows, 1.0 / rows).round().astype(np.int64)
+        squares, ring = np.unique(np.add.outer(half**2, np.arange(columns) ** 2).ravel(), return_inverse=True)
+        return squares, ring.ravel()
 
     def rectangle(self, low: tuple[float, float], high: tuple[float, float]) -> float:
         """Return the light in a rectangle between two corners (x, y)."""
@@ -204,14 +212,6 @@ class CartesianImage:
             return np.asarray((b - a) * np.sinc(f * (b - a)) * np.exp(1j * math.pi * (a + b) * f))
 
         return float((side(self.fy, low[1], high[1]) @ (self.table @ side(self.fx, low[0], high[0]))).real)
-
-
-@lru_cache(maxsize=4)
-def _rings(rows: int, columns: int) -> tuple[NDArray[np.int64], NDArray[np.intp]]:
-    """Return the distinct squared distances on half a lattice of frequencies, and which of them each point has."""
-    half = np.fft.fftfreq(rows, 1.0 / rows).round().astype(np.int64)
-    squares, ring = np.unique(np.add.outer(half**2, np.arange(columns) ** 2).ravel(), return_inverse=True)
-    return squares, ring.ravel()
 
 
 def cartesian_images(model: ImageModel, reach: float) -> Iterator[CartesianImage]:

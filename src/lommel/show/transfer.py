@@ -82,9 +82,11 @@ def mtf(thing: Pupil | Answer, ax: Axes | None = None, *, pixel: float | None = 
         axes.plot(factor * f, _curve(one, f, zero, sides), color=f"C{k}", label=f"{name}along x")
         axes.plot(factor * f, _curve(one, zero, f, sides), "--", color=f"C{k}", label=f"{name}along y")
     if isinstance(pupil, Pupil):
-        one: Any = thing[(0,) * len(pupil.shape)] if pupil.shape else thing
-        of_psf = isinstance(one, Answer)
-        ideal = replace(one, pupil=one.pupil.unaberrated(), derivatives={}) if of_psf else one.unaberrated()
+        first: Any = thing[(0,) * len(pupil.shape)] if pupil.shape else thing
+        if isinstance(first, Answer):
+            ideal: Any = replace(first, pupil=first.pupil.unaberrated(), derivatives={})  # type: ignore[attr-defined]
+        else:
+            ideal = first.unaberrated()
         axes.plot(factor * f, _curve(ideal, f, zero, sides), color="0.5", linewidth=1.0, label="without aberration")
     if sides[1]:
         axes.plot(factor * f, _of_pixel(f, sides[1]), ":", color="0.5", label="pixel alone")

@@ -233,3 +233,9 @@ def test_a_picture_without_such_a_stretch_is_refused_by_name(channels):
     answer = lm.colour_psf(LENS.pupil(1.9), 9, 3e-6, channels)
     with pytest.raises(ValueError, match="stretch must be"):
         answer.plot(stretch="cubic")
+
+
+def test_pictures_of_a_stack_in_colour_have_their_titles():
+    pytest.importorskip("matplotlib.pyplot")
+    axes = lm.colour_psf(LENS.pupil([1.9, 2.0]), 9, 3e-6).plot()
+    assert [one.get_title() for one in axes] == ["0", "1"]

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from lommel.microscopy.deconvolution import TOO_QUIET
 
 OBJECTIVE = lm.Objective(
     NA=1.3,
@@ -80,7 +81,7 @@ def test_beads_on_a_background_keep_their_photons_and_all_light():
     assert found.values.sum(dtype=float) == pytest.approx(inside.sum(), rel=0.02)
     for place, photons in BEADS.items():
         part = tuple(slice(k - 2, k + 3) for k in place)
-        assert found.values[part].sum() == pytest.approx(photons + 125 * 20.0, rel=0.05)
+        assert found.values[part].sum() == pytest.approx(photons + 125 * 20.0, rel=0.07)
 
 
 def test_a_larger_margin_changes_nothing_to_speak_of():
@@ -246,7 +247,7 @@ def test_memory_is_at_most_eight_times_the_stack_in_float32():
         ({"stack": np.full((4, 5, 5), np.nan)}, ValueError, "voxels that are known"),
         ({"psf": PSF.values}, TypeError, "psf must be a PSF"),
         ({"noise": 1.0}, TypeError, "noise must be a Noise"),
-        ({"noise": lm.Noise(read=np.ones((3, 3)))}, ValueError, r"read, of shape \(3, 3\)"),
+        ({"noise": lm.Noise(read=np.ones((3, 3)))}, ValueError, r"noise must have one read, or a map of the shape \(5, 5\), got the shape \(3, 3\)"),
         ({"method": lm.imaging.TotalVariation()}, TypeError, "method must be of the type RichardsonLucy, or None"),
         ({"margin": 3}, ValueError, r"margin must be \(planes, pixels\)"),
         ({"margin": (-1, 3)}, ValueError, "margin"),
@@ -257,3 +258,20 @@ def test_bad_arguments_are_refused_by_name(changes, kind, said):
     given = {"stack": np.ones((4, 5, 5)), "psf": PSF, "noise": NOISE} | changes
     with pytest.raises(kind, match=said):
         lm.microscopy.deconvolve(given.pop("stack"), given.pop("psf"), given.pop("noise"), **given)
+
+
+def test_a_stack_that_is_quieter_than_its_noise_is_told():
+    stack = np.random.default_rng(1).poisson(200.0, (8, 24, 24)) + 100.0
+    # The offset is left out, so that 300 counts vary like 200.
+    found = lm.microscopy.deconvolve(stack, PSF, lm.Noise(read=1.6))
+    assert found.stopped == TOO_QUIET
+    assert lm.microscopy.deconvolve(stack, PSF, lm.Noise(read=1.6, offset=100.0)).stopped == "noise"
+
+
+@pytest.mark.parametrize("name", ["offset", "read", "white"])
+def test_maps_of_noise_have_the_sides_of_a_plane(name):
+    noise = lm.Noise(**{"read": 1.0, name: np.ones((3, 3))})
+    with pytest.raises(
+        ValueError, match=rf"noise must have one {name}, or a map of the shape \(24, 24\), got .*\(3, 3\)"
+    ):
+        lm.microscopy.deconvolve(np.ones((8, 24, 24)), PSF, noise)

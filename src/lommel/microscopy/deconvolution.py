@@ -17,8 +17,13 @@ from lommel.imaging.restoration.richardson_lucy import Course, RichardsonLucy
 from lommel.microscopy.tiled_blur import Part, Piece, TiledBlur
 from lommel.psf import PSF
 
-STACK_MISFIT = "misfit: the PSF (depth, direction of z, steps of z, pixels) or the noise is not that of the stack"
+STACK_MISFIT = (
+    "misfit: the PSF (wavelength, depth, direction of z, steps of z, pixels) or the noise is not that of the stack"
+)
 """Why a method stopped that a stack does not follow."""
+
+TOO_QUIET = "misfit: the stack is quieter than its noise; is the offset left out, or the read noise too large?"
+"""Why a method stopped at once, at a discrepancy that is too small for the noise that was stated."""
 
 _LEAST_PLANES = 8  # of the margin, where the PSF has so many
 _MOST_CHANGE = 6e4  # that half precision holds
@@ -42,10 +47,13 @@ def deconvolve(
         As it was recorded, in the unit of `noise`: integers or floats; NaN where a value is unknown.
     psf : PSF
         As :class:`lommel.microscopy.StackBlur` takes it, in the steps, pixels and direction of z of the recording.
+        Its planes and its window have to hold the cone of light: what is beyond them is taken to be dark. Values are
+        divided by their sum, so that a point is restored with all of its light in these planes together.
     noise : Noise
         Of the values of `stack`; maps of pixels hold for each plane.
     method : RichardsonLucy, optional
-        By default ``lm.imaging.RichardsonLucy()``, which the noise stops.
+        By default ``lm.imaging.RichardsonLucy(target=1.0)``, which the noise stops: a lower discrepancy, as for
+        photographs, would add light that is noise where the PSF is much wider than a voxel.
     margin : (int, int), optional
         How many planes and pixels are restored beyond each face of the recording, of which nothing is known but the
         light that comes in; by default half of those of the PSF, and at most half as many planes as the stack has,
@@ -56,8 +64,9 @@ def deconvolve(
     Returns
     -------
     Restoration
-        Its `values` are float32, of the shape of the stack, without the offset of its noise, and its `light` the
-        same; `by_channel` has the discrepancy of each plane. `stopped` by a misfit says what does not fit a stack.
+        Its `values` are float32, of the shape of the stack, in its unit without the offset of its noise, and its
+        `light` the same; `by_channel` has the discrepancy of each plane. `stopped` by a misfit says what does not fit
+        a stack.
 
     Raises
     ------
@@ -82,22 +91,32 @@ def deconvolve(
     asked = usual if margin is None else margin
     if not isinstance(asked, tuple | list) or len(asked) != 2:
         raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
+    for name in ("offset", "read", "white"):
+        value = getattr(noise, name)
+        if np.ndim(value) and np.shape(value) not in ((), recorded.shape[1:]):
+            wanted = f"one {name}, or a map of the shape {recorded.shape[1:]}"
+            raise ValueError(f"noise must have {wanted}, got the shape {np.shape(value)}")
     planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in asked)
     counted = _Counted(recorded, noise)
     blur = TiledBlur(psf, (recorded.shape[0], recorded.shape[1], recorded.shape[2]), (planes, pixels))
     before = counted.discrepancies(blur.forward(counted.scene(planes, pixels)))
     walk = _Walk(blur, counted)
     with shown(progress) as tell:
-        course = walk.solve(method or RichardsonLucy(), tell)
+        course = walk.solve(method or RichardsonLucy(target=1.0), tell)
     values = walk.inside(planes, pixels)
+    stopped, found = walk.stopped, counted.mean(walk.discrepancies)
+    if stopped == MISFIT:
+        stopped = STACK_MISFIT
+    elif course.steps == 0 and counted.electrons >= 1.0 and found < 1.0 - 4.0 * slack_of(counted.known):
+        stopped = TOO_QUIET
     return Restoration(
         values,
         values,
-        counted.mean(walk.discrepancies),
+        found,
         tuple(map(float, walk.discrepancies)),
         counted.mean(before),
         course.steps,
-        STACK_MISFIT if walk.stopped == MISFIT else walk.stopped,
+        stopped,
         unknown=1.0 - float(counted.known.sum()) / recorded.size,
     )
 
@@ -133,6 +152,8 @@ class _Counted:
         self.most_weight = float(self._weight.max())
         self.level = total / weights
         """Mean light."""
+        self.electrons = self._white * counts / weights
+        """Mean count, with the variance of reading: below 1 the deviance of what is right is below 1, too."""
         self.smallest = 1e-6 * max(counts / weights, TINY)
 
     def part(self, plane: int, rows: slice, columns: slice) -> tuple[NDArray[Any], NDArray[Any]]:

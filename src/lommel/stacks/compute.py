@@ -91,7 +91,7 @@ def psf_to(
     ToleranceError
         If the tolerance cannot be met; what was computed before stays.
     ImportError
-        If zarr or h5py is not installed.
+        If h5py is not installed, for a store in HDF5.
     OSError
         If the store cannot be written, or does not fit on the disk.
 

@@ -247,7 +247,11 @@ def test_memory_is_at_most_eight_times_the_stack_in_float32():
         ({"stack": np.full((4, 5, 5), np.nan)}, ValueError, "voxels that are known"),
         ({"psf": PSF.values}, TypeError, "psf must be a PSF"),
         ({"noise": 1.0}, TypeError, "noise must be a Noise"),
-        ({"noise": lm.Noise(read=np.ones((3, 3)))}, ValueError, r"noise must have one read, or a map of the shape \(5, 5\), got the shape \(3, 3\)"),
+        (
+            {"noise": lm.Noise(read=np.ones((3, 3)))},
+            ValueError,
+            r"noise must have one read, or a map of the shape \(5, 5\), got the shape \(3, 3\)",
+        ),
         ({"method": lm.imaging.TotalVariation()}, TypeError, "method must be of the type RichardsonLucy, or None"),
         ({"margin": 3}, ValueError, r"margin must be \(planes, pixels\)"),
         ({"margin": (-1, 3)}, ValueError, "margin"),

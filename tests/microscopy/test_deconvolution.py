@@ -250,7 +250,7 @@ def test_memory_is_at_most_eight_times_the_stack_in_float32():
         (
             {"noise": lm.Noise(read=np.ones((3, 3)))},
             ValueError,
-            r"noise must have one read, or a map of the shape \(5, 5\), got the shape \(3, 3\)",
+            r"one read, or a map of the shape \(5, 5\), got the shape \(3, 3\)",
         ),
         ({"method": lm.imaging.TotalVariation()}, TypeError, "method must be of the type RichardsonLucy, or None"),
         ({"margin": 3}, ValueError, r"margin must be \(planes, pixels\)"),

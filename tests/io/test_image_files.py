@@ -26,6 +26,10 @@ def test_pages_stacks_and_single_images_follow_each_other(tmp_path):
     three = np.concatenate([STACK, STACK[:1]])
     tifffile.imwrite(tmp_path / "planes.tif", three, photometric="rgb", planarconfig="separate")
     assert np.array_equal(read_images([tmp_path / "planes.tif"]), three)
+    with tifffile.TiffWriter(tmp_path / "both.tif") as file:
+        file.write(three, photometric="rgb", planarconfig="separate")
+        file.write(three[1], photometric="minisblack")
+    assert np.array_equal(read_images([tmp_path / "both.tif"]), [*three, three[1]])
     tifffile.imwrite(tmp_path / "colour.tif", np.moveaxis(three, 0, 2), photometric="rgb")
     with pytest.raises(PhotoError, match="axes YXS"):
         read_images([tmp_path / "colour.tif"])

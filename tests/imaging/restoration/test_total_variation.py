@@ -8,7 +8,7 @@ from scipy.optimize import minimize
 
 from lommel import Lens, Noise
 from lommel.imaging import DepthBlur, TotalVariation
-from lommel.imaging.restoration.observed import MISFIT, NOISE, Observed
+from lommel.imaging.restoration.observed import MISFIT, NOISE, STEPS, Observed
 from lommel.imaging.restoration.total_variation import _gradient, _gradient_transposed, _shorten
 
 LENS = Lens(focal_length=50e-3, f_number=2.8, focus_distance=2.0, wavelength=550e-9)
@@ -115,3 +115,13 @@ def test_a_flat_scene_stays_flat() -> None:
 def test_arguments_out_of_range_are_refused(name: str, value: object) -> None:
     with pytest.raises((TypeError, ValueError), match=name):
         TotalVariation(**{name: value})
+
+
+def test_what_is_smoothed_beyond_the_noise_is_not_stopped_by_it() -> None:
+    noise, scene = Noise(white=20000.0, read=3.0), _blocks()
+    blur = _blur((48, 56))
+    observed = Observed.of(blur, noise.record(20000.0 * blur.forward(scene), seed=4), noise)
+    found = TotalVariation(strength=4.0 * 0.15 / np.sqrt(20000.0 * scene.mean())).solve(observed, _silent)
+    model = observed.model(found.light)
+    assert 1.0 + observed.slack < observed.discrepancy(model, observed.ratio(model)) < 1.5
+    assert found.stopped == STEPS

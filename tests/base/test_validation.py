@@ -175,3 +175,14 @@ def test_the_active_part_of_a_pixel_is_a_part_of_its_area_or_of_both_sides():
     for wrong in ((0.9,), (0.9, 0.8, 0.7), []):
         with pytest.raises(ValueError, match=r"fill must be one number, or \(of height, of width\)"):
             validation.fill("fill", wrong)
+
+
+@pytest.mark.parametrize("number", [np.float32(np.nan), np.uint8(3)])
+def test_a_number_is_no_type(number):
+    with pytest.raises(TypeError, match="dtype must be uint8 or float32, got"):
+        validation.kind("dtype", number, np.uint8, np.float32)
+
+
+def test_a_wavelength_is_told_by_its_name():
+    with pytest.raises(ValueError, match=r"centers is in metres and must be from 1e-12 to 1e-2, got 2\.5"):
+        validation.wavelength(2.5, "centers")

@@ -119,3 +119,10 @@ def test_photographs_take_channels():
     options = {"encoding": "linear", "largest": 8, "energy": 0.9}
     found = lm.imaging.depth_of_field(image, depth, lens, 3e-6, wavelengths=lm.Channels.rgb(), **options)
     assert np.array_equal(found.values, lm.imaging.depth_of_field(image, depth, lens, 3e-6, **options).values)
+
+
+def test_no_wavelengths_are_refused_by_name():
+    with pytest.raises(ValueError, match="wavelengths must not be empty"):
+        lm.Channels((), [[1.0, 2.0]])
+    with pytest.raises((TypeError, ValueError), match="tol"):
+        lm.Polychromatic([5e-7], [1.0], tol=np.array([1.0, -1.0]))

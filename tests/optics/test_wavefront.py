@@ -404,5 +404,5 @@ def test_the_radius_that_is_out_of_range_is_named_and_no_other():
 
 @pytest.mark.parametrize("given", [{"defocus": []}, {"spherical": np.zeros((2, 0))}, {"nonradial": {(3, 1): []}}])
 def test_wavefronts_of_no_pupil_are_refused(given):
-    with pytest.raises(ValueError, match="the coefficients of a wavefront must not be empty"):
+    with pytest.raises(ValueError, match=r"the coefficients of a wavefront \(.*\) must not be empty"):
         Wavefront(**given)

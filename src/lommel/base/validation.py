@@ -225,7 +225,7 @@ def kind(name: str, value: Any, *allowed: Any) -> np.dtype[Any]:
         found: np.dtype[Any] = np.dtype(value)
     except Exception:  # NumPy has many for what is none
         found = np.dtype(object)
-    if value is None or found not in options:
+    if value is None or isinstance(value, np.generic) or found not in options:  # a number has a type, and is none
         *others, last = map(str, options)
         raise TypeError(f"{name} must be {', '.join(others)} or {last}, got {shown(value)}")
     return found
@@ -283,16 +283,16 @@ def positions(name: str, value: Any) -> tuple[float, float] | tuple[Array, Array
     return rows, columns
 
 
-def wavelength(value: Any) -> float:
+def wavelength(value: Any, name: str = "wavelength") -> float:
     """Return a wavelength in metres; a number that was meant in nm or um is refused with a hint."""
-    metres = real("wavelength", value, above=0.0, unit="metres")
+    metres = real(name, value, above=0.0, unit="metres")
     if not 1e-12 <= metres <= 1e-2:
         hint = ""
         if 100 <= metres <= 20000:
             hint = f"; for {metres:g} nm give {metres:g}e-9"
         elif 0.05 <= metres < 100:
             hint = f"; for {metres:g} um give {metres:g}e-6"
-        raise ValueError(f"wavelength is in metres and must be from 1e-12 to 1e-2, got {metres:g}{hint}")
+        raise ValueError(f"{name} is in metres and must be from 1e-12 to 1e-2, got {metres:g}{hint}")
     return metres
 
 

@@ -70,6 +70,7 @@ class Polychromatic(Spectrum, RadialMethod):
             raise TypeError(
                 f"method must be a Method of one wavelength such as NijboerZernike(), got {validation.shown(method)}"
             )
+        tol = None if tol is None else validation.real("tol", tol)
         if method is not None and tol is not None and tol != method.tol:
             method = method.with_tol(tol)
         tol = (method or Method).tol if tol is None else tol

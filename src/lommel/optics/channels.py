@@ -68,6 +68,8 @@ class Channels:
 
     def __init__(self, wavelengths: Sequence[float], weights: ArrayLike, names: Sequence[str] | None = None) -> None:
         waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
+        if not waves:
+            raise ValueError("wavelengths must not be empty, got none")
         if len(set(waves)) != len(waves):
             raise ValueError(f"wavelengths must all be different, got {validation.shown(wavelengths)}")
         rows = validation.real_array("weights", weights, least=0.0)
@@ -143,7 +145,7 @@ class Channels:
         TypeError, ValueError
             If a wavelength is none, or the width not above 0.
         """
-        middle = [validation.wavelength(w) for w in validation.real_array("centers", centers).ravel()]
+        middle = [validation.wavelength(w, "centers") for w in validation.real_array("centers", centers).ravel()]
         if not middle:
             raise ValueError("centers must not be empty")
         half = 0.5 * validation.real("width", width, above=0.0, below=2.0 * min(middle), unit="metres")

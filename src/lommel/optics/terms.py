@@ -42,7 +42,8 @@ class Terms:
             with np.errstate(over="ignore", invalid="ignore"):  # what is not finite then is told
                 edge[..., : powers.shape[-1]] = zernike.edge_of_powers(powers)
         if edge.size == 0:
-            raise ValueError(f"the coefficients of a wavefront must not be empty, got shape {edge.shape[:-1]}")
+            what = "the coefficients of a wavefront (defocus, spherical and others)"
+            raise ValueError(f"{what} must not be empty, got shape {edge.shape[:-1]}")
         if not np.isfinite(edge).all():
             raise ValueError("the coefficients of a wavefront must be finite, and so must their multiples and sums")
         edge.flags.writeable = False

@@ -95,7 +95,10 @@ def _name(argument: str, name: Any) -> Name:
     if isinstance(name, str) and (name in _TEXTS or _INDEXED.fullmatch(name)):
         found, term = name, _term(name)
     elif isinstance(name, tuple | list) and len(name) == 2:
-        found = term = zernike.term(name, "nm")
+        try:
+            found = term = zernike.term(name, "nm")
+        except (TypeError, ValueError) as error:
+            raise type(error)(f"{argument}: {error}") from None
     else:
         known = ", ".join(map(repr, _TEXTS))
         raise ValueError(

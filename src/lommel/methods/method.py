@@ -94,7 +94,8 @@ class Method(ABC):
         """
         if not self._has_tol:
             raise ValueError(
-                f"tol={validation.shown(tol)} must be left out for {type(self).__name__}, which has no tolerance"
+                f"tol={validation.shown(tol)} must be left out for {type(self).__name__}, which has no tolerance; "
+                "name another method"
             )
         changed: Self = replace(self, tol=tol)  # type: ignore[type-var]
         return changed

@@ -75,8 +75,8 @@ class Channels:
         rows = validation.real_array("weights", weights, least=0.0)
         if rows.ndim != 2 or rows.shape[1] != len(waves) or not rows.size or not rows.max(axis=1).all():
             raise ValueError(
-                f"weights must be of shape (channels, {len(waves)}), with light in every channel, "
-                f"got {validation.shown(weights)}"
+                f"weights must be of shape (channels, {len(waves)}), one for each of the wavelengths, with light in "
+                f"every channel, got {validation.shown(weights)}"
             )
         rows = rows / rows.max()  # whose sums cannot overflow
         if names is None:

@@ -167,9 +167,7 @@ def colour_psf(
 def _in_own_light(psf: PSF) -> PSF:
     """Return a PSF with the pupil in its own light, where that is of one wavelength."""
     method, wavelength = psf.method, psf.pupil.wavelength
-    if not isinstance(method, Polychromatic) or wavelength is None or set(method.wavelengths) == {wavelength}:
-        return psf
-    if len(method.wavelengths) > 1:
+    if not isinstance(method, Polychromatic) or wavelength is None or len(method.wavelengths) > 1:
         return psf
     (own,) = method.wavelengths
     # Intensities relate to the peak at the wavelength of the pupil, which is brighter in shorter light.

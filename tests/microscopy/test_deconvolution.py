@@ -11,22 +11,15 @@ import pytest
 
 import lommel as lm
 from lommel.microscopy.deconvolution import TOO_QUIET
+from objectives import OIL_60X
 
-OBJECTIVE = lm.Objective(
-    NA=1.3,
-    magnification=60,
-    immersion=1.515,
-    working_distance=0.2e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 STEP, PIXEL = 0.3e-6, 6e-6
 NOISE = lm.Noise(read=1.5, offset=100.0)
 
 
 def kernel(planes=11, side=17, depth=5e-6):
     z = (np.arange(planes) - planes // 2) * STEP
-    return lm.psf(OBJECTIVE.pupil(depth=depth, z=z, wavelength=520e-9), side, PIXEL, tol=1e-4)
+    return lm.psf(OIL_60X.pupil(depth=depth, z=z, wavelength=520e-9), side, PIXEL, tol=1e-4)
 
 
 PSF = kernel()

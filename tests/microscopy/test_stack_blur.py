@@ -7,21 +7,14 @@ import pytest
 from scipy.signal import convolve
 
 import lommel as lm
+from objectives import OIL_60X
 
-OIL = lm.Objective(
-    NA=1.3,
-    magnification=60,
-    immersion=1.515,
-    working_distance=0.2e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 Z = np.arange(-3, 4) * 0.3e-6
 PIXEL = 6e-6
 
 
 def kernel(z=Z, shape=(7, 9), **given):
-    return lm.psf(OIL.pupil(depth=5e-6, z=z, wavelength=520e-9), shape, PIXEL, tol=1e-4, **given)
+    return lm.psf(OIL_60X.pupil(depth=5e-6, z=z, wavelength=520e-9), shape, PIXEL, tol=1e-4, **given)
 
 
 PSF = kernel()

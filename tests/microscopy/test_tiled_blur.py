@@ -9,17 +9,10 @@ from scipy.signal import convolve
 import lommel as lm
 from lommel.microscopy import tiled_blur
 from lommel.microscopy.tiled_blur import TiledBlur
+from objectives import OIL_60X
 
-OBJECTIVE = lm.Objective(
-    NA=1.3,
-    magnification=60,
-    immersion=1.515,
-    working_distance=0.2e-3,
-    coverslip=lm.Layer(1.5255, 170e-6),
-    sample=1.33,
-)
 # Neither as many planes above the point as below it, nor alike in rows and columns.
-PSF = lm.psf(OBJECTIVE.pupil(depth=5e-6, z=np.arange(-2, 4) * 0.3e-6, wavelength=520e-9), (7, 10), 6e-6, tol=1e-4)
+PSF = lm.psf(OIL_60X.pupil(depth=5e-6, z=np.arange(-2, 4) * 0.3e-6, wavelength=520e-9), (7, 10), 6e-6, tol=1e-4)
 POINT = (2, 3, 5)
 
 

@@ -21,3 +21,11 @@ def oil(**more: Any) -> lm.Objective:
 
 
 OIL = oil()
+OIL_60X = lm.Objective(
+    NA=1.3,
+    magnification=60,
+    immersion=1.515,
+    working_distance=0.2e-3,
+    coverslip=lm.Layer(1.5255, 170e-6),
+    sample=1.33,
+)

@@ -44,6 +44,7 @@ from lommel.optics.grid import Grid
 from lommel.optics.pupil import Pupil
 from lommel.optics.spectrum import Component
 from lommel.sensor.blurs import Blur, Seeing
+from lommel.sensor.spread import Short
 from lommel.special.disk import disk_overlap
 from lommel.special.legendre import gauss_legendre
 
@@ -113,18 +114,21 @@ class ImageModel(NamedTuple):
         return [Component(1.0, 1.0, self.pupil)]
 
     @property
+    def _short(self) -> Short:
+        """What ends of the blur, in v."""
+        return Short.of(self.blur, self.pupil.scale)
+
+    @property
     def band(self) -> float:
         """Frequency from which nothing passes, cycles per lambda*N: that of the optics, or where blur has faded."""
         far = self.method.stretch(self.pupil)
         scale, f = self.pupil.scale, np.linspace(0.0, far, 1025)
-        left = np.ones(f.shape)
-        for part in self.parts[:1]:
-            least = sum((one.covariance for one in self.blur), np.zeros((2, 2)))
-            left *= np.exp(-2.0 * math.pi**2 * float(np.linalg.eigvalsh(least)[0]) * (f / scale) ** 2)
-            for one in self.blur:
-                if isinstance(one, Seeing):
-                    longest = max(p.pupil.wavelength or 0.0 for p in self.parts) if part.pupil.wavelength else None
-                    left *= one.transfer(f / scale, wavelength=longest)
+        least = float(np.linalg.eigvalsh(self._short.covariance)[0]) / math.pi**2
+        left = np.exp(-2.0 * math.pi**2 * least * f**2)
+        longest = max((part.pupil.wavelength for part in self.parts if part.pupil.wavelength), default=None)
+        for one in self.blur:
+            if isinstance(one, Seeing):
+                left = left * one.transfer(f / scale, wavelength=longest)
         alive = int(np.flatnonzero(left > _FADED)[-1])
         return float(f[min(alive + 1, f.size - 1)])
 
@@ -132,16 +136,16 @@ class ImageModel(NamedTuple):
     def spread(self) -> tuple[float, float]:
         """How far blur and pixels carry light, and the width of the seeing, which has no end; in lambda*N."""
         scale = self.pupil.scale
-        covariance = sum((one.covariance for one in self.blur), np.zeros((2, 2)))
-        short = 6.5 * math.sqrt(max(float(np.linalg.eigvalsh(covariance)[-1]), 0.0))
-        short += 0.5 * sum(math.hypot(*one.streak) for one in self.blur) + 0.5 * math.hypot(*self.active)
+        gaussian, streaks = self._short
+        short = 6.5 * math.sqrt(max(float(np.linalg.eigvalsh(gaussian)[-1]), 0.0))
+        short += 0.5 * float(np.hypot(*streaks.T).sum())
         seen = [
             1.0 / (one.coherence(part.pupil.wavelength) * scale)
             for part in self.parts
             for one in self.blur
             if isinstance(one, Seeing)
         ]
-        return short / scale, max(seen, default=0.0)
+        return short / math.pi + 0.5 * math.hypot(*self.active) / scale, max(seen, default=0.0)
 
     @property
     def extent(self) -> float:

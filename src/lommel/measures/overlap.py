@@ -28,6 +28,7 @@ from numpy.typing import NDArray
 from lommel.base.arrays import Array
 from lommel.core.answers import ToleranceError
 from lommel.optics.pupil import Pupil
+from lommel.special import zernike
 from lommel.special.legendre import gauss_legendre
 
 _CHUNK = 2**20
@@ -103,7 +104,8 @@ def _overlap_integral(pupil: Pupil, f: Array, shift: Array, nodes: int) -> NDArr
 
 def _radial_product(pupil: Pupil, s: Array, t: Array) -> NDArray[Any]:
     """Return the real part of ``P(s) conj(P(t))``, s and t being rho^2; the imaginary one is odd in u."""
-    product = np.cos(pupil.radial_phase(s) - pupil.radial_phase(t))
+    terms = pupil.radial_terms()
+    product = np.cos(zernike.legendre_sum(terms, 2.0 * s - 1.0) - zernike.legendre_sum(terms, 2.0 * t - 1.0))
     if not pupil.illumination.uniform:
         product *= pupil.illumination.at(s) * pupil.illumination.at(t)
     return np.asarray(product)

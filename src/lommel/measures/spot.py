@@ -179,14 +179,9 @@ def fwhm(answer: Answer, along: str = "mean", *, of: str = "image") -> Numbers:
 
 def width(model: ImageModel, along: str = "mean") -> float:
     """Return the full width at half of the maximum of a single image; see :func:`lommel.measures.spot.fwhm`."""
-    from lommel.measures.continuous_image import cartesian_images
-
     reach = model.extent
     while True:
-        (image,) = cartesian_images(model, reach)
-        step = 0.125 / image.band
-        places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
-        values = image.on(places, places)
+        image, values, places, step = _scanned(model, reach)
         half = 0.5 * _maximum(image, values, places, step)[0]
         bright = values >= half
         if not (bright[[0, -1]].any() or bright[:, [0, -1]].any()):
@@ -203,13 +198,17 @@ def width(model: ImageModel, along: str = "mean") -> float:
 
 def brightest_place(model: ImageModel) -> tuple[float, float]:
     """Return where a single image is brightest, (x, y) in lambda*N; of several such places one."""
+    return _maximum(*_scanned(model, model.extent))[1]
+
+
+def _scanned(model: ImageModel, reach: float) -> tuple[CartesianImage, Array, Array, float]:
+    """Return a single image, samples eight to a period up to `reach`, their places along each axis, and the step."""
     from lommel.measures.continuous_image import cartesian_images
 
-    reach = model.extent
     (image,) = cartesian_images(model, reach)
     step = 0.125 / image.band
     places = step * np.arange(-math.floor(reach / step), math.floor(reach / step) + 1.0)
-    return _maximum(image, image.on(places, places), places, step)[1]
+    return image, image.on(places, places), places, step
 
 
 def _maximum(image: CartesianImage, values: Array, places: Array, step: float) -> tuple[float, tuple[float, float]]:

@@ -92,10 +92,11 @@ def deconvolve(
     if not isinstance(asked, tuple | list) or len(asked) != 2:
         raise ValueError(f"margin must be (planes, pixels), got {validation.shown(margin)}")
     for name in ("offset", "read", "white"):
-        value = getattr(noise, name)
-        if np.ndim(value) and np.shape(value) not in ((), recorded.shape[1:]):
-            wanted = f"one {name}, or a map of the shape {recorded.shape[1:]}"
-            raise ValueError(f"noise must have {wanted}, got the shape {np.shape(value)}")
+        given = np.shape(getattr(noise, name))
+        if given not in ((), recorded.shape[1:]):
+            raise ValueError(
+                f"noise must have one {name}, or a map of the shape {recorded.shape[1:]}, got the shape {given}"
+            )
     planes, pixels = (validation.integer("margin", side, least=0, most=validation.MAX_SIDE) for side in asked)
     counted = _Counted(recorded, noise)
     blur = TiledBlur(psf, (recorded.shape[0], recorded.shape[1], recorded.shape[2]), (planes, pixels))

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from lommel.base import validation
 from lommel.base.units import format_length
 from lommel.optics.resampling import checked_paths, few
+from lommel.optics.spectrum import checked_wavelengths
 from lommel.special.legendre import gauss_legendre
 
 RED_GREEN_BLUE = (600e-9, 540e-9, 460e-9)
@@ -67,9 +68,7 @@ class Channels:
     paths: float | None
 
     def __init__(self, wavelengths: Sequence[float], weights: ArrayLike, names: Sequence[str] | None = None) -> None:
-        waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
-        if not waves:
-            raise ValueError("wavelengths must not be empty, got none")
+        waves = checked_wavelengths(wavelengths)
         if len(set(waves)) != len(waves):
             raise ValueError(f"wavelengths must all be different, got {validation.shown(wavelengths)}")
         rows = validation.real_array("weights", weights, least=0.0)

@@ -104,22 +104,7 @@ class FieldPupil(BasePupil):
         return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), which.shape)
 
     def broadcast(self, shape: tuple[int, ...]) -> FieldPupil:
-        """Return a stack of another shape, which this one is broadcast to.
-
-        Parameters
-        ----------
-        shape : tuple of int
-            At most 2^28 pupils.
-
-        Returns
-        -------
-        FieldPupil
-
-        Raises
-        ------
-        TypeError, ValueError
-            If this one does not broadcast to it.
-        """
+        """Return a stack of another `shape`, of at most 2^28; TypeError or ValueError if it is none for this."""
         shape = validation.stack_shape(shape, self.shape)
         which = np.broadcast_to(np.arange(len(self.pupils)).reshape(self.shape), shape)
         return FieldPupil(tuple(self.pupils[k] for k in which.ravel()), shape)

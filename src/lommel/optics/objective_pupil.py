@@ -117,22 +117,7 @@ class ObjectivePupil(BasePupil):
         return self._planes(lambda part: part[index])
 
     def broadcast(self, shape: tuple[int, ...]) -> ObjectivePupil:
-        """Return a stack of another shape, which this one is broadcast to.
-
-        Parameters
-        ----------
-        shape : tuple of int
-            At most 2^28 pupils.
-
-        Returns
-        -------
-        ObjectivePupil
-
-        Raises
-        ------
-        TypeError, ValueError
-            If this one does not broadcast to it.
-        """
+        """Return a stack of another `shape`, of at most 2^28; TypeError or ValueError if it is none for this."""
         wanted = validation.stack_shape(shape, self.shape)
         return self._planes(lambda part: _broadcast(part, wanted))
 

@@ -311,22 +311,7 @@ class Pupil(BasePupil):
         return changed(self.carrying(part, geometry), colour=self.colour and self.colour.part(self.shape, index))
 
     def broadcast(self, shape: tuple[int, ...]) -> Pupil:
-        """Return a stack of another shape, which this one is broadcast to.
-
-        Parameters
-        ----------
-        shape : tuple of int
-            At most 2^28 pupils.
-
-        Returns
-        -------
-        Pupil
-
-        Raises
-        ------
-        TypeError, ValueError
-            If this one does not broadcast to it.
-        """
+        """Return a stack of another `shape`, of at most 2^28; TypeError or ValueError if it is none for this."""
         if self.shape == shape:
             return self
         shape = validation.stack_shape(shape, self.shape)

@@ -56,9 +56,7 @@ class Spectrum:
     weights: tuple[float, ...]
 
     def __init__(self, wavelengths: Sequence[float], weights: ArrayLike | None = None) -> None:
-        waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
-        if not waves:
-            raise ValueError("wavelengths must not be empty")
+        waves = checked_wavelengths(wavelengths)
         shares = np.ones(len(waves)) if weights is None else validation.real_array("weights", weights, least=0.0)
         if shares.shape != (len(waves),) or not shares.max() > 0:
             raise ValueError(
@@ -91,3 +89,11 @@ class Spectrum:
             Component(share, pupil.wavelength / w, pupil.in_light(w))
             for w, share in zip(self.wavelengths, self.weights, strict=True)
         ]
+
+
+def checked_wavelengths(wavelengths: ArrayLike) -> tuple[float, ...]:
+    """Return wavelengths in metres; TypeError or ValueError if one of them is none, or there are none."""
+    waves = tuple(validation.wavelength(w) for w in np.atleast_1d(validation.array("wavelengths", wavelengths)))
+    if not waves:
+        raise ValueError("wavelengths must not be empty")
+    return waves

@@ -161,22 +161,7 @@ class Terms:
         return self._each(part)
 
     def broadcast(self, shape: tuple[int, ...]) -> Self:
-        """Return a stack of another shape, which this one is broadcast to.
-
-        Parameters
-        ----------
-        shape : tuple of int
-            At most 2^28 pupils.
-
-        Returns
-        -------
-        Wavefront
-
-        Raises
-        ------
-        TypeError, ValueError
-            If this one does not broadcast to it.
-        """
+        """Return a stack of another `shape`, of at most 2^28; TypeError or ValueError if it is none for this."""
         wanted = validation.stack_shape(shape, self.shape)
         return self._each(lambda c: np.broadcast_to(c, (*wanted, c.shape[-1])).copy())
 

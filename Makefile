@@ -102,7 +102,7 @@ env: .venv/env.stamp ## make .venv and install what requirements.lock pins
 	"$$uv" pip sync --python .venv/bin/python --require-hashes requirements.lock
 	mv .venv/env.stamp.new $@
 
-cpp_formatted := $(wildcard cpp/bindings/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
+cpp_formatted := $(wildcard cpp/bindings/* cpp/compiled/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
 
 # Python files are read from src, so only C++ ones lead to a rebuild when they change. But one of any
 # kind that was there at the last build and is gone also does, for the editable install has it on its

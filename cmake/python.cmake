@@ -13,12 +13,19 @@ execute_process(
   COMMAND_ERROR_IS_FATAL ANY)
 find_package(nanobind CONFIG REQUIRED)
 
-# One file a room, of which the compiler does again only what has changed.
-file(GLOB rooms CONFIGURE_DEPENDS cpp/bindings/*.cpp)
+# One file a room, of which the compiler does again only what has changed, and what several of them would compile (see
+# cpp/include/lommel/base/once.hpp). Those that take longest come first, so that none is left over at the end.
+file(GLOB rooms CONFIGURE_DEPENDS cpp/bindings/*.cpp cpp/compiled/*.cpp)
+set(longest bindings/stratified.cpp bindings/chordal.cpp bindings/radial.cpp bindings/bounds_disk.cpp bindings/zernike.cpp
+            compiled/zernike.cpp compiled/polar.cpp compiled/spread_single.cpp compiled/pixels.cpp)
+list(TRANSFORM longest PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/cpp/")
+list(REMOVE_ITEM rooms ${longest})
+list(PREPEND rooms ${longest})
 # STABLE_ABI takes effect from Python 3.12 on, FREE_THREADED in Pythons without a global lock: nothing in the core relies
 # on that. NOMINSIZE keeps -O3 rather than nanobind's -Os.
 nanobind_add_module(_core STABLE_ABI FREE_THREADED NB_STATIC NOMINSIZE NB_SUPPRESS_WARNINGS ${rooms})
 target_link_libraries(_core PRIVATE lommel)
+target_compile_definitions(_core PRIVATE LOMMEL_COMPILED)
 set_target_properties(_core PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF)
 
 # No -ffast-math: the error bounds assume IEEE arithmetic. Fused multiply-adds, where a kernel is compiled for

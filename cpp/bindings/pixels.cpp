@@ -131,10 +131,7 @@ double shift_values(In<double, 1> profile, double center_y, double center_x, dou
     const lommel::PixelWindow window = window_of(out.shape(1), out.shape(2), center_y, center_x, pitch, true);
     const std::size_t count = window.height * window.width;
     lommel::Doubles scratch, down(count + lommel::widest_step), across(count + lommel::widest_step);
-    double penalty = 0.0;
-    lommel::dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-        penalty = table->apply(isa, window, profile.data(), scratch, down.data(), across.data());
-    });
+    const double penalty = table->values(window, profile.data(), scratch, down.data(), across.data());
     std::copy_n(down.data(), count, out.data());
     std::copy_n(across.data(), count, out.data() + count);
     return penalty;

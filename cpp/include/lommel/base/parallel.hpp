@@ -5,6 +5,8 @@
 
 #include "lommel/base/fork.hpp"
 #include "lommel/base/lock.hpp"
+#include "lommel/base/once.hpp"
+#include "lommel/base/reference.hpp"
 #include "lommel/base/watch.hpp"
 
 #if !defined(LOMMEL_SINGLE_THREADED)
@@ -53,8 +55,10 @@ struct Helpers final : ForkAware {
 inline Helpers& helpers = *new Helpers;
 
 // parallel_for() with helpers.
-template <class Work>
-void share_out(std::size_t tasks, int threads, const Work& work) {
+using Work = Reference<void(std::size_t worker, std::size_t task)>;
+void share_out(std::size_t tasks, int threads, const Work& work);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void share_out(std::size_t tasks, int threads, const Work& work) {
     const int limit = processors();
     int wanted = std::min<int>(threads > 0 ? threads : limit, static_cast<int>(std::min<std::size_t>(tasks, 1024))) - 1;
     // Take from the common pool no more than is left in it.
@@ -126,6 +130,7 @@ void share_out(std::size_t tasks, int threads, const Work& work) {
         std::rethrow_exception(failure);
     }
 }
+#endif
 #endif
 
 // Runs work(worker, task) for every task below `tasks`, each once, on at most `threads` threads including the

@@ -19,9 +19,11 @@
 #if defined(__GNUC__) || defined(__clang__)
 #define LOMMEL_INLINE inline __attribute__((always_inline))
 #define LOMMEL_INLINE_LAMBDA __attribute__((always_inline))
+#define LOMMEL_NOINLINE __attribute__((noinline))
 #else
 #define LOMMEL_INLINE inline
 #define LOMMEL_INLINE_LAMBDA
+#define LOMMEL_NOINLINE
 #endif
 
 #if (defined(__GNUC__) || defined(__clang__)) && defined(__x86_64__)
@@ -370,37 +372,46 @@ inline Level processor_level() {
 
 #ifdef LOMMEL_X86
 template <class Kernel>
-__attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,avx2,fma"), noinline)) void run_avx512(const Kernel& kernel) {
+LOMMEL_NOINLINE __attribute__((target("avx512f,avx512dq,avx512vl,avx512bw,avx2,fma"))) void run_avx512(const Kernel& kernel) {
     kernel(Avx512{});
 }
 template <class Kernel>
-__attribute__((target("avx2,fma"), noinline)) void run_avx2(const Kernel& kernel) {
+LOMMEL_NOINLINE __attribute__((target("avx2,fma"))) void run_avx2(const Kernel& kernel) {
     kernel(Avx2{});
+}
+template <class Kernel>
+LOMMEL_NOINLINE void run_portable(const Kernel& kernel) {
+    kernel(Portable{});
 }
 #endif
 
-// Runs a kernel compiled for this processor, which it is told by an Isa. The kernel and all that it calls must be
-// inlined, or they keep the baseline instructions.
+// Runs a kernel compiled for a level of instructions that this processor has, which it is told by an Isa. The kernel and all that
+// it calls must be inlined, or they keep the baseline instructions. It is compiled three times wherever this is written: a kernel
+// that depends on its caller's types is handed a Reference instead.
 template <class Kernel>
-LOMMEL_INLINE void dispatch(const Kernel& kernel) {
+LOMMEL_INLINE void dispatch([[maybe_unused]] Level level, const Kernel& kernel) {
 #ifdef LOMMEL_X86
-    switch (processor_level()) {
+    switch (level) {
         case Level::avx512:
             return run_avx512(kernel);
         case Level::avx2:
             return run_avx2(kernel);
         default:
-            break;
+            return run_portable(kernel);
     }
-#endif
+#else
     kernel(Portable{});
+#endif
+}
+template <class Kernel>
+LOMMEL_INLINE void dispatch(const Kernel& kernel) {
+    dispatch(processor_level(), kernel);
 }
 
-// Doubles in a vector of this processor.
-inline std::size_t vector_lanes() {
-    std::size_t lanes = Portable::lanes;
-    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { lanes = decltype(isa)::lanes; });
-    return lanes;
+// Doubles in a vector of those instructions.
+constexpr std::size_t vector_lanes(Level level) {
+    return level == Level::avx512 ? Avx512::lanes : level == Level::avx2 ? Avx2::lanes : Portable::lanes;
 }
+inline std::size_t vector_lanes() { return vector_lanes(processor_level()); }
 
 }  // namespace lommel

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/bounds/settle.hpp"
@@ -36,18 +37,22 @@ struct TermPairs {
     std::size_t curved;       // the first of them that is neither constant nor tilt
     std::size_t degree = 1;   // the highest
 
-    explicit TermPairs(const std::vector<ZernikeTerm>& list) : terms(list) {
-        for (std::size_t j = 0; j < terms.size(); ++j) {
-            const std::size_t n = static_cast<std::size_t>(terms[j].n), m = static_cast<std::size_t>(std::abs(terms[j].m));
-            degree = std::max(degree, n);
-            const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return p.n == n && p.m == m; });
-            Pair& pair = at == pairs.end() ? (pairs.push_back({n, m, none, none}), pairs.back()) : *at;
-            (terms[j].m < 0 ? pair.sine : pair.cosine) = j;
-        }
-        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.n < b.n; });
-        curved = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.n < 2; }));
-    }
+    explicit TermPairs(const std::vector<ZernikeTerm>& list);
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE TermPairs::TermPairs(const std::vector<ZernikeTerm>& list) : terms(list) {
+    for (std::size_t j = 0; j < terms.size(); ++j) {
+        const std::size_t n = static_cast<std::size_t>(terms[j].n), m = static_cast<std::size_t>(std::abs(terms[j].m));
+        degree = std::max(degree, n);
+        const auto at = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& p) { return p.n == n && p.m == m; });
+        Pair& pair = at == pairs.end() ? (pairs.push_back({n, m, none, none}), pairs.back()) : *at;
+        (terms[j].m < 0 ? pair.sine : pair.cosine) = j;
+    }
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.n < b.n; });
+    curved = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.n < 2; }));
+}
+#endif
 
 // The values of b that are tried, and what depends on nothing else.
 struct ChordCurves {
@@ -56,22 +61,26 @@ struct ChordCurves {
     Values b, inverse, decay, cosh, constant, closed;  // 1 / b, e^-b, cosh 2b, log(1 + e^-2b), -log(1 - e^-b)
     std::vector<Values> growth;                        // sinh(n b), for each n
 
-    ChordCurves() : growth(max_degree + 1) {
-        for (std::size_t k = 0; k < count; ++k) {
-            b[k] = 2e-3 * std::pow(2000.0, static_cast<double>(k) / (count - 1));
-            inverse[k] = 1.0 / b[k];
-            decay[k] = std::exp(-b[k]);
-            cosh[k] = std::cosh(2.0 * b[k]);
-            constant[k] = std::log1p(std::exp(-2.0 * b[k]));
-            closed[k] = -std::log(-std::expm1(-b[k]));
-            const double most = std::sinh(600.0), grown = std::exp(b[k]);
-            double up = 1.0, down = 1.0;  // e^(n b), e^(-n b)
-            for (std::size_t n = 0; n <= max_degree; ++n, up *= grown, down *= decay[k]) {
-                growth[n][k] = std::min(most, 0.5 * (up - down));
-            }
+    ChordCurves();
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE ChordCurves::ChordCurves() : growth(max_degree + 1) {
+    for (std::size_t k = 0; k < count; ++k) {
+        b[k] = 2e-3 * std::pow(2000.0, static_cast<double>(k) / (count - 1));
+        inverse[k] = 1.0 / b[k];
+        decay[k] = std::exp(-b[k]);
+        cosh[k] = std::cosh(2.0 * b[k]);
+        constant[k] = std::log1p(std::exp(-2.0 * b[k]));
+        closed[k] = -std::log(-std::expm1(-b[k]));
+        const double most = std::sinh(600.0), grown = std::exp(b[k]);
+        double up = 1.0, down = 1.0;  // e^(n b), e^(-n b)
+        for (std::size_t n = 0; n <= max_degree; ++n, up *= grown, down *= decay[k]) {
+            growth[n][k] = std::min(most, 0.5 * (up - down));
         }
     }
-};
+}
+#endif
 // Made when the program is loaded: a fork must not find it half done.
 inline const ChordCurves chord_curves;
 

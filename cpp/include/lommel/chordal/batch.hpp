@@ -5,10 +5,12 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
+#include "lommel/base/reference.hpp"
 #include "lommel/chordal/factors.hpp"
+#include "lommel/chordal/kernels.hpp"
 #include "lommel/chordal/tables.hpp"
-#include "lommel/chordal/transform.hpp"
 #include "lommel/zernike/disk_stack.hpp"
 
 namespace lommel {
@@ -29,9 +31,23 @@ struct ChordalTables {
     }
 };
 
+// Of as many pupils as a vector of `Real` has lanes.
+template <class Real>
+struct ChordalScratch {
+    using Values = std::vector<Real, AlignedAllocator<Real>>;
+    Doubles coefficients;
+    Values chords, row, inner, intensity;
+    Values kept[2], factored, factors, fields;  // where derivatives are wanted
+};
+
 // The disks of an aperture: the whole one, and the obscured one, whose U is subtracted `area` times where that is not 0.
 template <class Real>
 struct ChordalBatch {
+    using Kernels = ChordKernels<Real>;
+    using Nodes = Reference<const Real*(std::size_t disk, std::size_t chord)>;
+    using Sink = Reference<void(std::size_t row, Real* u)>;
+
+    Level level;
     const DiskStack& stack;
     const std::size_t* pupils;
     std::size_t here;  // of them
@@ -39,74 +55,76 @@ struct ChordalBatch {
     const std::array<ChordalTables<Real>, 2>& disks;
     ChordalScratch<Real>& scratch;
 
+    std::size_t lanes() const { return Kernels::lanes(level); }
     std::size_t rows() const { return disks[0].kernel->rows.count; }
     std::size_t columns() const { return disks[0].kernel->columns.count; }
-};
+    // Of a disk: of a pair of chords, parts even and odd in y and x, re and im.
+    std::size_t room(std::size_t disk) const { return disks[disk].kernel->count.half_nodes() * 8 * lanes(); }
 
-// Lays the coefficients of a disk into lanes: lanes without a pupil begin again with the first.
-template <class I, class Real>
-LOMMEL_INLINE void gather(I, const ChordalBatch<Real>& batch, std::size_t disk) {
-    using Wave = Waves<I, Real>;
-    const DiskStack& stack = batch.stack;
-    const TermTable& table = *batch.disks[disk].terms;
-    const std::size_t terms = stack.terms.size();
-    Doubles& coefficients = batch.scratch.coefficients;
-    coefficients.resize(terms * Wave::lanes);
-    for (std::size_t lane = 0; lane < Wave::lanes; ++lane) {
-        const double* own = (disk == 0 ? stack.outer : stack.inner).data() + batch.pupils[lane % batch.here] * terms;
-        for (std::size_t j = 0; j < terms; ++j) {
-            coefficients[j * Wave::lanes + Wave::place(lane)] = Wave::unit * own[table.classes.order[j]];
+    // Lays the coefficients of a disk into lanes: lanes without a pupil begin again with the first.
+    void gather(std::size_t disk) const {
+        const TermTable& table = *disks[disk].terms;
+        const std::size_t terms = stack.terms.size(), all = lanes();
+        scratch.coefficients.resize(terms * all);
+        for (std::size_t lane = 0; lane < all; ++lane) {
+            const double* own = (disk == 0 ? stack.outer : stack.inner).data() + pupils[lane % here] * terms;
+            double* to = scratch.coefficients.data() + Kernels::place(lane, all);
+            for (std::size_t j = 0; j < terms; ++j) {
+                to[j * all] = Kernels::unit * own[table.classes.order[j]];
+            }
         }
     }
-}
 
-// U of the aperture, row by row, as chordal_fields() gives it: prepare(disk) before each disk, nodes_of(disk, chord).
-template <class I, class Real, class Prepare, class Nodes, class Sink>
-LOMMEL_INLINE void aperture_fields(I isa, const ChordalBatch<Real>& batch, const Prepare& prepare, const Nodes& nodes_of,
-                                   const Sink& sink) {
-    using V = typename Waves<I, Real>::V;
-    constexpr std::size_t lanes = Waves<I, Real>::lanes;
-    const bool obscured = batch.area > 0.0;
-    const std::size_t line = batch.columns() * 2 * lanes;
-    ChordalScratch<Real>& scratch = batch.scratch;
-    scratch.inner.resize(obscured ? batch.rows() * line : 0);
-    const V area = splat<V>(static_cast<Real>(batch.area));
-    for (std::size_t disk = obscured ? 2 : 1; disk-- > 0;) {
-        prepare(disk);
-        const auto nodes = [&](std::size_t i) LOMMEL_INLINE_LAMBDA { return nodes_of(disk, i); };
-        chordal_fields(isa, *batch.disks[disk].kernel, scratch, nodes, [&](std::size_t y, Real* u) LOMMEL_INLINE_LAMBDA {
-            Real* inner = scratch.inner.data() + y * line;
-            if (disk > 0) {
-                for (std::size_t j = 0; j < line; j += lanes) {
-                    store(inner + j, load<V>(u + j) * area);
-                }
-                return;
-            }
-            for (std::size_t j = 0; obscured && j < line; j += lanes) {
-                store(u + j, load<V>(u + j) - load<V>(inner + j));
+    // U of one disk, row by row, [column][re, im].
+    void disk_fields(std::size_t disk, const Nodes& nodes_of, const Sink& sink) const {
+        const KernelTable<Real>& kernel = *disks[disk].kernel;
+        const std::size_t half = kernel.count.half_chords(), line = 2 * half * 2 * lanes();
+        scratch.chords.resize(kernel.rows.count * line);
+        scratch.row.resize(kernel.columns.count * 2 * lanes());
+        for (std::size_t i = 0; i < half; ++i) {
+            look();
+            Kernels::rows(level, kernel, i, nodes_of(disk, i), scratch.chords.data());
+        }
+        for (std::size_t y = 0; y < kernel.rows.count; ++y) {
+            look();
+            Kernels::columns(level, kernel, scratch.chords.data() + y * line, scratch.row.data());
+            sink(y, scratch.row.data());
+        }
+    }
+
+    // U of the aperture: prepare(disk) before each disk.
+    void fields(const Reference<void(std::size_t disk)>& prepare, const Nodes& nodes_of, const Sink& sink) const {
+        const std::size_t vectors = 2 * columns(), line = vectors * lanes();
+        const bool obscured = area > 0.0;
+        scratch.inner.resize(obscured ? rows() * line : 0);
+        if (obscured) {
+            prepare(1);
+            disk_fields(1, nodes_of, [&](std::size_t y, Real* u) {
+                Kernels::scale(level, u, static_cast<Real>(area), vectors, scratch.inner.data() + y * line);
+            });
+        }
+        prepare(0);
+        disk_fields(0, nodes_of, [&](std::size_t y, Real* u) {
+            if (obscured) {
+                Kernels::subtract(level, scratch.inner.data() + y * line, vectors, u);
             }
             sink(y, u);
         });
     }
-}
 
-// Of the pupil function itself; its nodes are kept, all chords of them, where others follow.
-template <class I, class Real, class Sink>
-LOMMEL_INLINE void pupil_fields(I isa, const ChordalBatch<Real>& batch, bool keep, const Sink& sink) {
-    constexpr std::size_t lanes = Waves<I, Real>::lanes;
-    ChordalScratch<Real>& scratch = batch.scratch;
-    const auto prepare = [&](std::size_t disk) LOMMEL_INLINE_LAMBDA {
-        gather(isa, batch, disk);
-        const ChordCount& n = batch.disks[disk].terms->count;
-        scratch.kept[disk].resize((keep ? n.half_chords() : 1) * n.half_nodes() * 8 * lanes);
-    };
-    const auto nodes = [&](std::size_t disk, std::size_t i) LOMMEL_INLINE_LAMBDA {
-        const TermTable& terms = *batch.disks[disk].terms;
-        Real* to = scratch.kept[disk].data() + (keep ? i : 0) * terms.count.half_nodes() * 8 * lanes;
-        pair_of_chords(isa, terms, i, scratch.coefficients.data(), to);
-        return to;
-    };
-    aperture_fields(isa, batch, prepare, nodes, sink);
-}
+    // Of the pupil function itself; its nodes are kept, all chords of them, where others follow.
+    void pupil_fields(bool keep, const Sink& sink) const {
+        const auto prepare = [&](std::size_t disk) {
+            gather(disk);
+            scratch.kept[disk].resize((keep ? disks[disk].terms->count.half_chords() : 1) * room(disk));
+        };
+        const auto nodes = [&](std::size_t disk, std::size_t i) {
+            Real* to = scratch.kept[disk].data() + (keep ? i : 0) * room(disk);
+            Kernels::nodes(level, *disks[disk].terms, i, scratch.coefficients.data(), to);
+            return to;
+        };
+        fields(prepare, nodes, sink);
+    }
+};
 
 }  // namespace lommel

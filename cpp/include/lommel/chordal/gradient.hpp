@@ -8,146 +8,9 @@
 #include <vector>
 
 #include "lommel/chordal/batch.hpp"
+#include "lommel/chordal/derivatives.hpp"
 
 namespace lommel {
-
-// sum[k] += table[k][r] * data[r] for every vector c: the transpose of multiply().
-template <std::size_t R, std::size_t C, class V, class Real>
-LOMMEL_INLINE void spread(const Real* table, const V (&data)[R][C], std::size_t count, std::size_t pitch, Real* sum) {
-    constexpr std::size_t lanes = sizeof(V) / sizeof(Real);
-    for (std::size_t k = 0; k < count; ++k, table += R, sum += pitch) {
-        V s[C];
-        for (std::size_t c = 0; c < C; ++c) {
-            s[c] = load<V>(sum + c * lanes);
-        }
-        for (std::size_t r = 0; r < R; ++r) {
-            const V t = splat<V>(table[r]);
-            for (std::size_t c = 0; c < C; ++c) {
-                s[c] = s[c] + t * data[r][c];
-            }
-        }
-        for (std::size_t c = 0; c < C; ++c) {
-            store(sum + c * lanes, s[c]);
-        }
-    }
-}
-
-// What columns make of pixels[row][column][re, im]: chords[row][even, odd in x][chord][re, im], the latter without its -i.
-template <class I, class Real>
-LOMMEL_INLINE void columns_transposed(I, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
-    using V = typename Waves<I, Real>::V;
-    constexpr std::size_t lanes = Waves<I, Real>::lanes;
-    const std::size_t half = kernel.count.half_chords(), line = half * 2 * lanes;
-    std::fill_n(chords, kernel.rows.count * 2 * line, Real(0));
-    for (std::size_t y = 0; y < kernel.rows.count; ++y) {
-        look();
-        const Real* from = pixels + y * kernel.columns.count * 2 * lanes;
-        Real* to = chords + y * 2 * line;
-        for_fixed_tiles<column_tile>(kernel.columns.at.size(), [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
-            constexpr std::size_t R = decltype(size)::value;
-            V even[R][2], odd[R][2];
-            for (std::size_t r = 0; r < R; ++r) {
-                const std::size_t plus = kernel.columns.plus[first + r], minus = kernel.columns.minus[first + r];
-                for (std::size_t part = 0; part < 2; ++part) {
-                    const V here = load<V>(from + (2 * plus + part) * lanes);
-                    const V there = minus == WindowAxis::none ? splat<V>(Real(0)) : load<V>(from + (2 * minus + part) * lanes);
-                    even[r][part] = here + there;
-                    odd[r][part] = here - there;
-                }
-            }
-            spread<R, 2>(kernel.column_cos.data() + first * half, even, half, 2 * lanes, to);
-            spread<R, 2>(kernel.column_sin.data() + first * half, odd, half, 2 * lanes, to + line);
-        });
-    }
-}
-
-// What rows make of that on a pair of chords: nodes[even, odd in y][node][even, odd in x][re, im], as the pupil function lies.
-template <class I, class Real>
-LOMMEL_INLINE void rows_transposed(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords, Real* nodes) {
-    using V = typename Waves<I, Real>::V;
-    constexpr std::size_t lanes = Waves<I, Real>::lanes;
-    const std::size_t line = kernel.count.half_chords() * 2 * lanes, rows = kernel.rows.at.size();
-    const std::size_t within = kernel.count.half_nodes();
-    std::fill_n(nodes, within * 8 * lanes, Real(0));
-    for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
-        constexpr std::size_t R = decltype(size)::value;
-        V even[R][4], odd[R][4];
-        for (std::size_t r = 0; r < R; ++r) {
-            const std::size_t plus = kernel.rows.plus[first + r], minus = kernel.rows.minus[first + r];
-            for (std::size_t x = 0; x < 2; ++x) {
-                V both[2][2];  // sum and difference of the rows, re and im
-                for (std::size_t part = 0; part < 2; ++part) {
-                    const std::size_t at = x * line + chord * 2 * lanes + part * lanes;
-                    const V here = load<V>(chords + plus * 2 * line + at);
-                    const V there = minus == WindowAxis::none ? splat<V>(Real(0)) : load<V>(chords + minus * 2 * line + at);
-                    both[0][part] = here + there;
-                    both[1][part] = here - there;
-                }
-                // Times -i for what is odd in x, and again for what is odd in y.
-                const V nothing = splat<V>(Real(0));
-                even[r][2 * x] = x == 0 ? both[0][0] : both[0][1];
-                even[r][2 * x + 1] = x == 0 ? both[0][1] : nothing - both[0][0];
-                odd[r][2 * x] = x == 0 ? both[1][1] : nothing - both[1][0];
-                odd[r][2 * x + 1] = nothing - (x == 0 ? both[1][0] : both[1][1]);
-            }
-        }
-        const std::size_t at = (chord * rows + first) * within;
-        spread<R, 4>(kernel.row_cos.data() + at, even, within, 4 * lanes, nodes);
-        spread<R, 4>(kernel.row_sin.data() + at, odd, within, 4 * lanes, nodes + within * 4 * lanes);
-    });
-}
-
-// Adds -2 share Im sum Z P G over a pair of chords to sums[term, in the order of classes].
-template <class I, class Real>
-LOMMEL_INLINE void add_products(I, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
-                                Real share, Real* room, Real* sums) {
-    using V = typename Waves<I, Real>::V;
-    constexpr std::size_t lanes = Waves<I, Real>::lanes, together = 4;
-    const std::size_t within = table.count.half_nodes(), odd = within * 4 * lanes;
-    const auto part = [&](std::size_t k, std::size_t j) { return j / 2 * odd + (4 * k + j % 2 * 2) * lanes; };
-    const V by = splat<V>(Real(-2) * share);
-    for (std::size_t k = 0; k < within; ++k) {
-        V re[4], im[4];
-        for (std::size_t j = 0; j < 4; ++j) {
-            re[j] = load<V>(adjoint + part(k, j));
-            im[j] = load<V>(adjoint + part(k, j) + lanes);
-        }
-        V sum[4] = {};
-        for (std::size_t j = 0; j < 4; ++j) {
-            const V p = load<V>(pupil + part(k, j)), q = load<V>(pupil + part(k, j) + lanes);
-            for (std::size_t parity = 0; parity < 4; ++parity) {
-                const std::size_t other = (j / 2 ^ parity % 2) * 2 + (j % 2 ^ parity / 2);
-                sum[parity] = sum[parity] + p * im[other] + q * re[other];
-            }
-        }
-        for (std::size_t parity = 0; parity < 4; ++parity) {
-            store(room + (parity * within + k) * lanes, sum[parity] * by);
-        }
-    }
-    for (std::size_t parity = 0, term = 0; parity < 4; ++parity) {
-        const Real* from = room + parity * within * lanes;
-        // Several chains of sums, lest each step wait for the one before.
-        for (const std::size_t end = table.classes.ends[parity]; term < end;) {
-            const std::size_t here = std::min(together, end - term);
-            V sum[together] = {};
-            const double* factor[together];
-            for (std::size_t j = 0; j < together; ++j) {
-                factor[j] = table.at(term + std::min(j, here - 1), chord);
-            }
-            for (std::size_t k = 0; k < within; ++k) {
-                const V s = load<V>(from + k * lanes);
-                for (std::size_t j = 0; j < together; ++j) {
-                    sum[j] = sum[j] + splat<V>(static_cast<Real>(factor[j][k])) * s;
-                }
-            }
-            for (std::size_t j = 0; j < here; ++j) {
-                Real* to = sums + (term + j) * lanes;
-                store(to, load<V>(to) + sum[j]);
-            }
-            term += here;
-        }
-    }
-}
 
 // weights[pupil][pixel] -> values[pupil][term], of the intensity itself.
 struct ChordalGradient {
@@ -156,39 +19,36 @@ struct ChordalGradient {
     const double* weights;
     double* values;
 
-    template <class I, class Real, class Found>
-    LOMMEL_INLINE void follow(I isa, const ChordalBatch<Real>& batch, const double*, const Found&) const {
-        using V = typename Waves<I, Real>::V;
-        constexpr std::size_t lanes = Waves<I, Real>::lanes;
-        const std::size_t pixels = batch.rows() * batch.columns();
+    template <class Real>
+    void follow(const ChordalBatch<Real>& batch, const double*, const FoundErrors&) const {
+        using Kernels = ChordKernels<Real>;
+        const std::size_t lanes = batch.lanes(), pixels = batch.rows() * batch.columns();
         ChordalScratch<Real>& scratch = batch.scratch;
-        Real* fields = scratch.fields.data();
-        for (std::size_t q = 0; q < pixels; ++q) {
-            Real each[lanes];
-            for (std::size_t lane = 0; lane < lanes; ++lane) {
-                each[lane] = static_cast<Real>(weights[batch.pupils[lane % batch.here] * pixels + q]);
+        scratch.intensity.resize(pixels * lanes);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const double* own = weights + batch.pupils[lane % batch.here] * pixels;
+            for (std::size_t q = 0; q < pixels; ++q) {
+                scratch.intensity[q * lanes + lane] = static_cast<Real>(own[q]);
             }
-            const V w = load<V>(each);
-            Real *re = fields + 2 * q * lanes, *im = re + lanes;
-            store(re, load<V>(re) * w);
-            store(im, splat<V>(Real(0)) - load<V>(im) * w);
         }
+        Kernels::weigh(batch.level, scratch.intensity.data(), pixels, scratch.fields.data());
         scratch.factors.assign(terms.size() * lanes, Real(0));
         for (std::size_t disk = batch.area > 0.0 ? 2 : 1; disk-- > 0;) {
             const KernelTable<Real>& kernel = *batch.disks[disk].kernel;
-            const std::size_t room = kernel.count.half_nodes() * 8 * lanes;
             scratch.chords.resize(kernel.rows.count * kernel.count.half_chords() * 4 * lanes);
-            scratch.kept[disk].resize(room);
-            scratch.factored.resize(room);
-            scratch.inner.resize(room / 2);
-            columns_transposed(isa, kernel, fields, scratch.chords.data());
-            gather(isa, batch, disk);
+            scratch.kept[disk].resize(batch.room(disk));
+            scratch.factored.resize(batch.room(disk));
+            scratch.inner.resize(batch.room(disk) / 2);
+            Kernels::columns_transposed(batch.level, kernel, scratch.fields.data(), scratch.chords.data());
+            batch.gather(disk);
             for (std::size_t i = 0; i < kernel.count.half_chords(); ++i) {
                 look();
-                pair_of_chords(isa, *batch.disks[disk].terms, i, scratch.coefficients.data(), scratch.kept[disk].data());
-                rows_transposed(isa, kernel, i, scratch.chords.data(), scratch.factored.data());
-                add_products(isa, *batch.disks[disk].factors, i, scratch.kept[disk].data(), scratch.factored.data(),
-                             static_cast<Real>(disk == 0 ? 1.0 : -batch.area), scratch.inner.data(), scratch.factors.data());
+                Real *const nodes = scratch.kept[disk].data(), *const adjoint = scratch.factored.data();
+                Kernels::nodes(batch.level, *batch.disks[disk].terms, i, scratch.coefficients.data(), nodes);
+                Kernels::rows_transposed(batch.level, kernel, i, scratch.chords.data(), adjoint);
+                Kernels::add_products(batch.level, *batch.disks[disk].factors, i, nodes, adjoint,
+                                      static_cast<Real>(disk == 0 ? 1.0 : -batch.area), scratch.inner.data(),
+                                      scratch.factors.data());
             }
         }
         for (std::size_t j = 0; j < terms.size(); ++j) {

@@ -95,7 +95,9 @@ class ChordalRenderer {
             const auto end =
                 std::partition_point(pending.begin(), pending.end(), [&](std::size_t p) { return states_[p].single; });
             const std::size_t singles = static_cast<std::size_t>(end - pending.begin());
-            dispatch_batches<float>(pending.data(), singles);
+            if constexpr (sizeof(T) == sizeof(float)) {
+                dispatch_batches<float>(pending.data(), singles);
+            }
             dispatch_batches<double>(pending.data() + singles, pending.size() - singles);
             double worst = 0.0;
             for (const std::size_t p : pending) {
@@ -181,7 +183,8 @@ class ChordalRenderer {
 
     template <class Real>
     void dispatch_batches(const std::size_t* pending, std::size_t pupils) {
-        const std::size_t lanes = vector_lanes() * sizeof(double) / sizeof(Real), batches = (pupils + lanes - 1) / lanes;
+        const Level level = processor_level();
+        const std::size_t lanes = ChordKernels<Real>::lanes(level), batches = (pupils + lanes - 1) / lanes;
         // Tables before threads, so that no thread waits for another to make them.
         std::vector<std::array<ChordalTables<Real>, 2>> disks(batches);
         for (std::size_t b = 0; b < batches; ++b) {
@@ -200,17 +203,15 @@ class ChordalRenderer {
         parallel_for(batches, threads_, [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch<Real> scratch;
             const std::size_t first = b * lanes, here = std::min(lanes, pupils - first);
-            const ChordalBatch<Real> one{stack_, pending + first, here, area_, disks[b], scratch};
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { run_batch(isa, one); });
+            run_batch<Real>({level, stack_, pending + first, here, area_, disks[b], scratch});
         });
     }
 
-    template <class I, class Real>
-    LOMMEL_INLINE void run_batch(I isa, const ChordalBatch<Real>& batch) {
-        using V = typename Waves<I, Real>::V;
-        constexpr std::size_t lanes = Waves<I, Real>::lanes;
-        const std::size_t width = columns_.count, pixels = rows_.count * width, here = batch.here;
-        double scale[lanes];
+    template <class Real>
+    void run_batch(const ChordalBatch<Real>& batch) {
+        using Kernels = ChordKernels<Real>;
+        const std::size_t lanes = batch.lanes(), width = columns_.count, pixels = rows_.count * width, here = batch.here;
+        double scale[most_pupils];
         for (std::size_t lane = 0; lane < here; ++lane) {
             const double given = answer_.scales[batch.pupils[lane]];
             scale[lane] = given == 0.0 ? 1.0 : given;
@@ -219,34 +220,27 @@ class ChordalRenderer {
         scratch.intensity.resize(width * lanes);
         scratch.fields.resize(More::wanted ? 2 * pixels * lanes : 0);
         Real* intensity = scratch.intensity.data();
-        V top = splat<V>(Real(0));
-        pupil_fields(isa, batch, More::keeps_nodes, [&](std::size_t y, const Real* u) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t x = 0; x < width; ++x) {
-                const V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
-                const V i = re * re + im * im;
-                top = larger(top, i);
-                store(intensity + x * lanes, i);
-            }
+        alignas(64) Real peaks[most_pupils] = {};
+        batch.pupil_fields(More::keeps_nodes, [&](std::size_t y, const Real* u) {
+            Kernels::intensities(batch.level, u, width, intensity, peaks);
             if constexpr (More::wanted) {
                 std::copy_n(u, 2 * width * lanes, scratch.fields.data() + y * 2 * width * lanes);
             }
-            for (std::size_t lane = 0; lane < here && answer_.images != nullptr; ++lane) {
-                T* to = answer_.images + batch.pupils[lane] * pixels + y * width;
-                const double by = scale[lane];
-                for (std::size_t x = 0; x < width; ++x) {
-                    to[x] = static_cast<T>(by * static_cast<double>(intensity[x * lanes + lane]));
+            if (answer_.images != nullptr) {
+                T* to[most_pupils];
+                for (std::size_t lane = 0; lane < here; ++lane) {
+                    to[lane] = answer_.images + batch.pupils[lane] * pixels + y * width;
                 }
+                Kernels::store_lanes(batch.level, intensity, here, scale, width, to);
             }
         });
-        Real peaks[lanes];
-        store(peaks, top);
         bool any = false;
         for (std::size_t lane = 0; lane < here; ++lane) {
             any = finish(batch, batch.pupils[lane], static_cast<double>(peaks[lane])) || any;
         }
         if constexpr (More::wanted) {
             if (any) {
-                more_.follow(isa, batch, scale, [&](std::size_t p, std::size_t degree) {
+                more_.follow(batch, scale, [&](std::size_t p, std::size_t degree) {
                     return std::array<double, 3>{std::sqrt(states_[p].peak), error_of(batch, p, 0), error_of(batch, p, degree)};
                 });
             }

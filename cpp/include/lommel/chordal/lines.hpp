@@ -7,7 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/reference.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/sharp.hpp"
@@ -42,36 +44,11 @@ class ChordLines {
     // Of a disk over its radius.
     ChordBound bound_of(double radius) const { return {terms_, stack_.amplitude.scaled(radius * radius), box_.scaled(radius)}; }
 
+    using Error = Reference<double(std::size_t pupil, const ChordBound& bound)>;
+    using Disk = Reference<ChordDisk&(std::size_t pupil)>;
+
     // Finds the lines of disk(p) for error(p, bound), for all pupils.
-    template <class Error, class Disk>
-    void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const {
-        std::vector<std::size_t> worth;
-        std::vector<double> errors(stack_.count);
-        const double samples = 2.0 * SharpTable::work(terms_);
-        ChordBound bound = bound_of(radius);
-        for (std::size_t p = 0; p < stack_.count; ++p) {
-            look();
-            bound.prepare(coefficients + p * stack_.terms.size());
-            ChordDisk& here = disk(p);
-            here.rounding = bound.rounding();
-            errors[p] = error(p, bound);
-            double plain[2], better[2];
-            for (const Sum sum : {Sum::chords, Sum::nodes}) {
-                const std::size_t at = sum == Sum::chords ? 0 : 1;
-                const ChordLine likely = bound.best(sum, errors[p], usual_share[at]);
-                here.of(sum) = {bound.best(sum, errors[p], 1.0), likely.curve, bound.bend(sum, likely.curve)};
-                plain[at] = here.of(sum).line.needed(errors[p]);
-                better[at] = likely.needed(errors[p]);
-            }
-            if (work(plain[0], plain[1]) - work(better[0], better[1]) > 1.5 * samples &&
-                SharpTable::serves(terms_.degree, std::max(here.chords.curve, here.nodes.curve))) {
-                worth.push_back(p);
-            }
-        }
-        for (const Sum sum : {Sum::chords, Sum::nodes}) {
-            sample(coefficients, bound, box_.scaled(radius), sum, worth, errors, disk);
-        }
-    }
+    void find(const double* coefficients, double radius, const Error& error, const Disk& disk) const;
 
     // For less error, other curves may do with less.
     static void renew(ChordBound& bound, const double* coefficients, double error, ChordDisk& disk) {
@@ -93,7 +70,6 @@ class ChordLines {
         return chords * nodes * (45.0 + static_cast<double>(stack_.terms.size()) + 2.0 * rows_) + 2.0 * chords * pixels_;
     }
 
-    template <class Disk>
     void sample(const double* coefficients, const ChordBound& bound, const VBox& box, Sum sum, std::vector<std::size_t>& worth,
                 const std::vector<double>& errors, const Disk& disk) const {
         std::sort(worth.begin(), worth.end(), [&](std::size_t a, std::size_t b) {
@@ -143,5 +119,36 @@ class ChordLines {
     double rows_, pixels_;
     int threads_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void ChordLines::find(const double* coefficients, double radius, const Error& error, const Disk& disk) const {
+    std::vector<std::size_t> worth;
+    std::vector<double> errors(stack_.count);
+    const double samples = 2.0 * SharpTable::work(terms_);
+    ChordBound bound = bound_of(radius);
+    for (std::size_t p = 0; p < stack_.count; ++p) {
+        look();
+        bound.prepare(coefficients + p * stack_.terms.size());
+        ChordDisk& here = disk(p);
+        here.rounding = bound.rounding();
+        errors[p] = error(p, bound);
+        double plain[2], better[2];
+        for (const Sum sum : {Sum::chords, Sum::nodes}) {
+            const std::size_t at = sum == Sum::chords ? 0 : 1;
+            const ChordLine likely = bound.best(sum, errors[p], usual_share[at]);
+            here.of(sum) = {bound.best(sum, errors[p], 1.0), likely.curve, bound.bend(sum, likely.curve)};
+            plain[at] = here.of(sum).line.needed(errors[p]);
+            better[at] = likely.needed(errors[p]);
+        }
+        if (work(plain[0], plain[1]) - work(better[0], better[1]) > 1.5 * samples &&
+            SharpTable::serves(terms_.degree, std::max(here.chords.curve, here.nodes.curve))) {
+            worth.push_back(p);
+        }
+    }
+    for (const Sum sum : {Sum::chords, Sum::nodes}) {
+        sample(coefficients, bound, box_.scaled(radius), sum, worth, errors, disk);
+    }
+}
+#endif
 
 }  // namespace lommel

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/chords.hpp"
 #include "lommel/chordal/tables.hpp"
@@ -36,46 +37,7 @@ struct SharpTable {
     Floats shares;       // [sample][image][+, - its phase][corner]
     std::vector<double> most;  // of each term in size
 
-    SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window)
-        : terms(list), sum(which), curve(at), b(chord_curves.b[at]), box(window), classes(list) {
-        const std::size_t degree = TermPairs(list).degree, last = quarter(degree), side = last + 1;
-        samples = side * side;
-        step = std::acos(-1.0) / static_cast<double>(2 * last);
-        for (const ZernikeTerm& term : list) {
-            most.push_back(std::sinh(static_cast<double>(term.n) * b));
-        }
-        values.resize(samples * list.size());
-        std::vector<double> exponents(samples * images * 2 * corners);
-        const double tips[corners][2] = {
-            {box.left, box.top}, {box.right, box.top}, {box.left, box.bottom}, {box.right, box.bottom}};
-        for (std::size_t p = 0; p < side; ++p) {
-            for (std::size_t q = 0; q < side; ++q) {
-                look();
-                const std::size_t s = p * side + q;
-                const std::complex<wide> one(step * static_cast<double>(p), sum == Sum::chords ? b : 0.0);
-                const std::complex<wide> two(step * static_cast<double>(q), sum == Sum::nodes ? b : 0.0);
-                const std::complex<wide> x = std::cos(one), y = std::sin(one) * std::cos(two);
-                const double rise_x = static_cast<double>(x.imag()), rise_y = static_cast<double>(y.imag());
-                for (std::size_t j = 0; j < list.size(); ++j) {
-                    values[s * list.size() + j] = static_cast<float>(zernike_value(list[classes.order[j]], x, y).imag());
-                }
-                for (std::size_t place = 0; place < images * 2 * corners; ++place) {
-                    const std::size_t corner = place % corners, sign = place / corners % 2, image = place / corners / 2;
-                    const double here = (image < 2 ? 1.0 : -1.0) * tips[corner][0] * rise_x +
-                                        (image % 2 == 0 ? 1.0 : -1.0) * tips[corner][1] * rise_y;
-                    exponents[s * images * 2 * corners + place] = sign == 0 ? -here : here;
-                    scale = std::max(scale, std::abs(here));
-                }
-            }
-        }
-        const std::vector<double> first = firsts(last), second = seconds(last);
-        shares.resize(exponents.size());
-        for (std::size_t j = 0; j < shares.size(); ++j) {
-            const std::size_t s = j / (images * 2 * corners);
-            const double share = first[s / side] * second[s % side] * std::exp(exponents[j] - scale);
-            shares[j] = static_cast<float>(std::max(share, 1e-35));
-        }
-    }
+    SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window);
 
     // Steps of a quarter of a turn.
     static std::size_t quarter(std::size_t degree) { return (5 * std::max<std::size_t>(2, degree) + 1) / 2; }
@@ -156,6 +118,49 @@ struct SharpTable {
         return found;
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE SharpTable::SharpTable(const std::vector<ZernikeTerm>& list, Sum which, std::size_t at, const VBox& window)
+    : terms(list), sum(which), curve(at), b(chord_curves.b[at]), box(window), classes(list) {
+    const std::size_t degree = TermPairs(list).degree, last = quarter(degree), side = last + 1;
+    samples = side * side;
+    step = std::acos(-1.0) / static_cast<double>(2 * last);
+    for (const ZernikeTerm& term : list) {
+        most.push_back(std::sinh(static_cast<double>(term.n) * b));
+    }
+    values.resize(samples * list.size());
+    std::vector<double> exponents(samples * images * 2 * corners);
+    const double tips[corners][2] = {
+        {box.left, box.top}, {box.right, box.top}, {box.left, box.bottom}, {box.right, box.bottom}};
+    for (std::size_t p = 0; p < side; ++p) {
+        for (std::size_t q = 0; q < side; ++q) {
+            look();
+            const std::size_t s = p * side + q;
+            const std::complex<wide> one(step * static_cast<double>(p), sum == Sum::chords ? b : 0.0);
+            const std::complex<wide> two(step * static_cast<double>(q), sum == Sum::nodes ? b : 0.0);
+            const std::complex<wide> x = std::cos(one), y = std::sin(one) * std::cos(two);
+            const double rise_x = static_cast<double>(x.imag()), rise_y = static_cast<double>(y.imag());
+            for (std::size_t j = 0; j < list.size(); ++j) {
+                values[s * list.size() + j] = static_cast<float>(zernike_value(list[classes.order[j]], x, y).imag());
+            }
+            for (std::size_t place = 0; place < images * 2 * corners; ++place) {
+                const std::size_t corner = place % corners, sign = place / corners % 2, image = place / corners / 2;
+                const double here = (image < 2 ? 1.0 : -1.0) * tips[corner][0] * rise_x +
+                                    (image % 2 == 0 ? 1.0 : -1.0) * tips[corner][1] * rise_y;
+                exponents[s * images * 2 * corners + place] = sign == 0 ? -here : here;
+                scale = std::max(scale, std::abs(here));
+            }
+        }
+    }
+    const std::vector<double> first = firsts(last), second = seconds(last);
+    shares.resize(exponents.size());
+    for (std::size_t j = 0; j < shares.size(); ++j) {
+        const std::size_t s = j / (images * 2 * corners);
+        const double share = first[s / side] * second[s % side] * std::exp(exponents[j] - scale);
+        shares[j] = static_cast<float>(std::max(share, 1e-35));
+    }
+}
+#endif
 
 // The largest |Im Phi| of all samples, and for each corner the mean of e^{-Im (Phi - v r)} over e^{top + scale}:
 // coefficients[term], in the order of the table, and `room` for images of all samples.

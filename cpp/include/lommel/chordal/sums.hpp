@@ -29,32 +29,31 @@ class ChordalSums {
 
     // images[pupil][column][row], where there are any.
     void run(float* images, int threads) const {
-        const std::size_t lanes = 2 * vector_lanes(), batches = (stack_.count + lanes - 1) / lanes;
+        const Level level = processor_level();
+        const std::size_t lanes = ChordKernels<float>::lanes(level), batches = (stack_.count + lanes - 1) / lanes;
         std::vector<std::size_t> pupils(stack_.count);
         std::iota(pupils.begin(), pupils.end(), std::size_t{0});
         parallel_for(batches, threads, [&](std::size_t, std::size_t b) {
             thread_local ChordalScratch<float> scratch;
             const std::size_t first = b * lanes, here = std::min(lanes, stack_.count - first);
-            const ChordalBatch<float> one{stack_, pupils.data() + first, here, area_, disks_, scratch};
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { run_batch(isa, one, images); });
+            run_batch({level, stack_, pupils.data() + first, here, area_, disks_, scratch}, images);
         });
     }
 
    private:
-    template <class I>
-    LOMMEL_INLINE void run_batch(I isa, const ChordalBatch<float>& batch, float* images) const {
-        using V = typename Waves<I, float>::V;
-        constexpr std::size_t lanes = Waves<I, float>::lanes;
-        const std::size_t width = batch.columns(), height = batch.rows();
+    void run_batch(const ChordalBatch<float>& batch, float* images) const {
+        const std::size_t lanes = batch.lanes(), width = batch.columns(), height = batch.rows();
         ChordalScratch<float>& scratch = batch.scratch;
+        scratch.intensity.resize(width * lanes);
+        alignas(64) float peaks[most_pupils] = {};
         scratch.fields.resize(More::wanted ? 2 * height * width * lanes : 0);
-        pupil_fields(isa, batch, More::keeps_nodes, [&](std::size_t y, const float* u) LOMMEL_INLINE_LAMBDA {
+        batch.pupil_fields(More::keeps_nodes, [&](std::size_t y, const float* u) {
+            if (images != nullptr) {
+                ChordKernels<float>::intensities(batch.level, u, width, scratch.intensity.data(), peaks);
+            }
             for (std::size_t x = 0; x < width && images != nullptr; ++x) {
-                const V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
-                float each[lanes];
-                store(each, re * re + im * im);
                 for (std::size_t lane = 0; lane < batch.here; ++lane) {
-                    images[(batch.pupils[lane] * width + x) * height + y] = each[lane];
+                    images[(batch.pupils[lane] * width + x) * height + y] = scratch.intensity[x * lanes + lane];
                 }
             }
             if constexpr (More::wanted) {
@@ -62,7 +61,7 @@ class ChordalSums {
             }
         });
         if constexpr (More::wanted) {
-            more_.follow(isa, batch, nullptr, nullptr);
+            more_.follow(batch, nullptr, [](std::size_t, std::size_t) { return std::array<double, 3>{}; });
         }
     }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/special/legendre.hpp"
@@ -93,34 +94,38 @@ struct TermTable {
     Doubles values;   // [chord][tile of nodes][term, in the order of classes][node of the tile]
     Doubles weights;  // [chord][node], with the amplitude
 
-    TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light)
-        : count(n), terms(list), amplitude(light), classes(list), values(n.half_chords() * n.half_nodes() * list.size()),
-          weights(n.half_chords() * n.half_nodes()) {
-        const ChordRule rule(n);
-        const std::size_t half = n.half_nodes();
-        for (std::size_t i = 0; i < n.half_chords(); ++i) {
-            for_tiles(half, node_tile, [&](std::size_t first, std::size_t size) {
-                look();
-                double* tile = values.data() + (i * half + first) * list.size();
-                for (std::size_t j = 0; j < list.size(); ++j) {
-                    for (std::size_t r = 0; r < size; ++r) {
-                        tile[j * size + r] = static_cast<double>(
-                            zernike_value(list[classes.order[j]], rule.x[i], rule.s[i] * rule.eta[first + r]));
-                    }
-                }
-            });
-            for (std::size_t k = 0; k < half; ++k) {
-                const wide y = rule.s[i] * rule.eta[k];
-                weights[i * half + k] = static_cast<double>(rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
-            }
-        }
-    }
+    TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light);
     bool is(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light) const {
         return count == n && amplitude == light && terms == list;
     }
     std::size_t bytes() const { return (values.size() + weights.size()) * sizeof(double); }
     static constexpr std::size_t most_bytes = std::size_t{96} << 20;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE TermTable::TermTable(const ChordCount& n, const std::vector<ZernikeTerm>& list, const Amplitude& light)
+    : count(n), terms(list), amplitude(light), classes(list), values(n.half_chords() * n.half_nodes() * list.size()),
+      weights(n.half_chords() * n.half_nodes()) {
+    const ChordRule rule(n);
+    const std::size_t half = n.half_nodes();
+    for (std::size_t i = 0; i < n.half_chords(); ++i) {
+        for_tiles(half, node_tile, [&](std::size_t first, std::size_t size) {
+            look();
+            double* tile = values.data() + (i * half + first) * list.size();
+            for (std::size_t j = 0; j < list.size(); ++j) {
+                for (std::size_t r = 0; r < size; ++r) {
+                    tile[j * size + r] =
+                        static_cast<double>(zernike_value(list[classes.order[j]], rule.x[i], rule.s[i] * rule.eta[first + r]));
+                }
+            }
+        });
+        for (std::size_t k = 0; k < half; ++k) {
+            const wide y = rule.s[i] * rule.eta[k];
+            weights[i * half + k] = static_cast<double>(rule.weight(i, k) * light.at(rule.x[i] * rule.x[i] + y * y));
+        }
+    }
+}
+#endif
 
 // Rows or columns of a window: distances from the axis in pixels, those at +v and -v as one.
 struct WindowAxis {

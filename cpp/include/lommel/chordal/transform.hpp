@@ -63,15 +63,6 @@ LOMMEL_INLINE void for_fixed_tiles(std::size_t count, const F& f) {
     });
 }
 
-// Of as many pupils as a vector of `Real` has lanes.
-template <class Real>
-struct ChordalScratch {
-    using Values = std::vector<Real, AlignedAllocator<Real>>;
-    Doubles coefficients;
-    Values nodes, chords, row, inner, intensity;
-    Values kept[2], factored, factors, fields;  // where derivatives are wanted
-};
-
 // Phases and how they become waves, in double precision: a vector of pupils.
 template <class I, class Real>
 struct Waves {
@@ -152,63 +143,88 @@ LOMMEL_INLINE void pair_of_chords(I, const TermTable& table, std::size_t chord, 
     });
 }
 
-// U at every pixel, row by row, as sink(row, values[column][re, im]), from what nodes_of(chord) points at.
-template <class I, class Real, class Nodes, class Sink>
-LOMMEL_INLINE void chordal_fields(I, const KernelTable<Real>& kernel, ChordalScratch<Real>& scratch, const Nodes& nodes_of,
-                                  const Sink& sink) {
+// What a pair of chords, with its nodes as above, makes of each row: chords[row][even, odd in x][chord][re, im].
+template <class I, class Real>
+LOMMEL_INLINE void rows_of_chords(I, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords) {
     using V = typename Waves<I, Real>::V;
     constexpr std::size_t lanes = Waves<I, Real>::lanes;
-    const std::size_t half = kernel.count.half_chords(), within = kernel.count.half_nodes();
-    const std::size_t rows = kernel.rows.at.size(), columns = kernel.columns.at.size();
-    const std::size_t line = half * 2 * lanes;  // of chords[row][even, odd in x][chord][re, im]
-    scratch.chords.resize(kernel.rows.count * 2 * line);
-    scratch.row.resize(kernel.columns.count * 2 * lanes);
-    Real *chords = scratch.chords.data(), *row = scratch.row.data();
-    for (std::size_t i = 0; i < half; ++i) {
-        look();
-        const Real* nodes = nodes_of(i);
-        for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
-            constexpr std::size_t R = decltype(size)::value;
-            const std::size_t at = (i * rows + first) * within;
-            V a[R][4] = {}, b[R][4] = {};
-            multiply<R, 4>(kernel.row_cos.data() + at, nodes, within, a);
-            multiply<R, 4>(kernel.row_sin.data() + at, nodes + within * 4 * lanes, within, b);
-            for (std::size_t r = 0; r < R; ++r) {
-                Real* to = chords + kernel.rows.plus[first + r] * 2 * line + i * 2 * lanes;
+    const std::size_t rows = kernel.rows.at.size(), within = kernel.count.half_nodes();
+    const std::size_t line = kernel.count.half_chords() * 2 * lanes;
+    for_fixed_tiles<row_tile>(rows, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t R = decltype(size)::value;
+        const std::size_t at = (chord * rows + first) * within;
+        V a[R][4] = {}, b[R][4] = {};
+        multiply<R, 4>(kernel.row_cos.data() + at, nodes, within, a);
+        multiply<R, 4>(kernel.row_sin.data() + at, nodes + within * 4 * lanes, within, b);
+        for (std::size_t r = 0; r < R; ++r) {
+            Real* to = chords + kernel.rows.plus[first + r] * 2 * line + chord * 2 * lanes;
+            for (std::size_t x = 0; x < 2; ++x) {
+                store(to + x * line, a[r][2 * x] + b[r][2 * x + 1]);
+                store(to + x * line + lanes, a[r][2 * x + 1] - b[r][2 * x]);
+            }
+            if (kernel.rows.minus[first + r] != WindowAxis::none) {
+                to = chords + kernel.rows.minus[first + r] * 2 * line + chord * 2 * lanes;
                 for (std::size_t x = 0; x < 2; ++x) {
-                    store(to + x * line, a[r][2 * x] + b[r][2 * x + 1]);
-                    store(to + x * line + lanes, a[r][2 * x + 1] - b[r][2 * x]);
-                }
-                if (kernel.rows.minus[first + r] != WindowAxis::none) {
-                    to = chords + kernel.rows.minus[first + r] * 2 * line + i * 2 * lanes;
-                    for (std::size_t x = 0; x < 2; ++x) {
-                        store(to + x * line, a[r][2 * x] - b[r][2 * x + 1]);
-                        store(to + x * line + lanes, a[r][2 * x + 1] + b[r][2 * x]);
-                    }
+                    store(to + x * line, a[r][2 * x] - b[r][2 * x + 1]);
+                    store(to + x * line + lanes, a[r][2 * x + 1] + b[r][2 * x]);
                 }
             }
-        });
+        }
+    });
+}
+
+// U along a row, [column][re, im], from the chords of that row.
+template <class I, class Real>
+LOMMEL_INLINE void columns_of_row(I, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    const std::size_t half = kernel.count.half_chords(), line = half * 2 * lanes;
+    for_fixed_tiles<column_tile>(kernel.columns.at.size(), [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
+        constexpr std::size_t R = decltype(size)::value;
+        V a[R][2] = {}, b[R][2] = {};
+        multiply<R, 2>(kernel.column_cos.data() + first * half, chords, half, a);
+        multiply<R, 2>(kernel.column_sin.data() + first * half, chords + line, half, b);
+        for (std::size_t r = 0; r < R; ++r) {
+            Real* to = row + kernel.columns.plus[first + r] * 2 * lanes;
+            store(to, a[r][0] + b[r][1]);
+            store(to + lanes, a[r][1] - b[r][0]);
+            if (kernel.columns.minus[first + r] != WindowAxis::none) {
+                to = row + kernel.columns.minus[first + r] * 2 * lanes;
+                store(to, a[r][0] - b[r][1]);
+                store(to + lanes, a[r][1] + b[r][0]);
+            }
+        }
+    });
+}
+
+// |U|^2 along a row; `top` is raised to the largest of each lane.
+template <class I, class Real>
+LOMMEL_INLINE void intensities_of_row(I, const Real* u, std::size_t columns, Real* intensity, Real* top) {
+    using V = typename Waves<I, Real>::V;
+    constexpr std::size_t lanes = Waves<I, Real>::lanes;
+    V most = load<V>(top);
+    for (std::size_t x = 0; x < columns; ++x) {
+        const V re = load<V>(u + 2 * x * lanes), im = load<V>(u + (2 * x + 1) * lanes);
+        const V i = re * re + im * im;
+        most = larger(most, i);
+        store(intensity + x * lanes, i);
     }
-    for (std::size_t y = 0; y < kernel.rows.count; ++y) {
-        look();
-        const Real* from = chords + y * 2 * line;
-        for_fixed_tiles<column_tile>(columns, [&](std::size_t first, auto size) LOMMEL_INLINE_LAMBDA {
-            constexpr std::size_t R = decltype(size)::value;
-            V a[R][2] = {}, b[R][2] = {};
-            multiply<R, 2>(kernel.column_cos.data() + first * half, from, half, a);
-            multiply<R, 2>(kernel.column_sin.data() + first * half, from + line, half, b);
-            for (std::size_t r = 0; r < R; ++r) {
-                Real* to = row + kernel.columns.plus[first + r] * 2 * lanes;
-                store(to, a[r][0] + b[r][1]);
-                store(to + lanes, a[r][1] - b[r][0]);
-                if (kernel.columns.minus[first + r] != WindowAxis::none) {
-                    to = row + kernel.columns.minus[first + r] * 2 * lanes;
-                    store(to, a[r][0] - b[r][1]);
-                    store(to + lanes, a[r][1] + b[r][0]);
-                }
-            }
-        });
-        sink(y, row);
+    store(top, most);
+}
+
+// u = u - inner, of `count` vectors; or inner = u * area.
+template <class I, class Real>
+LOMMEL_INLINE void subtract(I, const Real* inner, std::size_t count, Real* u) {
+    using V = typename Waves<I, Real>::V;
+    for (std::size_t j = 0; j < count * Waves<I, Real>::lanes; j += Waves<I, Real>::lanes) {
+        store(u + j, load<V>(u + j) - load<V>(inner + j));
+    }
+}
+template <class I, class Real>
+LOMMEL_INLINE void scale(I, const Real* u, Real area, std::size_t count, Real* inner) {
+    using V = typename Waves<I, Real>::V;
+    for (std::size_t j = 0; j < count * Waves<I, Real>::lanes; j += Waves<I, Real>::lanes) {
+        store(inner + j, load<V>(u + j) * splat<V>(area));
     }
 }
 

@@ -68,28 +68,11 @@ class Spreader {
     // out += sum over source pixels of value times window, in an image that is `widest` larger above and below and margin()
     // on either side: [height + 2 widest][width + 2 margin]. The image is as large as `positions`, its values `down` and
     // `right` apart.
-    void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const {
-        const std::size_t tall = std::max(least_rows, 2 * bank_.widest), broad = std::max(least_columns, 2 * margin_);
-        const auto value = [&](std::size_t y, std::size_t x) -> const T& {
-            return image[scene_.rows[y] * down + scene_.columns[x] * right];
-        };
-        // No smaller than what a pixel writes to.
-        const Checkerboard tiles((height_ + tall - 1) / tall, (width_ + broad - 1) / broad);
-        tiles.each(threads_, [&](std::size_t row, std::size_t column) {
-            const std::size_t y = row * tall, x = column * broad;
-            spread_tile(y, std::min(height_, y + tall), x, std::min(width_, x + broad), value, out);
-        });
-    }
+    void forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const;
 
     // The transpose: each source pixel takes the sum of window times `image`, which has the size of forward's output; `out` is
     // [height][width].
-    void adjoint(const T* image, T* out) const {
-        std::fill_n(out, height_ * width_, T(0));
-        parallel_for((height_ + least_rows - 1) / least_rows, threads_, [&](std::size_t, std::size_t task) {
-            const std::size_t top = task * least_rows;
-            collect_strip(top, std::min(height_, top + least_rows), image, out);
-        });
-    }
+    void adjoint(const T* image, T* out) const;
 
    private:
     // High enough for what the points of a column spread to be put together before it goes to where it belongs.
@@ -324,5 +307,33 @@ class Spreader {
     std::size_t margin_;
     Mixer<T> mixture_;
 };
+
+template <class T>
+void Spreader<T>::forward(const T* image, std::ptrdiff_t down, std::ptrdiff_t right, T* out) const {
+    const std::size_t tall = std::max(least_rows, 2 * bank_.widest), broad = std::max(least_columns, 2 * margin_);
+    const auto value = [&](std::size_t y, std::size_t x) -> const T& {
+        return image[scene_.rows[y] * down + scene_.columns[x] * right];
+    };
+    // No smaller than what a pixel writes to.
+    const Checkerboard tiles((height_ + tall - 1) / tall, (width_ + broad - 1) / broad);
+    tiles.each(threads_, [&](std::size_t row, std::size_t column) {
+        const std::size_t y = row * tall, x = column * broad;
+        spread_tile(y, std::min(height_, y + tall), x, std::min(width_, x + broad), value, out);
+    });
+}
+
+template <class T>
+void Spreader<T>::adjoint(const T* image, T* out) const {
+    std::fill_n(out, height_ * width_, T(0));
+    parallel_for((height_ + least_rows - 1) / least_rows, threads_, [&](std::size_t, std::size_t task) {
+        const std::size_t top = task * least_rows;
+        collect_strip(top, std::min(height_, top + least_rows), image, out);
+    });
+}
+
+#if defined(LOMMEL_COMPILED)
+extern template class Spreader<float>;
+extern template class Spreader<double>;
+#endif
 
 }  // namespace lommel

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/bounds/settle.hpp"
 #include "lommel/pixels/layout.hpp"
@@ -31,28 +32,7 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
     Doubles weights, penalty;  // [block of outputs][node][output]; roundings that each coefficient takes part in
     double error, of_nodes = 1.0, of_grid, rounding;  // as of a PixelTable
 
-    AnywhereTable(double pitch, bool averages, double pixels, int digits)
-        : step(pitch), integrate(averages), farthest(pixels), level(digits) {
-        using Budget = PixelTable::Budget;
-        const double side = integrate ? step : 0.0, allowed = std::pow(10.0, -level), reach = farthest * step;
-        gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
-        harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
-        const double by_angle = lebesgue(harmonics);
-        const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
-        degree = std::max<std::size_t>(2, places.count);
-        of_grid = by_angle * lebesgue(degree);
-        // What samples take I at is what they are.
-        const RingNodes nodes = integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid)
-                                          : places.of(degree);
-        for (std::size_t i = 0; i < nodes.count; ++i) {
-            radii.push_back(nodes.radius(i));
-        }
-        count = nodes.count;
-        radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
-        outputs = degree * harmonics;
-        weigh(places.of(degree), nodes, Points::square(side, gauss));
-        judge(reach, side, nodes.error);
-    }
+    AnywhereTable(double pitch, bool averages, double pixels, int digits);
 
     double magnification() const { return of_grid * of_nodes; }
     // Corners of pixels from the axis, in v.
@@ -70,6 +50,9 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
 
     // The pixels of a window from I at the radii, in whole vectors; returns what evaluating the polynomials may be off by, in
     // units of roundoff. Bound by the latency of multiply-adds, of which four chains overlap.
+    double values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* out) const;
+
+   private:
     template <class I>
     LOMMEL_INLINE double apply(I isa, const PixelWindow& window, const double* intensity, Doubles& scratch, double* out) const {
         const std::size_t pixels = window.height * window.width, room = (pixels + widest_step) / widest_step * widest_step;
@@ -101,7 +84,6 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
         return weighted_size(isa, sums, penalty.data(), penalty.size());
     }
 
-   private:
     void weigh(const RingNodes& places, const RingNodes& nodes, const Points& square) {
         Doubles rows(outputs * count, 0.0);
         if (integrate) {
@@ -141,5 +123,37 @@ struct AnywhereTable : Radii {  // where I is wanted, in v
         }
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE AnywhereTable::AnywhereTable(double pitch, bool averages, double pixels, int digits)
+    : step(pitch), integrate(averages), farthest(pixels), level(digits) {
+    using Budget = PixelTable::Budget;
+    const double side = integrate ? step : 0.0, allowed = std::pow(10.0, -level), reach = farthest * step;
+    gauss = fewest(1, [&](std::size_t q) { return gauss_error(side, q) <= Budget::gauss * allowed; });
+    harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(side, j) <= Budget::harmonics * allowed; });
+    const double by_angle = lebesgue(harmonics);
+    const RingNodes places(0.0, reach, 0.0, (integrate ? Budget::rings : Budget::window) * allowed / by_angle);
+    degree = std::max<std::size_t>(2, places.count);
+    of_grid = by_angle * lebesgue(degree);
+    // What samples take I at is what they are.
+    const RingNodes nodes =
+        integrate ? RingNodes(0.0, reach, side * 0.70710678118654752, Budget::nodes * allowed / of_grid) : places.of(degree);
+    for (std::size_t i = 0; i < nodes.count; ++i) {
+        radii.push_back(nodes.radius(i));
+    }
+    count = nodes.count;
+    radii.resize((count + widest_step + 15) / 16 * 16, radii.back());
+    outputs = degree * harmonics;
+    weigh(places.of(degree), nodes, Points::square(side, gauss));
+    judge(reach, side, nodes.error);
+}
+
+LOMMEL_ONCE double AnywhereTable::values(const PixelWindow& window, const double* intensity, Doubles& scratch,
+                                         double* out) const {
+    double size = 0.0;
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { size = apply(isa, window, intensity, scratch, out); });
+    return size;
+}
+#endif
 
 }  // namespace lommel

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/bounds/pixels.hpp"
 #include "lommel/bounds/settle.hpp"
 #include "lommel/pixels/anywhere.hpp"
@@ -21,21 +22,7 @@ struct ShiftTable {
     Doubles weights, penalty;  // as of an AnywhereTable
     double error, of_grid, rounding;
 
-    explicit ShiftTable(const std::shared_ptr<const AnywhereTable>& of) : pixels(of) {
-        using Budget = PixelTable::Budget;
-        const double side = of->step, reach = of->farthest * side, allowed = std::pow(10.0, -of->level);
-        harmonics = fewest(1, [&](std::size_t j) { return shift_harmonics_error(side, j) <= Budget::harmonics * allowed; });
-        const double by_angle = lebesgue(2 * harmonics), each = 0.5 * Budget::rings * allowed / by_angle;
-        degree = fewest(2, [&](std::size_t n) { return interpolation_error(reach, 2 * n) <= each; });
-        of_grid = by_angle * lebesgue(2 * degree);
-        const RingNodes nodes = RingNodes(0.0, reach, side * 0.70710678118654752, 1.0).of(of->count);
-        weigh(reach, nodes, Points::sides(side, of->gauss));
-        // Of two averages, each of which errs as those over pixels do.
-        error = 2.0 * (of_grid * (interpolation_error(nodes.high, 2 * nodes.count) + gauss_error(side, of->gauss)) +
-                       by_angle * interpolation_error(reach, 2 * degree)) +
-                shift_harmonics_error(side, harmonics);
-        judge();
-    }
+    explicit ShiftTable(const std::shared_ptr<const AnywhereTable>& of);
 
     double reach() const { return pixels->reach(); }
     double magnification() const { return 2.0 * of_grid * pixels->of_nodes; }
@@ -48,6 +35,9 @@ struct ShiftTable {
 
     // What the axis changes by a pixel along rows (down) and columns (across), from I at the radii, in whole vectors; returns what
     // evaluating the polynomials may be off by, in units of roundoff.
+    double values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* down, double* across) const;
+
+   private:
     template <class I>
     LOMMEL_INLINE double apply(I isa, const PixelWindow& window, const double* intensity, Doubles& scratch, double* down,
                                double* across) const {
@@ -82,7 +72,6 @@ struct ShiftTable {
         return weighted_size(isa, sums, penalty.data(), penalty.size());
     }
 
-   private:
     void weigh(double reach, const RingNodes& nodes, const Points& sides) {
         const std::size_t outputs = degree * harmonics, count = nodes.count;
         Doubles rows(outputs * count);
@@ -115,5 +104,30 @@ struct ShiftTable {
         }
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE ShiftTable::ShiftTable(const std::shared_ptr<const AnywhereTable>& of) : pixels(of) {
+    using Budget = PixelTable::Budget;
+    const double side = of->step, reach = of->farthest * side, allowed = std::pow(10.0, -of->level);
+    harmonics = fewest(1, [&](std::size_t j) { return shift_harmonics_error(side, j) <= Budget::harmonics * allowed; });
+    const double by_angle = lebesgue(2 * harmonics), each = 0.5 * Budget::rings * allowed / by_angle;
+    degree = fewest(2, [&](std::size_t n) { return interpolation_error(reach, 2 * n) <= each; });
+    of_grid = by_angle * lebesgue(2 * degree);
+    const RingNodes nodes = RingNodes(0.0, reach, side * 0.70710678118654752, 1.0).of(of->count);
+    weigh(reach, nodes, Points::sides(side, of->gauss));
+    // Of two averages, each of which errs as those over pixels do.
+    error = 2.0 * (of_grid * (interpolation_error(nodes.high, 2 * nodes.count) + gauss_error(side, of->gauss)) +
+                   by_angle * interpolation_error(reach, 2 * degree)) +
+            shift_harmonics_error(side, harmonics);
+    judge();
+}
+
+LOMMEL_ONCE double ShiftTable::values(const PixelWindow& window, const double* intensity, Doubles& scratch, double* down,
+                                      double* across) const {
+    double size = 0.0;
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { size = apply(isa, window, intensity, scratch, down, across); });
+    return size;
+}
+#endif
 
 }  // namespace lommel

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/pixels.hpp"
@@ -61,54 +62,7 @@ struct PixelTable : Radii {  // where I is wanted, in v
     double of_nodes = 1.0, of_grid = 1.0;  // what errors are multiplied by: at the radii, at the places of the harmonics
     double rounding = 0.0;  // of making and applying the weights, in units of roundoff times the largest I
 
-    PixelTable(const PixelWindow& w, int digits, int threads) : window(w), level(digits), groups(w) {
-        const auto ends = std::minmax_element(groups.v.begin(), groups.v.end());
-        const double least = *ends.first, most = *ends.second, slack = w.side() * 0.70710678118654752;
-        const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
-        gauss = fewest(1, [&](std::size_t q) { return gauss_error(w.side(), q) <= Budget::gauss * allowed; });
-        harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(w.side(), j) <= Budget::harmonics * allowed; });
-        const double by_angle = lebesgue(harmonics);
-        double half = 6.0;
-        while (by_angle * interpolation_error(half, radial_degree) > Budget::rings * allowed) {
-            half *= 0.98;
-        }
-
-        // Multiply-adds of one image, and a share of those of the table, counted, not measured: rings so narrow that
-        // `radial_degree` coefficients do, the window as one ring, or I at the pixels.
-        const double within = Budget::nodes * allowed / (by_angle * lebesgue(radial_degree));
-        const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
-        const RingNodes whole(least, most, slack, Budget::window * allowed);
-        const double ring_count = std::ceil((most - least) / (2.0 * half)) + 1.0;
-        const double coefficients = static_cast<double>(radial_degree * harmonics), of_ring = values / ring_count;
-        const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
-        const double by_rings =
-            ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
-            (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
-        const double by_one = static_cast<double>(whole.count) * (64.0 + values * sum);
-        if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {
-            at_pixels();
-            return;
-        }
-        const bool one = by_one <= by_rings && whole.count <= most_nodes;
-        make_rings(least, one ? 0.5 * (most - least) : half, slack, one, one ? Budget::window * allowed : within);
-        const std::size_t entries = rings.back().first_weight + rings.back().nodes.count * rings.back().outputs;
-        const std::size_t nodes = std::max(narrow.count, rings.front().nodes.count);
-        if (entries > most_weights || nodes > most_nodes) {
-            throw std::invalid_argument(
-                "averages over pixels of " + std::to_string(w.step / 3.14159265358979324) + " lambda*N take " +
-                (nodes > most_nodes
-                     ? std::to_string(nodes) + " radii a pixel, more than the limit of " + std::to_string(most_nodes)
-                     : std::to_string(entries) + " weights, more than the limit of " + std::to_string(most_weights)) +
-                "; take smaller pixels, and average blocks of them");
-        }
-        weights.resize(entries);
-        const Points square = Points::square(w.side(), gauss);
-        const Doubles radial = cosine_transform(radial_degree), angular = cosine_transform(harmonics);
-        parallel_for(rings.size(), threads, [&](std::size_t, std::size_t r) {
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { weigh(isa, rings[r], square, radial, angular); });
-        });
-        judge(half);
-    }
+    PixelTable(const PixelWindow& w, int digits, int threads);
 
     // What an error of I at the radii may become in a value.
     double magnification() const { return of_grid * of_nodes; }
@@ -283,5 +237,55 @@ struct PixelTable : Radii {  // where I is wanted, in v
         }
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE PixelTable::PixelTable(const PixelWindow& w, int digits, int threads) : window(w), level(digits), groups(w) {
+    const auto ends = std::minmax_element(groups.v.begin(), groups.v.end());
+    const double least = *ends.first, most = *ends.second, slack = w.side() * 0.70710678118654752;
+    const double allowed = std::pow(10.0, -level), values = static_cast<double>(groups.v.size());
+    gauss = fewest(1, [&](std::size_t q) { return gauss_error(w.side(), q) <= Budget::gauss * allowed; });
+    harmonics = fewest(1, [&](std::size_t j) { return harmonics_error(w.side(), j) <= Budget::harmonics * allowed; });
+    const double by_angle = lebesgue(harmonics);
+    double half = 6.0;
+    while (by_angle * interpolation_error(half, radial_degree) > Budget::rings * allowed) {
+        half *= 0.98;
+    }
+
+    // Multiply-adds of one image, and a share of those of the table, counted, not measured: rings so narrow that
+    // `radial_degree` coefficients do, the window as one ring, or I at the pixels.
+    const double within = Budget::nodes * allowed / (by_angle * lebesgue(radial_degree));
+    const RingNodes narrow(std::max(least, 0.5 * most), std::max(least, 0.5 * most) + 2.0 * half, slack, within);
+    const RingNodes whole(least, most, slack, Budget::window * allowed);
+    const double ring_count = std::ceil((most - least) / (2.0 * half)) + 1.0;
+    const double coefficients = static_cast<double>(radial_degree * harmonics), of_ring = values / ring_count;
+    const double sum = 1.0 + 0.01 * static_cast<double>(gauss * gauss);
+    const double by_rings = ring_count * static_cast<double>(narrow.count) * (64.0 + std::min(of_ring, coefficients) * sum) +
+                            (of_ring > coefficients ? 2.0 * values * coefficients : 0.0);
+    const double by_one = static_cast<double>(whole.count) * (64.0 + values * sum);
+    if (w.side() == 0.0 && 64.0 * values <= std::min(by_rings, by_one)) {
+        at_pixels();
+        return;
+    }
+    const bool one = by_one <= by_rings && whole.count <= most_nodes;
+    make_rings(least, one ? 0.5 * (most - least) : half, slack, one, one ? Budget::window * allowed : within);
+    const std::size_t entries = rings.back().first_weight + rings.back().nodes.count * rings.back().outputs;
+    const std::size_t nodes = std::max(narrow.count, rings.front().nodes.count);
+    if (entries > most_weights || nodes > most_nodes) {
+        throw std::invalid_argument(
+            "averages over pixels of " + std::to_string(w.step / 3.14159265358979324) + " lambda*N take " +
+            (nodes > most_nodes
+                 ? std::to_string(nodes) + " radii a pixel, more than the limit of " + std::to_string(most_nodes)
+                 : std::to_string(entries) + " weights, more than the limit of " + std::to_string(most_weights)) +
+            "; take smaller pixels, and average blocks of them");
+    }
+    weights.resize(entries);
+    const Points square = Points::square(w.side(), gauss);
+    const Doubles radial = cosine_transform(radial_degree), angular = cosine_transform(harmonics);
+    parallel_for(rings.size(), threads, [&](std::size_t, std::size_t r) {
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { weigh(isa, rings[r], square, radial, angular); });
+    });
+    judge(half);
+}
+#endif
 
 }  // namespace lommel

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/tasks.hpp"
 #include "lommel/bounds/settle.hpp"
 #include "lommel/radial/average_values.hpp"
@@ -34,21 +35,22 @@ struct Aperture {
 
    private:
     // No closed form, no exact value: U on the axis and its error instead.
-    static double bright(double eps, const Amplitude& amplitude) {
-        if (amplitude.closed()) {
-            return amplitude.integral(eps);
-        }
-        const double flat = 0.0, axis[1 + widest_step] = {};
-        double found[1 + widest_step] = {};
-        Field field;
-        const double error = field.prepare({&flat, 1, &amplitude}, 0, eps, {axis, 1, 1.0}, 1e-12);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            field.evaluate(isa, axis, 0, 1, 1.0,
-                           [&](std::size_t i, auto re, auto) LOMMEL_INLINE_LAMBDA { store(found + i, re); });
-        });
-        return std::min(1.0 - eps * eps, found[0] + error);
-    }
+    static double bright(double eps, const Amplitude& amplitude);
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double Aperture::bright(double eps, const Amplitude& amplitude) {
+    if (amplitude.closed()) {
+        return amplitude.integral(eps);
+    }
+    const double flat = 0.0, axis[1 + widest_step] = {};
+    double found[1 + widest_step] = {}, turned[1 + widest_step];
+    Field field;
+    const double error = field.prepare({&flat, 1, &amplitude}, 0, eps, {axis, 1, 1.0}, 1e-12);
+    field.values(axis, 0, 1, 1.0, found, turned);
+    return std::min(1.0 - eps * eps, found[0] + error);
+}
+#endif
 
 template <class T>
 class PixelRenderer {
@@ -268,39 +270,6 @@ class PixelRenderer {
             (off + storing<T>(false) * slopes.steepest * table.magnification()) / answer_.peaks[pupil];
         paint(table, made.values.data(), made.count, answer_.scales[pupil], std::numeric_limits<T>::lowest(),
               answer_.derivative_images + at * pixels(), threads);
-    }
-
-    // Windows of some pupils, from I at the radii, to made[pupil * apart]; returns the largest penalty.
-    static double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils,
-                                const double* at_radii, std::size_t stride, double* made, std::size_t apart) {
-        constexpr std::size_t at_once = 4;
-        thread_local Doubles sums;
-        double penalties[at_once] = {};
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t p = 0; p < pupils; p += at_once) {
-                // Pupils that are not there have some intensities too.
-                const double* from[at_once];
-                double* to[at_once];
-                for (std::size_t k = 0; k < at_once; ++k) {
-                    from[k] = at_radii + (p + k) * stride;
-                    to[k] = made + (p + k) * apart;
-                }
-                table.apply<at_once>(isa, 0, table.rings.size(), from, to, penalties, sums);
-            }
-        });
-        return *std::max_element(penalties, penalties + at_once);
-    }
-    static double make_together(const AnywhereTable& table, const PixelWindows& windows, std::size_t first, std::size_t pupils,
-                                const double* at_radii, std::size_t stride, double* made, std::size_t apart) {
-        thread_local Doubles scratch;
-        double penalty = 0.0;
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            for (std::size_t p = 0; p < pupils; ++p) {
-                penalty =
-                    std::max(penalty, table.apply(isa, windows[first + p], at_radii + p * stride, scratch, made + p * apart));
-            }
-        });
-        return penalty;
     }
 
     // Many pupils on one small window, or on those around their own axes, by the Bessel functions at the radii of one table.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/pixels/anywhere.hpp"
@@ -20,36 +21,75 @@ struct WindowValues {
     std::size_t count = 0;
     double penalty = 0.0;  // of the harmonics, in units of roundoff
 
-    void make(const AnywhereTable& table, const PixelWindow& window, const double* at_radii, int) {
-        thread_local Doubles scratch;
-        count = window.height * window.width;
-        values.resize(count + widest_step);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { penalty = table.apply(isa, window, at_radii, scratch, values.data()); });
-    }
+    void make(const AnywhereTable& table, const PixelWindow& window, const double* at_radii, int);
 
-    void make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads) {
-        count = table.value_count;
-        values.resize(count + widest_step);
-        penalty = 0.0;
-        if (table.rings.empty()) {
-            std::copy_n(at_radii, table.value_count, values.data());
-            return;
-        }
-        constexpr std::size_t block = 16;  // rings a task
-        const std::size_t tasks = (table.rings.size() + block - 1) / block;
-        std::vector<double> penalties(tasks, 0.0);
-        parallel_for(tasks, threads, [&](std::size_t, std::size_t task) {
-            thread_local Doubles scratch;
-            const double* from = at_radii;
-            double* to = values.data();
-            const std::size_t last = std::min(table.rings.size(), (task + 1) * block);
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                table.apply<1>(isa, task * block, last, &from, &to, &penalties[task], scratch);
-            });
-        });
-        penalty = *std::max_element(penalties.begin(), penalties.end());
-    }
+    void make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads);
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void WindowValues::make(const AnywhereTable& table, const PixelWindow& window, const double* at_radii, int) {
+    thread_local Doubles scratch;
+    count = window.height * window.width;
+    values.resize(count + widest_step);
+    penalty = table.values(window, at_radii, scratch, values.data());
+}
+
+LOMMEL_ONCE void WindowValues::make(const PixelTable& table, const PixelWindow&, const double* at_radii, int threads) {
+    count = table.value_count;
+    values.resize(count + widest_step);
+    penalty = 0.0;
+    if (table.rings.empty()) {
+        std::copy_n(at_radii, table.value_count, values.data());
+        return;
+    }
+    constexpr std::size_t block = 16;  // rings a task
+    const std::size_t tasks = (table.rings.size() + block - 1) / block;
+    std::vector<double> penalties(tasks, 0.0);
+    parallel_for(tasks, threads, [&](std::size_t, std::size_t task) {
+        thread_local Doubles scratch;
+        const double* from = at_radii;
+        double* to = values.data();
+        const std::size_t last = std::min(table.rings.size(), (task + 1) * block);
+        dispatch([&](auto isa)
+                     LOMMEL_INLINE_LAMBDA { table.apply<1>(isa, task * block, last, &from, &to, &penalties[task], scratch); });
+    });
+    penalty = *std::max_element(penalties.begin(), penalties.end());
+}
+#endif
+
+// Windows of some pupils, from I at the radii, to made[pupil * apart]; returns the largest penalty.
+double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils, const double* at_radii,
+                     std::size_t stride, double* made, std::size_t apart);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double make_together(const PixelTable& table, const PixelWindows&, std::size_t, std::size_t pupils,
+                                 const double* at_radii, std::size_t stride, double* made, std::size_t apart) {
+    constexpr std::size_t at_once = 4;
+    thread_local Doubles sums;
+    double penalties[at_once] = {};
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        for (std::size_t p = 0; p < pupils; p += at_once) {
+            // Pupils that are not there have some intensities too.
+            const double* from[at_once];
+            double* to[at_once];
+            for (std::size_t k = 0; k < at_once; ++k) {
+                from[k] = at_radii + (p + k) * stride;
+                to[k] = made + (p + k) * apart;
+            }
+            table.apply<at_once>(isa, 0, table.rings.size(), from, to, penalties, sums);
+        }
+    });
+    return *std::max_element(penalties, penalties + at_once);
+}
+#endif
+inline double make_together(const AnywhereTable& table, const PixelWindows& windows, std::size_t first, std::size_t pupils,
+                            const double* at_radii, std::size_t stride, double* made, std::size_t apart) {
+    thread_local Doubles scratch;
+    double penalty = 0.0;
+    for (std::size_t p = 0; p < pupils; ++p) {
+        penalty = std::max(penalty, table.values(windows[first + p], at_radii + p * stride, scratch, made + p * apart));
+    }
+    return penalty;
+}
 
 // The bound on the error of values of a table: I at the radii is at most `size` there and off by `given`, its derivative
 // along a line is at most `slope` and itself within `swing` of a constant.

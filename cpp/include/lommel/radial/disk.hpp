@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "lommel/base/once.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/radial/series.hpp"
 #include "lommel/radial/stack.hpp"
@@ -21,24 +22,7 @@ struct Expansion {
     double truncation = 0.0, quadrature = 0.0;
 
     Expansion() = default;
-    Expansion(const Ellipses& ellipses, double reach, double error) {
-        check_reach(reach);
-        const double left = RadialBudget::truncation * error;
-        std::tie(terms, truncation) = ellipses.terms(left);
-        // Counted only where the window takes fewer terms than the phase.
-        if (terms > 1 && window_tail(terms - 1, reach) <= left) {
-            terms = window_terms(reach, left);
-            truncation = window_tail(terms, reach);
-        }
-        const std::size_t nodes = ellipses.nodes(terms, RadialBudget::quadrature * error);
-        if (nodes > max_terms) {
-            throw PhaseTooLarge("aberrations this large take a series of " + std::to_string(nodes) +
-                                " nodes, more than the limit of " + std::to_string(max_terms) +
-                                "; Geometric, which leaves diffraction out, has none");
-        }
-        rule = LegendreRule::get(nodes, terms);
-        quadrature = ellipses.quadrature(2 * rule->half, terms);
-    }
+    Expansion(const Ellipses& ellipses, double reach, double error);
 
     std::size_t room() const { return rule->blocks * 2 * row_lanes; }
 
@@ -51,6 +35,27 @@ struct Expansion {
         return truncation + quadrature + unit_roundoff * rounding;
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE Expansion::Expansion(const Ellipses& ellipses, double reach, double error) {
+    check_reach(reach);
+    const double left = RadialBudget::truncation * error;
+    std::tie(terms, truncation) = ellipses.terms(left);
+    // Counted only where the window takes fewer terms than the phase.
+    if (terms > 1 && window_tail(terms - 1, reach) <= left) {
+        terms = window_terms(reach, left);
+        truncation = window_tail(terms, reach);
+    }
+    const std::size_t nodes = ellipses.nodes(terms, RadialBudget::quadrature * error);
+    if (nodes > max_terms) {
+        throw PhaseTooLarge("aberrations this large take a series of " + std::to_string(nodes) +
+                            " nodes, more than the limit of " + std::to_string(max_terms) +
+                            "; Geometric, which leaves diffraction out, has none");
+    }
+    rule = LegendreRule::get(nodes, terms);
+    quadrature = ellipses.quadrature(2 * rule->half, terms);
+}
+#endif
 
 // What the rounding of radii does to U up to v: in units of a piece they are off by three roundings, the step in v by three,
 // and |U'| <= int sqrt(t) |J_1(v sqrt t)| dt is at most 1/2 and, |J_1(x)| being at most 0.826 / sqrt(x), 0.661 / sqrt(v).
@@ -65,20 +70,7 @@ struct Disk {
     std::size_t terms = 0;
 
     // Expands to `error` in U at every v up to `reach`; returns the bound that was reached, rounding included.
-    double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch) {
-        check_phase(phase.size());
-        const Expansion plan(Ellipses(phase.coefficients, phase.terms, *phase.amplitude, power), reach, error);
-        terms = plan.terms;
-        if (re.size() < plan.room()) {
-            re.resize(plan.room());
-            im.resize(plan.room());
-        }
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, *phase.amplitude, power, terms, re.data(),
-                                  im.data(), scratch);
-        });
-        return plan.error(phase);
-    }
+    double expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch);
 
     // Adds a constant to the phase.
     void turn(double angle) {
@@ -90,5 +82,22 @@ struct Disk {
         }
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double Disk::expand(const Phase& phase, std::size_t power, double reach, double error, SeriesScratch& scratch) {
+    check_phase(phase.size());
+    const Expansion plan(Ellipses(phase.coefficients, phase.terms, *phase.amplitude, power), reach, error);
+    terms = plan.terms;
+    if (re.size() < plan.room()) {
+        re.resize(plan.room());
+        im.resize(plan.room());
+    }
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        legendre_coefficients(isa, *plan.rule, phase.coefficients, phase.terms, *phase.amplitude, power, terms, re.data(),
+                              im.data(), scratch);
+    });
+    return plan.error(phase);
+}
+#endif
 
 }  // namespace lommel

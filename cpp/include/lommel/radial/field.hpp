@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/radial/disk.hpp"
 #include "lommel/special/bessel.hpp"
@@ -31,45 +32,7 @@ struct Places {
 class Field {
    public:
     // Makes ready for some places, with t^power before exp(i Phi); returns the bound on the error of U.
-    double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error) {
-        const double reach = places.reach();
-        // An obscuration that takes less light than the rounding is none.
-        obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
-        const double area = obscuration_ * obscuration_;
-        double bound = outer_.expand(phase, power, reach, RadialBudget::outer * error, scratch_) + radius_rounding(reach);
-        weight_ = 0.0;
-        if (area > 0.0) {
-            // The inner disk carries the phase of rho < eps.
-            weight_ = std::pow(area, static_cast<double>(power + 1));
-            inner_phase_.assign(phase.terms + 1, 0.0);
-            double lost = 0.0;
-            for (std::size_t j = 0; j < phase.terms; ++j) {
-                lost += smaller_.shrink(2 * j + 2, 0, obscuration_, phase.coefficients[j], phase.terms,
-                                        [&](std::size_t k, double c) { inner_phase_[k / 2] += c; });
-            }
-            inner_amplitude_ = phase.amplitude->scaled(area);
-            const Phase inner{inner_phase_.data() + 1, phase.terms, &inner_amplitude_};
-            bound += weight_ * (inner_.expand(inner, power, obscuration_ * reach, RadialBudget::inner * error, scratch_) +
-                                lost + radius_rounding(obscuration_ * reach) + 4.0 * unit_roundoff);
-            inner_.turn(inner_phase_[0]);
-        }
-        const std::size_t terms = std::max(outer_.terms, area > 0.0 ? inner_.terms : 0);
-        std::size_t width = 0;
-        while (width < widths.size() && piece_error(widths[width]) * (1.0 + weight_) > RadialBudget::pieces * error) {
-            ++width;
-        }
-        const double by_series = series_rounding(terms);
-        table_ = nullptr;
-        if (width < widths.size()) {
-            const WantedPieces wanted = pieces_for(places, reach, widths[width], terms);
-            table_ = wanted.end() > 0 ? even_pieces.get(width, wanted, terms) : nullptr;
-        }
-        if (table_ == nullptr) {
-            return bound + (1.0 + weight_) * by_series;
-        }
-        const double by_table = unit_roundoff * table_->magnitude * (0.5 * static_cast<double>(terms) + 40.0);
-        return bound + (1.0 + weight_) * (piece_error(table_->width) + std::max(by_table, few_ ? by_series : 0.0));
-    }
+    double prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places, double error);
 
     // Hands U at radii[first .. last), rising, `step` in v each, to sink(i - first, re, im), a vector at a time. The
     // arrays behind it must have room for widest_step values past the last, and so must the radii.
@@ -90,6 +53,9 @@ class Field {
         evaluate_disk(isa, outer_, radii, first, last, step,
                       [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA { sink(i, a - load<V>(re + i), b - load<V>(im + i)); });
     }
+
+    // U there: re[i - first], im[i - first].
+    void values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im);
 
    private:
     // Near the axis every piece that holds a radius is worth its table, which all calls share. Farther out only those are that
@@ -220,4 +186,55 @@ class Field {
     Doubles re_, im_;
 };
 
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double Field::prepare(const Phase& phase, std::size_t power, double obscuration, const Places& places,
+                                  double error) {
+    const double reach = places.reach();
+    // An obscuration that takes less light than the rounding is none.
+    obscuration_ = obscuration < 1e-9 ? 0.0 : obscuration;
+    const double area = obscuration_ * obscuration_;
+    double bound = outer_.expand(phase, power, reach, RadialBudget::outer * error, scratch_) + radius_rounding(reach);
+    weight_ = 0.0;
+    if (area > 0.0) {
+        // The inner disk carries the phase of rho < eps.
+        weight_ = std::pow(area, static_cast<double>(power + 1));
+        inner_phase_.assign(phase.terms + 1, 0.0);
+        double lost = 0.0;
+        for (std::size_t j = 0; j < phase.terms; ++j) {
+            lost += smaller_.shrink(2 * j + 2, 0, obscuration_, phase.coefficients[j], phase.terms,
+                                    [&](std::size_t k, double c) { inner_phase_[k / 2] += c; });
+        }
+        inner_amplitude_ = phase.amplitude->scaled(area);
+        const Phase inner{inner_phase_.data() + 1, phase.terms, &inner_amplitude_};
+        bound += weight_ * (inner_.expand(inner, power, obscuration_ * reach, RadialBudget::inner * error, scratch_) + lost +
+                            radius_rounding(obscuration_ * reach) + 4.0 * unit_roundoff);
+        inner_.turn(inner_phase_[0]);
+    }
+    const std::size_t terms = std::max(outer_.terms, area > 0.0 ? inner_.terms : 0);
+    std::size_t width = 0;
+    while (width < widths.size() && piece_error(widths[width]) * (1.0 + weight_) > RadialBudget::pieces * error) {
+        ++width;
+    }
+    const double by_series = series_rounding(terms);
+    table_ = nullptr;
+    if (width < widths.size()) {
+        const WantedPieces wanted = pieces_for(places, reach, widths[width], terms);
+        table_ = wanted.end() > 0 ? even_pieces.get(width, wanted, terms) : nullptr;
+    }
+    if (table_ == nullptr) {
+        return bound + (1.0 + weight_) * by_series;
+    }
+    const double by_table = unit_roundoff * table_->magnitude * (0.5 * static_cast<double>(terms) + 40.0);
+    return bound + (1.0 + weight_) * (piece_error(table_->width) + std::max(by_table, few_ ? by_series : 0.0));
+}
+
+LOMMEL_ONCE void Field::values(const double* radii, std::size_t first, std::size_t last, double step, double* re, double* im) {
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        evaluate(isa, radii, first, last, step, [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
+            store(re + i, a);
+            store(im + i, b);
+        });
+    });
+}
+#endif
 }  // namespace lommel

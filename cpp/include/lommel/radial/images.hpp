@@ -83,8 +83,9 @@ class Renderer {
         const double scale = divide ? 1.0 : answer_.scales[pupil];
         profile.resize(layout_->count);
         T* const values = profile.data();  // of this thread, whoever computes them
-        const auto take = [&](std::size_t first, std::size_t count, const double* intensity)
-                              LOMMEL_INLINE_LAMBDA { store_scaled(intensity, scale, count, values + first); };
+        const auto take = [&](std::size_t first, std::size_t count, const double* intensity) {
+            dispatch([&](auto) LOMMEL_INLINE_LAMBDA { store_scaled(intensity, scale, count, values + first); });
+        };
         const Settled settled = settle_field<T>(field, phase, stack_.obscuration, places, tol_, divide,
                                                 [&] { return intensities(field, places, threads, take); });
         answer_.finish(pupil, settled.top, settled.peak, settled.relative);

@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/reference.hpp"
 #include "lommel/bounds/settle.hpp"
 #include "lommel/pixels/render.hpp"
 #include "lommel/radial/field.hpp"
@@ -16,8 +18,10 @@ namespace lommel {
 constexpr std::size_t chunk_radii = 4096;  // whose values stay in the first cache
 
 // Hands I at the places that a field is ready for to take(first, count, values), chunk by chunk; returns the largest.
-template <class Take>
-double intensities(Field& field, const Places& places, int threads, const Take& take) {
+using TakeIntensities = Reference<void(std::size_t first, std::size_t count, const double* values)>;
+double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double intensities(Field& field, const Places& places, int threads, const TakeIntensities& take) {
     const std::size_t tasks = (places.count + chunk_radii - 1) / chunk_radii;
     std::vector<double> tops(tasks, 0.0);
     const auto work = [&](Field& own, std::size_t task) {
@@ -28,8 +32,8 @@ double intensities(Field& field, const Places& places, int threads, const Take& 
             own.evaluate(isa, places.radii, first, last, places.step,
                          [&](std::size_t i, auto re, auto im) LOMMEL_INLINE_LAMBDA { store(buffer + i, re * re + im * im); });
             tops[task] = largest(buffer, last - first);
-            take(first, last - first, buffer);
         });
+        take(first, last - first, buffer);
     };
     if (tasks < 16 || threads == 1) {
         for (std::size_t task = 0; task < tasks; ++task) {
@@ -43,6 +47,7 @@ double intensities(Field& field, const Places& places, int threads, const Take& 
     }
     return tops.empty() ? 0.0 : *std::max_element(tops.begin(), tops.end());
 }
+#endif
 
 // dI/dc_k = 2 Re(conj(U) i T), T = int t^k exp(i Phi) J0 dt: further right-hand sides on the same table.
 struct Slopes {
@@ -50,40 +55,44 @@ struct Slopes {
     double error = 0.0, size = 0.0, steepest = 0.0;  // bound on the error of T, largest |T|^2, largest |dI/dc_k|
 
     // At the places that `field` is ready for.
-    Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double asked)
-        : values(places.count) {
-        Field derivative;
-        error = derivative.prepare(phase, power, obscuration, places, asked);
-        // Vectors overlap where pieces meet, so the results must not replace what they are made of.
-        Doubles re(chunk_radii + widest_step), im(re.size()), slope(re.size()), square(re.size());
-        for (std::size_t first = 0; first < places.count; first += chunk_radii) {
-            look();
-            const std::size_t last = std::min(places.count, first + chunk_radii);
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                using V = typename decltype(isa)::pack;
-                field.evaluate(isa, places.radii, first, last, places.step, [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
-                    store(&re[i], a);
-                    store(&im[i], b);
-                });
-                derivative.evaluate(isa, places.radii, first, last, places.step,
-                                    [&](std::size_t i, V a, V b) LOMMEL_INLINE_LAMBDA {
-                                        const V u = load<V>(&re[i]), w = load<V>(&im[i]);
-                                        store(&slope[i], splat<V>(2.0) * (w * a - u * b));
-                                        store(&square[i], a * a + b * b);
-                                    });
-            });
-            for (std::size_t i = 0; i < last - first; ++i) {
-                values[first + i] = slope[i];
-                size = std::max(size, square[i]);
-                steepest = std::max(steepest, std::abs(slope[i]));
+    Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places, double asked);
+};
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE Slopes::Slopes(Field& field, const Phase& phase, std::size_t power, double obscuration, const Places& places,
+                           double asked)
+    : values(places.count) {
+    Field derivative;
+    error = derivative.prepare(phase, power, obscuration, places, asked);
+    // Vectors overlap where pieces meet, so the results must not replace what they are made of.
+    Doubles re(chunk_radii + widest_step), im(re.size()), a(re.size()), b(re.size()), slope(re.size()), square(re.size());
+    for (std::size_t first = 0; first < places.count; first += chunk_radii) {
+        look();
+        const std::size_t last = std::min(places.count, first + chunk_radii);
+        field.values(places.radii, first, last, places.step, re.data(), im.data());
+        derivative.values(places.radii, first, last, places.step, a.data(), b.data());
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            using V = typename decltype(isa)::pack;
+            for (std::size_t i = 0; i < last - first; i += decltype(isa)::lanes) {
+                const V u = load<V>(&re[i]), w = load<V>(&im[i]), x = load<V>(&a[i]), y = load<V>(&b[i]);
+                store(&slope[i], splat<V>(2.0) * (w * x - u * y));
+                store(&square[i], x * x + y * y);
             }
+        });
+        for (std::size_t i = 0; i < last - first; ++i) {
+            values[first + i] = slope[i];
+            size = std::max(size, square[i]);
+            steepest = std::max(steepest, std::abs(slope[i]));
         }
     }
-};
+}
+#endif
 
 // The largest I on a scan of the radii that rays reach: a window may miss the peak, which for a defocused lens need
 // not be on the axis.
-inline double scanned_peak(const Phase& phase, double obscuration, double error) {
+double scanned_peak(const Phase& phase, double obscuration, double error);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double scanned_peak(const Phase& phase, double obscuration, double error) {
     const double blur = 4.0 + phase.blur();
     constexpr std::size_t samples = 512;
     Doubles radii(samples + widest_step);
@@ -95,6 +104,7 @@ inline double scanned_peak(const Phase& phase, double obscuration, double error)
     field.prepare(phase, 0, obscuration, places, error);
     return intensities(field, places, 1, [](std::size_t, std::size_t, const double*) {});
 }
+#endif
 
 struct Settled {
     double error, bound;  // asked of U, proven of U

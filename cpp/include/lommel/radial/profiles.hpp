@@ -33,13 +33,7 @@ inline void fields(const Stack& stack, const double* v, std::size_t count, doubl
             field.prepare(phase, 0, stack.obscuration, {radii.data(), count, 1.0}, first_error(phase, stack.obscuration, tol));
         for (std::size_t first = 0; first < count; first += chunk_radii) {
             look();
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                field.evaluate(isa, radii.data(), first, std::min(count, first + chunk_radii), 1.0,
-                               [&](std::size_t i, auto a, auto b) LOMMEL_INLINE_LAMBDA {
-                                   store(re.data() + first + i, a);
-                                   store(im.data() + first + i, b);
-                               });
-            });
+            field.values(radii.data(), first, std::min(count, first + chunk_radii), 1.0, re.data() + first, im.data() + first);
         }
         // There the terms are -1, 1, -1, ...
         double middle = 0.0;
@@ -66,8 +60,9 @@ inline void profiles(const Stack& stack, const double* v, std::size_t count, dou
     }
     parallel_for(stack.count, worthwhile_threads(threads, microseconds), [&](std::size_t, std::size_t pupil) {
         thread_local Field field;
-        const auto take = [&](std::size_t first, std::size_t here, const double* values)
-                              LOMMEL_INLINE_LAMBDA { std::copy_n(values, here, out + pupil * count + first); };
+        const auto take = [&](std::size_t first, std::size_t here, const double* values) {
+            std::copy_n(values, here, out + pupil * count + first);
+        };
         try {
             const Settled s = settle_field<double>(field, stack[pupil], stack.obscuration, places, tol, false,
                                                    [&] { return intensities(field, places, 1, take); });

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/special/piece.hpp"
@@ -109,48 +110,53 @@ class PieceTables final : Shared {
     }
 
     std::shared_ptr<const PieceTable> extended(const PieceTable* old, double width, const WantedPieces& wanted,
-                                               std::size_t terms) {
-        auto table = std::make_shared<PieceTable>();
-        table->width = width;
-        // Rounded up, so that a little more defocus does not mean a new table.
-        table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
-        table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
-        const auto rows = [&](std::size_t s) {
-            return std::min(table->terms, window_terms(width * static_cast<double>(s + 1), left_out));
-        };
-        // Of the old ones those that have rows enough, as all have unless there are more terms now.
-        for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
-            if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {
-                table->pieces[s] = old->pieces[s];
-            }
-        }
-        const auto need = [&](std::size_t s) {
-            if (!table->pieces[s]) {
-                look();
-                table->pieces[s] = std::make_shared<const Piece>(made_piece(parity_, width, s, rows(s)));
-            }
-        };
-        for (std::size_t s = 0; s < wanted.leading; ++s) {
-            need(s);
-        }
-        for (const std::size_t s : wanted.others) {
-            need(s);
-        }
-        while (table->has(table->leading)) {
-            ++table->leading;
-        }
-        for (const auto& piece : table->pieces) {
-            if (piece) {
-                table->magnitude = std::max(table->magnitude, piece->magnitude);
-                table->azimuthal = std::max(table->azimuthal, piece->azimuthal);
-            }
-        }
-        return table;
-    }
+                                               std::size_t terms);
 
     std::size_t parity_;
     Tables tables_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE std::shared_ptr<const PieceTable> PieceTables::extended(const PieceTable* old, double width,
+                                                                    const WantedPieces& wanted, std::size_t terms) {
+    auto table = std::make_shared<PieceTable>();
+    table->width = width;
+    // Rounded up, so that a little more defocus does not mean a new table.
+    table->terms = (std::max(terms, old ? old->terms : 0) + 31) / 32 * 32;
+    table->pieces.resize(std::max(wanted.end(), old ? old->pieces.size() : 0));
+    const auto rows = [&](std::size_t s) {
+        return std::min(table->terms, window_terms(width * static_cast<double>(s + 1), left_out));
+    };
+    // Of the old ones those that have rows enough, as all have unless there are more terms now.
+    for (std::size_t s = 0; old && s < old->pieces.size(); ++s) {
+        if (old->has(s) && (table->terms == old->terms || old->pieces[s]->terms() >= rows(s))) {
+            table->pieces[s] = old->pieces[s];
+        }
+    }
+    const auto need = [&](std::size_t s) {
+        if (!table->pieces[s]) {
+            look();
+            table->pieces[s] = std::make_shared<const Piece>(made_piece(parity_, width, s, rows(s)));
+        }
+    };
+    for (std::size_t s = 0; s < wanted.leading; ++s) {
+        need(s);
+    }
+    for (const std::size_t s : wanted.others) {
+        need(s);
+    }
+    while (table->has(table->leading)) {
+        ++table->leading;
+    }
+    for (const auto& piece : table->pieces) {
+        if (piece) {
+            table->magnitude = std::max(table->magnitude, piece->magnitude);
+            table->azimuthal = std::max(table->azimuthal, piece->azimuthal);
+        }
+    }
+    return table;
+}
+#endif
 inline PieceTables& even_pieces = *new PieceTables(0);
 inline PieceTables& odd_pieces = *new PieceTables(1);
 

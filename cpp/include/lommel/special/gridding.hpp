@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/special/chebyshev.hpp"
 
 namespace lommel {
@@ -97,37 +98,7 @@ class GriddingKernel {
 
     // The taps at t + w/2 - 1 - i, i < w, for t of 0 to 1, as polynomials of 2t - 1, from the highest power down: [power][tap],
     // `stride` taps to a row. Returns a bound on the sum of their errors.
-    double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
-        using Number = long double;
-        constexpr std::size_t all = 32;  // Chebyshev coefficients, of which `terms` are kept
-        static const ChebyshevToMonomials<all, Number> convert;
-        out.assign(terms * stride, 0.0);
-        double worst = 0.0;
-        for (std::size_t i = 0; i < std::min(w, stride); ++i) {
-            const double middle = 0.5 * static_cast<double>(w) - static_cast<double>(i) - 0.5;
-            std::array<Number, all> values;
-            std::array<double, all> powers;
-            for (std::size_t j = 0; j < all; ++j) {
-                const Number z = 2.0L * (middle + 0.5L * chebyshev_point<Number>(j, all)) / static_cast<Number>(w);
-                values[j] = shape(1.0L - z * z) / static_cast<Number>(top_);
-            }
-            const double left = static_cast<double>(convert(values.data(), 1, powers.data(), terms));
-            for (std::size_t p = 0; p < terms; ++p) {
-                out[(terms - 1 - p) * stride + i] = powers[p];
-            }
-            // Interpolation at `all` points: on the ellipse of sum rho of its semi-axes around the tap |y| is at most the product of
-            // |1 - z| and |1 + z|.
-            double rest = 1e300;
-            for (double rho = 2.0; rho < 100.0; rho *= 1.25) {
-                const double far = (2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
-                const double near = (-2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
-                const double most = shape((1.0 + far) * (1.0 + near)) / top_;
-                rest = std::min(rest, 4.0 * most * std::pow(rho, 1.0 - static_cast<double>(all)) / (rho - 1.0));
-            }
-            worst += left + rest;
-        }
-        return worst;
-    }
+    double polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const;
 
    private:
     // sqrt(y) I_1(beta sqrt(y)), entire in y.
@@ -164,6 +135,40 @@ class GriddingKernel {
     static constexpr double pi = 3.14159265358979323846;
     double beta_, top_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double GriddingKernel::polynomials(std::size_t terms, std::size_t stride, std::vector<double>& out) const {
+    using Number = long double;
+    constexpr std::size_t all = 32;  // Chebyshev coefficients, of which `terms` are kept
+    static const ChebyshevToMonomials<all, Number> convert;
+    out.assign(terms * stride, 0.0);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < std::min(w, stride); ++i) {
+        const double middle = 0.5 * static_cast<double>(w) - static_cast<double>(i) - 0.5;
+        std::array<Number, all> values;
+        std::array<double, all> powers;
+        for (std::size_t j = 0; j < all; ++j) {
+            const Number z = 2.0L * (middle + 0.5L * chebyshev_point<Number>(j, all)) / static_cast<Number>(w);
+            values[j] = shape(1.0L - z * z) / static_cast<Number>(top_);
+        }
+        const double left = static_cast<double>(convert(values.data(), 1, powers.data(), terms));
+        for (std::size_t p = 0; p < terms; ++p) {
+            out[(terms - 1 - p) * stride + i] = powers[p];
+        }
+        // Interpolation at `all` points: on the ellipse of sum rho of its semi-axes around the tap |y| is at most the product of
+        // |1 - z| and |1 + z|.
+        double rest = 1e300;
+        for (double rho = 2.0; rho < 100.0; rho *= 1.25) {
+            const double far = (2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
+            const double near = (-2.0 * middle + 0.5 * (rho + 1.0 / rho)) / static_cast<double>(w);
+            const double most = shape((1.0 + far) * (1.0 + near)) / top_;
+            rest = std::min(rest, 4.0 * most * std::pow(rho, 1.0 - static_cast<double>(all)) / (rho - 1.0));
+        }
+        worst += left + rest;
+    }
+    return worst;
+}
+#endif
 
 // Its taps as polynomials of so many terms, for so many at once.
 template <class Real, std::size_t Terms, std::size_t Most>

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/bessel.hpp"
 #include "lommel/special/sincos.hpp"
@@ -192,7 +193,9 @@ LOMMEL_INLINE void piece_values(I isa, std::size_t parity, const double* points,
 }
 
 // The first rows of piece s.
-inline Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {
+Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms);
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE Piece made_piece(std::size_t parity, double width, std::size_t s, std::size_t terms) {
     constexpr std::size_t m = degree_count;
     thread_local Doubles values;
     thread_local std::vector<double> scratch;
@@ -256,5 +259,6 @@ inline Piece made_piece(std::size_t parity, double width, std::size_t s, std::si
     });
     return piece;
 }
+#endif
 
 }  // namespace lommel

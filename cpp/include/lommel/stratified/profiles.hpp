@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/reference.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/stratified/planes.hpp"
 #include "lommel/stratified/table.hpp"
@@ -41,33 +43,8 @@ class Profiles {
 
     // Hands values[(plane * outputs + k) * stride + radius], and of each plane the sizes of the field and of its derivatives, to
     // take(first, count, values, sizes), for each group of planes.
-    template <class Take>
-    void run(int threads, const Take& take) const {
-        parallel_for((planes_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
-            thread_local Doubles re, im, values;
-            thread_local std::vector<PartSizes> sizes;
-            const std::size_t first = task * group, here = std::min(group, planes_.count - first);
-            const std::size_t parts = planes_.angles.parts, apart = kinds() * parts * padded();
-            re.assign(group * apart, 0.0);
-            im.assign(group * apart, 0.0);
-            values.resize((group * outputs() + 1) * stride());
-            sizes.assign(group * kinds(), {});
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                for (std::size_t p = 0; p < here; ++p) {
-                    coefficients(isa, first + p, re.data() + p * apart, im.data() + p * apart, sizes.data() + p * kinds());
-                }
-                for (std::size_t t = 0; t < table_->tiles; ++t) {
-                    for (std::size_t p = 0; p < here; p += together) {
-                        for (std::size_t i = 0; i < AngleTable::tile; i += 2 * decltype(isa)::lanes) {
-                            tile(isa, t, i, first + p, std::min(together, here - p), re.data() + p * apart,
-                                 im.data() + p * apart, values.data() + p * outputs() * stride(), sizes.data() + p * kinds());
-                        }
-                    }
-                }
-            });
-            take(first, here, values.data(), sizes.data());
-        });
-    }
+    using Take = Reference<void(std::size_t first, std::size_t count, const double* values, const PartSizes* sizes)>;
+    void run(int threads, const Take& take) const;
 
    private:
     template <class V>
@@ -193,5 +170,34 @@ class Profiles {
     Planes planes_;
     std::shared_ptr<const AngleTable> table_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void Profiles::run(int threads, const Take& take) const {
+    parallel_for((planes_.count + group - 1) / group, threads, [&](std::size_t, std::size_t task) {
+        thread_local Doubles re, im, values;
+        thread_local std::vector<PartSizes> sizes;
+        const std::size_t first = task * group, here = std::min(group, planes_.count - first);
+        const std::size_t parts = planes_.angles.parts, apart = kinds() * parts * padded();
+        re.assign(group * apart, 0.0);
+        im.assign(group * apart, 0.0);
+        values.resize((group * outputs() + 1) * stride());
+        sizes.assign(group * kinds(), {});
+        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+            for (std::size_t p = 0; p < here; ++p) {
+                coefficients(isa, first + p, re.data() + p * apart, im.data() + p * apart, sizes.data() + p * kinds());
+            }
+            for (std::size_t t = 0; t < table_->tiles; ++t) {
+                for (std::size_t p = 0; p < here; p += together) {
+                    for (std::size_t i = 0; i < AngleTable::tile; i += 2 * decltype(isa)::lanes) {
+                        tile(isa, t, i, first + p, std::min(together, here - p), re.data() + p * apart, im.data() + p * apart,
+                             values.data() + p * outputs() * stride(), sizes.data() + p * kinds());
+                    }
+                }
+            }
+        });
+        take(first, here, values.data(), sizes.data());
+    });
+}
+#endif
 
 }  // namespace lommel

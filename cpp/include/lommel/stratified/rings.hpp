@@ -9,6 +9,7 @@
 #include <cstring>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/product.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/fft.hpp"
@@ -66,19 +67,7 @@ class Rings {
           rows_((steps.before() + circles_) * steps.row() * ring_planes) {}
 
     // Of planes from `first` on. `rows` are [circle from -before on][angle from -taps / 2 on][plane].
-    void fill(std::size_t first, RingSizes& sizes) {
-        sum(first);
-        dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-            squares(isa, std::min(ring_planes, light_.planes - first), sizes);
-            look();
-            filter(isa);
-            for (std::size_t j = 0; j < circles_; j += 2) {
-                look();
-                spread(isa, j, sizes);
-            }
-        });
-        turn();
-    }
+    void fill(std::size_t first, RingSizes& sizes);
 
     std::size_t rows() const { return steps_.before() + circles_; }
     const double* row(std::size_t i) const { return rows_.data() + i * steps_.row() * ring_planes; }
@@ -297,5 +286,21 @@ class Rings {
     std::size_t circles_;
     Doubles rows_, found_, intensities_, filtered_, line_, a_, b_;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void Rings::fill(std::size_t first, RingSizes& sizes) {
+    sum(first);
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+        squares(isa, std::min(ring_planes, light_.planes - first), sizes);
+        look();
+        filter(isa);
+        for (std::size_t j = 0; j < circles_; j += 2) {
+            look();
+            spread(isa, j, sizes);
+        }
+    });
+    turn();
+}
+#endif
 
 }  // namespace lommel

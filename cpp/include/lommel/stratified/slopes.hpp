@@ -158,10 +158,7 @@ class WindowSlopes {
         const PixelWindow here = windows_[plane];
         double wrong = 0.0;
         if (shift_ != nullptr) {
-            double penalty = 0.0;
-            dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                penalty = shift_->apply(isa, here, of.values, scratch, down.data(), across.data());
-            });
+            const double penalty = shift_->values(here, of.values, scratch, down.data(), across.data());
             wrong = window_error(*shift_, penalty, of.judged.most, of.judged.given, 4.0 * of.judged.swing, of.judged.swing);
         } else {
             const AnywhereTable& table = *table_.anywhere;

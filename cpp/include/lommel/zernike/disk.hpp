@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/special/fft.hpp"
@@ -63,22 +64,7 @@ struct DiskRule {
     Doubles t, rho, weights;
     std::vector<double> cosines, sines;  // of multiples of pi / n
 
-    explicit DiskRule(std::size_t exact)
-        : degree(exact), rings((exact / 4 + 1 + 7) / 8 * 8), fft(RowFft<double>::length(exact + 1)), t(rings), rho(rings),
-          weights(rings) {
-        std::vector<double> x(rings), w(rings);
-        gauss_legendre(rings, x.data(), w.data());
-        for (std::size_t k = 0; k < rings; ++k) {
-            t[k] = 0.5 * (1.0 + x[k]);
-            rho[k] = std::sqrt(t[k]);
-            weights[k] = 0.5 * w[k];
-        }
-        for (std::size_t i = 0; i < 2 * fft.n; ++i) {
-            const double angle = 3.14159265358979323846 / static_cast<double>(fft.n) * static_cast<double>(i);
-            cosines.push_back(std::cos(angle));
-            sines.push_back(std::sin(angle));
-        }
-    }
+    explicit DiskRule(std::size_t exact);
 
     // Where cos(m theta) and sin(m theta) are, at angle j.
     std::size_t turned(std::size_t m, std::size_t j) const { return m * (2 * j + 1) % (2 * fft.n); }
@@ -94,6 +80,25 @@ struct DiskRule {
     // With the degree rounded up to what eight more rings allow, so that a little more aberration does not mean new tables.
     static std::shared_ptr<const DiskRule> get(std::size_t exact) { return cache<DiskRule>.get((exact + 35) / 32 * 32 - 4); }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE DiskRule::DiskRule(std::size_t exact)
+    : degree(exact), rings((exact / 4 + 1 + 7) / 8 * 8), fft(RowFft<double>::length(exact + 1)), t(rings), rho(rings),
+      weights(rings) {
+    std::vector<double> x(rings), w(rings);
+    gauss_legendre(rings, x.data(), w.data());
+    for (std::size_t k = 0; k < rings; ++k) {
+        t[k] = 0.5 * (1.0 + x[k]);
+        rho[k] = std::sqrt(t[k]);
+        weights[k] = 0.5 * w[k];
+    }
+    for (std::size_t i = 0; i < 2 * fft.n; ++i) {
+        const double angle = 3.14159265358979323846 / static_cast<double>(fft.n) * static_cast<double>(i);
+        cosines.push_back(std::cos(angle));
+        sines.push_back(std::sin(angle));
+    }
+}
+#endif
 
 // Coefficients of all degrees n < degrees of the azimuthal orders m < orders, those of one order together: n = m, m + 2, ...
 struct ZernikeSeries {

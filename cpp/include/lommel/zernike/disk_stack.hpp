@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/bounds/amplitude.hpp"
 #include "lommel/question.hpp"
 #include "lommel/special/radial_polynomials.hpp"
@@ -88,32 +89,7 @@ struct DiskStack {
     }
 
     // Fills `inner`: the same phase over the radius of the obscuration, its constant among the terms.
-    void shrink() {
-        if (obscuration == 0.0) {
-            return;
-        }
-        const std::vector<ZernikeTerm> before = terms;
-        for (const ZernikeTerm& term : before) {
-            for (std::int32_t k = term.n - 2; k >= std::abs(term.m); k -= 2) {
-                place({k, term.m});
-            }
-        }
-        inner.assign(outer.size(), 0.0);
-        SmallerDisk smaller;
-        for (std::size_t j = 0; j < before.size(); ++j) {
-            std::vector<std::size_t> to;  // of degree n, n - 2, ...
-            for (std::int32_t k = before[j].n; k >= std::abs(before[j].m); k -= 2) {
-                to.push_back(place({k, before[j].m}));
-            }
-            const std::size_t n = static_cast<std::size_t>(before[j].n), m = static_cast<std::size_t>(std::abs(before[j].m));
-            for (std::size_t p = 0; p < count; ++p) {
-                double* const terms_here = inner.data() + p * terms.size();
-                lost[p] += obscuration * obscuration *
-                           smaller.shrink(n, m, obscuration, outer[p * terms.size() + j], before.size(),
-                                          [&](std::size_t k, double c) { terms_here[to[(n - k) / 2]] += c; });
-            }
-        }
-    }
+    void shrink();
 
    private:
     // Leaves terms out that are zero throughout.
@@ -156,5 +132,34 @@ struct DiskStack {
         return j;
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE void DiskStack::shrink() {
+    if (obscuration == 0.0) {
+        return;
+    }
+    const std::vector<ZernikeTerm> before = terms;
+    for (const ZernikeTerm& term : before) {
+        for (std::int32_t k = term.n - 2; k >= std::abs(term.m); k -= 2) {
+            place({k, term.m});
+        }
+    }
+    inner.assign(outer.size(), 0.0);
+    SmallerDisk smaller;
+    for (std::size_t j = 0; j < before.size(); ++j) {
+        std::vector<std::size_t> to;  // of degree n, n - 2, ...
+        for (std::int32_t k = before[j].n; k >= std::abs(before[j].m); k -= 2) {
+            to.push_back(place({k, before[j].m}));
+        }
+        const std::size_t n = static_cast<std::size_t>(before[j].n), m = static_cast<std::size_t>(std::abs(before[j].m));
+        for (std::size_t p = 0; p < count; ++p) {
+            double* const terms_here = inner.data() + p * terms.size();
+            lost[p] += obscuration * obscuration *
+                       smaller.shrink(n, m, obscuration, outer[p * terms.size() + j], before.size(),
+                                      [&](std::size_t k, double c) { terms_here[to[(n - k) / 2]] += c; });
+        }
+    }
+}
+#endif
 
 }  // namespace lommel

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "lommel/base/once.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"
 #include "lommel/zernike/disk.hpp"
@@ -53,25 +54,7 @@ struct DiskExpansion {
     std::size_t curve;
     double saved = 0.0;  // by samples, of the logarithm that bounds the pupil function on that curve
 
-    DiskExpansion(const ZernikePhase& phase, double reach, double error) {
-        check_reach(reach);
-        DiskBounds bounds = phase.bounds();
-        std::size_t exact = count(bounds, reach, error);
-        // Samples cost little beside what they save of large expansions.
-        curve = bounds.likely(error, usual_share);
-        if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
-            saved = less_by_samples(phase);
-            bounds.lower(curve, saved);
-            exact = count(bounds, reach, error);
-        }
-        if (degrees > max_degrees || exact > 4 * max_degrees) {
-            throw PhaseTooLarge("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
-                                " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
-                                std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
-        }
-        rule = DiskRule::get(exact);
-        quadrature = 2.0 * bounds.distance(rule->degree - degrees);
-    }
+    DiskExpansion(const ZernikePhase& phase, double reach, double error);
 
     // Roundings of exp(i Phi) at the nodes reach U undiminished at most; those of the sums and of the recurrences are
     // those of each coefficient, and Cauchy over all of them gives sqrt(degrees^2 / 2).
@@ -114,6 +97,28 @@ struct DiskExpansion {
         return 0.5 * rings * rings * static_cast<double>(orders) + 0.2 * n * n * rings;
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE DiskExpansion::DiskExpansion(const ZernikePhase& phase, double reach, double error) {
+    check_reach(reach);
+    DiskBounds bounds = phase.bounds();
+    std::size_t exact = count(bounds, reach, error);
+    // Samples cost little beside what they save of large expansions.
+    curve = bounds.likely(error, usual_share);
+    if (work(exact) > 2.0 * GrowthTable::work(phase.list) && GrowthTable::serves(phase.list, curve)) {
+        saved = less_by_samples(phase);
+        bounds.lower(curve, saved);
+        exact = count(bounds, reach, error);
+    }
+    if (degrees > max_degrees || exact > 4 * max_degrees) {
+        throw PhaseTooLarge("these aberrations take a Zernike series of degree " + std::to_string(degrees) +
+                            " and a quadrature of degree " + std::to_string(exact) + ", more than the limits of " +
+                            std::to_string(max_degrees) + " and " + std::to_string(4 * max_degrees));
+    }
+    rule = DiskRule::get(exact);
+    quadrature = 2.0 * bounds.distance(rule->degree - degrees);
+}
+#endif
 
 // Shortens the series of each order by what adds no more than `error` to U in all; returns what it does add.
 inline double trim(ZernikeSeries& series, double weight, double error) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/bessel_table.hpp"
@@ -224,13 +225,7 @@ class ZernikeField {
 
     using Tables = std::array<std::shared_ptr<const PieceTable>, 2>;
 
-    double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
-        check_phase(phase.size());
-        const DiskExpansion plan(phase, reach, error);
-        dispatch([&](auto isa)
-                     LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
-        return plan.error(phase);
-    }
+    double expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series);
 
     // A_m(v) and B_m(v), re A, im A, re B, im B for each order.
     const std::vector<double>& all_orders(double v) const {
@@ -308,5 +303,14 @@ class ZernikeField {
     std::vector<Doubles> rows_, inner_rows_;
     double obscuration_ = 0.0, reach_ = 0.0, weight_ = 1.0, width_ = 1.0, base_ = 0.0;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE double ZernikeField::expand(const ZernikePhase& phase, double reach, double error, ZernikeSeries& series) {
+    check_phase(phase.size());
+    const DiskExpansion plan(phase, reach, error);
+    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA { analysis_.run(isa, *plan.rule, phase, plan.degrees, plan.orders, series); });
+    return plan.error(phase);
+}
+#endif
 
 }  // namespace lommel

@@ -10,6 +10,7 @@
 
 #include "lommel/base/aligned.hpp"
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/base/wide.hpp"
 #include "lommel/bounds/disk.hpp"
@@ -30,42 +31,7 @@ struct GrowthTable {
     Floats shares;  // [sample]
     std::vector<double> turns;  // [pair][direction][cos(m psi), sin(m psi)]
 
-    GrowthTable(const TermPairs& list, std::size_t at)
-        : terms(list.terms), curve(at), side(4 * list.degree + 1), samples(side * side), directions(directions_for(list)) {
-        const auto is_even = [&](std::size_t p) { return list.pairs[p].m % 2 == 0; };
-        for (std::size_t p = 0; p < list.pairs.size(); ++p) {
-            order.push_back(p);
-        }
-        even = static_cast<std::size_t>(std::stable_partition(order.begin(), order.end(), is_even) - order.begin());
-        const double b = chord_curves.b[curve], hat = 4.0 * std::sin(0.5 * step()) * std::sin(0.5 * step()) / step();
-        for (std::size_t s = 0; s < samples; ++s) {
-            look();
-            const std::size_t p = s / side, q = s % side;
-            const std::complex<wide> a(step() * static_cast<double>(p), b);
-            const std::complex<wide> x = std::cos(a),
-                                     y = std::sin(a) * static_cast<wide>(std::cos(step() * static_cast<double>(q)));
-            for (const std::size_t k : order) {
-                const std::int32_t n = static_cast<std::int32_t>(list.pairs[k].n),
-                                   m = static_cast<std::int32_t>(list.pairs[k].m);
-                values.push_back(static_cast<float>(zernike_value({n, m}, x, y).imag()));
-                values.push_back(m == 0 ? 0.0f : static_cast<float>(zernike_value({n, -m}, x, y).imag()));
-            }
-            // Of a uniformly, of eta = cos(tau) uniformly; each stands for eight.
-            const double first = (p % (side - 1) == 0 ? 0.5 : 1.0) / static_cast<double>(4 * (side - 1));
-            const double along = step() * static_cast<double>(q);
-            const double second = q == 0          ? 0.5 * (1.0 - std::sin(step()) / step())
-                                  : q == side - 1 ? 0.25 * hat
-                                                  : 0.5 * hat * std::sin(along);
-            shares.push_back(static_cast<float>(first * second));
-        }
-        for (const std::size_t k : order) {
-            for (std::size_t i = 0; i < directions; ++i) {
-                const double angle = static_cast<double>(list.pairs[k].m) * turn() * static_cast<double>(i);
-                turns.push_back(std::cos(angle));
-                turns.push_back(std::sin(angle));
-            }
-        }
-    }
+    GrowthTable(const TermPairs& list, std::size_t at);
 
     // Between samples, and between directions.
     double step() const { return 0.5 * std::acos(-1.0) / static_cast<double>(side - 1); }
@@ -96,6 +62,44 @@ struct GrowthTable {
         return 16 * ((highest + 1) / 2);
     }
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE GrowthTable::GrowthTable(const TermPairs& list, std::size_t at)
+    : terms(list.terms), curve(at), side(4 * list.degree + 1), samples(side * side), directions(directions_for(list)) {
+    const auto is_even = [&](std::size_t p) { return list.pairs[p].m % 2 == 0; };
+    for (std::size_t p = 0; p < list.pairs.size(); ++p) {
+        order.push_back(p);
+    }
+    even = static_cast<std::size_t>(std::stable_partition(order.begin(), order.end(), is_even) - order.begin());
+    const double b = chord_curves.b[curve], hat = 4.0 * std::sin(0.5 * step()) * std::sin(0.5 * step()) / step();
+    for (std::size_t s = 0; s < samples; ++s) {
+        look();
+        const std::size_t p = s / side, q = s % side;
+        const std::complex<wide> a(step() * static_cast<double>(p), b);
+        const std::complex<wide> x = std::cos(a),
+                                 y = std::sin(a) * static_cast<wide>(std::cos(step() * static_cast<double>(q)));
+        for (const std::size_t k : order) {
+            const std::int32_t n = static_cast<std::int32_t>(list.pairs[k].n), m = static_cast<std::int32_t>(list.pairs[k].m);
+            values.push_back(static_cast<float>(zernike_value({n, m}, x, y).imag()));
+            values.push_back(m == 0 ? 0.0f : static_cast<float>(zernike_value({n, -m}, x, y).imag()));
+        }
+        // Of a uniformly, of eta = cos(tau) uniformly; each stands for eight.
+        const double first = (p % (side - 1) == 0 ? 0.5 : 1.0) / static_cast<double>(4 * (side - 1));
+        const double along = step() * static_cast<double>(q);
+        const double second = q == 0          ? 0.5 * (1.0 - std::sin(step()) / step())
+                              : q == side - 1 ? 0.25 * hat
+                                              : 0.5 * hat * std::sin(along);
+        shares.push_back(static_cast<float>(first * second));
+    }
+    for (const std::size_t k : order) {
+        for (std::size_t i = 0; i < directions; ++i) {
+            const double angle = static_cast<double>(list.pairs[k].m) * turn() * static_cast<double>(i);
+            turns.push_back(std::cos(angle));
+            turns.push_back(std::sin(angle));
+        }
+    }
+}
+#endif
 
 // The logarithm of the mean of e^{-Im Phi} over the curve and over chords, at the direction where it is largest: of the samples,
 // and what it may be more, between them, where the second derivatives are at most n^2 and m^2 times the most that terms are, and

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lommel/base/parallel.hpp"
+#include "lommel/base/reference.hpp"
 #include "lommel/pixels/mirrored.hpp"
 #include "lommel/zernike/field.hpp"
 #include "lommel/zernike/judged.hpp"
@@ -103,13 +104,21 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
     template <class T>
     void paint(double scale, T* image) {
         parallel_for(parts_.size(), threads_, [&](std::size_t, std::size_t i) {
-            if (!parts_[i].done) {
-                paint(parts_[i], scale, image);
+            ZernikePart& part = parts_[i];
+            if (!part.done) {
+                const auto put = [&](std::size_t first, std::size_t here, std::size_t apart, const auto* values) {
+                    place(first, here, apart, values, scale, image, part.top);
+                };
+                paint(part, Put<float>(put), Put<double>(put));
             }
         });
     }
 
    private:
+    // What takes I of some groups, those of each of the eight pixels of a group so many values apart.
+    template <class Real>
+    using Put = Reference<void(std::size_t first, std::size_t here, std::size_t apart, const Real* values)>;
+
     static constexpr std::size_t looks = 32;
 
     // The first group beyond ring r - 1 of `rings` in piece s.
@@ -118,8 +127,7 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         return std::clamp(pixels_->first_at(v / step_), least, most);
     }
 
-    template <class T>
-    void paint(ZernikePart& part, double scale, T* image) {
+    void paint(ZernikePart& part, const Put<float>& floats, const Put<double>& doubles) {
         const std::size_t s = part.piece;
         part.done = true;
         part.top = 0.0;
@@ -133,9 +141,9 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
             constexpr std::size_t unroll = I::lanes == 8 ? 2 : 1;
             if (plan.rings == 0) {
                 field_.whole(plan, s, coefficients);
-                part.top = pixels<degree_count, unroll, typename I::pack>(plan, part.first, part.last, 2.0 * per_pixel,
-                                                                          -(2.0 * static_cast<double>(s) + 1.0),
-                                                                          coefficients.data(), scale, image);
+                pixels<degree_count, unroll, typename I::pack>(plan, part.first, part.last, 2.0 * per_pixel,
+                                                               -(2.0 * static_cast<double>(s) + 1.0), coefficients.data(),
+                                                               doubles);
                 return;
             }
             std::size_t from = part.first;
@@ -148,17 +156,13 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
                 const double slope = 2.0 * static_cast<double>(plan.rings) * per_pixel;
                 const double offset = -(2.0 * static_cast<double>(s * plan.rings + r) + 1.0);
                 const double rounding = single_rounding(plan, coefficients);
-                double top = 0.0;
                 if (plan.error + rounding <= part.allowed) {
                     part.error = std::max(part.error, plan.error + rounding);
                     singles.assign(coefficients.begin(), coefficients.end());
-                    top = pixels<ring_degree, unroll, typename I::floats>(plan, from, to, slope, offset, singles.data(), scale,
-                                                                          image);
+                    pixels<ring_degree, unroll, typename I::floats>(plan, from, to, slope, offset, singles.data(), floats);
                 } else {
-                    top = pixels<ring_degree, unroll, typename I::pack>(plan, from, to, slope, offset, coefficients.data(),
-                                                                        scale, image);
+                    pixels<ring_degree, unroll, typename I::pack>(plan, from, to, slope, offset, coefficients.data(), doubles);
                 }
-                part.top = std::max(part.top, top);
                 from = to;
             }
         });
@@ -174,15 +178,11 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
         }
     }
 
-    // Writes the pixels of groups [first, last), x = slope r + offset; returns the largest I.
-    template <std::size_t Degree, std::size_t Unroll, class V, class Real, class T>
-    LOMMEL_INLINE double pixels(const PiecePlan& plan, std::size_t first, std::size_t last, double slope, double offset,
-                                const Real* coefficients, double scale, T* image) const {
+    // The pixels of groups [first, last), x = slope r + offset.
+    template <std::size_t Degree, std::size_t Unroll, class V, class Real>
+    LOMMEL_INLINE void pixels(const PiecePlan& plan, std::size_t first, std::size_t last, double slope, double offset,
+                              const Real* coefficients, const Put<Real>& put) const {
         constexpr std::size_t lanes = sizeof(V) / sizeof(Real), at_once = Unroll * lanes;
-        const std::int64_t width = pixels_->width, center = pixels_->row * width + pixels_->column;
-        const std::int64_t inner = std::min(std::min(pixels_->row, pixels_->height - 1 - pixels_->row),
-                                            std::min(pixels_->column, width - 1 - pixels_->column));
-        Real peak = 0;
         Glance glance;
         for (std::size_t g = first; g < last; g += at_once) {
             glance(at_once * (1 + 4 * plan.rows.size()));
@@ -213,24 +213,35 @@ class ZernikeImage : public PaintedParts<ZernikePart> {
                     store(values + j * at_once + u * lanes, out[j][u]);
                 }
             }
-            for (std::size_t i = 0; i < here; ++i) {
-                const MirroredPixels::Group group = pixels_->groups[g + i];
-                const std::int64_t a = group.a, b = group.b;
-                const std::int64_t right[8] = {a, a, -a, -a, b, b, -b, -b}, down[8] = {b, -b, b, -b, a, -a, a, -a};
-                for (std::size_t j = 0; j < 8; ++j) {
-                    if (a > inner) {
-                        const std::int64_t px = pixels_->column + right[j], py = pixels_->row + down[j];
-                        if (px < 0 || px >= width || py < 0 || py >= pixels_->height) {
-                            continue;
-                        }
+            put(g, here, at_once, values);
+        }
+    }
+
+    // Writes values times `scale` to where the pixels of some groups are; `top` is raised to the largest value.
+    template <class Real, class T>
+    void place(std::size_t first, std::size_t count, std::size_t apart, const Real* values, double scale, T* image,
+               double& top) const {
+        const std::int64_t width = pixels_->width, center = pixels_->row * width + pixels_->column;
+        const std::int64_t inner = std::min(std::min(pixels_->row, pixels_->height - 1 - pixels_->row),
+                                            std::min(pixels_->column, width - 1 - pixels_->column));
+        Real peak = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const MirroredPixels::Group group = pixels_->groups[first + i];
+            const std::int64_t a = group.a, b = group.b;
+            const std::int64_t right[8] = {a, a, -a, -a, b, b, -b, -b}, down[8] = {b, -b, b, -b, a, -a, a, -a};
+            for (std::size_t j = 0; j < 8; ++j) {
+                if (a > inner) {
+                    const std::int64_t px = pixels_->column + right[j], py = pixels_->row + down[j];
+                    if (px < 0 || px >= width || py < 0 || py >= pixels_->height) {
+                        continue;
                     }
-                    const Real value = values[j * at_once + i];
-                    image[center + down[j] * width + right[j]] = static_cast<T>(scale * static_cast<double>(value));
-                    peak = value > peak ? value : peak;
                 }
+                const Real value = values[j * apart + i];
+                image[center + down[j] * width + right[j]] = static_cast<T>(scale * static_cast<double>(value));
+                peak = value > peak ? value : peak;
             }
         }
-        return static_cast<double>(peak);
+        top = std::max(top, static_cast<double>(peak));
     }
 
     std::shared_ptr<const MirroredPixels> pixels_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lommel/base/cache.hpp"
+#include "lommel/base/once.hpp"
 #include "lommel/base/simd.hpp"
 #include "lommel/special/fft.hpp"
 #include "lommel/special/gridding.hpp"
@@ -24,14 +25,7 @@ struct PolarCircle : GriddingTaps {
     RowFft<double> exact;
     std::vector<double> gains, aliases;  // of each order: 1 / transform, and the bound on its aliases
 
-    PolarCircle(std::size_t points, std::size_t taps)
-        : GriddingTaps(GriddingKernel::of(taps, taps < 8 ? 3.0 : 2.0)), single(points), exact(points) {
-        for (std::size_t m = 0; m < points / 4; ++m) {
-            const double omega = 6.283185307179586477 * static_cast<double>(m) / static_cast<double>(points);
-            gains.push_back(1.0 / kernel.transform(omega));
-            aliases.push_back(kernel.aliases(omega));
-        }
-    }
+    PolarCircle(std::size_t points, std::size_t taps);
 
     static constexpr std::size_t least_points = 48;  // an eighth of a turn is longer than half of any kernel
     std::size_t points() const { return single.n; }
@@ -42,6 +36,17 @@ struct PolarCircle : GriddingTaps {
     std::size_t bytes() const { return 64 * single.n; }
     static constexpr std::size_t most_bytes = std::size_t{4} << 20;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE PolarCircle::PolarCircle(std::size_t points, std::size_t taps)
+    : GriddingTaps(GriddingKernel::of(taps, taps < 8 ? 3.0 : 2.0)), single(points), exact(points) {
+    for (std::size_t m = 0; m < points / 4; ++m) {
+        const double omega = 6.283185307179586477 * static_cast<double>(m) / static_cast<double>(points);
+        gains.push_back(1.0 / kernel.transform(omega));
+        aliases.push_back(kernel.aliases(omega));
+    }
+}
+#endif
 
 // Of one disk: its coefficients, for each order [n][re cos, im cos, re sin, im sin], times what it counts; and the transforms at
 // the distances, sixteen to a block, [block][n][distance], of which so many degrees matter.

@@ -53,35 +53,7 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
 
     // Computes the image, I times `scale`.
     template <class T>
-    void paint(double scale, T* image) {
-        parts_.assign(list_.size() * zones_.size(), PaintedPart());
-        parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
-            thread_local Tiles::Buffer<T> buffer;
-            thread_local std::vector<Tiles::Line> lines;
-            for (std::size_t z = 0; z < zones_.size(); ++z) {
-                const PolarZone& zone = zones_[z];
-                lines.clear();
-                tiles_->lines(list_[i], zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
-                if (!lines.empty()) {
-                    dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
-                        PaintedPart& part = parts_[i * zones_.size() + z];
-                        if (zone.style->doubles && zone.style->around == 10) {
-                            pixels<10, 10, double>(isa, zone, list_[i], lines, scale, buffer, part);
-                        } else if (zone.style->doubles) {
-                            pixels<10, 8, double>(isa, zone, list_[i], lines, scale, buffer, part);
-                        } else if (zone.style->around == 8) {
-                            pixels<8, 8, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                        } else if (zone.style->around == 6) {
-                            pixels<8, 6, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                        } else {
-                            pixels<8, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
-                        }
-                    });
-                }
-            }
-            tiles_->copy(list_[i], buffer, image);
-        });
-    }
+    void paint(double scale, T* image);
 
    private:
     // The taps of both kernels at eight at once.
@@ -241,5 +213,40 @@ class PolarImage : public PaintedParts<PaintedPart> {  // of tiles in zones
     int threads_ = 1;
     PolarZones zones_;
 };
+
+template <class T>
+void PolarImage::paint(double scale, T* image) {
+    parts_.assign(list_.size() * zones_.size(), PaintedPart());
+    parallel_for(list_.size(), threads_, [&](std::size_t, std::size_t i) {
+        thread_local Tiles::Buffer<T> buffer;
+        thread_local std::vector<Tiles::Line> lines;
+        for (std::size_t z = 0; z < zones_.size(); ++z) {
+            const PolarZone& zone = zones_[z];
+            lines.clear();
+            tiles_->lines(list_[i], zone.low, zone.high, [&](const Tiles::Line& line) { lines.push_back(line); });
+            if (!lines.empty()) {
+                dispatch([&](auto isa) LOMMEL_INLINE_LAMBDA {
+                    PaintedPart& part = parts_[i * zones_.size() + z];
+                    if (zone.style->doubles && zone.style->around == 10) {
+                        pixels<10, 10, double>(isa, zone, list_[i], lines, scale, buffer, part);
+                    } else if (zone.style->doubles) {
+                        pixels<10, 8, double>(isa, zone, list_[i], lines, scale, buffer, part);
+                    } else if (zone.style->around == 8) {
+                        pixels<8, 8, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                    } else if (zone.style->around == 6) {
+                        pixels<8, 6, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                    } else {
+                        pixels<8, 4, float>(isa, zone, list_[i], lines, scale, buffer, part);
+                    }
+                });
+            }
+        }
+        tiles_->copy(list_[i], buffer, image);
+    });
+}
+
+#if defined(LOMMEL_COMPILED)
+extern template void PolarImage::paint(double scale, float* image);
+#endif
 
 }  // namespace lommel

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "lommel/base/once.hpp"
 #include "lommel/base/parallel.hpp"
 #include "lommel/zernike/polar_looks.hpp"
 
@@ -43,67 +44,10 @@ class PolarZones {
    public:
     // For pixels `step` in v apart, of distances whose squares in pixels are `nearest` to `farthest`; I off by `tol` of the largest
     // among them at most. Returns false where the expansion alone, or the aliases of the most exact style, do not let that be.
-    bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol) {
-        const double near = step * std::sqrt(static_cast<double>(nearest)),
-                     reach = step * std::sqrt(static_cast<double>(farthest));
-        const PolarLooks looks(pupil, reach);
-        const PolarOrders orders(pupil);
-        const double all = PolarBudget::image * tol * looks.brightest(near, reach);
-        // Of U, where it is that bright.
-        const auto allowed = [&](double intensity) { return allowed_error(all, intensity, PolarBudget::brighter); };
-        std::array<double, polar_styles.size() + 1> starts;
-        std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
-        starts.back() = 1e300;
-        for (std::size_t s = polar_styles.size(); s-- > 0;) {
-            kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
-            starts[s] = s == 0 ? 0.0 : start(pupil, polar_styles[s], *kernels[s], looks, orders, allowed);
-        }
-        if (pupil.base + kernels[0]->aliasing > allowed(looks.brightest(near, reach))) {
-            return false;
-        }
-        count_ = 0;
-        zones_.resize(polar_styles.size());
-        double from = near;
-        for (std::size_t s = 0; s < polar_styles.size() && from < reach; ++s) {
-            const double to =
-                std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
-            if (to <= from) {
-                continue;
-            }
-            PolarZone& zone = zones_[count_++];
-            const double most = allowed(looks.brightest(from, to));
-            zone.style = &polar_styles[s];
-            zone.kernels = kernels[s];
-            zone.first = block_at(polar_styles[s], from, -1.0);
-            zone.last = block_at(polar_styles[s], to, 1.0) + 1;
-            zone.low = count_ == 1 ? nearest : zones_[count_ - 2].high;
-            zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
-            zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
-            zone.circle = circle(zone.orders, zone.style->around);
-            zone.left = orders.left(zone.orders, from, zone.kernels->growth);
-            zone.errors.resize((zone.last - zone.first) * PolarTable::block);
-            from = to;
-        }
-        return true;
-    }
+    bool plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest, double tol);
 
     // Computes all circles.
-    void fill(const PolarPupil& pupil, int threads) {
-        for (PolarZone* zone = zones_.data(); zone < zones_.data() + count_; ++zone) {
-            const std::size_t count = zone->errors.size();
-            if (zone->style->doubles) {
-                zone->doubles.resize(*zone->circle, count);
-                fill<double>(pupil, *zone, zone->doubles, threads);
-            } else {
-                zone->floats.resize(*zone->circle, count);
-                if (zone->style->exact) {
-                    fill<double>(pupil, *zone, zone->floats, threads);
-                } else {
-                    fill<float>(pupil, *zone, zone->floats, threads);
-                }
-            }
-        }
-    }
+    void fill(const PolarPupil& pupil, int threads);
 
     std::size_t size() const { return count_; }
     const PolarZone& operator[](std::size_t i) const { return zones_[i]; }
@@ -160,5 +104,67 @@ class PolarZones {
     std::vector<PolarZone> zones_;  // kept from one image to the next, with their memory
     std::size_t count_ = 0;
 };
+
+#if defined(LOMMEL_DEFINES)
+LOMMEL_ONCE bool PolarZones::plan(const PolarPupil& pupil, double step, std::int64_t nearest, std::int64_t farthest,
+                                  double tol) {
+    const double near = step * std::sqrt(static_cast<double>(nearest)), reach = step * std::sqrt(static_cast<double>(farthest));
+    const PolarLooks looks(pupil, reach);
+    const PolarOrders orders(pupil);
+    const double all = PolarBudget::image * tol * looks.brightest(near, reach);
+    // Of U, where it is that bright.
+    const auto allowed = [&](double intensity) { return allowed_error(all, intensity, PolarBudget::brighter); };
+    std::array<double, polar_styles.size() + 1> starts;
+    std::array<std::shared_ptr<const PolarKernels>, polar_styles.size()> kernels;
+    starts.back() = 1e300;
+    for (std::size_t s = polar_styles.size(); s-- > 0;) {
+        kernels[s] = std::make_shared<const PolarKernels>(pupil, polar_styles[s]);
+        starts[s] = s == 0 ? 0.0 : start(pupil, polar_styles[s], *kernels[s], looks, orders, allowed);
+    }
+    if (pupil.base + kernels[0]->aliasing > allowed(looks.brightest(near, reach))) {
+        return false;
+    }
+    count_ = 0;
+    zones_.resize(polar_styles.size());
+    double from = near;
+    for (std::size_t s = 0; s < polar_styles.size() && from < reach; ++s) {
+        const double to = std::min(reach, *std::min_element(starts.begin() + static_cast<std::ptrdiff_t>(s) + 1, starts.end()));
+        if (to <= from) {
+            continue;
+        }
+        PolarZone& zone = zones_[count_++];
+        const double most = allowed(looks.brightest(from, to));
+        zone.style = &polar_styles[s];
+        zone.kernels = kernels[s];
+        zone.first = block_at(polar_styles[s], from, -1.0);
+        zone.last = block_at(polar_styles[s], to, 1.0) + 1;
+        zone.low = count_ == 1 ? nearest : zones_[count_ - 2].high;
+        zone.high = to < reach ? static_cast<std::int64_t>(std::ceil(to * to / (step * step))) : farthest + 1;
+        zone.orders = orders.least(PolarBudget::orders * most, from, zone.kernels->growth);
+        zone.circle = circle(zone.orders, zone.style->around);
+        zone.left = orders.left(zone.orders, from, zone.kernels->growth);
+        zone.errors.resize((zone.last - zone.first) * PolarTable::block);
+        from = to;
+    }
+    return true;
+}
+
+LOMMEL_ONCE void PolarZones::fill(const PolarPupil& pupil, int threads) {
+    for (PolarZone* zone = zones_.data(); zone < zones_.data() + count_; ++zone) {
+        const std::size_t count = zone->errors.size();
+        if (zone->style->doubles) {
+            zone->doubles.resize(*zone->circle, count);
+            fill<double>(pupil, *zone, zone->doubles, threads);
+        } else {
+            zone->floats.resize(*zone->circle, count);
+            if (zone->style->exact) {
+                fill<double>(pupil, *zone, zone->floats, threads);
+            } else {
+                fill<float>(pupil, *zone, zone->floats, threads);
+            }
+        }
+    }
+}
+#endif
 
 }  // namespace lommel

@@ -1,0 +1,3 @@
+#include "lommel/chordal/kernels.hpp"
+
+template struct lommel::ChordKernels<float>;

@@ -1,0 +1,10 @@
+#include "lommel/base/parallel.hpp"
+#include "lommel/bounds/disk.hpp"
+#include "lommel/bounds/ellipse.hpp"
+#include "lommel/special/bessel_table.hpp"
+#include "lommel/special/gridding.hpp"
+
+#define LOMMEL_DEFINES
+
+#include "lommel/pixels/shift.hpp"
+#include "lommel/radial/average_values.hpp"

@@ -1,0 +1,9 @@
+#include "lommel/special/gridding.hpp"
+#include "lommel/zernike/disk_stack.hpp"
+#include "lommel/zernike/field.hpp"
+
+#define LOMMEL_DEFINES
+
+#include "lommel/zernike/polar_image.hpp"
+
+template void lommel::PolarImage::paint(double scale, float* image);

@@ -1,0 +1,7 @@
+#define LOMMEL_DEFINES
+
+#include "lommel/base/parallel.hpp"
+#include "lommel/bounds/disk.hpp"
+#include "lommel/bounds/ellipse.hpp"
+#include "lommel/special/bessel_table.hpp"
+#include "lommel/special/gridding.hpp"

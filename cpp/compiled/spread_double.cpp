@@ -1,0 +1,3 @@
+#include "lommel/imaging/spread.hpp"
+
+template class lommel::Spreader<double>;

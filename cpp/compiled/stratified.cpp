@@ -1,0 +1,7 @@
+#include "lommel/pixels/shift.hpp"
+#include "lommel/radial/average_values.hpp"
+
+#define LOMMEL_DEFINES
+
+#include "lommel/stratified/profiles.hpp"
+#include "lommel/stratified/rings.hpp"

@@ -1,0 +1,116 @@
+// The kernels of the chordal rule, compiled once for each real type and level of instructions, whatever they are called for.
+#pragma once
+
+#include <cstddef>
+
+#include "lommel/base/simd.hpp"
+#include "lommel/chordal/factors.hpp"
+#include "lommel/chordal/tables.hpp"
+#include "lommel/chordal/transform.hpp"
+#include "lommel/chordal/transpose.hpp"
+
+namespace lommel {
+
+constexpr std::size_t most_pupils = 2 * row_lanes;  // side by side
+
+// Of pupils side by side, as many as lanes() says; what each does is said where the template of its name is.
+template <class Real>
+struct ChordKernels {
+    static constexpr double unit = Waves<Portable, Real>::unit;
+    static constexpr std::size_t lanes(Level level) { return vector_lanes(level) * sizeof(double) / sizeof(Real); }
+    // Where the coefficient of the pupil in a lane stands.
+    static constexpr std::size_t place(std::size_t lane, std::size_t lanes) {
+        return sizeof(Real) == sizeof(double) ? lane : lane % 2 * (lanes / 2) + lane / 2;
+    }
+
+    static void nodes(Level level, const TermTable& table, std::size_t chord, const double* coefficients, Real* to);
+    static void rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes, Real* chords);
+    static void columns(Level level, const KernelTable<Real>& kernel, const Real* chords, Real* row);
+    static void intensities(Level level, const Real* u, std::size_t columns, Real* values, Real* top);
+    static void subtract(Level level, const Real* inner, std::size_t count, Real* u);
+    static void scale(Level level, const Real* u, Real area, std::size_t count, Real* inner);
+    static void times_factors(Level level, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room,
+                              Real* to);
+    static void slopes(Level level, const Real* u, const Real* d, std::size_t columns, Real* values, Real* top);
+    static void weigh(Level level, const Real* weights, std::size_t pixels, Real* u);
+    static void columns_transposed(Level level, const KernelTable<Real>& kernel, const Real* pixels, Real* chords);
+    static void rows_transposed(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords,
+                                Real* nodes);
+    static void add_products(Level level, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
+                             Real share, Real* room, Real* sums);
+
+    // What stands in each of some lanes of a row, times by[lane], to[lane].
+    template <class T>
+    static void store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
+                            T* const* to) {
+        dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA {
+            constexpr std::size_t apart = Waves<decltype(isa), Real>::lanes;
+            for (std::size_t lane = 0; lane < used; ++lane) {
+                for (std::size_t x = 0; x < columns; ++x) {
+                    to[lane][x] = static_cast<T>(by[lane] * static_cast<double>(values[x * apart + lane]));
+                }
+            }
+        });
+    }
+};
+
+template <class Real>
+void ChordKernels<Real>::nodes(Level level, const TermTable& table, std::size_t chord, const double* coefficients, Real* to) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { pair_of_chords(isa, table, chord, coefficients, to); });
+}
+template <class Real>
+void ChordKernels<Real>::rows(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* nodes,
+                              Real* chords) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { rows_of_chords(isa, kernel, chord, nodes, chords); });
+}
+template <class Real>
+void ChordKernels<Real>::columns(Level level, const KernelTable<Real>& kernel, const Real* chords, Real* row) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { columns_of_row(isa, kernel, chords, row); });
+}
+template <class Real>
+void ChordKernels<Real>::intensities(Level level, const Real* u, std::size_t columns, Real* values, Real* top) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { intensities_of_row(isa, u, columns, values, top); });
+}
+template <class Real>
+void ChordKernels<Real>::subtract(Level level, const Real* inner, std::size_t count, Real* u) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::subtract(isa, inner, count, u); });
+}
+template <class Real>
+void ChordKernels<Real>::scale(Level level, const Real* u, Real area, std::size_t count, Real* inner) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::scale(isa, u, area, count, inner); });
+}
+template <class Real>
+void ChordKernels<Real>::times_factors(Level level, const FactorLanes& given, std::size_t chord, const Real* nodes, Real* room,
+                                       Real* to) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::times_factors(isa, given, chord, nodes, room, to); });
+}
+template <class Real>
+void ChordKernels<Real>::slopes(Level level, const Real* u, const Real* d, std::size_t columns, Real* values, Real* top) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { slopes_of_row(isa, u, d, columns, values, top); });
+}
+template <class Real>
+void ChordKernels<Real>::weigh(Level level, const Real* weights, std::size_t pixels, Real* u) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { weigh_pixels(isa, weights, pixels, u); });
+}
+template <class Real>
+void ChordKernels<Real>::columns_transposed(Level level, const KernelTable<Real>& kernel, const Real* pixels, Real* chords) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::columns_transposed(isa, kernel, pixels, chords); });
+}
+template <class Real>
+void ChordKernels<Real>::rows_transposed(Level level, const KernelTable<Real>& kernel, std::size_t chord, const Real* chords,
+                                         Real* nodes) {
+    dispatch(level, [&](auto isa) LOMMEL_INLINE_LAMBDA { lommel::rows_transposed(isa, kernel, chord, chords, nodes); });
+}
+template <class Real>
+void ChordKernels<Real>::add_products(Level level, const FactorTable& table, std::size_t chord, const Real* pupil,
+                                      const Real* adjoint, Real share, Real* room, Real* sums) {
+    dispatch(level, [&](auto isa)
+                        LOMMEL_INLINE_LAMBDA { lommel::add_products(isa, table, chord, pupil, adjoint, share, room, sums); });
+}
+
+#if defined(LOMMEL_COMPILED)
+extern template struct ChordKernels<float>;
+extern template struct ChordKernels<double>;
+#endif
+
+}  // namespace lommel

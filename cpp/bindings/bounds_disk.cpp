@@ -8,7 +8,7 @@
 #include "lommel/chordal/sharp.hpp"
 #include "lommel/special/fft.hpp"
 #include "lommel/special/gridding.hpp"
-#include "lommel/zernike/images.hpp"
+#include "lommel/zernike/image.hpp"
 
 #include "bounds.hpp"
 

@@ -7,4 +7,9 @@
 
 #define LOMMEL_DEFINES
 
-#include "lommel/chordal/lines.hpp"
+#include "lommel/chordal/images.hpp"
+
+template class lommel::ChordalRenderer<float>;
+template class lommel::ChordalRenderer<double>;
+template class lommel::ChordalRenderer<float, lommel::ChordalDerivatives<float>>;
+template class lommel::ChordalRenderer<double, lommel::ChordalDerivatives<double>>;

@@ -57,76 +57,7 @@ class ChordalRenderer {
                  static_cast<double>(rows_.at.size()), static_cast<double>(rows_.count * columns_.at.size()), threads),
           states_(stack.count) {}
 
-    void run() {
-        const double bright = stack_.amplitude.integral(stack_.obscuration);
-        const auto first = [&](std::size_t p, const ChordBound& bound) {
-            check_phase(bound.size());
-            // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
-            return states_[p].error = ChordalBudget::field * tol_ * 0.5 * bright / std::sqrt(1.0 + bound.variance());
-        };
-        lines_.find(stack_.outer.data(), 1.0, first, [&](std::size_t p) -> ChordDisk& { return states_[p].far; });
-        if (area_ > 0.0) {
-            const auto same = [&](std::size_t p, const ChordBound&) { return states_[p].error; };
-            lines_.find(stack_.inner.data(), stack_.obscuration, same,
-                        [&](std::size_t p) -> ChordDisk& { return states_[p].near; });
-        }
-        std::vector<std::size_t> pending(stack_.count);
-        std::iota(pending.begin(), pending.end(), std::size_t{0});
-        const auto attempt = [&] {
-            for (const std::size_t p : pending) {
-                look();
-                State& s = states_[p];
-                const double rounding = s.far.rounding + stack_.lost[p];
-                s.at_rounding = s.error < rounding;
-                s.error = std::max(s.error, rounding);
-                const double error = s.single ? singly(p) : s.error;
-                choose(p, 1.0, s.far, area_ > 0.0 ? ChordalBudget::outer * error : error);
-                if (area_ > 0.0) {
-                    choose(p, stack_.obscuration, s.near, ChordalBudget::inner * error / area_);
-                }
-            }
-            std::sort(pending.begin(), pending.end(), [&](std::size_t a, std::size_t b) {
-                const ChordCount &i = states_[a].far.count, &j = states_[b].far.count;
-                if (states_[a].single != states_[b].single) {
-                    return states_[a].single;
-                }
-                return i.chords != j.chords ? i.chords < j.chords : i.nodes != j.nodes ? i.nodes < j.nodes : a < b;
-            });
-            const auto end =
-                std::partition_point(pending.begin(), pending.end(), [&](std::size_t p) { return states_[p].single; });
-            const std::size_t singles = static_cast<std::size_t>(end - pending.begin());
-            if constexpr (sizeof(T) == sizeof(float)) {
-                dispatch_batches<float>(pending.data(), singles);
-            }
-            dispatch_batches<double>(pending.data() + singles, pending.size() - singles);
-            double worst = 0.0;
-            for (const std::size_t p : pending) {
-                worst = std::max(worst, states_[p].relative);
-            }
-            return worst;
-        };
-        settle(tol_, attempt, [&](double) {
-            const auto done = [&](std::size_t p) { return states_[p].relative <= tol_; };
-            pending.erase(std::remove_if(pending.begin(), pending.end(), done), pending.end());
-            bool more = true;
-            ChordBound outer = lines_.bound_of(1.0), inner = lines_.bound_of(stack_.obscuration);
-            for (const std::size_t p : pending) {
-                State& s = states_[p];
-                more = more && !s.at_rounding;
-                const double wanted = ChordalBudget::field * tol_ * std::sqrt(s.peak);
-                // Double precision alone may do.
-                s.error = std::min((s.single ? 1.0 : ChordalBudget::again) * s.error,
-                                   std::max(wanted, ChordalBudget::least * s.error));
-                s.single = false;
-                const std::size_t from = p * stack_.terms.size();
-                ChordLines::renew(outer, stack_.outer.data() + from, s.error, s.far);
-                if (area_ > 0.0) {
-                    ChordLines::renew(inner, stack_.inner.data() + from, s.error, s.near);
-                }
-            }
-            return more;
-        });
-    }
+    void run();
 
    private:
     struct State {
@@ -287,5 +218,83 @@ class ChordalRenderer {
     ChordLines lines_;
     std::vector<State> states_;
 };
+
+template <class T, class More>
+void ChordalRenderer<T, More>::run() {
+    const double bright = stack_.amplitude.integral(stack_.obscuration);
+    const auto first = [&](std::size_t p, const ChordBound& bound) {
+        check_phase(bound.size());
+        // Most PSFs have sup|U| above this; where one has not, the error is tightened after that was found.
+        return states_[p].error = ChordalBudget::field * tol_ * 0.5 * bright / std::sqrt(1.0 + bound.variance());
+    };
+    lines_.find(stack_.outer.data(), 1.0, first, [&](std::size_t p) -> ChordDisk& { return states_[p].far; });
+    if (area_ > 0.0) {
+        const auto same = [&](std::size_t p, const ChordBound&) { return states_[p].error; };
+        lines_.find(stack_.inner.data(), stack_.obscuration, same,
+                    [&](std::size_t p) -> ChordDisk& { return states_[p].near; });
+    }
+    std::vector<std::size_t> pending(stack_.count);
+    std::iota(pending.begin(), pending.end(), std::size_t{0});
+    const auto attempt = [&] {
+        for (const std::size_t p : pending) {
+            look();
+            State& s = states_[p];
+            const double rounding = s.far.rounding + stack_.lost[p];
+            s.at_rounding = s.error < rounding;
+            s.error = std::max(s.error, rounding);
+            const double error = s.single ? singly(p) : s.error;
+            choose(p, 1.0, s.far, area_ > 0.0 ? ChordalBudget::outer * error : error);
+            if (area_ > 0.0) {
+                choose(p, stack_.obscuration, s.near, ChordalBudget::inner * error / area_);
+            }
+        }
+        std::sort(pending.begin(), pending.end(), [&](std::size_t a, std::size_t b) {
+            const ChordCount &i = states_[a].far.count, &j = states_[b].far.count;
+            if (states_[a].single != states_[b].single) {
+                return states_[a].single;
+            }
+            return i.chords != j.chords ? i.chords < j.chords : i.nodes != j.nodes ? i.nodes < j.nodes : a < b;
+        });
+        const auto end = std::partition_point(pending.begin(), pending.end(), [&](std::size_t p) { return states_[p].single; });
+        const std::size_t singles = static_cast<std::size_t>(end - pending.begin());
+        if constexpr (sizeof(T) == sizeof(float)) {
+            dispatch_batches<float>(pending.data(), singles);
+        }
+        dispatch_batches<double>(pending.data() + singles, pending.size() - singles);
+        double worst = 0.0;
+        for (const std::size_t p : pending) {
+            worst = std::max(worst, states_[p].relative);
+        }
+        return worst;
+    };
+    settle(tol_, attempt, [&](double) {
+        const auto done = [&](std::size_t p) { return states_[p].relative <= tol_; };
+        pending.erase(std::remove_if(pending.begin(), pending.end(), done), pending.end());
+        bool more = true;
+        ChordBound outer = lines_.bound_of(1.0), inner = lines_.bound_of(stack_.obscuration);
+        for (const std::size_t p : pending) {
+            State& s = states_[p];
+            more = more && !s.at_rounding;
+            const double wanted = ChordalBudget::field * tol_ * std::sqrt(s.peak);
+            // Double precision alone may do.
+            s.error =
+                std::min((s.single ? 1.0 : ChordalBudget::again) * s.error, std::max(wanted, ChordalBudget::least * s.error));
+            s.single = false;
+            const std::size_t from = p * stack_.terms.size();
+            ChordLines::renew(outer, stack_.outer.data() + from, s.error, s.far);
+            if (area_ > 0.0) {
+                ChordLines::renew(inner, stack_.inner.data() + from, s.error, s.near);
+            }
+        }
+        return more;
+    });
+}
+
+#if defined(LOMMEL_COMPILED)
+extern template class ChordalRenderer<float>;
+extern template class ChordalRenderer<double>;
+extern template class ChordalRenderer<float, ChordalDerivatives<float>>;
+extern template class ChordalRenderer<double, ChordalDerivatives<double>>;
+#endif
 
 }  // namespace lommel

@@ -46,25 +46,7 @@ class LayeredImages {
         return (planes.radial() || !averages) && windows.farthest * windows.first.step <= AnywhereTable::most_reach;
     }
 
-    void run() const {
-        if (windows_.centers != nullptr || window_.integrate) {
-            const int level = static_cast<int>(std::min(15.0, std::max(3.0, std::ceil(-std::log10(allowed_)))));
-            if (windows_.centers == nullptr) {
-                return around(PixelTable::get(window_, level, threads_));
-            }
-            const auto table = AnywhereTable::get(window_.step, window_.integrate, windows_.farthest, level);
-            return planes_.radial() ? around(table) : turned(table);
-        }
-        const auto layout = Layout::get(window_.height, window_.width);
-        const double reach = layout->reach() * window_.step;
-        const std::size_t pieces = Between::pieces_of(reach);
-        const double half = pieces > 0 ? 0.5 * reach / static_cast<double>(pieces) : 0.0;
-        const std::size_t nodes = fewest(4, [&](std::size_t n) { return interpolation_error(half, n) <= allowed_; }, 200);
-        if (pieces == 0 || pieces * nodes >= layout->count) {
-            return directly(layout);
-        }
-        by_pieces(layout, Between::get(layout, window_.step, nodes));
-    }
+    void run() const;
 
    private:
     std::size_t pixels() const { return window_.height * window_.width; }
@@ -198,5 +180,31 @@ class LayeredImages {
     Answer<T> answer_;
     LayeredSlopes<T> slopes_;
 };
+
+template <class T>
+void LayeredImages<T>::run() const {
+    if (windows_.centers != nullptr || window_.integrate) {
+        const int level = static_cast<int>(std::min(15.0, std::max(3.0, std::ceil(-std::log10(allowed_)))));
+        if (windows_.centers == nullptr) {
+            return around(PixelTable::get(window_, level, threads_));
+        }
+        const auto table = AnywhereTable::get(window_.step, window_.integrate, windows_.farthest, level);
+        return planes_.radial() ? around(table) : turned(table);
+    }
+    const auto layout = Layout::get(window_.height, window_.width);
+    const double reach = layout->reach() * window_.step;
+    const std::size_t pieces = Between::pieces_of(reach);
+    const double half = pieces > 0 ? 0.5 * reach / static_cast<double>(pieces) : 0.0;
+    const std::size_t nodes = fewest(4, [&](std::size_t n) { return interpolation_error(half, n) <= allowed_; }, 200);
+    if (pieces == 0 || pieces * nodes >= layout->count) {
+        return directly(layout);
+    }
+    by_pieces(layout, Between::get(layout, window_.step, nodes));
+}
+
+#if defined(LOMMEL_COMPILED)
+extern template class LayeredImages<float>;
+extern template class LayeredImages<double>;
+#endif
 
 }  // namespace lommel

@@ -52,33 +52,7 @@ class RingImages {
         : light_(light), steps_(steps), window_(window), threads_(threads) {}
 
     // Intensities times scales[plane], none negative.
-    void run(const double* scales, T* images, const RingNumbers& numbers) const {
-        const std::size_t blocks = (light_.planes + ring_planes - 1) / ring_planes;
-        const std::size_t bytes = sizeof(double) * light_.circles * steps_.row() * ring_planes;
-        const std::size_t together = std::max<std::size_t>(1, std::min(blocks, most_bytes / bytes));
-        const double each =
-            1e-4 * static_cast<double>(light_.circles * light_.nodes * light_.orders * light_.fields * ring_planes);
-        for (std::size_t from = 0; from < blocks; from += together) {
-            const std::size_t here = std::min(together, blocks - from);
-            std::vector<std::unique_ptr<const Rings>> rings(here);
-            parallel_for(here, worthwhile_threads(threads_, each * static_cast<double>(here)), [&](std::size_t, std::size_t b) {
-                auto made = std::make_unique<Rings>(light_, steps_);
-                RingSizes sizes(light_.fields);
-                const std::size_t first = (from + b) * ring_planes, planes = std::min(ring_planes, light_.planes - first);
-                made->fill(first, sizes);
-                for (std::size_t p = 0; p < planes; ++p) {
-                    for (std::size_t f = 0; f < light_.fields; ++f) {
-                        numbers(f, first + p) = sizes.squares[f * ring_planes + p];
-                    }
-                    numbers(light_.fields, first + p) = sizes.top[p];
-                    numbers(light_.fields + 1, first + p) = sizes.aliases[p];
-                    numbers(light_.fields + 2, first + p) = sizes.numbers[p];
-                }
-                rings[b] = std::move(made);
-            });
-            paint(rings, from * ring_planes, scales, images, numbers);
-        }
-    }
+    void run(const double* scales, T* images, const RingNumbers& numbers) const;
 
    private:
     using Blocks = std::vector<std::unique_ptr<const Rings>>;
@@ -221,5 +195,38 @@ class RingImages {
     RingWindow window_;
     int threads_;
 };
+
+template <class T>
+void RingImages<T>::run(const double* scales, T* images, const RingNumbers& numbers) const {
+    const std::size_t blocks = (light_.planes + ring_planes - 1) / ring_planes;
+    const std::size_t bytes = sizeof(double) * light_.circles * steps_.row() * ring_planes;
+    const std::size_t together = std::max<std::size_t>(1, std::min(blocks, most_bytes / bytes));
+    const double each = 1e-4 * static_cast<double>(light_.circles * light_.nodes * light_.orders * light_.fields * ring_planes);
+    for (std::size_t from = 0; from < blocks; from += together) {
+        const std::size_t here = std::min(together, blocks - from);
+        std::vector<std::unique_ptr<const Rings>> rings(here);
+        parallel_for(here, worthwhile_threads(threads_, each * static_cast<double>(here)), [&](std::size_t, std::size_t b) {
+            auto made = std::make_unique<Rings>(light_, steps_);
+            RingSizes sizes(light_.fields);
+            const std::size_t first = (from + b) * ring_planes, planes = std::min(ring_planes, light_.planes - first);
+            made->fill(first, sizes);
+            for (std::size_t p = 0; p < planes; ++p) {
+                for (std::size_t f = 0; f < light_.fields; ++f) {
+                    numbers(f, first + p) = sizes.squares[f * ring_planes + p];
+                }
+                numbers(light_.fields, first + p) = sizes.top[p];
+                numbers(light_.fields + 1, first + p) = sizes.aliases[p];
+                numbers(light_.fields + 2, first + p) = sizes.numbers[p];
+            }
+            rings[b] = std::move(made);
+        });
+        paint(rings, from * ring_planes, scales, images, numbers);
+    }
+}
+
+#if defined(LOMMEL_COMPILED)
+extern template class RingImages<float>;
+extern template class RingImages<double>;
+#endif
 
 }  // namespace lommel

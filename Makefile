@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env build psf photo test test-torch fuzz lowest mutants sanitize bench peers docs page lint types format lock wheel sdist clean FORCE
+.PHONY: help env uv build psf photo test test-torch fuzz lowest mutants sanitize bench setup-times peers docs page lint types format lock wheel sdist clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -56,22 +56,26 @@ assert os.path.exists(os.path.join(sysconfig.get_path("include"), sys.argv[1]))
 print(sys._base_executable)
 endef
 
-# Sets $uv: the one on PATH, where there is one that works, or else the locked one in .tools.
+# Prints what requirements.lock has of the package $(1).
+locked = awk -v name="$(1)==" 'index($$0, name) == 1 { on = 1 } on { print } on && !/\\$$/ { exit }' requirements.lock
+
+# Sets $uv: the one on PATH, where there is one that works, or else the locked one in .tools. A pip that is there already
+# fetches it in a third of the time of one in a new environment.
 define find_uv
 uv=uv
-if ! uv venv --no-python-downloads --help >/dev/null 2>&1; then
+if ! uv pip install --group build --no-python-downloads --help >/dev/null 2>&1; then
 	uv="$(CURDIR)/.tools/uv"
 	mkdir -p .tools
-	awk '/^uv==/ { on = 1 } on { print } on && !/\\$$/ { exit }' requirements.lock >.tools/uv.txt.new
+	$(call locked,uv) >.tools/uv.txt.new
 	if ! [ -x .tools/uv ] || ! cmp -s .tools/uv.txt.new .tools/uv.txt; then
 		$(find_python)
 		echo "Fetching uv into .tools"
 		rm -rf .tools/uv .tools/tmp
 		set -- --quiet --disable-pip-version-check --require-hashes --no-deps --only-binary :all: --requirement .tools/uv.txt.new
-		if "$$py" -m venv .tools/tmp >/dev/null 2>&1; then
-			.tools/tmp/bin/python -m pip install "$$@"
-		elif rm -rf .tools/tmp && PYTHONNOUSERSITE= "$$py" -m pip --version >/dev/null 2>&1; then
+		if PYTHONNOUSERSITE= "$$py" -m pip --version >/dev/null 2>&1; then
 			PYTHONNOUSERSITE= "$$py" -m pip install --target .tools/tmp "$$@"
+		elif "$$py" -m venv .tools/tmp >/dev/null 2>&1; then
+			.tools/tmp/bin/python -m pip install "$$@"
 		else
 			echo "make: $$py has neither venv nor pip to fetch uv with." >&2
 			echo "make: install uv, or on Debian and Ubuntu python3-venv or python3-pip." >&2
@@ -85,22 +89,40 @@ fi
 endef
 
 help: ## list these targets
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
 # .venv is sound if it was made for this folder and this PYTHON, and its interpreter is still there.
-env_is_sound := $(shell { .venv/bin/python -I -c '' && [ "$$(sed -n 1p .venv/env.stamp)" = "$(CURDIR)" ] && \
-	{ [ -z "$(PYTHON)" ] || [ "$$(sed -n 2p .venv/env.stamp)" = "$(PYTHON)" ]; } && echo yes; } 2>/dev/null)
+env_is_sound := $(shell { .venv/bin/python -I -c '' && [ "$$(sed -n 1p .venv/first.stamp)" = "$(CURDIR)" ] && \
+	{ [ -z "$(PYTHON)" ] || [ "$$(sed -n 2p .venv/first.stamp)" = "$(PYTHON)" ]; } && echo yes; } 2>/dev/null)
 
-env: .venv/env.stamp ## make .venv and install what requirements.lock pins
+# What pyproject.toml asks for, at the versions and hashes of requirements.lock, without which nothing is installed.
+install := pip install --python .venv/bin/python --require-hashes --constraint requirements.lock --requirement pyproject.toml
 
-.venv/env.stamp: requirements.lock $(if $(env_is_sound),,FORCE)
+# .venv is filled in two stages, of which a first picture takes the first alone: what compiles the package and runs make psf.
+# Whether it takes a CMake and a Ninja too is for scikit-build-core to say.
+.venv/first.stamp: requirements.lock $(if $(env_is_sound),,FORCE)
 	@$(find_uv)
 	$(find_python)
 	rm -rf .venv
 	"$$uv" venv --quiet --python "$$py" .venv
-	printf '%s\n' "$(CURDIR)" "$(PYTHON)" >.venv/env.stamp.new
-	"$$uv" pip sync --python .venv/bin/python --require-hashes requirements.lock
-	mv .venv/env.stamp.new $@
+	printf '%s\n' "$(CURDIR)" "$(PYTHON)" >.venv/first.stamp.new
+	"$$uv" $(install) --extra images --group build
+	missing=$$(.venv/bin/python -c 'from scikit_build_core.build import get_requires_for_build_editable as missing; print(*missing())')
+	if [ -n "$$missing" ]; then
+		for tool in $$missing; do $(call locked,$${tool%%[<>=]*}); done >.venv/tools.txt
+		"$$uv" pip install --python .venv/bin/python --require-hashes --requirement .venv/tools.txt
+	fi
+	mv .venv/first.stamp.new $@
+
+env: .venv/env.stamp ## make .venv and install all that requirements.lock pins
+
+.venv/env.stamp: .venv/first.stamp
+	@$(find_uv)
+	"$$uv" $(install) --extra all --group dev
+	touch $@
+
+uv:
+	@$(find_uv)
 
 cpp_formatted := $(wildcard cpp/bindings/* cpp/compiled/* cpp/wasm/* cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp cpp/tests/* tests/cmake_consume/*.cpp)
 
@@ -114,16 +136,30 @@ gone_files := $(filter-out $(all_files),$(shell cat .venv/build.stamp 2>/dev/nul
 
 build: .venv/build.stamp ## compile the core and install the package, editable, in .venv
 
-.venv/build.stamp: .venv/env.stamp pyproject.toml CMakeLists.txt $(wildcard cmake/*) $(cpp_files) $(if $(gone_files),FORCE)
-	@rm -f $@
-	echo "$(all_files)" >$@.new
+# Wheels are compiled in the folder of the editable install, with all that it has.
+build_folder := build/{cache_tag}
+
+# Where C++ files alone have changed since the package was installed, its module is compiled and put there without a new install.
+.venv/build.stamp: .venv/first.stamp pyproject.toml CMakeLists.txt $(wildcard cmake/*) $(cpp_files) $(if $(gone_files),FORCE)
+	@echo "$(all_files)" >$@.new
+	echo "Compiling the core"
+	folder=build/$$(.venv/bin/python -c 'import sys; print(sys.implementation.cache_tag)')
+	cmake=$$(awk -F = '/^CMAKE_COMMAND:/ { print $$2 }' "$$folder/CMakeCache.txt" 2>/dev/null) || :
+	if $(if $(filter-out $(cpp_files),$?),false,[ -x "$$cmake" ] && grep -q '^SKBUILD_STATE:.*=editable$$' "$$folder/CMakeCache.txt"); then
+		"$$cmake" --build "$$folder"
+		"$$cmake" --install "$$folder" --strip --prefix "$$(.venv/bin/python -c 'import sysconfig; print(sysconfig.get_path("platlib"))')" >/dev/null
+		mv $@.new $@
+		exit
+	fi
+	rm -f $@
 	if ! .venv/bin/python -c '$(print_python)' Python.h >/dev/null 2>&1; then
 		echo "make: the headers of this Python (Python.h) are missing." >&2
 		echo "make: install python3-dev (Debian, Ubuntu) or python3-devel (Fedora), or choose another: make PYTHON=... env" >&2
 		exit 1
 	fi
 	$(find_uv)
-	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" pip install --quiet --python .venv/bin/python --reinstall --no-build-isolation --no-deps --editable .
+	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" pip install --quiet --python .venv/bin/python --reinstall --no-build-isolation --no-deps \
+		--config-settings=build-dir='$(build_folder)' --editable .
 	mv $@.new $@
 
 psf: build ## compute the Hubble example, to out/hubble-1990.tif and .png
@@ -131,7 +167,7 @@ psf: build ## compute the Hubble example, to out/hubble-1990.tif and .png
 	.venv/bin/lommel psf examples/lenses/hubble-1990.toml --output out/hubble-1990.tif --output out/hubble-1990.png
 
 # Where the depth is unknown, it is that of the nearest point.
-photo: build ## blur a photograph by its depth, near, far and from one to the other; undo it; find the depth; to out/motorcycle-*
+photo: build env ## blur a photograph by its depth, near, far and from one to the other; undo it; find the depth; to out/motorcycle-*
 	@.venv/bin/python examples/motorcycle.py out
 	lens=examples/motorcycle.toml
 	set -- out/motorcycle-depth.tif "$$lens" --missing nearest
@@ -144,7 +180,7 @@ photo: build ## blur a photograph by its depth, near, far and from one to the ot
 	.venv/bin/lommel depth out/motorcycle-near.png out/motorcycle-far.png "$$lens" --focus 2.4m --focus 4.8m \
 		--between 2m 5.2m --white 50000 --read 3 --output out/motorcycle-found.tif --plot out/motorcycle-found.png
 
-test: build lint types ## build, lint, check the types and run the tests
+test: build env lint types ## build, lint, check the types and run the tests
 	@.venv/bin/pytest --numprocesses auto --maxprocesses 4 --dist worksteal
 
 # Beside .venv, for the package index has PyTorch with all that graphics processors need: 5 GB, of which none is used here.
@@ -155,13 +191,13 @@ test-torch: build ## run the tests of twins in PyTorch, in .tools/torch
 	$(find_python)
 	rm -rf .tools/torch
 	"$$uv" venv --quiet --python "$$py" .tools/torch
-	"$$uv" pip install --quiet --python .tools/torch/bin/python --requirement pyproject.toml --extra torch --extra all --group dev "$(TORCH)"
+	"$$uv" pip install --quiet --python .tools/torch/bin/python --requirement pyproject.toml --extra torch --extra all --group dev --group tools "$(TORCH)"
 	PATH="$(CURDIR)/.tools/torch/bin:$$PATH" "$$uv" pip install --quiet --python .tools/torch/bin/python \
 		--no-build-isolation --no-deps --config-settings=build-dir=build/torch --editable .
 	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/twins
 
 # 100 000 bad arguments, 2 000 bad command lines, 1 000 mutations of each kind of file; `make test` has a sample.
-fuzz: build ## try what no user should: bad arguments, command lines and files
+fuzz: build env ## try what no user should: bad arguments, command lines and files
 	@LOMMEL_FUZZ=1 .venv/bin/pytest tests/fuzz
 
 # Everything that pyproject.toml names, at the lowest version that it allows. The oldest have no wheels for the newest
@@ -174,7 +210,7 @@ lowest: ## run the tests with the oldest versions of all dependencies, in .tools
 	# The oldest matplotlib calls functions that newer versions of pyparsing warn of.
 	echo 'pyparsing<3.3' >.tools/lowest/constraints.txt
 	"$$uv" pip install --quiet --python .tools/lowest/bin/python --resolution lowest-direct --only-binary :all: \
-		--constraint .tools/lowest/constraints.txt --requirement pyproject.toml --extra all --group dev
+		--constraint .tools/lowest/constraints.txt --requirement pyproject.toml --extra all --group dev --group tools
 	PATH="$(CURDIR)/.tools/lowest/bin:$$PATH" "$$uv" pip install --quiet --python .tools/lowest/bin/python \
 		--no-build-isolation --no-deps --config-settings=build-dir=build/lowest --editable .
 	# What newer versions of others deprecate is nothing to the oldest; the stub is as the locked nanobind writes it, and
@@ -185,7 +221,7 @@ lowest: ## run the tests with the oldest versions of all dependencies, in .tools
 
 # Hours of work for one processor; ONLY="ellipse.hpp psf.py:2" takes some, FLAGS=--subject the tests of their subject only,
 # FLAGS="--random 200 --seed 1" faults that chance draws.
-mutants: build ## put faults into a copy of the code, one by one, and see that the tests notice
+mutants: build env ## put faults into a copy of the code, one by one, and see that the tests notice
 	@.venv/bin/python tests/mutants/run.py $(FLAGS) $(ONLY)
 
 # The core alone, without Python: memory, undefined behaviour, then data races; and as it is where there are neither
@@ -229,7 +265,7 @@ docs: build page .venv/docs.stamp ## write the documentation to docs/_build/html
 
 # A compiler for browsers, which needs no root, and what its tests drive browsers with: 200 MB on top of what is in .venv. The
 # first time the compiler makes its own library of C++.
-.venv/page.stamp: .venv/env.stamp web/requirements.lock
+.venv/page.stamp: .venv/first.stamp web/requirements.lock
 	@$(find_uv)
 	"$$uv" pip install --quiet --python .venv/bin/python --require-hashes --requirement web/requirements.lock
 	touch $@
@@ -250,8 +286,13 @@ lint: env ## check the style and the format
 types: env ## check the types
 	@.venv/bin/mypy
 
-bench: build ## measure against the FFT, NumPy and what peers there are; write docs/benchmarks.md
+bench: build env ## measure against the FFT, NumPy and what peers there are; write docs/benchmarks.md
 	@.venv/bin/python benchmarks/run.py --write
+
+# A fresh clone of what is committed, with nothing in the caches of uv and pip; FLAGS=--test runs the tests in it as well.
+setup-times: ## measure the way from a fresh clone to a first picture, and from an edit to a passing test
+	@$(find_python)
+	"$$py" benchmarks/setup_times.py $(FLAGS)
 
 # Beside .venv, which stays as requirements.lock has it. One of the packages brings PyTorch: gigabytes.
 GROUP ?= peers
@@ -277,7 +318,7 @@ lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 			--no-annotate --custom-compile-command "make lock" $(LOCKFLAGS) --output-file "$$file.new" "$$@"
 		if cmp -s "$$file.new" "$$file"; then rm "$$file.new"; else mv "$$file.new" "$$file"; fi
 	}
-	compile requirements.lock --extra all --group dev pyproject.toml
+	compile requirements.lock --extra all --group dev --group tools pyproject.toml
 	{
 		echo "# Written from requirements.lock by make lock: what builds wheels is what builds here. See docs/releasing.md."
 		sed -nE 's/^((cmake|nanobind|ninja|packaging|pathspec|scikit-build-core)==[^ ;]+).*/\1/p' requirements.lock
@@ -287,7 +328,7 @@ lock: ## pin anew, in the files requirements.lock, what pyproject.toml asks for
 
 wheel: page ## build a wheel in dist
 	@$(find_uv)
-	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --wheel --no-build-isolation --python .venv/bin/python --out-dir dist
+	PATH="$(CURDIR)/.venv/bin:$$PATH" "$$uv" build --wheel --config-setting=build-dir='$(build_folder)' --no-build-isolation --python .venv/bin/python --out-dir dist
 
 sdist: page ## pack the sources, with the live page, in dist
 	@$(find_uv)

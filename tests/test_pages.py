@@ -140,7 +140,7 @@ def test_a_command_of_the_pages_or_of_help_runs_and_writes_what_it_names(line, f
 
 
 def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_package():
-    targets = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), flags=re.MULTILINE))
+    targets = set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), flags=re.MULTILINE))
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
     for name, words in LINES:
         if words[0] == "make":

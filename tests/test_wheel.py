@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -72,7 +73,8 @@ def test_a_wheel_in_dist_works_on_its_own(tmp_path):
 @pytest.mark.skipif(not os.environ.get("LOMMEL_WHEEL"), reason="minutes; LOMMEL_WHEEL=1 builds a wheel and tries it")
 def test_a_wheel_that_is_built_now_works_on_its_own(tmp_path):
     settings = [f"--config-setting=build-dir={tmp_path / 'build'}", "--no-build-isolation"]
-    command = ["uv", "build", "--wheel", *settings, "--python", sys.executable, "--out-dir", tmp_path / "dist"]
+    uv = shutil.which("uv") or ROOT / ".tools" / "uv"
+    command = [uv, "build", "--wheel", *settings, "--python", sys.executable, "--out-dir", tmp_path / "dist"]
     subprocess.run([*command, ROOT], check=True, capture_output=True)
     wheel = newest(tmp_path / "dist")
     assert wheel is not None

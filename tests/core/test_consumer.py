@@ -5,17 +5,17 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
-import sys
 import tomllib
 from pathlib import Path
 
 import pytest
 
+import programs
+
 ROOT = Path(__file__).resolve().parents[2]
 STRANGER = ROOT / "tests" / "cmake_consume"
 VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
-# The one of the environment, which what wraps it elsewhere may not find.
-TOOLS = Path(sys.executable).parent
+CMAKE, NINJA = programs.cmake(), programs.ninja()
 
 
 def run(*command: str | Path) -> str:
@@ -25,12 +25,12 @@ def run(*command: str | Path) -> str:
 
 
 def configure(source: Path, build: Path, *options: str) -> None:
-    ninja = f"-DCMAKE_MAKE_PROGRAM={TOOLS / 'ninja'}"
-    run(TOOLS / "cmake", "-G", "Ninja", ninja, "-DCMAKE_CXX_FLAGS=-O0", "-S", source, "-B", build, *options)
+    tools = "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={NINJA}"
+    run(CMAKE, *tools, "-DCMAKE_CXX_FLAGS=-O0", "-S", source, "-B", build, *options)
 
 
 def answer(build: Path) -> str:
-    run(TOOLS / "cmake", "--build", build)
+    run(CMAKE, "--build", build)
     return run(build / "stranger")
 
 
@@ -39,7 +39,7 @@ def installed(tmp_path_factory) -> Path:
     place = tmp_path_factory.mktemp("installed")
     # What would be needed for Python is not there to be found.
     configure(ROOT, place / "build", *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("Python", "nanobind")))
-    run(TOOLS / "cmake", "--install", place / "build", "--prefix", place / "prefix")
+    run(CMAKE, "--install", place / "build", "--prefix", place / "prefix")
     shutil.rmtree(place / "build")
     return place / "prefix"
 
@@ -66,7 +66,7 @@ def test_arithmetic_that_no_bound_holds_for_is_refused(tmp_path):
 def test_the_source_taken_in_computes_in_one_thread(tmp_path):
     configure(STRANGER, tmp_path, f"-DLOMMEL_SOURCE={ROOT}", "-DLOMMEL_SINGLE_THREADED=ON")
     assert "off by" in answer(tmp_path)
-    opened = run(TOOLS / "ninja", "-C", tmp_path, "-t", "deps")
+    opened = run(NINJA, "-C", tmp_path, "-t", "deps")
     assert "lommel/base/parallel.hpp" in opened
     # Whatever the standard library includes by itself, none of these is asked for.
     assert not re.search(r"/(thread|mutex|condition_variable|shared_mutex|future)\s", opened)

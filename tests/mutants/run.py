@@ -38,6 +38,8 @@ from pathlib import Path
 import draw
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "docs"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "shared"))
+import programs
 import rooms
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -302,8 +304,8 @@ def configured(faults: list[Fault], place: Path, *options: str) -> Path:
         text = path.read_text(encoding="utf-8")
         write(source / name, switched(text, by_file.get(name, [])).encode())
     write(source / "switch.hpp", SWITCH.encode())
-    tools = Path(sys.executable).parent
-    configure = [tools / "cmake", "-S", source, "-B", build, "-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={tools / 'ninja'}"]
+    configure = [programs.cmake(), "-S", source, "-B", build, "-G", "Ninja"]
+    configure += [f"-DCMAKE_MAKE_PROGRAM={programs.ninja()}"]
     configure += [f"-DPython_EXECUTABLE={sys.executable}", "-DCMAKE_BUILD_TYPE=Release", "-DLOMMEL_PYTHON=ON"]
     configure += [f"-DCMAKE_CXX_FLAGS=-include {source / 'switch.hpp'}", *options]
     _run(*configure)
@@ -313,7 +315,7 @@ def configured(faults: list[Fault], place: Path, *options: str) -> Path:
 def compiled(faults: list[Fault], place: Path, jobs: int, *options: str) -> Path:
     """Build the core with every fault in it; return the folder that it is in."""
     build = configured(faults, place, *options)
-    _run(Path(sys.executable).with_name("cmake"), "--build", build, "--parallel", jobs)
+    _run(programs.cmake(), "--build", build, "--parallel", jobs)
     return build
 
 
@@ -343,8 +345,6 @@ class Workplace:
         # The packages of .venv are there, but not its hook that imports the project from its own folder.
         (packages / "shared.pth").write_text(f"{self.tree / 'src'}\n{inside}\n")
         self.python, script = venv / "bin" / "python", venv / "bin" / "lommel"
-        for tool in ("cmake", "ninja"):
-            (venv / "bin" / tool).symlink_to(Path(sys.executable).with_name(tool))
         script.write_text(f"#!{self.python}\nimport sys\nfrom lommel.cli.main import main\nsys.exit(main())\n")
         script.chmod(0o755)
 

@@ -1,8 +1,8 @@
 """What it takes from a fresh clone to a first picture, and from an edit to a passing test: ``make setup-times``.
 
 The commit that is checked out is cloned into a temporary folder, and `make psf` runs there step by step, with no
-package in any cache. A figure over its limit is marked. The exit status is 1 if a count or a size is over its limit, or
-a time although nothing else ran on the machine when the measurement began.
+package in any cache. A figure over its limit is marked. The exit status is 1 if a count or a size is over, or a time
+although nothing else ran on the machine when the measurement began.
 """
 
 from __future__ import annotations

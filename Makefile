@@ -10,7 +10,7 @@ SHELL := /bin/sh
 .ONESHELL:
 .DELETE_ON_ERROR:
 .SUFFIXES:
-.PHONY: help env uv build psf photo test test-torch fuzz lowest mutants sanitize bench setup-times peers docs page lint types format lock wheel sdist clean FORCE
+.PHONY: help env uv build psf photo test test-torch test-clang test-arm fuzz lowest mutants sanitize bench setup-times peers docs page lint types format lock wheel sdist clean FORCE
 
 # make PYTHON=/usr/bin/python3.12 env picks an interpreter; otherwise the first that will do is used.
 PYTHON ?=
@@ -196,6 +196,36 @@ test-torch: build ## run the tests of twins in PyTorch, in .tools/torch
 		--no-build-isolation --no-deps --config-settings=build-dir=build/torch --editable .
 	.tools/torch/bin/python -m pytest -p no:cacheprovider -W default::DeprecationWarning tests/twins
 
+# Needs clang++ (on Debian and Ubuntu the package clang).
+test-clang: ## compile the core by clang++ and run the tests, in .tools/clang
+	@$(find_uv)
+	$(find_python)
+	command -v clang++ >/dev/null || { echo "make: there is no clang++ on PATH: install clang" >&2; exit 1; }
+	rm -rf .tools/clang
+	"$$uv" venv --quiet --python "$$py" .tools/clang
+	"$$uv" pip install --quiet --python .tools/clang/bin/python --require-hashes --constraint requirements.lock \
+		--requirement pyproject.toml --extra all --group dev --group tools
+	CXX=clang++ PATH="$(CURDIR)/.tools/clang/bin:$$PATH" "$$uv" pip install --quiet --python .tools/clang/bin/python \
+		--no-build-isolation --no-deps --config-settings=build-dir=build/clang --editable .
+	.tools/clang/bin/python -m pytest -p no:cacheprovider --numprocesses auto --maxprocesses 4 --dist worksteal
+
+# Needs a cross compiler and an emulator (on Debian and Ubuntu the packages g++-aarch64-linux-gnu and qemu-user). There long
+# double has four times the bits, in software: tables are compared in double.
+ARM_CXX ?= aarch64-linux-gnu-g++
+ARM ?= qemu-aarch64
+test-arm: ## compile the core for 64-bit ARM and run its own programs, emulated: five minutes
+	@for tool in $(ARM_CXX) $(ARM); do
+		command -v $$tool >/dev/null || { echo "make: there is no $$tool on PATH: install g++-aarch64-linux-gnu and qemu-user" >&2; exit 1; }
+	done
+	mkdir -p build
+	for program in calls slopes layers measures exercise tables; do
+		echo "$(ARM_CXX): $$program"
+		wide=
+		if [ $$program = tables ]; then wide=-DLOMMEL_WIDE=double; fi
+		$(ARM_CXX) -std=c++17 -O2 -static $$wide -Wall -Wextra -Werror -Wno-psabi -Icpp/include cpp/tests/$$program.cpp -o build/$$program.arm -pthread
+		$(ARM) build/$$program.arm
+	done
+
 # 100 000 bad arguments, 2 000 bad command lines, 1 000 mutations of each kind of file; `make test` has a sample.
 fuzz: build env ## try what no user should: bad arguments, command lines and files
 	@LOMMEL_FUZZ=1 .venv/bin/pytest tests/fuzz
@@ -246,6 +276,9 @@ sanitize: ## exercise the compiled core under the compiler's sanitizers
 	sanitized address,undefined exercise -DLOMMEL_SINGLE_THREADED -DLOMMEL_WIDE=double
 	sanitized address,undefined tables -DLOMMEL_WIDE=double
 	sanitized address,undefined measures
+	# Where there are no vectors, and nothing that other compilers do not know.
+	sanitized address,undefined calls -DLOMMEL_WITHOUT_VECTORS -pedantic-errors
+	sanitized address,undefined layers -DLOMMEL_WITHOUT_VECTORS -pedantic-errors
 	# Each header with nothing included before it.
 	for header in $(wildcard cpp/include/lommel/*.hpp cpp/include/lommel/*/*.hpp); do
 		$(CXX) -std=c++17 -O0 -fsyntax-only -Wall -Wextra -Wno-psabi -Icpp/include -x c++ /dev/null -include "$$header"

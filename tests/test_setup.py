@@ -16,6 +16,8 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from lommel import _core
+
 ROOT = Path(__file__).resolve().parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
 EXTRAS, GROUPS = PROJECT["project"]["optional-dependencies"], PROJECT["dependency-groups"]
@@ -46,6 +48,10 @@ FIRST = needed(*PROJECT["project"]["dependencies"], *EXTRAS["images"], *GROUPS["
 def test_few_packages_are_installed_before_the_first_picture():
     assert len(FIRST | set(TOOLS)) <= 25
     assert not FIRST & {"matplotlib", "pytest", "mypy", "jax", "astropy"}
+
+
+def test_the_compiled_module_is_small():
+    assert Path(_core.__file__).stat().st_size <= 4e6
 
 
 def test_what_is_installed_first_is_of_the_lock_and_has_hashes():

@@ -26,16 +26,20 @@
 #define LOMMEL_NOINLINE
 #endif
 
-#if (defined(__GNUC__) || defined(__clang__)) && defined(__x86_64__)
+namespace lommel {
+
+// Whether the compiler has vectors; without them, as where LOMMEL_WITHOUT_VECTORS is defined, loops do what they do.
+#if (defined(__GNUC__) || defined(__clang__)) && !defined(LOMMEL_WITHOUT_VECTORS)
+#define LOMMEL_VECTORS 1
+#if defined(__x86_64__)
 #define LOMMEL_X86 1
 #endif
-
-namespace lommel {
+#endif
 
 // Rows of tables are this long at least, whatever the width of the vectors.
 constexpr std::size_t row_lanes = 8;
 
-#if defined(__GNUC__) || defined(__clang__)
+#ifdef LOMMEL_VECTORS
 
 template <std::size_t Lanes>
 struct Vector {
@@ -171,6 +175,9 @@ struct Pack {
     }
     friend Pack operator*(Pack a, Pack b) {
         return each(a, b, [](Real x, Real y) { return x * y; });
+    }
+    friend Pack operator/(Pack a, Pack b) {
+        return each(a, b, [](Real x, Real y) { return x / y; });
     }
     friend Pack operator+(Pack a, Real b) {
         return each(a, a, [b](Real x, Real) { return x + b; });

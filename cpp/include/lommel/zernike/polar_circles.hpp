@@ -157,7 +157,7 @@ LOMMEL_INLINE void turn(const Real (*from)[fft_rows], std::size_t first, Quad<Re
         }
     }
 }
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(LOMMEL_VECTORS) && !defined(__clang__)
 LOMMEL_INLINE void turn(const float (*from)[fft_rows], std::size_t first, Quad<float>* out) {
     typedef float quad __attribute__((vector_size(16)));
     typedef std::int32_t places __attribute__((vector_size(16)));

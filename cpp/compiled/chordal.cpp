@@ -1,3 +1,4 @@
+// Images by the chordal rule, but for its kernels. What comes first is compiled by other units.
 #include "lommel/base/parallel.hpp"
 #include "lommel/bounds/disk.hpp"
 #include "lommel/bounds/ellipse.hpp"

@@ -1,3 +1,4 @@
+// The kernels of the chordal rule in double precision.
 #include "lommel/chordal/kernels.hpp"
 
 template struct lommel::ChordKernels<double>;

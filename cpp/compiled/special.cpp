@@ -1,3 +1,4 @@
+// What all engines share: threads, bounds, the tables of Bessel functions.
 #define LOMMEL_DEFINES
 
 #include "lommel/base/parallel.hpp"

@@ -239,7 +239,7 @@ def uncompiled(faults: list[Fault]) -> list[Fault]:
     units = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     for unit in units:
         # A unit that compiles does so without some of the faults, too.
-        while "/bindings/" in unit["file"] and (
+        while re.search("/(bindings|compiled)/", unit["file"]) and (
             said := _complaint(f"{unit['command']} -fsyntax-only -Werror=vla", build)
         ):
             places = set(re.findall(r"(cpp/include/\S+?):(\d+):\d+: error", said))

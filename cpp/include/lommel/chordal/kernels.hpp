@@ -39,7 +39,7 @@ struct ChordKernels {
     static void add_products(Level level, const FactorTable& table, std::size_t chord, const Real* pupil, const Real* adjoint,
                              Real share, Real* room, Real* sums);
 
-    // What stands in each of some lanes of a row, times by[lane], to[lane].
+    // What stands in each of some lanes of a row, times a number each, to a row each.
     template <class T>
     static void store_lanes(Level level, const Real* values, std::size_t used, const double* by, std::size_t columns,
                             T* const* to) {

@@ -103,6 +103,17 @@ LOMMEL_INLINE void store_scaled(const From* values, double scale, std::size_t co
     }
 }
 
+// A row to both sides of its middle. Not inlined: where its callers have other things in registers, it loads its end from memory
+// for each pixel.
+template <class T>
+LOMMEL_NOINLINE void mirrored_row(const T* profile, const std::int32_t* from, std::size_t count, T* center) {
+    for (std::size_t dx = 0; dx < count; ++dx) {
+        const T value = profile[from[dx]];
+        center[dx] = value;
+        *(center - dx) = value;
+    }
+}
+
 // Rows [first, last) of the quadrant, and their mirror images, of one image of height x width from the values at the
 // distinct radii. The centre is the middle of pixel (height / 2, width / 2). Each row is gathered once and its mirror
 // images copied: bound by the loads of the gather and by memory writes.
@@ -114,11 +125,7 @@ LOMMEL_INLINE void scatter_rows(const T* profile, const std::int32_t* index, std
         const std::int32_t* from = index + dy * (cx + 1);
         T* row = out + (cy - dy) * width;
         T* center = row + cx;
-        for (std::size_t dx = 0; dx < right; ++dx) {
-            const T value = profile[from[dx]];
-            center[dx] = value;
-            *(center - dx) = value;
-        }
+        mirrored_row(profile, from, right, center);
         if (cx >= right) {
             row[0] = profile[from[cx]];
         }

@@ -12,6 +12,20 @@ import numpy as np
 import pytest
 
 
+@contextmanager
+def hasty_programs() -> Iterator[None]:
+    """Have JAX compile without most optimisations, which takes half as long: for programs that run once.
+
+    Programs compiled before serve on. Bounds are tested with programs as users have them.
+    """
+    jax = import_module("jax")
+    jax.config.update("jax_disable_most_optimizations", True)
+    try:
+        yield
+    finally:
+        jax.config.update("jax_disable_most_optimizations", False)
+
+
 class Framework(NamedTuple):
     """One to test, by the module that a user names."""
 

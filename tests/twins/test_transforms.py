@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import lommel as lm
+from frameworks import hasty_programs
 
 jax = pytest.importorskip("jax")
 jnp = jax.numpy
@@ -22,13 +23,19 @@ def double():
         yield
 
 
+@pytest.fixture
+def hasty():
+    with hasty_programs():
+        yield
+
+
 @pytest.fixture(scope="module")
 def f():
     with jax.enable_x64(True):
         return lm.Plan(9, 0.5, tol=1e-9).traced(REACH, jnp)
 
 
-def test_derivatives_are_those_of_the_core_forward_and_reverse(f):
+def test_derivatives_are_those_of_the_core_forward_and_reverse(f, hasty):
     found = jax.jit(jax.jacfwd(f))(C[0])
     exact = lm.psf(lm.Pupil(lm.Wavefront(*C[0])), 9, 0.5, tol=1e-12, derivatives=("defocus", "spherical"))
     peak = exact.values.max()
@@ -37,7 +44,7 @@ def test_derivatives_are_those_of_the_core_forward_and_reverse(f):
     assert np.abs(found - jax.jit(jax.jacrev(f))(C[0])).max() < 1e-14 * peak
 
 
-def test_second_derivatives_are_symmetric_and_differences_of_first_ones(f):
+def test_second_derivatives_are_symmetric_and_differences_of_first_ones(f, hasty):
     def loss(c):
         return 1e4 * jnp.sum(f(c) ** 2)
 
@@ -48,7 +55,7 @@ def test_second_derivatives_are_symmetric_and_differences_of_first_ones(f):
     assert np.abs(np.stack(steps) - hessian).max() < 1e-7 * np.abs(hessian).max()
 
 
-def test_derivatives_of_wavefronts_of_any_terms_are_those_of_the_core():
+def test_derivatives_of_wavefronts_of_any_terms_are_those_of_the_core(hasty):
     terms, c = ((2, 0), (4, 0), (2, 2), (3, 1)), np.array([0.7, -0.3, 0.5, 0.8])
 
     def pupil(scale):
@@ -62,7 +69,7 @@ def test_derivatives_of_wavefronts_of_any_terms_are_those_of_the_core():
         assert np.abs(found[..., j] - exact.derivatives[term]).max() < 1e-10 * exact.values.max()
 
 
-def test_float32_has_the_same_derivatives_but_for_its_rounding():
+def test_float32_has_the_same_derivatives_but_for_its_rounding(hasty):
     f = lm.Plan(9, 0.5, tol=2e-3).traced(REACH, jnp, precision="float32")
     found = jax.jit(jax.jacrev(lambda c: f(c)[4, 5]))(jnp.asarray(C[0], dtype=jnp.float32))
     exact = lm.psf(lm.Pupil(lm.Wavefront(*C[0])), 9, 0.5, derivatives=("defocus", "spherical"))
@@ -70,7 +77,7 @@ def test_float32_has_the_same_derivatives_but_for_its_rounding():
     assert np.abs(found - told).max() < 3e-6 * exact.values.max()
 
 
-def test_vmap_jit_scan_and_checkpoint_change_nothing(f):
+def test_vmap_jit_scan_and_checkpoint_change_nothing(f, hasty):
     plain = f(C)
     for made in (
         jax.vmap(f)(C),

@@ -50,11 +50,30 @@ def png(
     return b"\x89PNG\r\n\x1a\n" + b"".join(chunk(*part) for part in parts)
 
 
+def deflated(byte: bytes, count: int) -> bytes:
+    """Return a byte, so often, deflated as well as can be: of one block of it, over and over."""
+    packer = zlib.compressobj(9, wbits=-15)
+    block = packer.compress(2**20 * byte) + packer.flush(zlib.Z_FULL_FLUSH)
+    return count // 2**20 * block + packer.compress(count % 2**20 * byte) + packer.flush()
+
+
+def zeros(count: int) -> bytes:
+    """Return zeros as zlib has them."""
+    return b"\x78\xda" + deflated(b"\0", count) + struct.pack(">HH", count % 65521, 1)
+
+
+def blanks(start: bytes, count: int) -> bytes:
+    """Return a text and blanks after it as gzip has them."""
+    packer, check, block = zlib.compressobj(9, wbits=-15), zlib.crc32(start), b" " * 2**20
+    for _ in range(count // 2**20):
+        check = zlib.crc32(block, check)
+    packed = packer.compress(start) + packer.flush(zlib.Z_FULL_FLUSH) + deflated(b" ", count)
+    return b"\x1f\x8b\x08\0\0\0\0\0\2\xff" + packed + struct.pack("<II", check, len(start) + count)
+
+
 def black(width: int, height: int, samples: int = 1) -> bytes:
-    """Return rows of a PNG, deflated as well as can be."""
-    packer = zlib.compressobj(6)
-    row = bytes(1 + width * samples)
-    return b"".join([*(packer.compress(row) for _ in range(height)), packer.flush()])
+    """Return rows of a PNG."""
+    return zeros((1 + width * samples) * height)
 
 
 def jpeg(side: int, scans: int) -> bytes:
@@ -127,14 +146,14 @@ def sealed(fill: Callable[[Any], object]) -> bytes:
 def swollen_chunk(file: Any) -> None:
     """Store a small chunk that inflates to much."""
     made = file.create_dataset("Measurement/Surface", shape=(64, 64), chunks=(64, 64), dtype="f4", compression="gzip")
-    made.id.write_direct_chunk((0, 0), zlib.compress(bytes(2**29), 9))
+    made.id.write_direct_chunk((0, 0), zeros(2**29))
 
 
 def large_chunk(file: Any) -> None:
     """Store a small array in a chunk that is large, and deflated."""
     shape = {"shape": (1, 1), "maxshape": (None, None), "chunks": (2**13, 2**13)}
     made = file.create_dataset("Measurement/Surface", dtype="f8", compression="gzip", **shape)
-    made.id.write_direct_chunk((0, 0), zlib.compress(bytes(2**29), 9))
+    made.id.write_direct_chunk((0, 0), zeros(2**29))
 
 
 def linked(file: Any) -> None:
@@ -164,7 +183,7 @@ def mask_of(side: int) -> bytes:
     from lommel.io.psf_files import describe
 
     said = describe(psf)
-    said["pupil"]["mask"] = {"side": side, "values": base64.b64encode(zlib.compress(bytes(8 * side**2), 9)).decode()}
+    said["pupil"]["mask"] = {"side": side, "values": base64.b64encode(zeros(8 * side**2)).decode()}
     return with_description(json.dumps(said).encode())
 
 
@@ -229,11 +248,11 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
             lm.load_channels,
         ),
         "channels, short rows": (".csv", lambda: b"nm,a\n" + b"1\n" * (2**18 - 99), lm.load_channels),
-        "opd, csv": (".csv", lambda: b"# unit: nm\n" + b"1,1\n" * 2**20, opd),
+        "opd, csv": (".csv", lambda: b"# unit: nm\n" + b"1,1\n" * 2**18, opd),
         "opd, csv one row": (".csv", lambda: b"# unit: nm\n" + b"1," * 2**21, opd),
         "opd, csv settings": (".csv", lambda: b"#a:\n" * 2**20, opd),
         "opd, code v": (".int", lambda: b"t\nGRD 2048 1024 WFR WVL 1 SSZ 1 NDA 9\n" + b"1 " * 2**21, opd),
-        "opd, code v lines": (".int", lambda: b"t\nGRD 2048 1024 WFR WVL 1 SSZ 1 NDA 9\n" + b"1\n" * 2**21, opd),
+        "opd, code v lines": (".int", lambda: b"t\nGRD 1024 512 WFR WVL 1 SSZ 1 NDA 9\n" + b"1\n" * 2**19, opd),
         "opd, npy": (".npy", lambda: npy((2**14, 2**14), "<f8"), opd),
         "opd, dat": (".dat", lambda: dat(65535, 65535), opd),
         "opd, datx, one chunk": (
@@ -256,7 +275,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
         ),
         "opd, datx, large chunk": (".datx", lambda: hdf5(large_chunk), opd),
         "opd, datx, swollen chunk": (".datx", lambda: hdf5(swollen_chunk), opd),
-        "opd, fits.gz of blanks": (".fits.gz", lambda: gzip.compress(b"SIMPLE  =" + b" " * 2**27, 9), opd),
+        "opd, fits.gz of blanks": (".fits.gz", lambda: blanks(b"SIMPLE  =", 2**27), opd),
         "opd, fits of blanks": (".fits", lambda: b"SIMPLE  =" + b" " * 2**24, opd),
         "opd, fits.gz of zeros": (
             ".fits.gz",
@@ -278,7 +297,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
             ),
             opd,
         ),
-        "psf, fits.gz of blanks": (".fits.gz", lambda: gzip.compress(b"SIMPLE  =" + b" " * 2**29, 9), psf),
+        "psf, fits.gz of blanks": (".fits.gz", lambda: blanks(b"SIMPLE  =", 2**29), psf),
         "psf, fits.gz of heads": (
             ".fits.gz",
             lambda: gzip.compress(
@@ -320,7 +339,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
         "psf, png of packed texts": (
             ".png",
             lambda: png(
-                9, 9, 8, 0, b"", *((b"zTXt", b"%x\0\0" % k + zlib.compress(bytes(2**20 - 9), 9)) for k in range(500))
+                9, 9, 8, 0, b"", *((b"zTXt", b"%x\0\0" % k + text) for text in [zeros(2**20 - 9)] for k in range(500))
             ),
             psf,
         ),
@@ -335,7 +354,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
         "grid, npz": (".npz", lambda: archive(["values.npy"], "(4200, 4096)"), lm.PSFGrid.load),
         "grid, fits.gz of blanks": (
             ".fits.gz",
-            lambda: gzip.compress(b"SIMPLE  =" + b" " * 2**27, 9),
+            lambda: blanks(b"SIMPLE  =", 2**27),
             lm.PSFGrid.load,
         ),
         "grid, h5 by many names": (".h5", lambda: sealed(linked), lm.PSFGrid.load),

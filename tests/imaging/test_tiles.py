@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from functools import cache
 
 import numpy as np
 import pytest
@@ -23,13 +24,19 @@ def scene(channels=3, dtype=np.float32):
     return image, 1.7 + 0.7 * rng.random((70, 90))
 
 
+@cache
+def in_one_piece(channels, border):
+    """Return the photograph of the scene, and the options that make it."""
+    options = {"encoding": "linear", "border": border} | ({"occlusion": False} if channels == 1 else {})
+    return depth_of_field(*scene(channels), LENS, PIXEL, **options), options
+
+
 @pytest.mark.parametrize("border", ["reflect", "extend", "zero"])
 @pytest.mark.parametrize("side", [16, 33, 64, 128])
 @pytest.mark.parametrize("channels", [1, 3])
 def test_tiles_make_the_same_photograph_as_one_piece(border, side, channels):
     image, depth = scene(channels)
-    options = {"encoding": "linear", "border": border} | ({"occlusion": False} if channels == 1 else {})
-    whole = depth_of_field(image, depth, LENS, PIXEL, **options)
+    whole, options = in_one_piece(channels, border)
     tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=side, **options)
     assert np.abs(tiled.values - whole.values).max() < 2e-6
     assert (tiled.lost, tiled.error) == pytest.approx((whole.lost, whole.error), rel=1e-9)
@@ -76,8 +83,9 @@ def test_tiles_hide_what_the_whole_hides(border, side, dtype, allowed):
     whole = depth_of_field(image, depth, LENS, PIXEL, **options)
     tiled = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=side, **options)
     assert np.abs(tiled.values - whole.values).max() <= allowed
-    added = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=side, **{**options, "occlusion": False})
-    assert np.abs(added.values - whole.values).max() > 0.1
+    if side == 33:
+        added = depth_of_field_by_tiles(image, depth, LENS, PIXEL, side=side, **{**options, "occlusion": False})
+        assert np.abs(added.values - whole.values).max() > 0.1
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -194,7 +202,7 @@ class TestChunks:
         )
         assert isinstance(lazy, da.Array)
         assert (lazy.shape, lazy.dtype) == (image.shape, image.dtype)
-        made = lazy.compute(scheduler=scheduler, num_workers=2)
+        made = lazy.compute(scheduler=scheduler, num_workers=1 if scheduler == "processes" else 2)
         assert np.abs(made - whole).max() < 2e-6
 
     @pytest.mark.parametrize("chunk", [3, 17, 90])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -29,20 +30,25 @@ def instructions():
 
 def quadrature(stack: DiskStack, window: Window, terms: list[tuple[int, int]]) -> tuple[np.ndarray, np.ndarray]:
     """Return I and its derivatives, by direct quadrature of P and of i Z P in polar coordinates."""
-    r, w = gauss_legendre(80, stack.obscuration, 1.0)
-    theta = 2.0 * math.pi * (np.arange(256) + 0.5) / 256
+    r, w = gauss_legendre(60, stack.obscuration, 1.0)
+    theta = 2.0 * math.pi * (np.arange(180) + 0.5) / 180
     rho, angle = np.broadcast_arrays(r[:, None], theta)
-    light = (2.0 / 256 * w * r)[:, None] * np.exp(-np.polynomial.polynomial.polyval(rho**2, stack.amplitude))
+    light = (2.0 / 180 * w * r)[:, None] * np.exp(-np.polynomial.polynomial.polyval(rho**2, stack.amplitude))
     x, y = (rho * np.cos(angle)).ravel(), (rho * np.sin(angle)).ravel()
     count, (height, width) = len(stack.edge), window.shape
     centers = window.center[0] if len(window.center) == 1 else np.tile(window.center, (count, 1))
+
+    @cache
+    def waves(row: float, column: float) -> tuple[np.ndarray, np.ndarray]:
+        across = np.exp(-1j * np.outer(x, window.step * (np.arange(width) - column)))
+        return np.exp(-1j * np.outer(y, window.step * (np.arange(height) - row))), across
+
     own = np.array([zernike.polynomial(n, m, rho, angle) for n, m in stack.terms.tolist()])
     factors = np.array([np.ones_like(rho), *(1j * zernike.polynomial(n, m, rho, angle) for n, m in terms)])
     found = []
     for coefficients, (row, column) in zip(stack.edge, centers, strict=True):
         pupil = factors * light * np.exp(1j * np.tensordot(coefficients, own, 1))
-        across = np.exp(-1j * np.outer(x, window.step * (np.arange(width) - column)))
-        down = np.exp(-1j * np.outer(y, window.step * (np.arange(height) - row)))
+        down, across = waves(row, column)
         fields = np.array([(each.ravel()[:, None] * down).T @ across for each in pupil])
         found.append(fields)
     fields = np.swapaxes(found, 0, 1)

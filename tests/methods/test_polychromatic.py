@@ -188,7 +188,10 @@ def test_white_light_of_every_pupil_is_within_the_tolerance_whatever_else_is_ask
     # Of what peaks elsewhere, the same in the middle of the window.
     middle = each_alone("coma" if wavefront == "tilt" else wavefront, aperture, True, None)
     white = lm.Polychromatic(WAVES, WEIGHTS)
-    for turn, center in enumerate((None, (2.0, 5.0), (2.3, 6.6))):
+    places = list(enumerate((None, (2.0, 5.0), (2.3, 6.6))))
+    # Where all are dear, one of them, another for each aperture, wavefront and kind of pixel beside it.
+    one = (list(APERTURES).index(aperture) + list(WAVEFRONTS).index(wavefront) + integrate) % 3
+    for turn, center in places if pupil.circular else places[one : one + 1]:
         exact = each_alone(wavefront, aperture, integrate, center)
         highest = exact.max(axis=(-2, -1))
         every = ("energy", "strehl", "peak")

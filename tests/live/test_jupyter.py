@@ -8,10 +8,12 @@ import re
 import subprocess
 import sys
 import threading
+from importlib.util import find_spec
 
 import pytest
 
-pytest.importorskip("jupyterlab", reason="jupyterlab is not installed, which shows the widget")
+if find_spec("jupyterlab") is None:
+    pytest.skip("jupyterlab is not installed, which shows the widget", allow_module_level=True)
 
 CELLS = [
     "import lommel as lm\nw = lm.live(side=64, coma=0.5)\nw",

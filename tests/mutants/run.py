@@ -156,10 +156,9 @@ def _imported_names(tree: ast.Module) -> list[tuple[str, str]]:
 def _users() -> dict[str, set[str]]:
     """Return which files import or include each."""
     users: dict[str, set[str]] = {}
-    for path in sorted((ROOT / "src" / "lommel").rglob("*.py")):
-        name = path.relative_to(ROOT).as_posix()
-        for _, module in rooms.imported(ast.parse(path.read_text(encoding="utf-8"))):
-            users.setdefault(f"src/lommel/{module}.py", set()).add(name)
+    for name, tree in rooms.modules().items():
+        for _, module in rooms.imported(tree):
+            users.setdefault(f"src/lommel/{module}.py", set()).add(f"src/lommel/{name}.py")
     for path in sorted((ROOT / "cpp" / "include").rglob("*.hpp")):
         name = path.relative_to(ROOT).as_posix()
         for header in re.findall(r'^#include "(.*)"$', path.read_text(encoding="utf-8"), re.MULTILINE):

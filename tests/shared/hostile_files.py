@@ -239,7 +239,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
         "zernike, csv columns": (".csv", lambda: b"1," * (2**18 - 9), table),
         "zernike, listing": (".txt", lambda: b"Z 1 :1\n" * (2**16 - 9), table),
         "zernike, code v": (".int", lambda: b"t\nZRN 9 WFR WVL 1 SSZ 1 NDA 1\n" + b"1 " * (2**18 - 99), table),
-        "field, cells": (".csv", lambda: b"height,Z4\n" + b"0,1\n" * 2**19, field),
+        "field, cells": (".csv", lambda: b"height,Z4\n" + b"0,1\n" * 2**18, field),
         "field, short rows": (".csv", lambda: b"height,Z4\n" + b"1\n" * (2**22 - 99), field),
         "field, columns": (".csv", lambda: b"height," + b"Z4," * 2**20, field),
         "channels, cells": (
@@ -303,7 +303,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
             lambda: gzip.compress(
                 fits(["SIMPLE  = T", "BITPIX  = 8", "NAXIS   = 0", "END"])
                 + fits(["XTENSION= 'IMAGE   '", "BITPIX  = 8", "NAXIS   = 0", "PCOUNT  = 0", "GCOUNT  = 1", "END"])
-                * 30000,
+                * 15000,
                 9,
             ),
             psf,
@@ -394,7 +394,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
             lambda: tiff(np.zeros((40, 2**11, 2**11), np.uint16), compression="zlib"),
             stars,
         ),
-        "stars, pages of tif": (".tif", lambda: many_pages(30000), stars),
+        "stars, pages of tif": (".tif", lambda: many_pages(12000), stars),
         "stars, fits": (
             ".fits",
             lambda: fits(

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from log_amplitudes import log_amplitude
 from lommel import _core
 
 UNIT = mp.mpf(2) ** -53
@@ -56,19 +57,6 @@ def farthest(c: list[float], low: float, high: float) -> mp.mpf:
     """Return the largest distance of the window from the tilt."""
     x, y = mp.mpf(c[0]), mp.mpf(c[1])
     return mp.hypot(max(abs(mp.mpf(low) - x), abs(mp.mpf(high) - x)), y)
-
-
-@mp.workdps(40)
-def log_amplitude(light: list[float], cosh: mp.mpf) -> mp.mpf:
-    """Return the growth of exp(-(g_0 + g_1 t + ...)) on an ellipse, from its Chebyshev coefficients."""
-    count = len(light) + 1
-    angles = [mp.pi * (j + mp.mpf(1) / 2) / count for j in range(count)]
-    values = [sum(mp.mpf(g) * ((1 + mp.cos(a)) / 2) ** k for k, g in enumerate(light)) for a in angles]
-    total = -sum(values) / count
-    for k in range(1, len(light)):
-        part = 2 * sum(f * mp.cos(k * a) for f, a in zip(values, angles, strict=True)) / count
-        total += abs(part) * mp.cosh(k * mp.acosh(cosh))
-    return total
 
 
 def exponents(c: list[float], light: list[float], low: float, high: float, terms=LIST) -> dict[str, list[mp.mpf]]:

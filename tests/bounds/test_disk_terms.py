@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import mpmath as mp
 import numpy as np
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 from scipy.special import jv
 
 import lommel as lm
+from log_amplitudes import log_amplitude
 from lommel import _core
 
 UNIT = mp.mpf(2) ** -53
@@ -45,24 +47,12 @@ def amplitudes(coefficients: list[float]) -> list[tuple[mp.mpf, int, int]]:
     return [(mp.sqrt(square), n, m) for (n, m), square in squares.items()]
 
 
-@mp.workdps(40)
-def log_amplitude(light: list[float], cosh: mp.mpf) -> mp.mpf:
-    """Return the growth of exp(-(g_0 + g_1 t + ...)) on an ellipse, from its Chebyshev coefficients."""
-    count = len(light) + 1
-    angles = [mp.pi * (j + mp.mpf(1) / 2) / count for j in range(count)]
-    values = [sum(mp.mpf(g) * ((1 + mp.cos(a)) / 2) ** k for k, g in enumerate(light)) for a in angles]
-    total = -sum(values) / count
-    for k in range(1, len(light)):
-        part = 2 * sum(f * mp.cos(k * a) for f, a in zip(values, angles, strict=True)) / count
-        total += abs(part) * mp.cosh(k * mp.acosh(cosh))
-    return total
-
-
 def within(light: list[float], area: float) -> list[float]:
     return [g * area**k for k, g in enumerate(light)]
 
 
-def size(coefficients: list[float], light: list[float], b: mp.mpf) -> mp.mpf:
+@cache
+def size(coefficients: tuple[float, ...], light: tuple[float, ...], b: mp.mpf) -> mp.mpf:
     """Return log(M(b) (1 + e^(-2b)))."""
     phase = sum(w * mp.sinh(n * b) for w, n, _ in amplitudes(coefficients))
     return phase + log_amplitude(light, mp.cosh(2 * b)) + mp.log(1 + mp.exp(-2 * b))
@@ -74,7 +64,7 @@ Saved = dict[int, float]  # on some curves, of the logarithm, by samples
 def sizes_on_curves(
     coefficients: list[float], light: list[float], saved: Saved | None
 ) -> list[tuple[mp.mpf, mp.mpf]]:
-    return [(b, size(coefficients, light, b) - (saved or {}).get(i, 0.0)) for i, b in enumerate(CURVES)]
+    return [(b, size(tuple(coefficients), tuple(light), b) - (saved or {}).get(i, 0.0)) for i, b in enumerate(CURVES)]
 
 
 def tail(coefficients: list[float], light: list[float], n: int, saved: Saved | None = None) -> mp.mpf:

@@ -87,7 +87,7 @@ def test_a_small_bead_is_a_point_and_a_large_one_is_not():
 
 def test_all_light_of_a_bead_is_in_its_image():
     pupil = OIL.pupil(depth=0.3e-6, wavelength=520e-9)
-    image = lm.microscopy.bead(pupil, 500e-9, 21, 13e-6, tol=1e-4)
+    image = lm.microscopy.bead(pupil, 200e-9, 21, 13e-6, tol=1e-4)
     assert image.encircled_energy(5e-4) > 0.98
     assert image.values.sum() == pytest.approx(float(image.energy), abs=1e-3)
 

@@ -24,7 +24,7 @@ Complex = NDArray[np.complex128]
 
 def angles(objective: lm.Objective) -> tuple[NDArray[np.float64], NDArray[np.float64], list[Complex]]:
     """Nodes in rho that crowd at the critical angle, weights with rho, and the amplitudes of K0, K1 and K2."""
-    x, w = np.polynomial.legendre.leggauss(3000)
+    x, w = np.polynomial.legendre.leggauss(800)
     s, w = 0.5 * (x + 1.0), 0.5 * w
     critical = min(1.0, objective.sample / objective.NA)
     below, above = critical * (1.0 - (1.0 - s) ** 2), critical + (1.0 - critical) * s**2

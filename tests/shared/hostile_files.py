@@ -303,7 +303,7 @@ def files() -> dict[str, tuple[str, Callable[[], bytes], Callable[[Path], object
             lambda: gzip.compress(
                 fits(["SIMPLE  = T", "BITPIX  = 8", "NAXIS   = 0", "END"])
                 + fits(["XTENSION= 'IMAGE   '", "BITPIX  = 8", "NAXIS   = 0", "PCOUNT  = 0", "GCOUNT  = 1", "END"])
-                * 15000,
+                * 30000,
                 9,
             ),
             psf,

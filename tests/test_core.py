@@ -276,7 +276,7 @@ def _calls(scale: int) -> dict[str, Callable[[], Any]]:
     squares, index = _core.distinct_radii(700, 700)
     profiles = np.ascontiguousarray(np.tile(np.sqrt(squares), (max(1, 12 // scale), 1)))
     pupils = np.ascontiguousarray(np.linspace([-90.0, 0.0], [90.0, 50.0], max(1, 200 // scale)))
-    far = np.linspace(0.0, 64.0, 400_000 // scale)
+    far = np.linspace(0.0, 64.0, 40_000 // scale)
     sources, points = np.linspace(-1e-3, 1e-3, 4000), np.linspace(0.0, 1e-5, 400 // scale)
 
     def scatter() -> NDArray[np.float32]:

@@ -63,7 +63,7 @@ def test_what_is_in_focus_is_sharp_and_the_rest_is_not(call_lommel, scene, tmp_p
 
 def test_what_was_blurred_is_restored(call_lommel, scene, tmp_path):
     # The bench and the boards behind the saddle, out of focus in a photograph of the machine.
-    rows, columns = slice(40, 200), slice(60, 260)
+    rows, columns = slice(60, 160), slice(100, 230)
     depth = read_depth(scene / "motorcycle-depth.tif")[rows, columns]
     picture = read_photo(scene / "motorcycle.png")
     tifffile.imwrite(tmp_path / "depth.tif", depth, photometric="minisblack")

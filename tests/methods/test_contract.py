@@ -36,11 +36,14 @@ def random_case(rng: np.random.Generator) -> tuple[lm.Pupil, tuple[int, int], fl
 
 
 def true_error(answer: lm.PSF, reference: lm.PSF, pupil: lm.Pupil) -> float:
-    """Return the largest error over the peak of the PSF, wherever that lies."""
+    """Return the largest error over the peak of the PSF, wherever that lies, or in the window if so."""
+    error = float(np.abs(answer.values - reference.values).max())
+    if error <= answer.error_bound * float(reference.values.max()):
+        return error / float(reference.values.max())
     blur = float(pupil.v(pupil.geometric_radius()).max())
     scan = np.abs(lm.Hankel().field(pupil, np.linspace(0.0, blur + 4.0, 400))) ** 2
     peak = max(float(reference.values.max()), float(scan.max() * reference.scale))
-    return float(np.abs(answer.values - reference.values).max()) / peak
+    return error / peak
 
 
 @pytest.mark.parametrize("seed", range(10))

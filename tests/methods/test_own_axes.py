@@ -130,12 +130,12 @@ def test_averages_stay_within_the_bound():
     s, w = np.polynomial.legendre.leggauss(18)
     for _ in range(25):
         tol, pitch, side = 10.0 ** rng.uniform(-10, -3), 10.0 ** rng.uniform(-1, 0.5), int(rng.integers(1, 8))
-        pupil = lm.Pupil(lm.Wavefront(rng.uniform(-5, 5, 5), rng.uniform(-2, 2, 5)))
-        center = side // 2 + rng.uniform(-1, 1, (2, 5))
+        pupil = lm.Pupil(lm.Wavefront(rng.uniform(-5, 5, 3), rng.uniform(-2, 2, 3)))
+        center = side // 2 + rng.uniform(-1, 1, (2, 3))
         answer = lm.psf(
             pupil, side, pitch, center=center, tol=tol, integrate=True, normalize="strehl", dtype=np.float64
         )
-        for p in range(5):
+        for p in range(3):
             y, x = (np.pi * (part[p][:, None] + 0.5 * pitch * s) for part in (answer.grid.y, answer.grid.x))
             fine = quadrature(pupil[p], y[:, :, None, None], x)
             exact = 0.25 * np.einsum("yaxb,a,b->yx", fine, w, w)

@@ -21,7 +21,8 @@ def intensity(pupil: lm.Pupil, v: np.ndarray, power: int | None = None) -> np.nd
     t, w = low + (1 - low) * 0.5 * (t + 1), 0.5 * (1 - low) * w
     phase = sum(c * t ** (k + 1) for k, c in enumerate(pupil.coefficients()[0]))
     transmitted = w * np.exp(1j * phase - pupil.apodization * t)
-    values, where = np.unique(v.ravel(), return_inverse=True)
+    # Radii that are the same but for rounding are one.
+    values, where = np.unique(np.round(v.ravel(), 13), return_inverse=True)
     found = np.empty(values.size)
     for first in range(0, values.size, 4096):
         kernel = j0(np.sqrt(t)[:, None] * values[first : first + 4096])
@@ -101,7 +102,7 @@ def test_the_contract_holds_for_any_window_pitch_and_tolerance(seed: int) -> Non
 @pytest.mark.parametrize("pitch", [0.3, 3.4])
 def test_derivatives_of_averages_are_averages_of_derivatives(names, center, integrate: bool, pitch: float) -> None:
     powers = {"defocus": 1, "spherical": 2, "rho^6": 3, "rho^8": 4}
-    for shape in ((6, 9), (64, 60)):
+    for shape in ((6, 9), (64, 24)):
         if shape[0] > 9 and pitch > 1:
             continue
         pupil = lm.Pupil(lm.Wavefront(4.0, -2.0, [1.0]), obscuration=0.3, apodization=0.4)

@@ -69,11 +69,13 @@ LINES = [(name, words) for name, line in SHOWN if (words := shlex.split(line, co
 def folder(tmp_path, monkeypatch) -> Path:
     """The files that the pages name, as small as they may be, in the folder that tests run in."""
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "examples").symlink_to(ROOT / "examples")
-    lenses = {path.stem: path.read_text(encoding="utf-8") for path in (ROOT / "examples" / "lenses").glob("*.toml")}
+    (tmp_path / "examples" / "lenses").mkdir(parents=True)
+    (tmp_path / "examples" / "objectives").symlink_to(ROOT / "examples" / "objectives")
+    for path in (ROOT / "examples" / "lenses").glob("*.toml"):
+        small = re.sub(r"^shape = \d+$", "shape = 17", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+        (tmp_path / "examples" / "lenses" / path.name).write_text(small, encoding="utf-8")
     for name, lens in (("lens", "phone"), ("hubble", "hubble-1990"), ("camera", "camera-field")):
-        small = re.sub(r"^shape = \d+$", "shape = 17", lenses[lens], flags=re.MULTILINE)
-        (tmp_path / f"{name}.toml").write_text(small, encoding="utf-8")
+        (tmp_path / f"{name}.toml").symlink_to(tmp_path / "examples" / "lenses" / f"{lens}.toml")
     objective = (ROOT / "examples" / "objectives" / "zeiss-63x-1.4-oil.toml").read_text(encoding="utf-8")
     (tmp_path / "objective.toml").write_text(objective.replace("shape = 128", "shape = 17"), encoding="utf-8")
     y, x = np.mgrid[:48, :64]
@@ -174,7 +176,7 @@ def test_other_commands_of_the_pages_are_targets_of_make_and_extras_of_the_packa
 def test_the_lens_file_of_the_page_about_the_command_line_is_the_first_example(folder):
     ((code, _),) = blocks(ROOT / "docs" / "command-line.md", "toml")
     Path("own.toml").write_text(code, encoding="utf-8")
-    shown, example = (lm.load_instrument(path) for path in ("own.toml", "examples/lenses/nifty-fifty.toml"))
+    shown, example = (lm.load_instrument(path) for path in ("own.toml", ROOT / "examples/lenses/nifty-fifty.toml"))
     assert shown.pupil() == example.pupil()
     assert (shown.pixel, shown.window, shown.integrate) == (example.pixel, example.window, True)
 

@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from lommel import Hankel, LommelSeries, NijboerZernike, Pupil, ToleranceError, Wavefront
-from lommel.methods import RadialMethod
 
 TABLE = Path(__file__).resolve().parent.parent / "truth" / "field.csv"
 Case = tuple[Pupil, NDArray[np.float64], NDArray[np.complex128]]
@@ -74,14 +73,14 @@ def test_lommel_series_agrees_with_the_table(case: Case) -> None:
     assert LommelSeries().field(pupil, v) == pytest.approx(field, abs=1e-12, rel=0)
 
 
-@pytest.mark.parametrize("method", [Hankel(), Hankel(tol=1e-6), NijboerZernike(tol=1e-12), NijboerZernike(tol=1e-4)])
 @pytest.mark.parametrize("case", ANY)
-def test_the_error_bound_of_the_field_holds(case: Case, method: RadialMethod) -> None:
+def test_the_error_bound_of_the_field_holds(case: Case) -> None:
     pupil, v, field = case
-    values, bound = method.evaluate(pupil, v)
-    assert bound is not None
-    # The table has 20 digits, of which a double keeps 53 bits.
-    assert np.all(np.abs(values - field) <= bound[:, None] + 2.0**-53)
+    for method in (Hankel(), Hankel(tol=1e-6), NijboerZernike(tol=1e-12), NijboerZernike(tol=1e-4)):
+        values, bound = method.evaluate(pupil, v)
+        assert bound is not None
+        # The table has 20 digits, of which a double keeps 53 bits.
+        assert np.all(np.abs(values - field) <= bound[:, None] + 2.0**-53)
 
 
 @pytest.mark.parametrize("case", ANY)

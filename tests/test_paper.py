@@ -185,8 +185,8 @@ def test_pictures_compared_with_each_other_share_their_scale():
     assert len(limits) == 1
 
 
-def test_figures_are_written_as_picture_data_and_table(run_lommel, tmp_path):
-    result = run_lommel("paper", "new/out", "--figure", 2, "--figure", 17, "--json", folder=tmp_path)
+def test_figures_are_written_as_picture_data_and_table(call_lommel, tmp_path):
+    result = call_lommel("paper", "new/out", "--figure", 2, "--figure", 17, "--json", folder=tmp_path)
     assert (result.returncode, result.stderr) == (0, "")
     files = sorted(path.name for path in (tmp_path / "new" / "out").iterdir())
     assert files == sorted([*write.names(2), *write.names(17)])

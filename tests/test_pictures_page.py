@@ -18,7 +18,6 @@ def test_each_picture_of_the_page_is_drawn_and_says_what_it_shows(tmp_path):
     made = []
     for name, figure in drawn.figures():
         made.append(name)
-        figure.canvas.draw()
         texts = [axes for axes in figure.axes if not axes.axison]  # of sections, which have words in a corner
         for axes in texts:
             axes.set_visible(False)

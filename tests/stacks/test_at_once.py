@@ -274,7 +274,7 @@ PROCESS = """
 
 @OTHER
 def test_of_two_processes_each_has_what_it_asked_for_or_gives_way(side, tmp_path):
-    rounds = 12
+    rounds = 8
     command = [sys.executable, "-c", textwrap.dedent(PROCESS), str(Path(__file__).parent), str(tmp_path)]
     pair = [
         subprocess.Popen(

@@ -114,7 +114,7 @@ install := pip install --python .venv/bin/python --require-hashes --constraint r
 	fi
 	mv .venv/first.stamp.new $@
 
-env: .venv/env.stamp ## make .venv and install all that requirements.lock pins
+env: .venv/env.stamp ## make .venv with all that plots, tests and other formats take, as requirements.lock has it
 
 .venv/env.stamp: .venv/first.stamp
 	@$(find_uv)
@@ -142,7 +142,7 @@ build_folder := build/{cache_tag}
 # Where C++ files alone have changed since the package was installed, its module is compiled and put there without a new install.
 .venv/build.stamp: .venv/first.stamp pyproject.toml CMakeLists.txt $(wildcard cmake/*) $(cpp_files) $(if $(gone_files),FORCE)
 	@echo "$(all_files)" >$@.new
-	echo "Compiling the core"
+	echo "Compiling the core: one or two minutes of two processors where all of it is new"
 	folder=build/$$(.venv/bin/python -c 'import sys; print(sys.implementation.cache_tag)')
 	cmake=$$(awk -F = '/^CMAKE_COMMAND:/ { print $$2 }' "$$folder/CMakeCache.txt" 2>/dev/null) || :
 	if $(if $(filter-out $(cpp_files),$?),false,[ -x "$$cmake" ] && grep -q '^SKBUILD_STATE:.*=editable$$' "$$folder/CMakeCache.txt"); then
@@ -162,7 +162,7 @@ build_folder := build/{cache_tag}
 		--config-settings=build-dir='$(build_folder)' --editable .
 	mv $@.new $@
 
-psf: build ## compute the Hubble example, to out/hubble-1990.tif and .png
+psf: build ## compile, the first time, and compute the Hubble example, to out/hubble-1990.tif and .png
 	@mkdir -p out
 	.venv/bin/lommel psf examples/lenses/hubble-1990.toml --output out/hubble-1990.tif --output out/hubble-1990.png
 
@@ -186,7 +186,7 @@ test: build env lint types ## build, lint, check the types and run the tests
 # Beside .venv, for the package index has PyTorch with all that graphics processors need: 5 GB, of which none is used here.
 # UV_TORCH_BACKEND=cpu make test-torch takes it from its own index, which has one without; TORCH=... a wheel that is there.
 TORCH ?= torch
-test-torch: build ## run the tests of twins in PyTorch, in .tools/torch
+test-torch: build ## run the tests of differentiable functions in PyTorch, in .tools/torch
 	@$(find_uv)
 	$(find_python)
 	rm -rf .tools/torch
@@ -304,7 +304,7 @@ docs: build page .venv/docs.stamp ## write the documentation to docs/_build/html
 	touch $@
 
 page_module := src/lommel/page/lommel-live.js
-page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js
+page: $(page_module) ## make the live page's module, src/lommel/page/lommel-live.js; fetches 200 MB the first time
 
 $(page_module): .venv/build.stamp .venv/page.stamp $(wildcard web/* cpp/wasm/*) src/lommel/page/state.py $(wildcard examples/lenses/*)
 	@.venv/bin/python web/build.py --output $@

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import subprocess
 import sys
 from pathlib import Path
@@ -98,6 +99,8 @@ BAD = [
     ("psf {phone} --plot a.xyz", "must end in .png, .pdf or .svg, got 'a.xyz'"),
     ("psf {phone} -o a.tif --plot a.xyz", "must end in .png, .pdf or .svg, got 'a.xyz'"),
     ("psf {phone} --plot nowhere/a.png", "nowhere/a.png"),
+    ("psf {phone} -o a.tif --plot nowhere/a.png", "nowhere/a.png: No such file or directory"),
+    ("psf {phone} -o a.tif -o nowhere/b.npy", "nowhere/b.npy: No such file or directory"),
     ("compare {phone} --shape 5 --figure a.xyz", "must end in .png, .pdf or .svg, got 'a.xyz'"),
     ("compare {phone} --shape 5 --figure nowhere/a.png", "nowhere/a.png"),
 ]  # fmt: skip
@@ -128,6 +131,17 @@ def refused(result: subprocess.CompletedProcess[str], error: str) -> None:
 def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(call_lommel, lenses, folder, arguments, error):
     before = sorted(folder.rglob("*"))
     refused(call_lommel(*fill(arguments, lenses), folder=folder), error)
+    assert sorted(folder.rglob("*")) == before
+
+
+def test_nothing_is_written_where_plots_cannot_be_drawn(call_lommel, lenses, folder, monkeypatch):
+    found = importlib.util.find_spec
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None if name == "matplotlib" else found(name))
+    before = sorted(folder.rglob("*"))
+    refused(
+        call_lommel(*fill("psf {phone} -o a.tif --plot a.png", lenses), folder=folder),
+        'plots need matplotlib: pip install matplotlib (the extra "plot" of lommel brings it; in a clone, make env)',
+    )
     assert sorted(folder.rglob("*")) == before
 
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
+# Extras that no target of the Makefile installs.
+_NOT_LOCKED = ("torch", "cupy")
 _TO_INSTALL = {"PIL": "pillow", "dask": '"dask[array]"'}
 
 
@@ -31,8 +34,19 @@ def library(name: str, user: str, extra: str) -> Any:
         raise ImportError(f"{user} {how_to_get(name, extra)}") from None
 
 
+def require(name: str, user: str, extra: str) -> None:
+    """Raise the ImportError of :func:`library` where a module is missing, without importing it."""
+    from importlib.util import find_spec  # which few need
+
+    if find_spec(name.partition(".")[0]) is None:
+        raise ImportError(f"{user} {how_to_get(name, extra)}")
+
+
 def how_to_get(name: str, extra: str) -> str:
     """Return what is needed and how to install it, in words that hold wherever this package came from."""
     top = name.partition(".")[0]
-    brought = f' (the extra "{extra}" of lommel brings it)' if extra else ""
+    # The environment of a clone has no pip.
+    clone = Path(__file__).parents[3] / "Makefile"
+    here = "; in a clone, make env" if clone.is_file() and extra not in _NOT_LOCKED else ""
+    brought = f' (the extra "{extra}" of lommel brings it{here})' if extra else ""
     return f"{top}: pip install {_TO_INSTALL.get(top, top)}{brought}"

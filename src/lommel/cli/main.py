@@ -31,6 +31,7 @@ try:
         of_picture,
         one_line_errors,
         print_json,
+        require_folder,
         save_figure,
     )
     from lommel.cli.progress import progress
@@ -215,6 +216,8 @@ def psf(
     registry = psf_files if field is None else field_files
     forms = [(path, registry.find(path, "--output")) for path in (() if colour else outputs)]
     written = [place for path, form in forms for place in form.places(path)]
+    for path in (*outputs, *written):
+        require_folder(path)
     if figure is not None:
         figure_format(figure)
     options: dict[str, Any] = {"method": build_method(method_name, settings), "tol": tol, "normalize": normalize}

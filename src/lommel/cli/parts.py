@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import errno
 import functools
 import json
 import os
@@ -15,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 from click.core import ParameterSource
 
+from lommel.base import optional
 from lommel.base.units import parse_length, with_units
 from lommel.base.validation import brief, line, shown
 from lommel.methods import METHODS
@@ -171,11 +173,19 @@ def instrument_of(lens: Path, **options: Any) -> Instrument:
 
 
 def figure_format(path: Path) -> str:
-    """Return the format of a figure by the suffix of its file; ValueError if it is none."""
+    """Return the format of a figure by the suffix of its file; an error if there is none or it cannot be drawn."""
     suffix = path.suffix.lower().lstrip(".")
     if suffix not in ("png", "pdf", "svg"):
         raise ValueError(f"a figure must end in .png, .pdf or .svg, got {shown(str(path))}")
+    optional.require("matplotlib", "plots need", "plot")
+    require_folder(path)
     return suffix
+
+
+def require_folder(path: Path) -> None:
+    """Raise FileNotFoundError where there is no folder for a file, before any other is written."""
+    if not path.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(path))
 
 
 def save_figure(figure: Any, path: Path) -> None:

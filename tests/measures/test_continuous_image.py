@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy import integrate, special
+from scipy import integrate, optimize, special
 
 import lommel as lm
 from lommel.measures.continuous_image import ImageModel, cartesian_images, images, polar_images, sampled_transfer
@@ -110,6 +110,19 @@ def test_a_gaussian_much_wider_than_the_optics_has_its_own_width_and_energies():
     radius = np.array([5.0, 20.0, 40.0])
     np.testing.assert_allclose(psf.encircled_energy(radius), 1 - np.exp(-(radius**2) / (2 * sigma**2)), atol=7e-3)
     assert psf.energy_diameter(0.5) == pytest.approx(2 * sigma * math.sqrt(2 * math.log(2)), rel=1e-2)
+
+
+def test_a_jitter_along_x_leaves_what_is_fine_along_y():
+    sigma, x = 2.0, np.linspace(-18.0, 18.0, 36_001)
+    weight = np.exp(-((x / sigma) ** 2) / 2.0)
+
+    def light(y):
+        v = math.pi * np.hypot(x, y)
+        return weight @ (2.0 * special.j1(v) / v) ** 2
+
+    half = optimize.brentq(lambda y: light(y) - 0.5 * light(1e-12), 0.1, 2.0)
+    psf = lm.psf(lm.Pupil(), 5, 0.25, blur=lm.Jitter(sigma, 0.0))
+    assert psf.fwhm("y") == pytest.approx(2.0 * half, rel=1e-8)
 
 
 def test_transfer_functions_from_samples_are_those_of_the_wavefront():

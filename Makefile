@@ -180,8 +180,12 @@ photo: build env ## blur a photograph by its depth, near, far and from one to th
 	.venv/bin/lommel depth out/motorcycle-near.png out/motorcycle-far.png "$$lens" --focus 2.4m --focus 4.8m \
 		--between 2m 5.2m --white 50000 --read 3 --output out/motorcycle-found.tif --plot out/motorcycle-found.png
 
-test: build env lint types ## build, lint, check the types and run the tests
-	@.venv/bin/pytest --numprocesses auto --maxprocesses 4 --dist worksteal
+# Types are checked meanwhile: one processor would wait.
+test: build env lint ## build, lint, check the types and run the tests
+	@.venv/bin/mypy & types=$$!
+	.venv/bin/pytest --numprocesses auto --maxprocesses 4 --dist worksteal || status=$$?
+	wait $$types
+	exit $${status:-0}
 
 # Beside .venv, for the package index has PyTorch with all that graphics processors need: 5 GB, of which none is used here.
 # UV_TORCH_BACKEND=cpu make test-torch takes it from its own index, which has one without; TORCH=... a wheel that is there.
